@@ -1,0 +1,63 @@
+# The front door: thin names over the CMake presets. `make help` lists them.
+
+JOBS ?= $(shell nproc)
+MOLECULES ?= ../shared/molecules
+PREFIX ?= /usr/local
+sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
+
+.DEFAULT_GOAL := build
+.PHONY: build deps demo test test-slow bench corpus lint tidy format sanitize install clean help
+
+build: deps  ## build everything, optimised, into build/ (the default)
+	cmake --preset release
+	cmake --build build --parallel $(JOBS)
+
+deps:  ## install the Debian packages that are missing
+	@cmake/install_packages.sh
+
+demo: build  ## mesh the bundled gramicidin A and print the report
+	build/morskin mesh bench/molecules/1grm_model1.pdb -o build/1grm.ply
+	@echo
+	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
+
+test: build  ## run every test but the slow ones
+	ctest --test-dir build --output-on-failure
+
+test-slow: build  ## run the slow tests
+	ctest --test-dir build --output-on-failure -C slow -L slow
+
+bench: deps  ## build and run the benchmarks
+	cmake --preset bench
+	cmake --build build/bench --parallel $(JOBS)
+	@for program in build/bench/*_bench; do $$program || exit 1; done
+
+corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
+	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
+
+lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
+	python3 cmake/lint.py
+	clang-format --dry-run -Werror $(sources)
+	@if command -v clang-tidy > /dev/null; then $(MAKE) --no-print-directory tidy; fi
+
+tidy: deps
+	cmake --preset tidy
+	printf '%s\n' $(filter-out tests/installed/%,$(filter %.cpp,$(sources))) | \
+	  xargs --max-args=1 --max-procs=$(JOBS) clang-tidy -p build/tidy --quiet
+
+format:  ## lay out every source file with clang-format
+	clang-format -i $(sources)
+
+sanitize: deps  ## run the tests with the address and undefined behaviour sanitizers
+	cmake --preset sanitize
+	cmake --build build/sanitize --parallel $(JOBS)
+	ctest --test-dir build/sanitize --output-on-failure
+
+install: build  ## install the command, the libraries and the CMake package under PREFIX
+	cmake --install build --prefix $(PREFIX)
+
+clean:  ## remove everything built
+	rm -rf build
+
+help:  ## list these
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | while IFS="$$(printf '\t')" read -r name text; \
+	  do printf '  make %-10s %s\n' "$$name" "$$text"; done

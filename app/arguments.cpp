@@ -1,0 +1,247 @@
+#include "app/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+#include "app/version.h"
+#include "geometry/mesh_files.h"
+#include "geometry/text_lines.h"
+
+namespace morskin::app {
+namespace {
+
+constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
+
+constexpr const char* about =
+    "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
+    "the\n"
+    "surface, has no angle below 21 degrees, and can be checked again from the written file.\n"
+    "\n"
+    "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
+    "are\n"
+    "in Angstrom, angles in degrees. The first model is read, of alternate places the likeliest,\n"
+    "and no water unless asked.\n";
+
+constexpr const char* closing =
+    "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
+    "atom's sphere patch has the radius sqrt(W/2)):\n"
+    "  paper   W = sqrt(2) (r + p), as the paper prints it (default)\n"
+    "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
+    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part\n"
+    "\n"
+    "Examples:\n"
+    "  morskin mesh 1crn.pdb -o 1crn.ply\n"
+    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model vdw --report 1crn.json\n"
+    "  morskin check 1crn.ply --against 1crn.pdb\n"
+    "  morskin info 1crn.pdb --json\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  meshed and certified           5  not certified: see OUT.unverified\n"
+    "  2  wrong arguments                6  out of memory\n"
+    "  3  input unreadable               7  output not writable\n"
+    "  4  input refused (names atoms)   70  internal error\n";
+
+// The options as typed, before they are checked.
+struct Typed {
+  std::string model = "paper";
+  std::string height;
+  std::string progress = "auto";
+  std::string method = "sweep";
+};
+
+void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
+  command.add_option("--model", typed.model, "How radii become weights: paper, sas or vdw")
+      ->check(CLI::IsMember({"paper", "sas", "vdw"}))
+      ->capture_default_str();
+  command.add_option("--probe", molecule.probe, "Probe radius, Angstrom; 0 for none")
+      ->capture_default_str();
+  command.add_flag("--waters", molecule.waters, "Keep the waters");
+}
+
+void add_sizing_options(CLI::App& command, refine::Sizing& sizing) {
+  command
+      .add_option("-C", sizing.C,
+                  "Size of the triangles over the curvature radius;\n"
+                  "half of it makes four times as many")
+      ->capture_default_str();
+  command.add_option("-Q", sizing.Q, "Quality: every angle exceeds asin(1/Q^2)")
+      ->capture_default_str();
+}
+
+void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
+  CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
+  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", mesh.outputs,
+                  "The mesh, by its ending: .ply, .off, .obj, .vtu (exact)\n"
+                  "or .stl (single precision); repeat for several.\n"
+                  "\"-\", /dev/null and the like take PLY")
+      ->required()
+      ->allow_extra_args(false);
+  add_molecule_options(command, mesh.molecule, typed);
+  add_sizing_options(command, mesh.sizing);
+  command.add_option("--height", typed.height,
+                     "x,y,z: direction of the sweep (default: y, tilted a little)");
+  command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
+      ->check(CLI::IsMember({"sweep"}))
+      ->capture_default_str();
+  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
+  command.add_flag("--json", mesh.json, "Print the report as JSON");
+  command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
+  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  command.footer(
+      "The mesh takes its name only when the bytes written have been read back and certified:\n"
+      "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
+      "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
+}
+
+void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "balls", "Write the balls really used, x y z r, r the radius of the atom's patch");
+  command.add_option("INPUT", balls.molecule.input, "The molecule")->required();
+  command.add_option("-o,--output", balls.output, "XYZR file, or - for standard output")
+      ->required();
+  add_molecule_options(command, balls.molecule, typed);
+  command.add_flag("-q,--quiet", balls.quiet, "Print nothing but errors");
+}
+
+void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
+  CLI::App& command =
+      *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
+  command.add_option("INPUT", info.molecule.input, "The molecule")->required();
+  add_molecule_options(command, info.molecule, typed);
+  add_sizing_options(command, info.sizing);
+  command.add_flag("--json", info.json, "Print JSON");
+}
+
+void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
+  command.add_option("MESH", check.mesh, "PLY, OFF, OBJ or STL, of any tool")->required();
+  command.add_option("--against", against.input, "The molecule; runs the whole certificate");
+  add_molecule_options(command, against, typed);
+  add_sizing_options(command, check.sizing);
+  command.add_flag("--json", check.json, "Print JSON");
+  command.footer(
+      "Exit code 0: certified, or without --against a closed oriented 2-manifold; 5: not.");
+}
+
+geometry::Vector parsed_height(std::string text) {
+  std::ranges::replace(text, ',', ' ');
+  std::string_view rest = text;
+  geometry::Vector height;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<double> value = geometry::parse_double(geometry::take_field(rest));
+    if (!value || !std::isfinite(*value)) throw UsageError("--height needs three numbers: x,y,z");
+    height[axis] = *value;
+  }
+  if (!geometry::trimmed(rest).empty()) throw UsageError("--height needs three numbers: x,y,z");
+  const double length = height.stableNorm();
+  if (!(length > 0) || !std::isfinite(length)) {
+    throw UsageError("--height needs a direction; its length must not be zero or infinite");
+  }
+  return height / length;
+}
+
+void check_sizing(const refine::Sizing& sizing) {
+  if (!(sizing.C > 0) || !std::isfinite(sizing.C)) throw UsageError("-C must be above 0");
+  if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
+  if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
+}
+
+void finish(MoleculeArguments& molecule, const Typed& typed) {
+  molecule.model = *skin::parse_model(typed.model);
+  if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
+    throw UsageError("--probe must be from 0 to 10000 Angstrom");
+  }
+}
+
+bool is_standard_output(const std::filesystem::path& path) {
+  return path == "-" || path == "/dev/stdout";
+}
+
+void check_outputs(const MeshArguments& mesh) {
+  std::vector<std::filesystem::path> names = mesh.outputs;
+  if (mesh.report) names.push_back(*mesh.report);
+  std::size_t standard_outputs = mesh.json ? 1 : 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) throw UsageError("an output's name is empty");
+    if (is_standard_output(names[i])) ++standard_outputs;
+    std::error_code ignored;
+    const bool is_special = std::filesystem::exists(names[i], ignored) &&
+                            !std::filesystem::is_regular_file(names[i], ignored);
+    for (std::size_t j = 0; j < i && !is_special; ++j) {
+      if (names[i] == names[j]) throw UsageError(names[i].string() + " is named twice");
+    }
+  }
+  if (standard_outputs > 1) throw UsageError("only one thing can go to standard output");
+  for (const std::filesystem::path& output : mesh.outputs) {
+    std::error_code ignored;
+    const bool is_special =
+        is_standard_output(output) || (std::filesystem::exists(output, ignored) &&
+                                       !std::filesystem::is_regular_file(output, ignored));
+    if (!is_special && !geometry::mesh_format_of(output)) {
+      throw UsageError(output.string() +
+                       ": the ending stands for no mesh format; use .ply, .off, .obj, .stl or "
+                       ".vtu");
+    }
+  }
+}
+
+ShowProgress parsed_progress(std::string_view word) {
+  if (word == "always") return ShowProgress::Always;
+  return word == "never" ? ShowProgress::Never : ShowProgress::Auto;
+}
+
+}  // namespace
+
+Arguments parse_arguments(int count, const char* const* words) {
+  CLI::App app(about, "morskin");
+  app.footer(closing);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "morskin " + std::string(version));
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "morskin: " + std::string(error.what()) + "; see morskin --help\n";
+  });
+  MeshArguments mesh;
+  BallsArguments balls;
+  InfoArguments info;
+  CheckArguments check;
+  MoleculeArguments against;
+  Typed typed;
+  add_mesh(app, mesh, typed);
+  add_balls(app, balls, typed);
+  add_info(app, info, typed);
+  add_check(app, check, against, typed);
+  try {
+    app.parse(count, words);
+    for (MoleculeArguments* molecule : {&mesh.molecule, &balls.molecule, &info.molecule, &against})
+      finish(*molecule, typed);
+    for (const refine::Sizing& sizing : {mesh.sizing, info.sizing, check.sizing})
+      check_sizing(sizing);
+    if (app.got_subcommand("balls")) return balls;
+    if (app.got_subcommand("info")) return info;
+    if (app.got_subcommand("check")) {
+      if (!against.input.empty()) check.against = against;
+      return check;
+    }
+    if (!typed.height.empty()) mesh.height = parsed_height(typed.height);
+    mesh.progress = parsed_progress(typed.progress);
+    check_outputs(mesh);
+    return mesh;
+  } catch (const CLI::ParseError& error) {
+    const bool is_complaint = error.get_exit_code() != 0;
+    app.exit(error, std::cout, std::cerr);
+    return Finished{is_complaint ? ExitCode::Usage : ExitCode::Success};
+  } catch (const UsageError& error) {
+    std::cerr << "morskin: " << error.what() << "; see morskin --help\n";
+    return Finished{ExitCode::Usage};
+  }
+}
+
+}  // namespace morskin::app

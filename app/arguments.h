@@ -1,0 +1,75 @@
+#pragma once
+
+/// The command line as values: parsed, checked, with the defaults filled in.
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
+#include "app/exit_codes.h"
+#include "geometry/point.h"
+#include "refine/sizing.h"
+#include "skin/model.h"
+
+namespace morskin::app {
+
+/// The arguments make no sense; the text says which and why. The command's exit code is 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What every command that reads a molecule asks.
+struct MoleculeArguments {
+  std::filesystem::path input;
+  skin::Model model = skin::Model::Paper;
+  double probe = 1.4;  ///< Angstrom
+  bool waters = false;
+};
+
+enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error is a terminal
+
+struct MeshArguments {
+  MoleculeArguments molecule;
+  std::vector<std::filesystem::path> outputs;
+  refine::Sizing sizing;
+  std::optional<geometry::Vector> height;
+  std::optional<std::filesystem::path> report;
+  bool json = false;
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
+};
+
+struct BallsArguments {
+  MoleculeArguments molecule;
+  std::filesystem::path output;
+  bool quiet = false;
+};
+
+struct InfoArguments {
+  MoleculeArguments molecule;
+  refine::Sizing sizing;
+  bool json = false;
+};
+
+struct CheckArguments {
+  std::filesystem::path mesh;
+  std::optional<MoleculeArguments> against;
+  refine::Sizing sizing;
+  bool json = false;
+};
+
+/// Nothing is left to do: help or the version was printed, or a complaint.
+struct Finished {
+  ExitCode code;
+};
+
+using Arguments =
+    std::variant<Finished, MeshArguments, BallsArguments, InfoArguments, CheckArguments>;
+
+/// Prints help, version or what is wrong with the arguments.
+Arguments parse_arguments(int count, const char* const* words);
+
+}  // namespace morskin::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/arguments.h"
+
+namespace morskin::app {
+
+/// Each does what its name says, prints its report and returns the exit code.
+/// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
+/// UsageError
+ExitCode mesh_command(const MeshArguments& arguments);
+ExitCode balls_command(const BallsArguments& arguments);
+ExitCode info_command(const InfoArguments& arguments);
+ExitCode check_command(const CheckArguments& arguments);
+
+}  // namespace morskin::app

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands.h"
+#include "app/molecule_input.h"
+#include "app/report.h"
+#include "geometry/regular_triangulation.h"
+
+namespace morskin::app {
+namespace {
+
+// Triangles with C = 0.08 and Q = 1.65, as measured: a share for every heavy atom and one for the
+// whole. Within a factor of two for proteins and nucleic acids; a small cage can have a fifth.
+struct Growth {
+  double per_heavy_atom, per_molecule;
+};
+Growth growth(skin::Model model) {
+  switch (model) {
+    case skin::Model::Paper:
+      return {1300, 0};
+    case skin::Model::Sas:
+      return {85, 2000};
+    case skin::Model::Vdw:
+      return {900, 0};
+  }
+  return {};
+}
+
+// Atoms by element, "?" where the file tells none.
+std::map<std::string, std::size_t> elements(const skin::Molecule& molecule) {
+  std::map<std::string, std::size_t> counts;
+  for (const skin::Atom& atom : molecule.atoms)
+    ++counts[atom.element.is_empty() ? "?" : std::string(atom.element.view())];
+  return counts;
+}
+
+bool is_hydrogen(const skin::Atom& atom) {
+  const std::string_view element = atom.element.view();
+  return element == "H" || element == "D" || element == "T";
+}
+
+// The number goes with 1 / C^2.
+double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& arguments) {
+  const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
+  const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
+  const Growth grows = growth(arguments.molecule.model);
+  const double share = 0.08 / arguments.sizing.C;
+  return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
+}
+
+struct Info {
+  RadiusRange radii;    ///< of the atoms
+  RadiusRange patches;  ///< of their sphere patches
+  std::size_t hidden;
+  double triangles;
+};
+
+Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
+  const auto [least, most] =
+      std::ranges::minmax_element(input.molecule.atoms, {}, &skin::Atom::radius);
+  const std::size_t hidden = geometry::regular_triangulation(input.points).hidden.size();
+  return {{least->radius, most->radius},
+          patch_radii(input.points),
+          hidden,
+          estimated_triangles(input.molecule, arguments)};
+}
+
+std::string json_text(const MoleculeInput& input, const InfoArguments& arguments,
+                      const Info& info) {
+  const skin::ReadingCounts& counts = input.molecule.counts;
+  nlohmann::ordered_json json = {{"input", arguments.molecule.input.string()},
+                                 {"model", skin::name_of(arguments.molecule.model)},
+                                 {"probe", arguments.molecule.probe},
+                                 {"atoms", input.molecule.atoms.size()},
+                                 {"elements", elements(input.molecule)},
+                                 {"radius_min", rounded(info.radii.smallest)},
+                                 {"radius_max", rounded(info.radii.largest)},
+                                 {"patch_radius_min", rounded(info.patches.smallest)},
+                                 {"patch_radius_max", rounded(info.patches.largest)},
+                                 {"duplicates", counts.duplicates},
+                                 {"hidden", info.hidden},
+                                 {"skipped", skipped(counts)},
+                                 {"skipped_waters", counts.waters},
+                                 {"skipped_alternates", counts.alternates},
+                                 {"skipped_zero_radii", counts.zero_radii},
+                                 {"skipped_unknown_elements", counts.unknown},
+                                 {"skipped_models", counts.other_models},
+                                 {"C", arguments.sizing.C},
+                                 {"Q", arguments.sizing.Q},
+                                 {"estimated_triangles", std::round(rounded(info.triangles, 2))}};
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string people_text(const MoleculeInput& input, const InfoArguments& arguments,
+                        const Info& info) {
+  const skin::ReadingCounts& counts = input.molecule.counts;
+  std::string composition;
+  for (const auto& [element, count] : elements(input.molecule))
+    composition += (composition.empty() ? "" : ", ") + grouped(count) + " " + element;
+  const std::string words = skipped_in_words(counts);
+  std::string text = arguments.molecule.input.string() + "\n";
+  text += line("atoms", grouped(input.molecule.atoms.size()) + " (" + composition + ")");
+  text += line("left out", words.empty() ? "none" : words);
+  if (counts.other_models > 0) {
+    text += line("models", "the first of " + grouped(counts.other_models + 1));
+  }
+  text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A");
+  text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +
+                              " A, model " + std::string(skin::name_of(arguments.molecule.model)) +
+                              ", probe " + brief(arguments.molecule.probe) + " A");
+  text += line("duplicates", grouped(counts.duplicates));
+  text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
+  text += line("triangles", "about " + grouped(std::llround(rounded(info.triangles, 2))) +
+                                ": a guess from the heavy atoms and C, by what proteins had");
+  return text;
+}
+
+}  // namespace
+
+ExitCode info_command(const InfoArguments& arguments) {
+  const MoleculeInput input = read_input(arguments.molecule);
+  const Info info = gather(input, arguments);
+  std::cout << (arguments.json ? json_text(input, arguments, info)
+                               : people_text(input, arguments, info));
+  return ExitCode::Success;
+}
+
+}  // namespace morskin::app

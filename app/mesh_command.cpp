@@ -1,0 +1,201 @@
+#include <sys/resource.h>
+
+#include <chrono>
+#include <iostream>
+#include <span>
+#include <utility>
+
+#include "app/commands.h"
+#include "app/molecule_input.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/staged_outputs.h"
+#include "geometry/error.h"
+#include "geometry/mesh_files.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::MeshFormat;
+using geometry::PendingFile;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Devices and pipes have no ending; they take PLY.
+MeshFormat format_of(const std::filesystem::path& path) {
+  return geometry::mesh_format_of(path).value_or(MeshFormat::PlyBinary);
+}
+
+bool can_be_certified(MeshFormat format) {
+  return format != MeshFormat::Stl && format != MeshFormat::Vtu;
+}
+
+bool is_in_proven_range(const refine::Sizing& sizing) {
+  return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
+}
+
+front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments) {
+  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  front::MeshOptions options;
+  options.sizing = arguments.sizing;
+  options.height = arguments.height;
+  options.certify = false;
+  options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
+  try {
+    return front::mesh_skin(skin, options);
+  } catch (const front::DegenerateHeight& error) {
+    // Which exit code depends on whose choice the direction was.
+    if (arguments.height) throw UsageError(error.what());
+    throw;
+  }
+}
+
+void write(std::span<PendingFile> files, const geometry::IndexedMesh& mesh) {
+  for (PendingFile& file : files) file.write(geometry::serialized(mesh, format_of(file.path())));
+}
+
+// The certificate of the first file whose format keeps every coordinate, from its bytes; if there
+// is none, of the bytes that a PLY file would have.
+refine::Certificate certify(std::span<const PendingFile> files, const geometry::IndexedMesh& mesh,
+                            const front::PreparedSkin& skin, const refine::Sizing& sizing,
+                            std::string& certified_file) {
+  const auto file = std::ranges::find_if(
+      files, [](const PendingFile& f) { return can_be_certified(format_of(f.path())); });
+  geometry::IndexedMesh copy;
+  try {
+    if (file != files.end()) {
+      certified_file = file->path().string();
+      copy =
+          geometry::parse_mesh(geometry::read_file(file->temporary_name()).view(), certified_file);
+    } else {
+      certified_file = "the same mesh as binary PLY, in memory";
+      copy =
+          geometry::parse_mesh(geometry::serialized(mesh, MeshFormat::PlyBinary), certified_file);
+    }
+  } catch (const geometry::UnreadableInput& error) {
+    refine::Certificate refused = refine::certify({}, skin.surface, skin.topology, sizing);
+    refused.reason = error.what();
+    return refused;
+  }
+  return refine::certify(copy, skin.surface, skin.topology, sizing);
+}
+
+// Gives the files their names and feeds what is no regular file, which gets certified meshes only.
+std::vector<std::filesystem::path> deliver(std::span<PendingFile> files,
+                                           const MeshArguments& arguments,
+                                           const geometry::IndexedMesh& mesh, bool is_certified) {
+  std::vector<std::filesystem::path> names;
+  for (PendingFile& file : files) names.push_back(file.commit(is_certified ? "" : ".unverified"));
+  for (const std::filesystem::path& path : arguments.outputs) {
+    if (!is_certified || !geometry::is_written_directly(path)) continue;
+    geometry::write_file_atomically(path, geometry::serialized(mesh, format_of(path)));
+    names.push_back(path);
+  }
+  return names;
+}
+
+long long peak_memory_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024LL;
+}
+
+void describe_input(MeshReport& report, const MeshArguments& arguments,
+                    const MoleculeInput& input) {
+  report.molecule = arguments.molecule;
+  report.sizing = arguments.sizing;
+  report.atoms_used = input.molecule.atoms.size();
+  report.reading = input.molecule.counts;
+  const RadiusRange radii = patch_radii(input.points);
+  report.patch_radius_min = radii.smallest;
+  report.patch_radius_max = radii.largest;
+}
+
+void describe_run(MeshReport& report, const front::MeshResult& result) {
+  report.minima = result.minima;
+  report.saddles = result.saddles;
+  report.maxima = result.maxima;
+  report.height = result.height;
+  report.operations = result.operations;
+  report.refinement = result.refinement;
+  report.open_edges = result.open_edges;
+  report.seconds.stages = result.seconds;
+}
+
+void publish(const MeshReport& report, const MeshArguments& arguments, PendingFile* report_file) {
+  if (report_file != nullptr) {
+    report_file->write(json_text(report));
+    report_file->commit();
+  } else if (arguments.report) {
+    geometry::write_file_atomically(*arguments.report, json_text(report));
+  }
+  if (!report.certificate.certified) {
+    std::cerr << "morskin: " << arguments.outputs.front().string()
+              << ": not certified: " << report.certificate.reason << "; see "
+              << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
+  }
+  if (arguments.quiet) return;
+  // A mesh on standard output sends the report to standard error.
+  const bool is_taken = std::ranges::any_of(
+      arguments.outputs, [](const auto& path) { return path == "-" || path == "/dev/stdout"; });
+  (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
+}
+
+}  // namespace
+
+ExitCode mesh_command(const MeshArguments& arguments) {
+  const Stopwatch total;
+  MeshReport report;
+  if (!is_in_proven_range(arguments.sizing) && !arguments.quiet) {
+    std::cerr << "morskin: note: the theory asks for Q^2 > 2 + 4 C Q and C Q <= 0.215; with these "
+                 "-C and -Q the certificate may fail\n";
+  }
+
+  const Stopwatch reading;
+  const MoleculeInput input = read_input(arguments.molecule);
+  report.seconds.read = reading.seconds();
+  describe_input(report, arguments, input);
+
+  std::vector<std::filesystem::path> names = arguments.outputs;
+  if (arguments.report) names.push_back(*arguments.report);
+  StagedOutputs outputs(names);
+  const bool is_report_staged =
+      arguments.report && !geometry::is_written_directly(*arguments.report);
+  std::span<PendingFile> files = outputs.files();
+  PendingFile* const report_file = is_report_staged ? &files.back() : nullptr;
+  if (is_report_staged) files = files.first(files.size() - 1);
+
+  const Stopwatch preparing;
+  const front::PreparedSkin skin = prepare_skin(input);
+  report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
+                                skin.surface.mixed_complex_seconds();
+  report.atoms_hidden = skin.surface.triangulation().hidden.size();
+  const front::MeshResult result = mesh(skin, arguments);
+  describe_run(report, result);
+
+  const Stopwatch writing;
+  write(files, result.mesh);
+  report.seconds.write = writing.seconds();
+  const Stopwatch certifying;
+  report.certificate = certify(files, result.mesh, skin, arguments.sizing, report.certified_file);
+  report.seconds.certify = certifying.seconds();
+  const Stopwatch delivering;
+  report.outputs = deliver(files, arguments, result.mesh, report.certificate.certified);
+  report.seconds.write += delivering.seconds();
+  report.seconds.total = total.seconds();
+
+  report.peak_memory_bytes = peak_memory_bytes();
+  report.floor_seconds = front::floor_seconds(skin.surface, result);
+  publish(report, arguments, report_file);
+  return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "front/mesh_skin.h"
+#include "geometry/point.h"
+#include "skin/molecule.h"
+
+namespace morskin::app {
+
+/// A molecule and the weighted points that the model makes of it.
+struct MoleculeInput {
+  skin::Molecule molecule;
+  std::vector<geometry::WeightedPoint> points;  ///< by atom
+};
+
+/// @throws geometry::UnreadableInput, geometry::RefusedInput  also for an atom so big that its
+///         weight is out of the range of the exact predicates
+MoleculeInput read_input(const MoleculeArguments& arguments);
+
+/// front::prepare_skin, but a singular skin is refused with its atoms called by their names.
+/// @throws geometry::RefusedInput
+front::PreparedSkin prepare_skin(const MoleculeInput& input);
+
+/// Smallest and largest radius of the atoms' sphere patches, Angstrom.
+struct RadiusRange {
+  double smallest, largest;
+};
+RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points);
+
+/// How many atoms of the file were left out, for whatever reason.
+std::size_t skipped(const skin::ReadingCounts& counts);
+
+/// The reasons in words, "34 of water, 2 alternate places"; empty if nothing was left out.
+std::string skipped_in_words(const skin::ReadingCounts& counts);
+
+}  // namespace morskin::app

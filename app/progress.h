@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+#include <string_view>
+
+#include "app/arguments.h"
+
+namespace morskin::app {
+
+/// One line on standard error, "sweep 43 %", written over itself at most ten times a second and
+/// wiped at the end.
+class ProgressLine {
+ public:
+  explicit ProgressLine(ShowProgress when);
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() { wipe(); }
+
+  /// @param share  how much of the stage is done, 0 to 1.
+  void show(std::string_view stage, double share);
+  void wipe();
+
+ private:
+  bool is_shown_;
+  bool has_text_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace morskin::app

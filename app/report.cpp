@@ -1,0 +1,216 @@
+#include "app/report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+namespace morskin::app {
+namespace {
+
+using nlohmann::ordered_json;
+using refine::Certificate;
+
+ordered_json operations_json(const MeshReport& report) {
+  const front::Operations& done = report.operations;
+  return {{"creation", done.creation},
+          {"creep", done.creep},
+          {"wing", done.wing},
+          {"bridge", done.bridge},
+          {"seal", done.seal},
+          {"guard_inside_protecting", done.guard_inside_protecting},
+          {"guard_outside_protecting", done.guard_outside_protecting},
+          {"flip", report.refinement.flip},
+          {"contract", report.refinement.contract},
+          {"insert", report.refinement.insert},
+          {"refused", report.refinement.refused}};
+}
+
+ordered_json seconds_json(const RunSeconds& seconds) {
+  return {{"read", rounded(seconds.read)},
+          {"triangulate", rounded(seconds.stages.triangulate)},
+          {"mixed_complex", rounded(seconds.stages.mixed_complex)},
+          {"dual_complex", rounded(seconds.dual_complex)},
+          {"critical_points", rounded(seconds.stages.critical_points)},
+          {"sweep", rounded(seconds.stages.sweep)},
+          {"refine", rounded(seconds.stages.refine)},
+          {"certify", rounded(seconds.certify)},
+          {"write", rounded(seconds.write)},
+          {"total", rounded(seconds.total)}};
+}
+
+ordered_json skipped_json(const skin::ReadingCounts& counts) {
+  return {{"waters", counts.waters},
+          {"alternates", counts.alternates},
+          {"zero_radii", counts.zero_radii},
+          {"unknown_elements", counts.unknown}};
+}
+
+double floor_ratio(const MeshReport& report) {
+  return report.floor_seconds > 0 ? report.seconds.total / report.floor_seconds : 0;
+}
+
+}  // namespace
+
+std::string line(std::string_view label, const std::string& text) {
+  std::string result = "  " + std::string(label);
+  result.resize(std::max<std::size_t>(result.size() + 1, 14), ' ');
+  return result + text + "\n";
+}
+
+std::string grouped(long long number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const bool starts_group = (digits.size() - i) % 3 == 0;
+    if (starts_group && i > 0 && digits[i - 1] != '-') text.push_back(',');
+    text.push_back(digits[i]);
+  }
+  return text;
+}
+
+std::string grouped(std::size_t number) { return grouped(static_cast<long long>(number)); }
+
+std::string counted(std::size_t count, const std::string& one, const std::string& more) {
+  return grouped(count) + " " + (count == 1 ? one : more);
+}
+
+std::string brief(double number, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, number);
+  return text;
+}
+
+double rounded(double number, int digits) {
+  return std::strtod(brief(number, digits).c_str(), nullptr);
+}
+
+ordered_json certificate_json(const Certificate& c) {
+  ordered_json json = {{"vertices", c.vertices},
+                       {"triangles", c.triangles},
+                       {"components", c.components},
+                       {"euler_characteristic", c.euler_characteristic},
+                       {"genus", c.genus},
+                       {"expected_euler_characteristic", c.expected_euler_characteristic},
+                       {"expected_components", c.expected_components},
+                       {"expected_genus", c.expected_genus},
+                       {"min_angle_deg", c.min_angle_deg},
+                       {"max_angle_deg", c.max_angle_deg},
+                       {"worst_L", c.worst_L},
+                       {"worst_U", c.worst_U},
+                       {"violations_L", c.violations_L},
+                       {"violations_U", c.violations_U},
+                       {"max_distance_to_skin", rounded(c.max_distance_to_skin)},
+                       {"max_relative_distance_to_skin", rounded(c.max_relative_distance_to_skin)},
+                       {"area", rounded(c.area, 12)},
+                       {"volume", rounded(c.volume, 12)},
+                       {"covering_degree_ok", c.covering_degree_ok},
+                       {"homeomorphic", c.is_homeomorphic},
+                       {"certified", c.certified}};
+  if (!c.certified) json["reason"] = c.reason;
+  return json;
+}
+
+std::string json_text(const MeshReport& report) {
+  ordered_json json = {{"input", report.molecule.input.string()},
+                       {"model", skin::name_of(report.molecule.model)},
+                       {"probe", report.molecule.probe},
+                       {"atoms_used", report.atoms_used},
+                       {"atoms_skipped", skipped(report.reading)},
+                       {"atoms_skipped_by_reason", skipped_json(report.reading)},
+                       {"atoms_duplicate", report.reading.duplicates},
+                       {"atoms_hidden", report.atoms_hidden},
+                       {"patch_radius_min", rounded(report.patch_radius_min)},
+                       {"patch_radius_max", rounded(report.patch_radius_max)},
+                       {"C", report.sizing.C},
+                       {"Q", report.sizing.Q}};
+  json.update(certificate_json(report.certificate));
+  json["certified_file"] = report.certified_file;
+  json["outputs"] = ordered_json::array();
+  for (const std::filesystem::path& output : report.outputs)
+    json["outputs"].push_back(output.string());
+  json["height"] = {rounded(report.height.x()), rounded(report.height.y()),
+                    rounded(report.height.z())};
+  json["minima"] = report.minima;
+  json["saddles"] = report.saddles;
+  json["maxima"] = report.maxima;
+  json["open_edges"] = report.open_edges;
+  json["operations"] = operations_json(report);
+  json["seconds"] = seconds_json(report.seconds);
+  json["floor_ratio"] = rounded(floor_ratio(report));
+  json["peak_memory_bytes"] = report.peak_memory_bytes;
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string certificate_text(const Certificate& c, const refine::Sizing& sizing) {
+  const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
+                            c.euler_characteristic == c.expected_euler_characteristic;
+  std::string text;
+  text += line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
+                           counted(c.vertices, "vertex", "vertices"));
+  text +=
+      line("topology", counted(c.components, "component", "components") + ", genus " +
+                           grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
+                           grouped(static_cast<long long>(c.euler_characteristic)) +
+                           (counts_agree ? ", as the dual complex says" : ""));
+  if (!counts_agree) {
+    text += line("expected", counted(c.expected_components, "component", "components") +
+                                 ", genus " + grouped(static_cast<long long>(c.expected_genus)) +
+                                 ", Euler characteristic " +
+                                 grouped(static_cast<long long>(c.expected_euler_characteristic)));
+  }
+  text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
+                             " degrees (bound " + brief(sizing.least_angle_deg()) + ")");
+  text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
+                            brief(c.worst_U, 6) + " (good below 1), " +
+                            counted(c.violations_L + c.violations_U, "violation", "violations"));
+  text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
+                               " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
+                               " of the length scale");
+  text +=
+      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3");
+  return text;
+}
+
+std::string people_text(const MeshReport& report) {
+  std::string outputs;
+  for (const std::filesystem::path& output : report.outputs)
+    outputs += (outputs.empty() ? "" : ", ") + output.string();
+  const std::string words = skipped_in_words(report.reading);
+  const front::Operations& done = report.operations;
+  const RunSeconds& s = report.seconds;
+  std::string text =
+      report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
+  text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
+                            " left out" + (words.empty() ? "" : " (" + words + ")"));
+  text +=
+      line("skin", "model " + std::string(skin::name_of(report.molecule.model)) + ", probe " +
+                       brief(report.molecule.probe) + " A, patch radii " +
+                       brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
+                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+  text += certificate_text(report.certificate, report.sizing);
+  text += line("heights", counted(report.minima, "minimum", "minima") + " - " +
+                              counted(report.saddles, "saddle", "saddles") + " + " +
+                              counted(report.maxima, "maximum", "maxima"));
+  text += line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
+                            grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
+                            grouped(done.seal) + " sealed");
+  text += line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
+                              grouped(done.guard_outside_protecting) + " outside");
+  text +=
+      line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
+                             counted(report.refinement.contract, "contraction", "contractions") +
+                             ", " + counted(report.refinement.insert, "insertion", "insertions"));
+  text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
+                           brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
+                           ", refine " + brief(s.stages.refine, 2) + ", certify " +
+                           brief(s.certify, 2) + ", write " + brief(s.write, 2) + "; " +
+                           brief(floor_ratio(report), 3) + " times the floor");
+  text += line("memory", grouped(report.peak_memory_bytes / (1 << 20)) + " MiB at most");
+  text += report.certificate.certified ? "certified: homeomorphic to the skin, [L] and [U] hold (" +
+                                             report.certified_file + " read back)\n"
+                                       : "NOT certified: " + report.certificate.reason + "\n";
+  return text;
+}
+
+}  // namespace morskin::app

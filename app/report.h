@@ -1,0 +1,66 @@
+#pragma once
+
+/// What the commands say about a mesh, for people and for programs.
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/molecule_input.h"
+#include "front/mesh_skin.h"
+#include "skin/molecule.h"
+
+namespace morskin::app {
+
+/// Seconds by stage, by the wall clock.
+struct RunSeconds {
+  double read = 0, dual_complex = 0, write = 0, certify = 0, total = 0;
+  front::StageSeconds stages;  ///< its certify is not used
+};
+
+/// Everything `morskin mesh` tells about a run. Every figure of the certificate was measured on the
+/// bytes written.
+struct MeshReport {
+  MoleculeArguments molecule;
+  refine::Sizing sizing;
+  std::size_t atoms_used = 0;
+  std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
+  skin::ReadingCounts reading;
+  double patch_radius_min = 0, patch_radius_max = 0;
+  std::vector<std::filesystem::path> outputs;  ///< as they are named now
+  std::string certified_file;
+  refine::Certificate certificate;
+  std::size_t minima = 0, saddles = 0, maxima = 0;
+  geometry::Vector height;
+  front::Operations operations;
+  refine::RefinementCounts refinement;
+  std::size_t open_edges = 0;
+  RunSeconds seconds;
+  double floor_seconds = 0;
+  long long peak_memory_bytes = 0;
+};
+
+/// One JSON object over several lines, ended by a newline.
+std::string json_text(const MeshReport& report);
+/// A dozen aligned lines.
+std::string people_text(const MeshReport& report);
+
+/// What `morskin check --against` tells.
+nlohmann::ordered_json certificate_json(const refine::Certificate& certificate);
+std::string certificate_text(const refine::Certificate& certificate, const refine::Sizing& sizing);
+
+/// A line of a report: two spaces, the label in a column, the text.
+std::string line(std::string_view label, const std::string& text);
+/// An integer with commas between thousands.
+std::string grouped(long long number);
+std::string grouped(std::size_t number);
+/// "1 triangle", "2 triangles".
+std::string counted(std::size_t count, const std::string& one, const std::string& more);
+/// At most `digits` significant digits.
+std::string brief(double number, int digits = 4);
+/// The double nearest to `number` with so many significant digits, for JSON that people read.
+double rounded(double number, int digits = 6);
+
+}  // namespace morskin::app

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of cmake/packages.txt that are missing; silent when none is.
+set -eu
+cd "$(dirname "$0")"
+
+if ! command -v dpkg-query > /dev/null; then
+  echo "not a Debian system: make sure that what cmake/packages.txt names is installed"
+  exit 0
+fi
+
+missing=()
+while read -r package; do
+  if ! dpkg-query --show --showformat='${Status}' "$package" 2> /dev/null | grep -q 'ok installed'
+  then
+    missing+=("$package")
+  fi
+done < packages.txt
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+if [ "$(id -u)" -ne 0 ]; then
+  echo "missing packages; run:  sudo apt-get install ${missing[*]}" >&2
+  exit 1
+fi
+echo "installing ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -qq
+apt-get install --yes -qq --no-install-recommends "${missing[@]}"

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Fails on an include against the module order, and on a few habits the project does without.
+
+Order: geometry <- skin <- morse, refine <- front <- app; bench and tests may include everything.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+MAY_INCLUDE = {
+    "geometry": {"geometry"},
+    "skin": {"geometry", "skin"},
+    "morse": {"geometry", "skin", "morse"},
+    "refine": {"geometry", "skin", "refine"},
+    "front": {"geometry", "skin", "morse", "refine", "front"},
+}
+EVERYTHING = MAY_INCLUDE["front"] | {"app", "bench", "tests"}
+for top in ("app", "bench", "tests"):
+    MAY_INCLUDE[top] = EVERYTHING
+
+TEXT_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".in", ".sh"}
+LONGEST_LINE = 100
+FORBIDDEN = [
+    (re.compile(r"^\s*#\s*if\s+0\b"), "code switched off; remove it"),
+    (re.compile(r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X)\b"), "a note to self"),
+]
+INCLUDE = re.compile(r'^\s*#\s*include\s+"(\w+)/')
+
+
+def files():
+    for folder in [*MAY_INCLUDE, "cmake"]:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.is_file() and (path.suffix in TEXT_ENDINGS or path.name == "CMakeLists.txt"):
+                yield path
+
+
+def complaints(path):
+    module = path.relative_to(ROOT).parts[0]
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        include = INCLUDE.match(line)
+        if include and module in MAY_INCLUDE and include[1] not in MAY_INCLUDE[module]:
+            yield number, f"{module} may not include {include[1]}"
+        if "\t" in line:
+            yield number, "a tab; use spaces"
+        if len(line) > LONGEST_LINE:
+            yield number, f"{len(line)} columns; at most {LONGEST_LINE}"
+        for pattern, reason in FORBIDDEN:
+            if pattern.search(line):
+                yield number, reason
+
+
+def main():
+    count = 0
+    for path in files():
+        for number, complaint in complaints(path):
+            print(f"{path.relative_to(ROOT)}:{number}: {complaint}")
+            count += 1
+    if count:
+        sys.exit(f"lint: {count} complaint(s)")
+    print("lint: module order and layout are as they should be")
+
+
+if __name__ == "__main__":
+    main()

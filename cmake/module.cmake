@@ -1,0 +1,30 @@
+# add_module(NAME HEADERS ... SOURCES ... USES ... [EDGES ...])
+#
+# One static library per folder. The list after USES is the module's whole permission to include:
+# `make lint` fails on an include against the module order. EDGES names outside libraries (zlib)
+# that the sources, never the headers, need.
+function(add_module name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;USES;EDGES" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  add_library(morskin::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES OUTPUT_NAME morskin_${name}
+                                           VERIFY_INTERFACE_HEADER_SETS ON)
+  target_sources(${name} PUBLIC FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+                                FILES ${ARG_HEADERS})
+  target_link_libraries(${name} PUBLIC ${ARG_USES} Eigen3::Eigen)
+  foreach(edge ${ARG_EDGES})
+    target_link_libraries(${name} PRIVATE ${edge})
+  endforeach()
+  apply_project_options(${name})
+  install(TARGETS ${name} EXPORT morskin_targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morskin)
+endfunction()
+
+# Warnings are errors. Contraction is off, for users of the headers too, so that every build rounds
+# alike (same input, same bytes).
+function(apply_project_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+                                   PUBLIC -ffp-contract=off)
+endfunction()

@@ -1,0 +1,83 @@
+#pragma once
+
+/// The front: the boundary of the partial triangulation, as cycles of front edges (section 4.1).
+///
+/// A front edge runs along a boundary half-edge of the mesh, the mesh on its left and bare surface
+/// on its right. The corner of a front edge is the one at its origin, between the edge before and
+/// the edge itself; a vertex where the front touches itself has several. An edge keeps its id, and
+/// so its corner, from the day the corner comes to be until it closes: ids are reused afterwards,
+/// told apart by a generation.
+
+#include <vector>
+
+#include "front/front_grid.h"
+#include "skin/skin_mesh.h"
+
+namespace morskin::front {
+
+using geometry::HalfEdgeId;
+using geometry::VertexId;
+using skin::Point;
+using skin::SkinMesh;
+using skin::SurfacePoint;
+using skin::Vector;
+
+struct FrontEdge {
+  Point position;  ///< of the origin
+  VertexId origin;
+  FrontEdgeId next, previous;
+  HalfEdgeId half_edge;
+  std::uint32_t generation = 0;
+  bool is_open = false;
+};
+
+class Front {
+ public:
+  explicit Front(SkinMesh& mesh) : mesh_(mesh) {}
+
+  const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }
+  const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e.index()].next.index()]; }
+  const FrontEdge& previous(FrontEdgeId e) const {
+    return edges_[edges_[e.index()].previous.index()];
+  }
+  VertexId target(FrontEdgeId e) const { return next(e).origin; }
+  const FrontGrid& grid() const { return grid_; }
+  std::size_t capacity() const { return edges_.size(); }
+  std::size_t open_edges() const { return open_; }
+
+  /// Opens a cycle of front edges along boundary half-edges, each ending where the next begins.
+  /// @return the edges, in the same order.
+  std::vector<FrontEdgeId> open_polygon(std::span<const HalfEdgeId> half_edges);
+
+  /// Adds the triangle of edge e and a new vertex x. Edge e then runs from its origin to x.
+  /// @return the new edge, from x to e's old target.
+  FrontEdgeId attach(FrontEdgeId e, const SurfacePoint& x);
+
+  /// Adds the triangle in a corner, between the edge before it and its own: the corner closes, and
+  /// the edge before runs on to where the corner's edge ran. A front of three edges closes whole.
+  void close_corner(FrontEdgeId corner);
+
+  /// Adds the triangle of edge e and the vertex of a corner elsewhere on the front: the polygon
+  /// splits in two, or two polygons join. Edge e then runs from its origin to the corner's vertex.
+  /// @pre  the corner is no neighbour of e: its vertex is not next to e's ends.
+  /// @return the new edge, from the corner's vertex to e's old target.
+  FrontEdgeId attach(FrontEdgeId e, FrontEdgeId corner);
+
+ private:
+  geometry::TriangleId add_triangle(FrontEdgeId e, VertexId apex);
+  FrontEdgeId open_edge(VertexId origin, HalfEdgeId half_edge);
+  void close_edge(FrontEdgeId e);
+  void link(FrontEdgeId e, FrontEdgeId f) {
+    edges_[e.index()].next = f;
+    edges_[f.index()].previous = e;
+  }
+  void zip(FrontEdgeId e);
+
+  SkinMesh& mesh_;
+  std::vector<FrontEdge> edges_;
+  std::vector<FrontEdgeId> free_;
+  FrontGrid grid_;
+  std::size_t open_ = 0;
+};
+
+}  // namespace morskin::front

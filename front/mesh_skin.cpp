@@ -1,0 +1,141 @@
+#include "front/mesh_skin.h"
+
+#include <chrono>
+#include <utility>
+
+namespace morskin::front {
+
+namespace {
+
+using geometry::Vector;
+
+/// Runs a piece of work and adds its time to a stage.
+template <class Work>
+void timed(double& seconds, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The default direction first, then others off the axes and off each other, fixed for all time.
+std::vector<morse::HeightFunction> default_heights() {
+  std::vector<morse::HeightFunction> heights{morse::HeightFunction{}};
+  for (const Vector& tilted :
+       {Vector(0.0391, 1, -0.0177), Vector(-0.0523, 1, 0.0311), Vector(0.1117, 1, 0.0713),
+        Vector(-0.0933, 1, -0.1391), Vector(0.2171, 1, 0.1549), Vector(0.3019, 1, -0.2243)}) {
+    heights.push_back({tilted.normalized()});
+  }
+  return heights;
+}
+
+struct Choice {
+  morse::HeightFunction height;
+  morse::CriticalPoints critical;
+};
+
+/// The height function to sweep along with its critical points: the one asked for, or the first of
+/// the defaults that is not degenerate. Their alternating sum must be the skin's Euler
+/// characteristic; it is the witness that none was lost or found twice.
+Choice choose_height(const PreparedSkin& skin, const MeshOptions& options) {
+  std::vector<morse::HeightFunction> heights = default_heights();
+  if (options.height) heights = {{options.height->normalized()}};
+  std::string why;
+  for (const morse::HeightFunction& height : heights) {
+    Choice choice{height, morse::critical_points(skin.surface, height)};
+    const long chi = choice.critical.euler_characteristic();
+    const long expected = skin.topology.skin_euler_characteristic();
+    if (choice.critical.degeneracies.empty() && chi == expected) return choice;
+    why = choice.critical.degeneracies.empty()
+              ? "minima - saddles + maxima is " + std::to_string(chi) + ", not " +
+                    std::to_string(expected)
+              : choice.critical.degeneracies.front();
+  }
+  throw DegenerateHeight("the height function is degenerate for this molecule: " + why +
+                         "; give another direction with --height");
+}
+
+}  // namespace
+
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
+  skin::SkinSurface surface(std::move(points));
+  skin::DualComplex topology = skin::dual_complex(surface);
+  return {std::move(surface), topology};
+}
+
+MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
+  MeshResult result;
+  const auto progress = [&](std::string_view stage, double share) {
+    if (options.progress) options.progress(stage, share);
+  };
+  result.seconds.triangulate = skin.surface.triangulate_seconds();
+  result.seconds.mixed_complex = skin.surface.mixed_complex_seconds();
+  result.expected = skin.topology;
+
+  progress("critical points", 0);
+  Choice choice;
+  std::optional<morse::ProtectingSpheres> spheres;
+  timed(result.seconds.critical_points, [&] {
+    choice = choose_height(skin, options);
+    spheres.emplace(skin.surface, choice.critical.points, options.sizing.tangent_disk_share());
+  });
+  result.minima = choice.critical.count(0);
+  result.saddles = choice.critical.count(1);
+  result.maxima = choice.critical.count(2);
+  result.height = choice.height.direction;
+
+  skin::SkinMesh mesh;
+  timed(result.seconds.sweep, [&] {
+    Sweep sweep(skin.surface, choice.height, choice.critical.points, *spheres, options.sizing,
+                mesh);
+    sweep.run([&](double share) { progress("sweep", share); });
+    result.operations = sweep.operations();
+    result.open_edges = sweep.open_edges();
+  });
+  timed(result.seconds.refine, [&] {
+    progress("refine", 0);
+    if (result.open_edges == 0) {
+      refine::Refinement refinement(skin.surface, options.sizing, mesh);
+      refinement.run();
+      result.refinement = refinement.counts();
+    }
+    result.mesh.triangles = mesh.surface.triangle_list();
+    result.mesh.positions.reserve(mesh.points.size());
+    result.cells.reserve(mesh.points.size());
+    for (const SurfacePoint& p : mesh.points) {
+      result.mesh.positions.push_back(p.position);
+      result.cells.push_back(p.cell);
+    }
+  });
+  if (options.certify) {
+    progress("certify", 0);
+    timed(result.seconds.certify, [&] {
+      result.certificate =
+          refine::certify(result.mesh, skin.surface, skin.topology, options.sizing);
+    });
+  }
+  return result;
+}
+
+MeshResult mesh_skin(std::vector<geometry::WeightedPoint> points, const MeshOptions& options) {
+  return mesh_skin(prepare_skin(std::move(points)), options);
+}
+
+double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
+  constexpr double share = 0.1;
+  double checksum = 0;
+  double seconds = 0;
+  timed(seconds, [&] {
+    for (std::size_t v = 0; v < result.cells.size(); ++v) {
+      const SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
+      // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
+      Eigen::Index axis = 0;
+      p.normal.cwiseAbs().minCoeff(&axis);
+      const Vector tangent = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
+      const auto moved = skin.project(p.position + share * p.length_scale * tangent, p.cell);
+      if (moved) checksum += moved->length_scale;
+    }
+  });
+  return checksum > 0 ? seconds : 0;  // uses the sum, so that the work is not optimised away
+}
+
+}  // namespace morskin::front

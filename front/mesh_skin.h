@@ -1,0 +1,78 @@
+#pragma once
+
+/// The one public call of the library: weighted points in; mesh, certificate and counts out.
+/// It never prints and never exits.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "front/sweep.h"
+#include "geometry/error.h"
+#include "geometry/indexed_mesh.h"
+#include "morse/height_function.h"
+#include "refine/certificate.h"
+#include "refine/refinement.h"
+
+namespace morskin::front {
+
+/// Where a run stands: the stage's name and how much of it is done, 0 to 1.
+using Progress = std::function<void(std::string_view stage, double share)>;
+
+struct MeshOptions {
+  refine::Sizing sizing;
+  /// Direction of the height function; without one, y with a small tilt, and further tilts should
+  /// that be degenerate.
+  std::optional<geometry::Vector> height;
+  /// Certify the mesh in memory. The command does without: it certifies the bytes it wrote.
+  bool certify = true;
+  Progress progress;  ///< may be empty
+};
+
+/// Seconds by stage, by the wall clock.
+struct StageSeconds {
+  double triangulate = 0, mixed_complex = 0, critical_points = 0, sweep = 0, refine = 0,
+         certify = 0;
+};
+
+struct MeshResult {
+  geometry::IndexedMesh mesh;
+  /// By vertex, the mixed cell it lies in.
+  std::vector<geometry::CellId> cells;
+  refine::Certificate certificate;  ///< empty unless asked for
+  skin::DualComplex expected;
+  std::size_t minima = 0, saddles = 0, maxima = 0;
+  geometry::Vector height;  ///< the direction used
+  Operations operations;
+  refine::RefinementCounts refinement;
+  std::size_t open_edges = 0;  ///< of a front that could not be closed; 0 in a good mesh
+  StageSeconds seconds;
+};
+
+/// The skin that a mesh is made of, with its topology: built once, used to mesh and to certify.
+struct PreparedSkin {
+  skin::SkinSurface surface;
+  skin::DualComplex topology;
+};
+/// @throws skin::SingularSkin, geometry::RefusedInput
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points);
+
+/// @throws DegenerateHeight when options.height is degenerate for this skin.
+MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options = {});
+/// The same from weighted points.
+/// @throws skin::SingularSkin when the skin is singular, geometry::RefusedInput when there is none.
+MeshResult mesh_skin(std::vector<geometry::WeightedPoint> points, const MeshOptions& options = {});
+
+/// The direction given is degenerate for this molecule; the text says where and what to do.
+class DegenerateHeight : public geometry::RefusedInput {
+ public:
+  using geometry::RefusedInput::RefusedInput;
+};
+
+/// Seconds to move every vertex of a mesh 0.1 rho along its tangent plane and to locate and project
+/// it again from its old cell, once: the floor that no mesher can pass on this machine.
+double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result);
+
+}  // namespace morskin::front

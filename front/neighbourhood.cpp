@@ -1,0 +1,192 @@
+#include "front/neighbourhood.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace morskin::front {
+
+namespace {
+
+/// Whether the open segments ab and cd cross.
+bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
+  const Vector2 ab = b - a, cd = d - c;
+  return (cross(ab, c - a) > 0) != (cross(ab, d - a) > 0) &&
+         (cross(cd, a - c) > 0) != (cross(cd, b - c) > 0);
+}
+
+double squared_distance_to_segment(const Vector2& x, const Vector2& c, const Vector2& d) {
+  const Vector2 cd = d - c, cx = x - c;
+  const double along = std::clamp(cd.dot(cx) / cd.squaredNorm(), 0.0, 1.0);
+  return (cx - along * cd).squaredNorm();
+}
+
+/// The circles through the ends of an edge pw and a vertex on its right, compared by how far along
+/// the edge's right-hand normal their centres lie: of two vertices the one with the smaller offset
+/// lies in the other's circle.
+class CirclesOver {
+ public:
+  CirclesOver(const Vector2& p, const Vector2& w)
+      : middle_((p + w) / 2), edge_(w - p), squared_length_(edge_.squaredNorm()) {}
+
+  /// The offset of v's circle, in units of the edge's length; nothing for a vertex not on the
+  /// right.
+  std::optional<double> offset(const Vector2& v) const {
+    const Vector2 m = v - middle_;
+    const double h = -cross(edge_, m);
+    // Flatter than this the triangle is no triangle; such a vertex is reached over another edge.
+    constexpr double least_height = 0.05;
+    if (h < least_height * squared_length_) return std::nullopt;
+    return (m.squaredNorm() - squared_length_ / 4) / (2 * h);
+  }
+
+ private:
+  Vector2 middle_, edge_;
+  double squared_length_;
+};
+
+}  // namespace
+
+void Neighbourhood::gather(const SurfacePoint& centre) {
+  origin_ = centre.position;
+  normal_ = centre.normal;
+  // The axis that is farthest from the normal, made orthogonal to it.
+  Eigen::Index least = 0;
+  normal_.cwiseAbs().minCoeff(&least);
+  first_axis_ = (Vector::Unit(least) - normal_[least] * normal_).normalized();
+  second_axis_ = normal_.cross(first_axis_);
+  corners_.clear();
+  if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
+  front_.grid().for_each_within(centre.position, centre.length_scale,
+                                FrontGrid::largest_reach * centre.length_scale,
+                                [&](FrontEdgeId e) { list(e); });
+  // Edges that come into reach from a vertex out of reach.
+  const std::size_t within = corners_.size();
+  for (std::size_t i = 0; i < within; ++i) list(front_[corners_[i].edge].previous);
+}
+
+/// Notes an edge, once.
+void Neighbourhood::list(FrontEdgeId e) {
+  std::uint32_t& place = place_[e.index()];
+  if (place < corners_.size() && corners_[place].edge == e) return;
+  place = static_cast<std::uint32_t>(corners_.size());
+  corners_.push_back(seen(e));
+}
+
+Neighbourhood::Corner Neighbourhood::seen(FrontEdgeId e) const {
+  const FrontEdge &edge = front_[e], &next = front_.next(e);
+  return {e, edge.origin, next.origin, true, local(edge.position), plane(next)};
+}
+
+void Neighbourhood::refresh(FrontEdgeId e) {
+  if (place_.size() <= e.index()) place_.resize(2 * front_.capacity(), 0);
+  const std::uint32_t place = place_[e.index()];
+  if (place < corners_.size() && corners_[place].edge == e) {
+    corners_[place] = seen(e);
+  } else {
+    list(e);
+  }
+}
+
+void Neighbourhood::forget(FrontEdgeId e) {
+  if (place_.size() <= e.index()) return;
+  const std::uint32_t place = place_[e.index()];
+  if (place < corners_.size() && corners_[place].edge == e) corners_[place].is_open = false;
+}
+
+double Neighbourhood::bare_angle(FrontEdgeId corner) const {
+  const Vector2 at = plane(front_[corner]);
+  const Vector2 out = plane(front_.next(corner)) - at, in = plane(front_.previous(corner)) - at;
+  // A finished fan at a vertex never spans less than this, radians.
+  constexpr double least_fan_angle = 0.3;
+  double angle = std::atan2(cross(in, out), in.dot(out));
+  if (angle < 0) angle += 2 * M_PI;
+  return angle > 2 * M_PI - least_fan_angle ? 0 : angle;
+}
+
+bool Neighbourhood::is_acute(FrontEdgeId corner, double cosine) const {
+  const Vector2 at = plane(front_[corner]);
+  const Vector2 out = plane(front_.next(corner)) - at, in = plane(front_.previous(corner)) - at;
+  const double along = in.dot(out);
+  if (along <= 0 || along * along < cosine * cosine * in.squaredNorm() * out.squaredNorm()) {
+    return false;
+  }
+  constexpr double least_fan_sine = -0.3;  // as in bare_angle()
+  return cross(in, out) > least_fan_sine * along;
+}
+
+bool Neighbourhood::is_crossed(VertexId a, const Vector2& at_a, VertexId b,
+                               const Vector2& at_b) const {
+  for (const Corner& c : corners_) {
+    if (!c.is_open || c.vertex == a || c.vertex == b || c.target == a || c.target == b) continue;
+    if (segments_cross(at_a, at_b, c.at.plane, c.to)) return true;
+  }
+  return false;
+}
+
+bool Neighbourhood::opens_towards(FrontEdgeId corner, const Vector2& at, const Vector2& d) const {
+  const Vector2 out = plane(front_.next(corner)) - at, in = plane(front_.previous(corner)) - at;
+  if (cross(in, out) >= 0) return cross(in, d) > 0 && cross(d, out) > 0;
+  return !(cross(out, d) >= 0 && cross(d, in) >= 0);
+}
+
+bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_gap,
+                             double edge_gap) const {
+  const VertexId p = front_[e].origin, w = front_.target(e);
+  const Vector2 at_p = plane(front_[e]), at_w = plane(front_.next(e));
+  const CirclesOver circles(at_p, at_w);
+  const auto offset = circles.offset(x.plane);
+  if (!offset) return false;
+  for (const Corner& c : corners_) {
+    if (!c.is_open || c.edge == e) continue;
+    if (c.vertex != p && c.vertex != w) {
+      if (c.at.squared_distance(x) < vertex_gap * vertex_gap) return false;
+      const auto other = circles.offset(c.at.plane);
+      if (other && *other < *offset && sees(e, c.edge)) return false;
+    }
+    if (squared_distance_to_segment(x.plane, c.at.plane, c.to) < edge_gap * edge_gap) return false;
+    const bool at_end_p = c.vertex == p || c.target == p, at_end_w = c.vertex == w || c.target == w;
+    if (!at_end_p && segments_cross(at_p, x.plane, c.at.plane, c.to)) return false;
+    if (!at_end_w && segments_cross(at_w, x.plane, c.at.plane, c.to)) return false;
+  }
+  return true;
+}
+
+bool Neighbourhood::sees(FrontEdgeId e, FrontEdgeId corner) const {
+  const VertexId p = front_[e].origin, w = front_.target(e), v = front_[corner].origin;
+  const Vector2 at_p = plane(front_[e]), at_w = plane(front_.next(e)), at_v = plane(front_[corner]);
+  const FrontEdgeId after = front_[e].next;
+  const bool is_before = corner == front_[e].previous, is_after = front_[corner].previous == after;
+  if (!is_before &&
+      (!opens_towards(e, at_p, at_v - at_p) || !opens_towards(corner, at_v, at_p - at_v))) {
+    return false;
+  }
+  if (!is_after &&
+      (!opens_towards(after, at_w, at_v - at_w) || !opens_towards(corner, at_v, at_w - at_v))) {
+    return false;
+  }
+  return (is_before || !is_crossed(p, at_p, v, at_v)) &&
+         (is_after || !is_crossed(w, at_w, v, at_v));
+}
+
+std::optional<FrontEdgeId> Neighbourhood::delaunay_apex(FrontEdgeId e) const {
+  const VertexId p = front_[e].origin, w = front_.target(e);
+  const CirclesOver circles(plane(front_[e]), plane(front_.next(e)));
+  std::optional<FrontEdgeId> best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](FrontEdgeId corner, const Vector2& at) {
+    const auto offset = circles.offset(at);
+    if (!offset || *offset >= least || !sees(e, corner)) return;
+    least = *offset;
+    best = corner;
+  };
+  // Mostly it is the vertex before the edge; known first, it spares the others a closer look.
+  const FrontEdgeId before = front_[e].previous;
+  consider(before, plane(front_[before]));
+  for (const Corner& c : corners_) {
+    if (c.is_open && c.vertex != p && c.vertex != w) consider(c.edge, c.at.plane);
+  }
+  return best;
+}
+
+}  // namespace morskin::front

@@ -1,0 +1,344 @@
+#include "front/sweep.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "refine/triangle_geometry.h"
+
+namespace morskin::front {
+
+namespace {
+
+constexpr double sixty_degrees = M_PI / 3;
+
+}  // namespace
+
+Sweep::Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
+             std::span<const morse::CriticalPoint> critical_points,
+             const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh)
+    : skin_(skin),
+      height_(height),
+      critical_points_(critical_points),
+      spheres_(spheres),
+      wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
+      disk_share_(spacing_.disk_share * sizing.tangent_disk_share()),
+      mesh_(mesh),
+      front_(mesh),
+      near_(front_),
+      marked_(critical_points.size()) {}
+
+void Sweep::run(const std::function<void(double)>& progress) {
+  progress_ = progress;
+  const auto [lowest, highest] =
+      std::minmax_element(critical_points_.begin(), critical_points_.end(),
+                          [](const auto& p, const auto& q) { return p.value < q.value; });
+  lowest_ = lowest->value;
+  highest_ = highest->value;
+  std::vector<std::uint32_t> minima;
+  for (std::uint32_t i = 0; i < critical_points_.size(); ++i) {
+    if (critical_points_[i].index == 0) minima.push_back(i);
+  }
+  std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(critical_points_[a].value, a) < std::pair(critical_points_[b].value, b);
+  });
+  for (const std::uint32_t i : minima) create(critical_points_[i]);
+  creep_triangles();
+  release_red_marks();
+  creep_triangles();
+  for (std::size_t c = 0; c < critical_points_.size(); ++c) seal(CriticalId{c});
+  creep_triangles();
+  // What was refused while the front stood differently may go now.
+  for (std::size_t before = 0; !stuck_.empty() && before != mesh_.surface.triangle_count();) {
+    before = mesh_.surface.triangle_count();
+    for (const Departure& d : std::exchange(stuck_, {})) {
+      if (is_current(d)) queue_.push(d);
+    }
+    creep_triangles();
+  }
+}
+
+// Algorithm 1, with its line numbers.
+void Sweep::creep_triangles() {
+  constexpr std::size_t steps_between_reports = 4096;
+  std::size_t steps = 0;
+  while (!queue_.empty()) {                    // 1
+    const Departure departure = queue_.top();  // 2
+    queue_.pop();
+    if (!is_current(departure)) continue;
+    if (progress_ && ++steps % steps_between_reports == 0) {
+      progress_(std::clamp((departure.height - lowest_) / (highest_ - lowest_), 0.0, 1.0));
+    }
+    const VertexId t = front_[departure.corner].origin;
+    const auto c = spheres_.containing(mesh_.at(t));
+    const int index = c && !marked_[c->index()].is_done ? critical_points_[c->index()].index : 0;
+    if (index == 1) {  // 3: t falls in the protecting sphere of a saddle point c
+      mark_red(*c, departure);
+      const auto& sides = marked_[c->index()].sides;
+      if (!sides[0].empty() && !sides[1].empty()) bridge(*c);  // 4, 5
+    } else if (index == 2) {                                   // 9: ... of a maximum point c
+      marked_[c->index()].sides[0].push_back(departure);       // 10: mark with green
+    } else if (!creep(departure.corner)) {                     // 12
+      stuck_.push_back(departure);
+    }
+  }  // 15
+}
+
+bool Sweep::is_current(const Departure& d) const {
+  return front_[d.corner].is_open && front_[d.corner].generation == d.generation;
+}
+
+void Sweep::push(FrontEdgeId corner) {
+  queue_.push({height_(mesh_.position(front_[corner].origin)), corner, front_[corner].generation});
+}
+
+/// The disk's radius in one direction: for the smaller of the length scales at both ends, which is
+/// the one that [U] goes by. The far end's is read off the patch, which mostly goes on.
+double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
+  const double r = disk_share_ * centre.length_scale;
+  const skin::Patch& patch = skin_.complex().patch(centre.cell);
+  const double far = patch.length_scale(centre.position + r * direction);
+  return disk_share_ * std::min(centre.length_scale, far);
+}
+
+std::optional<SurfacePoint> Sweep::rim_point(const SurfacePoint& centre, const Vector2& direction) {
+  const Vector d = near_.in_tangent_plane(direction);
+  return skin_.project(centre.position + disk_radius(centre, d) * d, centre.cell);
+}
+
+void Sweep::create(const morse::CriticalPoint& minimum) {
+  near_.gather(minimum.point);
+  // A minimum this near to a bowl is left for its front to run over.
+  constexpr double least_gap = 1.9;
+  const double r = disk_share_ * minimum.point.length_scale;
+  bool is_bare = true;
+  front_.grid().for_each_within(minimum.point.position, minimum.point.length_scale, least_gap * r,
+                                [&](FrontEdgeId) { is_bare = false; });
+  if (!is_bare) return;
+  std::array<SurfacePoint, 6> rim;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double angle = static_cast<double>(i) * sixty_degrees;
+    const auto x = rim_point(minimum.point, Vector2(std::cos(angle), std::sin(angle)));
+    if (!x) return;
+    rim[i] = *x;
+  }
+  auto& surface = mesh_.surface;
+  const VertexId p0 = mesh_.add_vertex(minimum.point);
+  std::array<VertexId, 6> p;
+  for (std::size_t i = 0; i < 6; ++i) p[i] = mesh_.add_vertex(rim[i]);
+  std::array<HalfEdgeId, 6> boundary;
+  std::array<HalfEdgeId, 6> spokes_in, spokes_out;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto t = surface.add_triangle(p0, p[i], p[(i + 1) % 6]);
+    spokes_out[i] = geometry::SurfaceMesh::half_edge(t, 0);
+    boundary[i] = geometry::SurfaceMesh::half_edge(t, 1);
+    spokes_in[i] = geometry::SurfaceMesh::half_edge(t, 2);
+  }
+  for (std::size_t i = 0; i < 6; ++i) surface.glue(spokes_in[i], spokes_out[(i + 1) % 6]);
+  for (const FrontEdgeId e : front_.open_polygon(boundary)) push(e);
+  ++operations_.creation;
+}
+
+/// Adds the triangle of edge e and the vertex of an existing corner, wherever that is.
+void Sweep::attach(FrontEdgeId e, FrontEdgeId corner) {
+  const FrontEdgeId after = front_[e].next;
+  if (corner == front_[e].previous) {
+    close_corner(e);
+  } else if (front_[corner].previous == after) {
+    close_corner(after);
+  } else {
+    const VertexId p = front_[e].origin, v = front_[corner].origin;
+    ++(is_protected(p) || is_protected(v) ? operations_.guard_inside_protecting
+                                          : operations_.guard_outside_protecting);
+    const FrontEdgeId added = front_.attach(e, corner);
+    near_.refresh(e);
+    near_.refresh(added);
+    push(added);
+    fresh_.insert(fresh_.end(), {added, corner});
+  }
+}
+
+void Sweep::close_corner(FrontEdgeId corner) {
+  const FrontEdgeId before = front_[corner].previous, after = front_[corner].next;
+  front_.close_corner(corner);
+  near_.forget(corner);
+  if (front_[before].is_open) {
+    near_.refresh(before);
+    fresh_.insert(fresh_.end(), {before, after});
+  } else {
+    near_.forget(before);
+    near_.forget(after);
+  }
+}
+
+bool Sweep::creep(FrontEdgeId e) {
+  const SurfacePoint centre = mesh_.at(front_[e].origin);
+  const std::uint32_t generation = front_[e].generation;
+  near_.gather(centre);
+  fresh_.assign({front_[e].next});
+  break_long_edge(e);
+  break_long_edge(front_[e].previous);
+  while (front_[e].is_open && front_[e].generation == generation) {
+    const double angle = near_.bare_angle(e);
+    double sectors = std::round(angle / sixty_degrees);
+    if (sectors < 2 && !is_ear_small(e)) sectors = 2;
+    if (sectors >= 2) lay_fan(e, centre, angle / sectors, static_cast<int>(sectors) - 1);
+    const auto apex = last_apex(e);
+    if (!apex) return false;
+    attach(e, *apex);
+  }
+  ++operations_.creep;
+  wing();
+  return true;
+}
+
+/// Lays triangles with new vertices round the departure vertex, clockwise from edge e, each turned
+/// on by the same angle, until the next would come too near to the front.
+void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count) {
+  const double r = disk_share_ * centre.length_scale;
+  const double c = std::cos(angle), s = std::sin(angle);
+  Vector2 direction = near_.local(front_.next(e).position).plane.normalized();
+  for (int i = 0; i < count; ++i) {
+    direction =
+        Vector2(c * direction.x() + s * direction.y(), c * direction.y() - s * direction.x());
+    if (!attach_new(e, rim_point(centre, direction), r)) return;
+  }
+}
+
+/// Adds the triangle of edge e and a new vertex x if the front leaves room for it.
+bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r) {
+  if (!x || !near_.is_clear(e, near_.local(x->position), spacing_.vertex_gap * r,
+                            spacing_.edge_gap * r)) {
+    return false;
+  }
+  const FrontEdgeId added = front_.attach(e, *x);
+  near_.refresh(e);
+  near_.refresh(added);
+  push(added);
+  fresh_.push_back(added);
+  return true;
+}
+
+/// Lays a triangle with a vertex before the middle of an edge that is too long for its ends.
+void Sweep::break_long_edge(FrontEdgeId e) {
+  const SurfacePoint &p = mesh_.at(front_[e].origin), &w = mesh_.at(front_.target(e));
+  const double r = disk_share_ * std::min(p.length_scale, w.length_scale);
+  const double longest = spacing_.longest_edge * r;
+  if ((p.position - w.position).squaredNorm() <= longest * longest) return;
+  const Vector2 at_p = near_.local(p.position).plane, at_w = near_.local(w.position).plane;
+  const Vector2 along = (at_w - at_p).normalized();
+  const Vector2 right(along.y(), -along.x());
+  const Vector2 x = (at_p + at_w) / 2 + spacing_.long_edge_height * r * right;
+  attach_new(e, skin_.project(near_.in_space(x), p.cell), r);
+}
+
+/// Whether the triangle that closes a corner is not much bigger than those of a fan there.
+bool Sweep::is_ear_small(FrontEdgeId corner) const {
+  const SurfacePoint& p = mesh_.at(front_[corner].origin);
+  const Point &in = front_.previous(corner).position, &out = front_.next(corner).position;
+  const double radius = refine::circumcircle(p.position, in, out).radius;
+  return radius <= spacing_.largest_ear * disk_share_ * p.length_scale;
+}
+
+/// The existing vertex to finish edge e with. Three edges are a triangle, however flat: what it
+/// lacks in shape the flips of the refinement make good.
+std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
+  const FrontEdgeId before = front_[e].previous;
+  if (front_[before].previous == front_[e].next) return before;
+  return near_.delaunay_apex(e);
+}
+
+/// Closes the small angles among the corners that the last operation changed, and those that this
+/// makes small in turn.
+void Sweep::wing() {
+  for (std::size_t i = 0; i < fresh_.size(); ++i) {
+    const FrontEdgeId c = fresh_[i];
+    if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
+    if (near_.delaunay_apex(c) != front_[c].previous) continue;
+    close_corner(c);
+    ++operations_.wing;
+  }
+}
+
+int Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
+  const morse::CriticalPoint& s = critical_points_[saddle.index()];
+  return s.descending.dot(mesh_.position(v) - s.point.position) > 0 ? 1 : 0;
+}
+
+bool Sweep::is_protected(VertexId v) const {
+  const auto c = spheres_.containing(mesh_.at(v));
+  return c && critical_points_[c->index()].index != 0;
+}
+
+void Sweep::mark_red(CriticalId saddle, const Departure& departure) {
+  const int side = side_of_saddle(saddle, front_[departure.corner].origin);
+  marked_[saddle.index()].sides[static_cast<std::size_t>(side)].push_back(departure);
+}
+
+/// Joins the two fronts at a saddle that both have reached, over the lowest edge that sees the
+/// other side. From then on its surroundings are ordinary.
+void Sweep::bridge(CriticalId saddle) {
+  Marked& marked = marked_[saddle.index()];
+  marked.is_done = true;
+  bool is_bridged = false;
+  for (const std::size_t side : {0U, 1U}) {
+    for (const Departure& d : marked.sides[side]) {
+      if (!is_current(d)) continue;
+      queue_.push(d);
+      if (is_bridged) continue;
+      near_.gather(mesh_.at(front_[d.corner].origin));
+      for (const FrontEdgeId e : {d.corner, front_[d.corner].previous}) {
+        const auto apex = near_.delaunay_apex(e);
+        if (!apex) continue;
+        const VertexId v = front_[*apex].origin;
+        const bool across = spheres_.containing(mesh_.at(v)) == saddle &&
+                            side_of_saddle(saddle, v) != static_cast<int>(side);
+        if (!across) continue;
+        fresh_.assign({front_[e].next});
+        attach(e, *apex);
+        wing();
+        ++operations_.bridge;
+        is_bridged = true;
+        break;
+      }
+    }
+    marked.sides[side].clear();
+  }
+}
+
+void Sweep::release_red_marks() {
+  for (std::size_t c = 0; c < marked_.size(); ++c) {
+    if (critical_points_[c].index != 1) continue;
+    marked_[c].is_done = true;
+    for (auto& side : marked_[c].sides) {
+      for (const Departure& d : std::exchange(side, {})) {
+        if (is_current(d)) queue_.push(d);
+      }
+    }
+  }
+}
+
+/// Closes the hole round a maximum with triangles over neighbouring edges; those that are too big
+/// are left to the refinement, as in section 4.3.
+void Sweep::seal(CriticalId maximum) {
+  Marked& marked = marked_[maximum.index()];
+  if (critical_points_[maximum.index()].index != 2) return;
+  marked.is_done = true;
+  bool is_sealed = false;
+  for (const Departure& d : std::exchange(marked.sides[0], {})) {
+    while (is_current(d)) {
+      near_.gather(mesh_.at(front_[d.corner].origin));
+      const auto apex = last_apex(d.corner);
+      if (!apex) {
+        stuck_.push_back(d);
+        break;
+      }
+      attach(d.corner, *apex);
+      is_sealed = true;
+    }
+  }
+  operations_.seal += is_sealed;
+}
+
+}  // namespace morskin::front

@@ -1,0 +1,121 @@
+#pragma once
+
+/// Algorithm 1 of the paper: the sweep that lays triangles from the minima of the height function
+/// to its maxima, always at the lowest vertex of the front.
+
+#include <array>
+#include <functional>
+#include <queue>
+#include <span>
+#include <vector>
+
+#include "front/front.h"
+#include "front/neighbourhood.h"
+#include "morse/critical_points.h"
+#include "morse/protecting_spheres.h"
+#include "refine/sizing.h"
+
+namespace morskin::front {
+
+/// How often each operation of section 4.1 was done.
+struct Operations {
+  std::size_t creation = 0;  ///< bowls at minima
+  std::size_t creep = 0;     ///< fans at departure vertices
+  std::size_t wing = 0;      ///< small front angles closed
+  std::size_t bridge = 0;    ///< fronts joined across a saddle
+  std::size_t seal = 0;      ///< holes closed at maxima
+  /// Touches of the front found by the collision guard, in and out of protecting spheres.
+  std::size_t guard_inside_protecting = 0;
+  std::size_t guard_outside_protecting = 0;
+};
+
+/// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
+struct Spacing {
+  double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
+  double vertex_gap = 0.6;     ///< least distance of a new vertex from a front vertex
+  double edge_gap = 0.4;       ///< and from a front edge
+  double wing_angle_deg = 75;  ///< front angles below this are closed at once
+  /// Where the length scale shrinks ahead of the front, as in a funnel, edges left as they are
+  /// would soon be longer than it. So a corner is filled instead of closed when its triangle's
+  /// circumradius exceeds `largest_ear`, and an edge longer than `longest_edge` gets a vertex of
+  /// its own, at a height of `long_edge_height` over its middle.
+  double largest_ear = 1;
+  double longest_edge = 1.7;
+  double long_edge_height = 0.7;
+};
+
+class Sweep {
+ public:
+  /// @pre the spheres are those of the critical points; the mesh is empty.
+  Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
+        std::span<const morse::CriticalPoint> critical_points,
+        const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh);
+
+  /// Sweeps until no bare surface is left that the front can reach.
+  /// `progress` is told now and then what share of the way from the lowest critical point to the
+  /// highest the front has come.
+  void run(const std::function<void(double)>& progress = {});
+
+  const Operations& operations() const { return operations_; }
+  /// Front edges left open: 0 when the mesh is closed.
+  std::size_t open_edges() const { return front_.open_edges(); }
+
+ private:
+  using CriticalId = morse::CriticalId;
+  struct Departure {
+    double height;
+    FrontEdgeId corner;
+    std::uint32_t generation;
+    bool operator>(const Departure& other) const {
+      return height != other.height ? height > other.height : corner > other.corner;
+    }
+  };
+  /// Departures stopped in the protecting sphere of a critical point.
+  struct Marked {
+    std::array<std::vector<Departure>, 2> sides;  ///< a saddle's two; a maximum uses the first
+    bool is_done = false;
+  };
+
+  void create(const morse::CriticalPoint& minimum);
+  void creep_triangles();
+  bool creep(FrontEdgeId e);
+  void break_long_edge(FrontEdgeId e);
+  bool attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r);
+  void lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count);
+  std::optional<FrontEdgeId> last_apex(FrontEdgeId e) const;
+  void wing();
+  void close_corner(FrontEdgeId corner);
+  void mark_red(CriticalId saddle, const Departure& departure);
+  void bridge(CriticalId saddle);
+  void seal(CriticalId maximum);
+  void release_red_marks();
+
+  bool is_current(const Departure& d) const;
+  void push(FrontEdgeId corner);
+  bool is_ear_small(FrontEdgeId corner) const;
+  void attach(FrontEdgeId e, FrontEdgeId corner);
+  std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector2& direction);
+  double disk_radius(const SurfacePoint& centre, const Vector& direction) const;
+  int side_of_saddle(CriticalId saddle, VertexId v) const;
+  bool is_protected(VertexId v) const;
+
+  const skin::SkinSurface& skin_;
+  const morse::HeightFunction& height_;
+  std::span<const morse::CriticalPoint> critical_points_;
+  const morse::ProtectingSpheres& spheres_;
+  Spacing spacing_;
+  double wing_cosine_;
+  double disk_share_;  ///< r_a over rho
+  SkinMesh& mesh_;
+  Front front_;
+  Neighbourhood near_;
+  std::priority_queue<Departure, std::vector<Departure>, std::greater<>> queue_;
+  std::vector<Marked> marked_;  ///< by critical point
+  std::function<void(double)> progress_;
+  double lowest_ = 0, highest_ = 1;  ///< critical values
+  std::vector<Departure> stuck_;
+  std::vector<FrontEdgeId> fresh_;  ///< corners that the current operation made or changed
+  Operations operations_;
+};
+
+}  // namespace morskin::front

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace morskin::geometry {
+
+/// The bytes of a file, held until this object goes.
+class FileBytes {
+ public:
+  FileBytes(std::unique_ptr<char[]> bytes, std::size_t size)
+      : bytes_(std::move(bytes)), size_(size) {}
+  std::string_view view() const { return {bytes_.get(), size_}; }
+
+ private:
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_;
+};
+
+/// Reads all of a file; "-" is standard input.
+///
+/// @throws UnreadableInput  if it is missing, a directory, not permitted, or fails while being
+/// read.
+FileBytes read_file(const std::filesystem::path& path);
+
+/// Whether `path` is written to directly, since no file could be renamed to it: "-" and
+/// "/dev/stdout" (standard output), "/dev/stderr" (standard error), and whatever else exists and is
+/// neither a regular file nor a folder (a pipe, /dev/null).
+bool is_written_directly(const std::filesystem::path& path);
+
+/// A file written under a temporary name beside its final one, which it gets when its worth is
+/// known. Unless it is committed nothing is left of it.
+class PendingFile {
+ public:
+  /// Creates the temporary file, empty. A symbolic link at `path` is followed; an existing file's
+  /// permissions are taken over.
+  ///
+  /// @pre    !is_written_directly(path)
+  /// @throws UnwritableOutput  "path: cannot write: reason; what to do"
+  explicit PendingFile(std::filesystem::path path);
+  PendingFile(PendingFile&& other) noexcept;
+  PendingFile& operator=(PendingFile&& other) = delete;
+  ~PendingFile();
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::string& temporary_name() const { return temporary_; }
+
+  /// Makes `bytes` the contents. @pre called once, before commit.
+  /// @throws UnwritableOutput  as above
+  void write(std::string_view bytes);
+
+  /// Renames the file to its final name with `suffix` added, over an older file of that name. The
+  /// data are handed to the system, not forced onto the disk.
+  ///
+  /// @return the name it has now
+  /// @throws UnwritableOutput  as above
+  std::filesystem::path commit(std::string_view suffix = {});
+
+ private:
+  std::filesystem::path path_;    ///< as the user named it
+  std::filesystem::path target_;  ///< what it links to, or the same
+  std::string temporary_;         ///< empty once the file has its name
+  int number_ = -1;               ///< descriptor, while open
+};
+
+/// Makes `path` a file of exactly these bytes, whole or not at all: through a PendingFile, or
+/// directly where is_written_directly says so.
+///
+/// @throws UnwritableOutput  as above; an older file at `path` is as it was.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace morskin::geometry

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace morskin::geometry {
+
+/// The position of one Tag in its array. Never an integer, never another Tag's Id.
+template <class Tag>
+struct Id {
+  std::uint32_t value = 0;
+
+  constexpr Id() = default;
+  constexpr explicit Id(std::uint32_t position) : value(position) {}
+  constexpr explicit Id(std::size_t position) : value(static_cast<std::uint32_t>(position)) {}
+
+  /// The position as an array index.
+  constexpr std::size_t index() const { return value; }
+  friend constexpr auto operator<=>(Id, Id) = default;
+};
+
+using AtomId = Id<struct AtomTag>;          ///< a weighted point, by its place in the input
+using VertexId = Id<struct VertexTag>;      ///< a vertex of a surface mesh
+using TriangleId = Id<struct TriangleTag>;  ///< a triangle of a surface mesh
+using CellId = Id<struct CellTag>;  ///< a simplex of the regular triangulation = a mixed cell
+
+}  // namespace morskin::geometry
+
+template <class Tag>
+struct std::hash<morskin::geometry::Id<Tag>> {
+  std::size_t operator()(morskin::geometry::Id<Tag> id) const noexcept { return id.value; }
+};

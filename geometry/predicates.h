@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/expansion.h"
+#include "geometry/id.h"
+#include "geometry/point.h"
+
+/// Exact answers to the two questions of a regular triangulation (section 2.1): how four points are
+/// oriented, and on which side of an orthosphere a fifth lies.
+///
+/// Range: every coordinate and weight is a multiple of 2^-64 and at most 2^30 in magnitude, so that
+/// polynomials of degree 8 neither overflow nor underflow (`on_exact_grid`). Inside it the answers
+/// are those of real arithmetic on the stored doubles. Each predicate is a chain of tiers, cheapest
+/// first; predicates_internal.h names them.
+namespace morskin::geometry {
+
+/// The multiple of 2^-64 nearest to x; x itself whenever |x| >= 2^-12.
+///
+/// @pre x is finite.
+double on_exact_grid(double x);
+
+/// The sign of det[a - d; b - d; c - d]: six times the signed volume of the tetrahedron.
+///
+/// Law: an odd permutation of the four points changes the sign. Zero if and only if coplanar.
+Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// Whether three points lie on one line; two equal points always do.
+bool are_collinear(const Point& a, const Point& b, const Point& c);
+
+/// Inside: nearer, in power, to the sphere's centre than the points that define the sphere.
+enum class Side : std::int8_t { Inside, Outside };
+
+/// On which side of the sphere orthogonal to a, b, c, d the weighted point e lies.
+///
+/// Never "on": ties fall as if each weight held a vanishing extra share, positive and larger the
+/// smaller the id, so that all answers together describe one set of points. Between two points of
+/// equal position and weight the smaller id wins.
+/// @param ids  of a, b, c, d, e; consulted in a tie only.
+/// Law:    an even permutation of a, b, c, d with their ids does not change the answer.
+/// @pre    orientation(a, b, c, d) == Sign::Positive, and the five ids differ.
+/// Source: Devillers & Teillaud 2011, Perturbations for Delaunay and weighted Delaunay 3D
+///         triangulations; Edelsbrunner & Muecke 1990.
+Side orthosphere_side(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+                      const WeightedPoint& d, const WeightedPoint& e,
+                      const std::array<AtomId, 5>& ids);
+
+}  // namespace morskin::geometry

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/id.h"
+#include "geometry/point.h"
+
+namespace morskin::geometry {
+
+/// A regular (weighted Delaunay) triangulation as a simplicial complex: every simplex once, with
+/// its corners ascending, in lexicographic order. Ties between cospherical points are broken as
+/// `orthosphere_side` does, by id, so it is always a triangulation and never has a flat simplex.
+///
+/// Law: vertices - edges + triangles - tetrahedra = 1, if there is any point at all.
+struct RegularTriangulation {
+  int dimension = -1;            ///< of the points' span; -1: no points
+  std::vector<AtomId> vertices;  ///< ascending
+  std::vector<std::array<AtomId, 2>> edges;
+  std::vector<std::array<AtomId, 3>> triangles;
+  std::vector<std::array<AtomId, 4>> tetrahedra;
+  /// Entry k: the place in `edges` of the edge opposite corner k.
+  std::vector<std::array<std::uint32_t, 3>> triangle_edges;
+  /// Entry k: the place in `triangles` of the facet opposite corner k.
+  std::vector<std::array<std::uint32_t, 4>> tetrahedron_triangles;
+  /// Ascending: the points that are no vertex, because their power is nowhere the least. Of points
+  /// at one position all but the heaviest (the smallest id if equal) are here.
+  std::vector<AtomId> hidden;
+};
+
+/// The regular triangulation of weighted points: any number, in any position.
+///
+/// @pre    in the range of predicates.h; fewer than 2^27 points and 2^30 tetrahedra.
+/// Source: Edelsbrunner & Shah 1996, Incremental topological flipping works for regular
+///         triangulations (definition); mechanism in triangulator.h.
+RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points);
+
+}  // namespace morskin::geometry

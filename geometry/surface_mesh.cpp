@@ -1,0 +1,340 @@
+#include "geometry/surface_mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+namespace morskin::geometry {
+
+void SurfaceMesh::reserve(std::size_t vertices) {
+  outgoing_.reserve(vertices);
+  origin_.reserve(6 * vertices);
+  twin_.reserve(6 * vertices);
+}
+
+std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
+  const HalfEdgeId h = outgoing_[v.index()];
+  return h.value == kBoundary ? std::nullopt : std::optional(h);
+}
+
+std::array<VertexId, 3> SurfaceMesh::corners(TriangleId t) const {
+  return {origin_[3 * t.index()], origin_[3 * t.index() + 1], origin_[3 * t.index() + 2]};
+}
+
+VertexId SurfaceMesh::add_vertex() {
+  outgoing_.emplace_back(kBoundary);
+  return VertexId{outgoing_.size() - 1};
+}
+
+TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
+  assert(a != b && b != c && c != a);
+  const HalfEdgeId first{origin_.size()};
+  origin_.resize(origin_.size() + 3);
+  twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});
+  set_corner(first, a);
+  set_corner(HalfEdgeId{first.value + 1}, b);
+  set_corner(HalfEdgeId{first.value + 2}, c);
+  return triangle(first);
+}
+
+void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
+  assert(is_boundary(h) && is_boundary(g));
+  assert(origin(h) == target(g) && origin(g) == target(h));
+  set_twin(h, g);
+}
+
+void SurfaceMesh::flip(HalfEdgeId h) {
+  assert(!is_boundary(h));
+  const HalfEdgeId g = twin(h);
+  const VertexId a = origin(h), b = origin(g), c = apex(h), d = apex(g);
+  const HalfEdgeId beyond_bc = twin_[next(h).index()], beyond_ca = twin_[previous(h).index()];
+  const HalfEdgeId beyond_ad = twin_[next(g).index()], beyond_db = twin_[previous(g).index()];
+  set_corner(previous(h), a);
+  set_corner(previous(g), b);
+  set_corner(next(h), c);
+  set_corner(g, c);
+  set_corner(next(g), d);
+  set_corner(h, d);
+  set_twin(next(h), beyond_ca);
+  set_twin(previous(h), beyond_ad);
+  set_twin(next(g), beyond_db);
+  set_twin(previous(g), beyond_bc);
+}
+
+void SurfaceMesh::split(TriangleId t, VertexId v) {
+  const auto [a, b, c] = corners(t);
+  const HalfEdgeId ab = half_edge(t, 0);
+  const HalfEdgeId beyond_bc = twin_[next(ab).index()], beyond_ca = twin_[previous(ab).index()];
+  const HalfEdgeId bc = half_edge(add_triangle(b, c, v), 0);
+  const HalfEdgeId ca = half_edge(add_triangle(c, a, v), 0);
+  set_corner(previous(ab), v);
+  set_corner(ab, a);
+  set_corner(next(ab), b);
+  set_twin(bc, beyond_bc);
+  set_twin(ca, beyond_ca);
+  set_twin(next(ab), previous(bc));
+  set_twin(next(bc), previous(ca));
+  set_twin(next(ca), previous(ab));
+}
+
+void SurfaceMesh::unsplit(VertexId v) {
+  assert(degree(v) == 3);
+  const HalfEdgeId va = outgoing_[v.index()];
+  const HalfEdgeId vb = twin(previous(va));
+  const HalfEdgeId vc = twin(previous(vb));
+  const HalfEdgeId beyond_bc = twin_[next(vb).index()], beyond_ca = twin_[next(vc).index()];
+  const VertexId a = target(va), b = target(vb), c = target(vc);
+  // The kept triangle's half-edges va, next(va), previous(va) become c-a, a-b, b-c.
+  set_corner(va, c);
+  set_corner(next(va), a);
+  set_corner(previous(va), b);
+  set_twin(va, beyond_ca);
+  set_twin(previous(va), beyond_bc);
+  for (const HalfEdgeId h : {vb, vc}) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      origin_[half_edge(triangle(h), k).index()] = VertexId{kBoundary};
+      twin_[half_edge(triangle(h), k).index()] = HalfEdgeId{kBoundary};
+    }
+  }
+  outgoing_[v.index()] = HalfEdgeId{kBoundary};
+}
+
+std::size_t SurfaceMesh::degree(VertexId v) const {
+  std::size_t count = 0;
+  for_each_outgoing(v, [&](HalfEdgeId) { ++count; });
+  return count;
+}
+
+bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
+  bool found = false;
+  for_each_outgoing(a, [&](HalfEdgeId h) { found = found || target(h) == b; });
+  return found;
+}
+
+std::vector<std::optional<VertexId>> SurfaceMesh::compact() {
+  std::vector<std::optional<VertexId>> renamed(vertex_count());
+  std::vector<HalfEdgeId> moved(origin_.size(), HalfEdgeId{kBoundary});
+  std::size_t vertices = 0, half_edges = 0;
+  for (std::size_t v = 0; v < outgoing_.size(); ++v) {
+    if (outgoing_[v].value != kBoundary) renamed[v] = VertexId{vertices++};
+  }
+  for (std::size_t h = 0; h < origin_.size(); ++h) {
+    if (origin_[h].value != kBoundary) moved[h] = HalfEdgeId{half_edges++};
+  }
+  const auto place = [&](HalfEdgeId h) { return h.value == kBoundary ? h : moved[h.index()]; };
+  for (std::size_t h = 0; h < origin_.size(); ++h) {
+    if (origin_[h].value == kBoundary) continue;
+    origin_[moved[h].index()] = *renamed[origin_[h].index()];
+    twin_[moved[h].index()] = place(twin_[h]);
+  }
+  for (std::size_t v = 0; v < renamed.size(); ++v) {
+    if (renamed[v]) outgoing_[renamed[v]->index()] = place(outgoing_[v]);
+  }
+  outgoing_.resize(vertices);
+  origin_.resize(half_edges);
+  twin_.resize(half_edges);
+  return renamed;
+}
+
+std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {
+  std::vector<std::array<std::uint32_t, 3>> list;
+  list.reserve(triangle_count());
+  for (std::size_t t = 0; t < triangle_count(); ++t) {
+    if (is_removed(TriangleId{t})) continue;
+    list.push_back({origin_[3 * t].value, origin_[3 * t + 1].value, origin_[3 * t + 2].value});
+  }
+  return list;
+}
+
+namespace {
+
+std::string edge_text(std::uint32_t a, std::uint32_t b) {
+  return "edge " + std::to_string(a) + "-" + std::to_string(b);
+}
+
+/// Walks round the origin of `first` both ways; the number of triangles met, which falls short of
+/// all the triangles with that corner when two sheets touch there.
+std::size_t fan_size(const SurfaceMesh& mesh, HalfEdgeId first) {
+  std::size_t count = 0;
+  HalfEdgeId h = first;
+  while (count <= 3 * mesh.triangle_count()) {
+    ++count;
+    const HalfEdgeId back = SurfaceMesh::previous(h);
+    if (mesh.is_boundary(back)) break;
+    h = mesh.twin(back);
+    if (h == first) return count;
+  }
+  h = first;
+  while (!mesh.is_boundary(h) && count <= 3 * mesh.triangle_count()) {
+    h = SurfaceMesh::next(mesh.twin(h));
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
+  std::vector<std::uint32_t> corners(mesh.vertex_count(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (mesh.is_removed(TriangleId{t})) continue;
+    const auto [a, b, c] = mesh.corners(TriangleId{t});
+    if (a == b || b == c || c == a) return "triangle " + std::to_string(t) + " repeats a corner";
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
+      ++corners[mesh.origin(h).index()];
+      const std::string edge = edge_text(mesh.origin(h).value, mesh.target(h).value);
+      if (mesh.is_boundary(h)) {
+        if (expect == Expect::Closed) return edge + " has only one triangle";
+        continue;
+      }
+      const HalfEdgeId g = mesh.twin(h);
+      if (mesh.is_boundary(g) || mesh.twin(g) != h) return edge + ": its twins are not mutual";
+      if (mesh.origin(g) != mesh.target(h) || mesh.target(g) != mesh.origin(h)) {
+        return edge + ": its twin runs elsewhere";
+      }
+    }
+  }
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const auto first = mesh.outgoing(VertexId{v});
+    if (!first) continue;
+    if (mesh.origin(*first) != VertexId{v}) {
+      return "vertex " + std::to_string(v) + " points to a half-edge that does not leave it";
+    }
+    if (fan_size(mesh, *first) != corners[v]) {
+      return "vertex " + std::to_string(v) + " has more than one fan of triangles";
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (mesh.is_removed(TriangleId{t})) continue;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
+      edges.emplace_back(mesh.origin(h).value, mesh.target(h).value);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto twice = std::adjacent_find(edges.begin(), edges.end());
+  if (twice != edges.end()) return edge_text(twice->first, twice->second) + " stands twice";
+  return std::nullopt;
+}
+
+namespace {
+
+/// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
+/// at its origin; the lists stay short, so this is O(n).
+/// @return whether none is left waiting.
+bool glue_all(SurfaceMesh& mesh) {
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  const std::size_t count = 3 * mesh.triangle_count();
+  std::vector<std::uint32_t> first(mesh.vertex_count(), none), next(count, none);
+  std::size_t waiting = 0;
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
+    std::uint32_t* link = &first[b.index()];
+    while (*link != none && mesh.target(HalfEdgeId{*link}) != a) link = &next[*link];
+    if (*link == none) {
+      next[h] = std::exchange(first[a.index()], h);
+      ++waiting;
+    } else {
+      mesh.glue(HalfEdgeId{h}, HalfEdgeId{std::exchange(*link, next[*link])});
+      --waiting;
+    }
+  }
+  return waiting == 0;
+}
+
+/// Why some half-edge has no twin, in words: for the first edge that lacks one.
+std::string gluing_defect(const SurfaceMesh& mesh) {
+  const std::size_t count = 3 * mesh.triangle_count();
+  std::uint32_t lonely = 0;
+  while (!mesh.is_boundary(HalfEdgeId{lonely})) ++lonely;
+  const VertexId a = mesh.origin(HalfEdgeId{lonely}), b = mesh.target(HalfEdgeId{lonely});
+  std::size_t same = 0, opposite = 0;
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const VertexId p = mesh.origin(HalfEdgeId{h}), q = mesh.target(HalfEdgeId{h});
+    same += p == a && q == b;
+    opposite += p == b && q == a;
+  }
+  const std::string edge = edge_text(a.value, b.value);
+  if (same + opposite == 1) return edge + " has only one triangle";
+  if (same + opposite > 2) return edge + " has more than two triangles";
+  return edge + ": its triangles disagree on orientation";
+}
+
+/// Whether two of the edges at a vertex lead to the same neighbour; `seen` is scratch, by vertex.
+bool has_double_edge(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
+  bool is_double = false;
+  mesh.for_each_outgoing(v, [&](HalfEdgeId h) {
+    std::uint32_t& mark = seen[mesh.target(h).index()];
+    is_double = is_double || mark == v.value;
+    mark = v.value;
+  });
+  return is_double;
+}
+
+}  // namespace
+
+MeshOrDefect closed_mesh(std::size_t vertices,
+                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  MeshOrDefect result;
+  SurfaceMesh& mesh = result.mesh;
+  mesh.reserve(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) mesh.add_vertex();
+  std::vector<std::uint32_t> corners(vertices, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [a, b, c] = triangles[t];
+    if (a == b || b == c || c == a) {
+      result.defect = "triangle " + std::to_string(t) + " repeats a corner";
+      return result;
+    }
+    for (const std::uint32_t v : triangles[t]) ++corners[v];
+    mesh.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
+  }
+  if (!glue_all(mesh)) {
+    result.defect = gluing_defect(mesh);
+    return result;
+  }
+  std::vector<std::uint32_t> seen(vertices, 0xFFFFFFFFU);
+  for (std::size_t v = 0; v < vertices && !result.defect; ++v) {
+    const auto first = mesh.outgoing(VertexId{v});
+    if (!first) {
+      result.defect = "vertex " + std::to_string(v) + " belongs to no triangle";
+    } else if (mesh.degree(VertexId{v}) != corners[v]) {
+      result.defect = "vertex " + std::to_string(v) + " is where two sheets touch";
+    } else if (has_double_edge(mesh, VertexId{v}, seen)) {
+      result.defect = "vertex " + std::to_string(v) + " is joined twice to a neighbour";
+    }
+  }
+  return result;
+}
+
+Components components(const SurfaceMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.triangle_count());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  };
+  // The smaller root wins, so that components are numbered by their first triangle.
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (mesh.is_removed(TriangleId{t})) continue;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
+      if (mesh.is_boundary(h) || mesh.twin(h) > h) continue;
+      const std::uint32_t a = root(t), b = root(SurfaceMesh::triangle(mesh.twin(h)).value);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  Components result;
+  result.of_triangle.resize(mesh.triangle_count());
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (mesh.is_removed(TriangleId{t})) continue;
+    const std::uint32_t first = root(t);
+    result.of_triangle[t] = first == t ? result.count++ : result.of_triangle[first];
+  }
+  return result;
+}
+
+}  // namespace morskin::geometry

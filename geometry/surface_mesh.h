@@ -1,0 +1,128 @@
+#pragma once
+
+/// A triangle mesh whose connectivity knows no coordinates.
+///
+/// Half-edge h = 3 t + k of triangle t runs from corner k to corner k + 1, the triangle on its left
+/// (counter-clockwise seen from outside). Its twin is the opposite half-edge of the neighbouring
+/// triangle; a half-edge without one is on the boundary. Everything lies in three flat arrays.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/id.h"
+
+namespace morskin::geometry {
+
+using HalfEdgeId = Id<struct HalfEdgeTag>;
+
+class SurfaceMesh {
+ public:
+  std::size_t vertex_count() const { return outgoing_.size(); }
+  std::size_t triangle_count() const { return origin_.size() / 3; }
+  void reserve(std::size_t vertices);
+
+  VertexId origin(HalfEdgeId h) const { return origin_[h.index()]; }
+  VertexId target(HalfEdgeId h) const { return origin_[next(h).index()]; }
+  VertexId apex(HalfEdgeId h) const { return origin_[previous(h).index()]; }
+  static TriangleId triangle(HalfEdgeId h) { return TriangleId{h.value / 3}; }
+  static HalfEdgeId half_edge(TriangleId t, std::uint32_t k) { return HalfEdgeId{3 * t.value + k}; }
+  static HalfEdgeId next(HalfEdgeId h) {
+    return HalfEdgeId{h.value % 3 == 2 ? h.value - 2 : h.value + 1};
+  }
+  static HalfEdgeId previous(HalfEdgeId h) {
+    return HalfEdgeId{h.value % 3 == 0 ? h.value + 2 : h.value - 1};
+  }
+  bool is_boundary(HalfEdgeId h) const { return twin_[h.index()].value == kBoundary; }
+  /// @pre !is_boundary(h)
+  HalfEdgeId twin(HalfEdgeId h) const { return twin_[h.index()]; }
+  /// A half-edge that leaves v, or nothing for a vertex without triangles.
+  std::optional<HalfEdgeId> outgoing(VertexId v) const;
+  std::array<VertexId, 3> corners(TriangleId t) const;
+  /// A removed triangle keeps its place until compact(); every other one is alive.
+  bool is_removed(TriangleId t) const { return origin_[3 * t.index()].value == kBoundary; }
+
+  VertexId add_vertex();
+  /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
+  TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
+  /// Makes two boundary half-edges each other's twin. @pre they run between the same vertices,
+  /// oppositely.
+  void glue(HalfEdgeId h, HalfEdgeId g);
+
+  /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h is
+  /// the half-edge from d to c, in the triangle with a... the same two triangles are reused.
+  /// @pre the edge is not on the boundary.
+  void flip(HalfEdgeId h);
+  /// Replaces triangle t by three around the new vertex v. The first keeps t's place.
+  void split(TriangleId t, VertexId v);
+  /// Removes a vertex of degree three: its three triangles become one, in the place of the first.
+  /// @pre v has exactly three triangles around it and no boundary.
+  void unsplit(VertexId v);
+
+  /// Calls visit(h) for each half-edge that leaves v, counter-clockwise, for a vertex without
+  /// boundary.
+  template <class Visit>
+  void for_each_outgoing(VertexId v, Visit visit) const {
+    const HalfEdgeId first = outgoing_[v.index()];
+    HalfEdgeId h = first;
+    do {
+      visit(h);
+      h = twin_[previous(h).index()];
+    } while (h != first);
+  }
+  std::size_t degree(VertexId v) const;
+  /// Whether an edge joins a and b. @pre a has no boundary.
+  bool has_edge(VertexId a, VertexId b) const;
+
+  /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
+  /// @return for each old vertex its new id, or nothing.
+  std::vector<std::optional<VertexId>> compact();
+
+  /// The triangles as a file holds them.
+  std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
+
+ private:
+  static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;
+  void set_corner(HalfEdgeId h, VertexId v) {
+    origin_[h.index()] = v;
+    outgoing_[v.index()] = h;
+  }
+  void set_twin(HalfEdgeId h, HalfEdgeId g) {
+    twin_[h.index()] = g;
+    if (g.value != kBoundary) twin_[g.index()] = h;
+  }
+
+  std::vector<VertexId> origin_;
+  std::vector<HalfEdgeId> twin_;
+  std::vector<HalfEdgeId> outgoing_;
+};
+
+/// What validate() looks for beyond the sound bookkeeping of every mesh.
+enum class Expect { Any, Closed };
+
+/// The first broken invariant in words, or nothing: triangles have three different corners, twins
+/// are mutual and opposite, each vertex has one fan of triangles around it, no edge stands twice;
+/// with Expect::Closed also that there is no boundary.
+std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect = Expect::Closed);
+
+/// A mesh from a triangle list, or the first reason why it is not a closed oriented 2-manifold: an
+/// edge with one triangle or three, two triangles that disagree on orientation, a vertex where two
+/// sheets touch. O(n).
+struct MeshOrDefect {
+  SurfaceMesh mesh;
+  std::optional<std::string> defect;
+};
+MeshOrDefect closed_mesh(std::size_t vertices,
+                         const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+/// For each triangle the number of its connected component, and how many there are.
+struct Components {
+  std::vector<std::uint32_t> of_triangle;
+  std::uint32_t count = 0;
+};
+Components components(const SurfaceMesh& mesh);
+
+}  // namespace morskin::geometry

@@ -1,0 +1,40 @@
+#pragma once
+
+/// Critical points of the height function on the skin (section 3.1), in closed form.
+///
+/// In a mixed cell N(x) = M (x - z) must be parallel to the direction V, so x = z + lambda M V, and
+/// G(x) = 0 gives lambda^2 = (w/2) / (V . M V). The point counts when it lies in the cell. |lambda|
+/// is the length scale there, sign(lambda) V the outward normal, and the Hessian of the height on
+/// the tangent plane is -(1/lambda) M restricted to it. Derived in papers/4.1-algorithm.md.
+
+#include <string>
+#include <vector>
+
+#include "morse/height_function.h"
+#include "skin/skin_surface.h"
+
+namespace morskin::morse {
+
+struct CriticalPoint {
+  skin::SurfacePoint point;
+  int index = 0;     ///< number of descending directions: 0 minimum, 1 saddle, 2 maximum
+  double value = 0;  ///< the height
+  /// At a saddle the unit tangent of steepest descent, one of the two; otherwise zero.
+  Vector descending = Vector::Zero();
+};
+
+struct CriticalPoints {
+  std::vector<CriticalPoint> points;  ///< in the order of the cells
+  /// Why the function is not safely a Morse function on this skin, or nothing: a critical point so
+  /// near a cell wall that rounding decides on which side it lies.
+  std::vector<std::string> degeneracies;
+
+  std::size_t count(int index) const;
+  /// minima - saddles + maxima, the Euler characteristic of the skin when nothing is degenerate.
+  long euler_characteristic() const;
+};
+
+/// @pre height.direction is a unit vector; the skin is not singular.
+CriticalPoints critical_points(const skin::SkinSurface& skin, const HeightFunction& height);
+
+}  // namespace morskin::morse

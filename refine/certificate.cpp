@@ -1,0 +1,330 @@
+#include "refine/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+namespace {
+
+using geometry::IndexedMesh;
+using skin::CellId;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
+/// all around it, so that a question looks into one cell only.
+class CandidateGrid {
+ public:
+  /// @param cell_size  no vertex farther than this from the place asked for needs to be found
+  explicit CandidateGrid(double cell_size) : scale_(1 / cell_size), buckets_(1U << 16) {}
+
+  void add(const Point& p, VertexId v) {
+    const auto home = cell(p);
+    for (std::int64_t i = -1; i <= 1; ++i) {
+      for (std::int64_t j = -1; j <= 1; ++j) {
+        for (std::int64_t k = -1; k <= 1; ++k) {
+          auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k})];
+          if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
+        }
+      }
+    }
+  }
+  template <class Visit>
+  void for_each_near(const Point& p, Visit visit) const {
+    for (const VertexId v : buckets_[hash(cell(p))]) visit(v);
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  Cell cell(const Point& p) const {
+    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale_)); };
+    return {whole(p.x()), whole(p.y()), whole(p.z())};
+  }
+  static std::size_t hash(const Cell& c) {
+    const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
+                            static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
+                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL;
+    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
+  }
+
+  double scale_;
+  std::vector<std::vector<VertexId>> buckets_;
+};
+
+/// The work of certify(), one claim after the other; the first that breaks is the reason.
+class Certifier {
+ public:
+  Certifier(const IndexedMesh& mesh, const skin::SkinSurface& skin, const Sizing& sizing,
+            Certificate& certificate)
+      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate) {}
+
+  void run(const skin::DualComplex& expected) {
+    out_.vertices = mesh_.positions.size();
+    out_.triangles = mesh_.triangles.size();
+    out_.expected_euler_characteristic = expected.skin_euler_characteristic();
+    out_.expected_components = expected.skin_components();
+    out_.expected_genus = static_cast<long>(expected.skin_genus());
+    measure_shape();
+    if (mesh_.triangles.empty()) return fail("the mesh has no triangles");
+    geometry::MeshOrDefect built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
+    if (built.defect) return fail("not a closed oriented 2-manifold: " + *built.defect);
+    surface_ = std::move(built.mesh);
+    locate_vertices();
+    check_triangles();
+    check_covering_degree();
+    compare_counts();
+    out_.is_homeomorphic = out_.reason.empty();
+    if (out_.violations_L + out_.violations_U > 0) {
+      fail(std::to_string(out_.violations_L) + " edges break [L], " +
+           std::to_string(out_.violations_U) + " triangles break [U]");
+    }
+    out_.certified = out_.reason.empty();
+  }
+
+ private:
+  void fail(const std::string& reason) {
+    if (out_.reason.empty()) out_.reason = reason;
+  }
+  const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
+
+  /// Angles, area and volume need no connectivity.
+  void measure_shape();
+  /// Finds each vertex's cell by walking from a neighbour's, and its distance to the skin.
+  void locate_vertices();
+  /// [L], [U], and the conditions c1 and c2 of the theorem.
+  void check_triangles();
+  /// c3: at one vertex of every component, one sheet of mesh over the skin.
+  void check_covering_degree();
+  void compare_counts();
+
+  bool turns_once(VertexId v) const;
+  /// Radius of the ball about a vertex that no triangle but its own may enter, lest it cover the
+  /// vertex too: the flow moves a triangle of circumradius R by at most rho - sqrt(rho^2 - R^2).
+  double free_radius(VertexId v) const { return free_share_ * points_[v.index()].length_scale; }
+  void find_free_share();
+
+  const IndexedMesh& mesh_;
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  Certificate& out_;
+  geometry::SurfaceMesh surface_;
+  std::vector<SurfacePoint> points_;
+  double longest_edge_ = 0, largest_length_scale_ = 0;
+  double largest_share_ = 0;  ///< of R_abc over rho_abc
+  double free_share_ = 0;     ///< free_radius() over rho
+};
+
+void Certifier::measure_shape() {
+  // The extreme angles have the extreme cosines; one arc cosine each at the end.
+  double largest_cosine = -1, smallest_cosine = 1;
+  for (const auto& [a, b, c] : mesh_.triangles) {
+    const Point &p = position(a), &q = position(b), &r = position(c);
+    const Vector pq = q - p, qr = r - q, rp = p - r;
+    const double x = pq.norm(), y = qr.norm(), z = rp.norm();
+    for (const double cosine :
+         {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)}) {
+      largest_cosine = std::max(largest_cosine, std::isnan(cosine) ? 1.0 : cosine);
+      smallest_cosine = std::min(smallest_cosine, std::isnan(cosine) ? -1.0 : cosine);
+    }
+    out_.area += pq.cross(rp).norm() / 2;
+    out_.volume += p.dot(q.cross(r)) / 6;
+  }
+  out_.min_angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * 180 / M_PI;
+  out_.max_angle_deg = std::acos(std::clamp(smallest_cosine, -1.0, 1.0)) * 180 / M_PI;
+}
+
+void Certifier::locate_vertices() {
+  points_.resize(mesh_.positions.size());
+  std::vector<char> is_located(points_.size(), 0);
+  const auto place = [&](std::uint32_t v, CellId start) {
+    const Point& x = position(v);
+    const CellId cell = skin_.locate(x, start);
+    points_[v] = skin_.at(x, cell);
+    is_located[v] = 1;
+    const double rho = points_[v].length_scale;
+    largest_length_scale_ = std::max(largest_length_scale_, rho);
+    // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
+    const double g = std::abs(skin_.complex().patch(cell).value(x));
+    out_.max_distance_to_skin = std::max(out_.max_distance_to_skin, g / (2 * rho));
+    out_.max_relative_distance_to_skin =
+        std::max(out_.max_relative_distance_to_skin, g / (2 * rho * rho));
+    // A hundred times what the mesher leaves: room for another program's last digits, far below
+    // what the theorem needs.
+    if (!(g <= 100 * skin_.residual_bound(rho))) {
+      fail("vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
+           " Angstrom off the skin");
+    }
+  };
+  // Triangles come in the order they were laid, so a corner's cell is near the last triangle's; a
+  // breadth-first order would be as short and cost a queue.
+  CellId last{};
+  for (const auto& triangle : mesh_.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_located[triangle[k]]) last = points_[triangle[k]].cell;
+    }
+    for (const std::uint32_t v : triangle) {
+      if (!is_located[v]) place(v, last);
+      last = points_[v].cell;
+    }
+  }
+}
+
+void Certifier::check_triangles() {
+  out_.worst_L = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto& corner = mesh_.triangles[t];
+    const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+    const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+    const double area2 = circle.doubled_area.norm();
+    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    const double u = sizing_.triangle_ratio(circle.radius, rho);
+    out_.worst_U = std::max(out_.worst_U, u);
+    largest_share_ = std::max(largest_share_, circle.radius / rho);
+    out_.violations_U += !(u < 1);
+    std::array<double, 3> side;  // opposite corner k
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SurfacePoint &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
+      side[k] = (a.position - b.position).norm();
+      if (corner[(k + 1) % 3] > corner[(k + 2) % 3]) continue;  // each edge from one side
+      const double l = sizing_.edge_ratio(a, b);
+      out_.worst_L = std::min(out_.worst_L, l);
+      out_.violations_L += !(l > 1);
+    }
+    const std::size_t k =
+        static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
+    longest_edge_ = std::max(longest_edge_, side[k]);
+    const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
+    const double upright =
+        p[k]->length_scale * p[k]->normal.dot(circle.doubled_area) / area2;  // N(a) . n_t
+    if (!(upright > reach))
+      fail("triangle " + std::to_string(t) + " does not face the way the skin does");
+    if (!(circle.radius < rho / 2)) {
+      fail("triangle " + std::to_string(t) +
+           " is too big for its length scale to be proved near the skin");
+    }
+  }
+}
+
+/// Whether the triangles round v, seen along its normal, go round it once and all the same way.
+bool Certifier::turns_once(VertexId v) const {
+  const SurfacePoint& p = points_[v.index()];
+  double sum = 0;
+  bool is_forward = true;
+  surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
+    Vector e = position(surface_.target(h).value) - p.position;
+    Vector f = position(surface_.apex(h).value) - p.position;
+    e -= e.dot(p.normal) * p.normal;
+    f -= f.dot(p.normal) * p.normal;
+    const double angle = std::atan2(e.cross(f).dot(p.normal), e.dot(f));
+    is_forward = is_forward && angle > 0;
+    sum += angle;
+  });
+  return is_forward && std::abs(sum - 2 * M_PI) < 1;  // a whole number of turns, so 1 is apart
+}
+
+double squared_distance_to_triangle(const Point& x, const Point& a, const Point& b,
+                                    const Point& c) {
+  const Vector n = (b - a).cross(c - a);
+  const std::array corner{&a, &b, &c};
+  bool is_over = true;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &p = *corner[k], &q = *corner[(k + 1) % 3];
+    const Vector e = q - p, d = x - p;
+    is_over = is_over && e.cross(d).dot(n) >= 0;
+    const double s = std::clamp(e.dot(d) / e.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (d - s * e).squaredNorm());
+  }
+  const double height = n.dot(x - a);
+  return is_over ? height * height / n.squaredNorm() : least;
+}
+
+/// A triangle that comes within s rho of a vertex has a length scale of at most (1 + s) rho there,
+/// so s is the fixed point of s = 1 - sqrt(1 - ((1 + s) R / rho)^2), which iteration finds from
+/// below.
+void Certifier::find_free_share() {
+  const double r = std::min(largest_share_, 0.5);
+  for (int i = 0; i < 40; ++i) {
+    const double reach = (1 + free_share_) * r;
+    free_share_ = 1 - std::sqrt(1 - reach * reach);
+  }
+  free_share_ *= 1 + 1e-6;
+}
+
+void Certifier::check_covering_degree() {
+  const geometry::Components parts = geometry::components(surface_);
+  out_.components = parts.count;
+  // A few candidates per component: where the mesh is thin beside its length scale a neighbour's
+  // triangle may pass through the ball, and another vertex shows the degree.
+  constexpr std::size_t most_candidates = 8;
+  std::vector<std::vector<VertexId>> candidates(parts.count);
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    auto& list = candidates[parts.of_triangle[t]];
+    const VertexId v{mesh_.triangles[t][0]};
+    if (list.size() == most_candidates) continue;
+    if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
+  }
+  std::vector<char> is_free(mesh_.positions.size(), 0);
+  find_free_share();
+  CandidateGrid grid(longest_edge_ + free_share_ * largest_length_scale_);
+  for (const auto& list : candidates) {
+    for (const VertexId v : list) {
+      is_free[v.index()] = 1;
+      grid.add(position(v.value), v);
+    }
+  }
+  for (const auto& triangle : mesh_.triangles) {
+    const auto [a, b, c] = triangle;
+    grid.for_each_near(position(a), [&](VertexId v) {
+      if (v.value == a || v.value == b || v.value == c) return;
+      const double d2 =
+          squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
+      if (d2 <= free_radius(v) * free_radius(v)) is_free[v.index()] = 0;
+    });
+  }
+  out_.covering_degree_ok = true;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const bool shown = std::any_of(candidates[i].begin(), candidates[i].end(),
+                                   [&](VertexId v) { return is_free[v.index()] != 0; });
+    if (shown) continue;
+    out_.covering_degree_ok = false;
+    fail("component " + std::to_string(i) + " covers the skin more than once");
+  }
+}
+
+void Certifier::compare_counts() {
+  const long v = static_cast<long>(out_.vertices), t = static_cast<long>(out_.triangles);
+  out_.euler_characteristic = v - t / 2;
+  out_.genus = static_cast<long>(out_.components) - out_.euler_characteristic / 2;
+  const auto compare = [&](const char* what, long is, long should) {
+    if (is == should) return;
+    fail(std::string(what) + " is " + std::to_string(is) + ", the skin's is " +
+         std::to_string(should));
+  };
+  compare("the number of components", static_cast<long>(out_.components),
+          static_cast<long>(out_.expected_components));
+  compare("the Euler characteristic", out_.euler_characteristic,
+          out_.expected_euler_characteristic);
+  compare("the genus", out_.genus, out_.expected_genus);
+}
+
+}  // namespace
+
+Certificate certify(const IndexedMesh& mesh, const skin::SkinSurface& skin,
+                    const skin::DualComplex& expected, const Sizing& sizing) {
+  Certificate certificate;
+  Certifier(mesh, skin, sizing, certificate).run(expected);
+  return certificate;
+}
+
+}  // namespace morskin::refine

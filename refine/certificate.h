@@ -1,0 +1,60 @@
+#pragma once
+
+/// The certificate (papers/certificate.md): from the mesh alone, in O(n), a proof that it is
+/// homeomorphic (even isotopic) to the skin, and the measure of its quality.
+///
+/// Proved when all of these hold:
+///   manifold    the triangles form a closed oriented 2-manifold without degenerate elements;
+///   on skin     every vertex lies on the skin within residual_bound();
+///   tube        every triangle lies where the flow along grad G reaches the skin (c2), and
+///   upright     faces the way the skin does there (c1), so that the flow is a covering map;
+///   degree 1    at one vertex of every component the covering has one sheet (c3);
+///   counts      components, Euler characteristic and genus equal the dual complex's.
+
+#include <optional>
+#include <string>
+
+#include "geometry/indexed_mesh.h"
+#include "refine/sizing.h"
+#include "skin/dual_complex.h"
+#include "skin/skin_surface.h"
+
+namespace morskin::refine {
+
+struct Certificate {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t components = 0;
+  long euler_characteristic = 0;
+  long genus = 0;  ///< summed over components
+
+  long expected_euler_characteristic = 0;
+  std::size_t expected_components = 0;
+  long expected_genus = 0;
+
+  double min_angle_deg = 0;
+  double max_angle_deg = 0;
+  double worst_L = 0;  ///< smallest R_ab over its bound in [L]: above 1 is good
+  double worst_U = 0;  ///< largest R_abc over its bound in [U]: below 1 is good
+  std::size_t violations_L = 0;
+  std::size_t violations_U = 0;
+  double max_distance_to_skin = 0;           ///< of a vertex, Angstrom
+  double max_relative_distance_to_skin = 0;  ///< the same over the length scale
+  double area = 0;                           ///< Angstrom^2
+  double volume = 0;                         ///< Angstrom^3, voids taken off
+  bool covering_degree_ok = false;
+
+  /// Homeomorphic to the skin: none of the points above is broken.
+  bool is_homeomorphic = false;
+  /// Homeomorphic, and [L] and [U] hold everywhere.
+  bool certified = false;
+  /// Why not, naming the first element that breaks it; empty when certified.
+  std::string reason;
+};
+
+/// @param expected  the dual complex of the skin's weighted points
+/// Never throws on a bad mesh: the reason says what is wrong with it.
+Certificate certify(const geometry::IndexedMesh& mesh, const skin::SkinSurface& skin,
+                    const skin::DualComplex& expected, const Sizing& sizing = {});
+
+}  // namespace morskin::refine

@@ -1,0 +1,260 @@
+#include "refine/refinement.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace morskin::refine {
+
+namespace {
+
+/// A ball counts as entered when a vertex is deeper in it than this share of its squared radius:
+/// above rounding, so that vertices on one circle settle either way.
+constexpr double least_intrusion = 1e-9;
+
+/// A vertex this far outside a quick ball, in shares of its squared radius, is outside the exact
+/// one: where the skin changes patches under a triangle the two were seen to differ by up to 0.08.
+/// Any nearer, and inside always, the exact ball decides.
+constexpr double doubtful_intrusion = 0.12;
+
+}  // namespace
+
+Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh)
+    : skin_(skin), sizing_(sizing), mesh_(mesh) {}
+
+void Refinement::run() {
+  balls_.resize(mesh_.surface.triangle_count());
+  most_ = 1000 + 10 * mesh_.surface.triangle_count();
+  for (std::size_t t = 0; t < balls_.size(); ++t) update(TriangleId{t});
+  flip_everywhere();
+  // An operation that was refused may go through once its surroundings have changed.
+  std::size_t done = 0;
+  do {
+    done = counts_.contract + counts_.insert;
+    contract_short_edges();
+    insert_into_big_triangles();
+  } while (counts_.contract + counts_.insert > done && counts_.contract + counts_.insert < most_);
+  counts_.refused = short_.size() + big_.size();
+  const auto renamed = mesh_.surface.compact();
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < renamed.size(); ++v) {
+    if (renamed[v]) mesh_.points[kept++] = mesh_.points[v];
+  }
+  mesh_.points.resize(kept);
+}
+
+/// How deep v lies in the surface ball of t; in doubt the ball is found to rounding, so that all
+/// answers together describe one restricted Voronoi diagram and flipping cannot go in circles.
+double Refinement::intrusion(TriangleId t, VertexId v) {
+  SurfaceBall& ball = balls_[t.index()];
+  const double depth = ball.intrusion(mesh_.position(v));
+  if (ball.is_exact || depth < -doubtful_intrusion * ball.squared_radius) return depth;
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  ball = exact_ball(a, b, c);
+  return ball.intrusion(mesh_.position(v));
+}
+
+/// Finds what is kept about a triangle, and whether it breaks [L] or [U].
+void Refinement::update(TriangleId t) {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  balls_[t.index()] = quick_surface_ball(skin_, *p[0], circle);
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) big_.push_back(t);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (sizing_.edge_ratio(*p[k], *p[(k + 1) % 3]) <= 1) {
+      short_.push_back(SurfaceMesh::half_edge(t, k));
+    }
+  }
+}
+
+void Refinement::update_after_change(TriangleId t) {
+  if (balls_.size() <= t.index()) balls_.resize(mesh_.surface.triangle_count());
+  update(t);
+  for (std::uint32_t k = 0; k < 3; ++k) to_flip_.push_back(SurfaceMesh::half_edge(t, k));
+}
+
+/// Whether the triangle's normal agrees with the skin's at all its corners: then it lies on the
+/// surface the right way up.
+bool Refinement::faces_outward(VertexId a, VertexId b, VertexId c) const {
+  const Vector n =
+      (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
+  const double least = 0.3 * n.norm();
+  return n.dot(mesh_.at(a).normal) > least && n.dot(mesh_.at(b).normal) > least &&
+         n.dot(mesh_.at(c).normal) > least;
+}
+
+bool Refinement::can_flip(HalfEdgeId h) const {
+  const SurfaceMesh& surface = mesh_.surface;
+  const HalfEdgeId g = surface.twin(h);
+  const VertexId a = surface.origin(h), b = surface.origin(g);
+  const VertexId c = surface.apex(h), d = surface.apex(g);
+  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface.has_edge(c, d);
+}
+
+void Refinement::flip(HalfEdgeId h) {
+  const HalfEdgeId g = mesh_.surface.twin(h);
+  mesh_.surface.flip(h);
+  ++counts_.flip;
+  update_after_change(SurfaceMesh::triangle(h));
+  update_after_change(SurfaceMesh::triangle(g));
+}
+
+bool Refinement::flip_if_better(HalfEdgeId h) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const HalfEdgeId g = surface.twin(h);
+  const TriangleId left = SurfaceMesh::triangle(h), right = SurfaceMesh::triangle(g);
+  const VertexId a = surface.origin(h), b = surface.origin(g);
+  const VertexId c = surface.apex(h), d = surface.apex(g);
+  const double now = std::max(intrusion(left, d), intrusion(right, c));
+  const double smaller =
+      std::min(balls_[left.index()].squared_radius, balls_[right.index()].squared_radius);
+  if (now <= least_intrusion * smaller || !can_flip(h)) return false;
+  const double then = std::max(exact_ball(a, d, c).intrusion(mesh_.position(b)),
+                               exact_ball(b, c, d).intrusion(mesh_.position(a)));
+  if (then >= now) return false;
+  flip(h);
+  return true;
+}
+
+void Refinement::flip_everywhere() {
+  const std::size_t half_edges = 3 * mesh_.surface.triangle_count();
+  for (std::size_t i = 0; i < half_edges; ++i) {
+    const HalfEdgeId h{i};
+    if (h > mesh_.surface.twin(h)) continue;
+    flip_if_better(h);
+    flip_where_needed();
+  }
+}
+
+void Refinement::flip_where_needed() {
+  const std::size_t most_flips = counts_.flip + 10 * mesh_.surface.triangle_count();
+  while (!to_flip_.empty() && counts_.flip < most_flips) {
+    const HalfEdgeId h = to_flip_.back();
+    to_flip_.pop_back();
+    if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;
+    flip_if_better(h);
+  }
+  to_flip_.clear();
+}
+
+bool Refinement::is_short(HalfEdgeId h) const {
+  return sizing_.edge_ratio(mesh_.at(mesh_.surface.origin(h)), mesh_.at(mesh_.surface.target(h))) <=
+         1;
+}
+
+void Refinement::contract_short_edges() {
+  for (std::size_t done = counts_.contract + 1; counts_.contract != done;) {
+    done = counts_.contract;
+    std::vector<HalfEdgeId> batch = std::exchange(short_, {});
+    std::sort(batch.begin(), batch.end());
+    batch.erase(std::unique(batch.begin(), batch.end()), batch.end());
+    for (const HalfEdgeId h : batch) {
+      if (mesh_.surface.is_removed(SurfaceMesh::triangle(h)) || !is_short(h)) continue;
+      if (!contract(h)) short_.push_back(h);
+    }
+  }
+}
+
+/// Deletes one end of a short edge; the other stays in place.
+bool Refinement::contract(HalfEdgeId h) {
+  const VertexId a = mesh_.surface.origin(h), b = mesh_.surface.target(h);
+  // The end with the larger length scale is the one that finds the edge too short.
+  const bool a_first = mesh_.at(a).length_scale >= mesh_.at(b).length_scale;
+  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
+  flip_where_needed();
+  counts_.contract += is_removed;
+  return is_removed;
+}
+
+/// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
+bool Refinement::remove(VertexId v) {
+  SurfaceMesh& surface = mesh_.surface;
+  while (surface.degree(v) > 3) {
+    std::optional<HalfEdgeId> best;
+    double least = std::numeric_limits<double>::infinity();
+    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+      const HalfEdgeId g = surface.twin(h);
+      const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(g);
+      if (!can_flip(h)) return;
+      const double size =
+          circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius;
+      if (size < least) {
+        least = size;
+        best = h;
+      }
+    });
+    if (!best) return false;
+    flip(*best);
+  }
+  const HalfEdgeId first = *surface.outgoing(v);
+  const VertexId a = surface.target(first), b = surface.apex(first);
+  const VertexId c = surface.apex(surface.twin(first));
+  if (a == b || b == c || c == a || surface.degree(a) <= 3 || surface.degree(b) <= 3 ||
+      surface.degree(c) <= 3) {
+    return false;
+  }
+  surface.unsplit(v);
+  update_after_change(SurfaceMesh::triangle(first));
+  return true;
+}
+
+void Refinement::insert_into_big_triangles() {
+  std::vector<TriangleId> refused;
+  while (!big_.empty() && counts_.insert < most_) {
+    const TriangleId t = big_.back();
+    big_.pop_back();
+    if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
+  }
+  std::sort(refused.begin(), refused.end());
+  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  big_.insert(big_.end(), refused.begin(), refused.end());
+}
+
+/// Breaks a triangle that is too big with the centre of its surface ball; true when the triangle is
+/// small enough, or a vertex went in.
+bool Refinement::insert(TriangleId t) {
+  SurfaceMesh& surface = mesh_.surface;
+  const auto [a, b, c] = surface.corners(t);
+  const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
+  const double rho =
+      std::min({mesh_.at(a).length_scale, mesh_.at(b).length_scale, mesh_.at(c).length_scale});
+  if (sizing_.triangle_ratio(circle.radius, rho) < 1) return true;
+  const auto x = skin_.project(balls_[t.index()].centre, mesh_.at(a).cell);
+  if (!x) return false;
+
+  // Walk to the triangle under x, seen along the normal at x.
+  constexpr int most_steps = 64;
+  TriangleId under = t;
+  for (int step = 0; step < most_steps; ++step) {
+    double least = 0;
+    std::optional<HalfEdgeId> through;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
+      const Point& p = mesh_.position(surface.origin(h));
+      const Point& q = mesh_.position(surface.target(h));
+      const double side = (q - p).cross(x->position - p).dot(x->normal);
+      if (side < least) {
+        least = side;
+        through = h;
+      }
+    }
+    if (!through) break;
+    if (step + 1 == most_steps) return false;
+    under = SurfaceMesh::triangle(surface.twin(*through));
+  }
+  for (const VertexId v : surface.corners(under)) {
+    if (sizing_.edge_ratio(mesh_.at(v), *x) <= 1) return false;
+  }
+  const std::size_t before = surface.triangle_count();
+  surface.split(under, mesh_.add_vertex(*x));
+  for (const TriangleId changed : {under, TriangleId{before}, TriangleId{before + 1}}) {
+    update_after_change(changed);
+  }
+  ++counts_.insert;
+  flip_where_needed();
+  return true;
+}
+
+}  // namespace morskin::refine

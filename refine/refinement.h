@@ -1,0 +1,68 @@
+#pragma once
+
+/// Local refinement (section 4.3): edge flips keep the mesh the restricted Delaunay triangulation
+/// of its vertices, contraction removes edges too short for [L], insertion breaks triangles too big
+/// for [U], until neither is left.
+///
+/// Contraction deletes one end of the edge and never moves a vertex, insertion takes the centre of
+/// the triangle's surface ball. So the number of pairs closer than [L] allows never grows, as long
+/// as Q^2 > 2 + 4 C Q, and the process ends (papers/4.3-local-refinement.md).
+
+#include <vector>
+
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+struct RefinementCounts {
+  std::size_t flip = 0;
+  std::size_t contract = 0;
+  std::size_t insert = 0;
+  std::size_t refused = 0;  ///< edges and triangles that stayed in breach of [L] or [U]
+};
+
+class Refinement {
+ public:
+  /// @pre the mesh is closed, its vertices are points of the skin.
+  Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh);
+
+  /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
+  void run();
+
+  const RefinementCounts& counts() const { return counts_; }
+
+ private:
+  void update(TriangleId t);
+  void update_after_change(TriangleId t);
+  void flip_everywhere();
+  void flip_where_needed();
+  bool flip_if_better(HalfEdgeId h);
+  void flip(HalfEdgeId h);
+  void contract_short_edges();
+  bool contract(HalfEdgeId h);
+  bool remove(VertexId v);
+  void insert_into_big_triangles();
+  bool insert(TriangleId t);
+
+  bool is_short(HalfEdgeId h) const;
+  bool faces_outward(VertexId a, VertexId b, VertexId c) const;
+  bool can_flip(HalfEdgeId h) const;
+  double intrusion(TriangleId t, VertexId v);
+  SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) const {
+    return exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  }
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  SkinMesh& mesh_;
+  std::vector<SurfaceBall> balls_;   ///< by triangle
+  std::vector<HalfEdgeId> to_flip_;  ///< edges that may not be Delaunay
+  std::vector<HalfEdgeId> short_;    ///< edges that broke [L] when they came to be
+  std::vector<TriangleId> big_;      ///< triangles that broke [U] when they came to be
+  /// A budget of operations, for constants outside the range where termination is proved.
+  std::size_t most_ = 0;
+  RefinementCounts counts_;
+};
+
+}  // namespace morskin::refine

@@ -1,0 +1,49 @@
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// How far along `line` from x the patch's function vanishes, by one Newton step, in units of the
+/// line's length; nothing where that is farther than `reach`, Angstrom.
+std::optional<double> newton_step(const skin::Patch& patch, const Point& x, const Vector& line,
+                                  double reach) {
+  const Vector n = patch.half_gradient(x);
+  const double g = (x - patch.centre).dot(n) - patch.half_weight;
+  const double slope = 2 * n.dot(line);
+  if (g * g * line.squaredNorm() >= slope * slope * reach * reach) return std::nullopt;
+  return -g / slope;
+}
+
+SurfaceBall ball_about(const Point& centre, const SurfacePoint& a, bool is_exact) {
+  return {centre, (centre - a.position).squaredNorm(), is_exact};
+}
+
+}  // namespace
+
+SurfaceBall quick_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a,
+                               const Circumcircle& circle) {
+  const auto step =
+      newton_step(skin.complex().patch(a.cell), circle.centre, circle.doubled_area, circle.radius);
+  return ball_about(circle.centre + step.value_or(0) * circle.doubled_area, a, false);
+}
+
+SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a, const Point& b,
+                               const Point& c) {
+  const Circumcircle circle = circumcircle(a.position, b, c);
+  constexpr int most_steps = 12;
+  Point x = circle.centre;
+  skin::CellId cell = a.cell;
+  for (int i = 0; i < most_steps; ++i) {
+    cell = skin.locate(x, cell);
+    const skin::Patch& patch = skin.complex().patch(cell);
+    const double rho = patch.length_scale(x);
+    if (std::abs(patch.value(x)) <= skin.residual_bound(rho)) break;
+    const auto step = newton_step(patch, x, circle.doubled_area, circle.radius);
+    if (!step) break;
+    x += *step * circle.doubled_area;
+  }
+  return ball_about(x, a, true);
+}
+
+}  // namespace morskin::refine

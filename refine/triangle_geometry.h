@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "skin/skin_mesh.h"
+
+namespace morskin::refine {
+
+using geometry::HalfEdgeId;
+using geometry::SurfaceMesh;
+using geometry::TriangleId;
+using geometry::VertexId;
+using skin::Point;
+using skin::SkinMesh;
+using skin::SurfacePoint;
+using skin::Vector;
+
+/// Circumcentre, circumradius and normal of a triangle in space.
+struct Circumcircle {
+  Point centre;
+  double radius;        ///< Angstrom; huge for a flat triangle
+  Vector doubled_area;  ///< (b - a) x (c - a): along the normal, twice the area long
+};
+
+inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c) {
+  const Vector e = b - a, f = c - a;
+  const Vector n = e.cross(f);
+  const double nn = std::max(n.squaredNorm(), 1e-300);
+  const Vector offset = (e.squaredNorm() * f.cross(n) + f.squaredNorm() * n.cross(e)) / (2 * nn);
+  return {a + offset, offset.norm(), n};
+}
+
+/// Smallest of the three angles, degrees: opposite the shortest side, sin = side / (2 R).
+struct AngleRange {
+  double smallest_deg, largest_deg;
+};
+inline AngleRange angle_range(const Point& a, const Point& b, const Point& c) {
+  const auto angle = [](const Point& at, const Point& p, const Point& q) {
+    const Vector e = p - at, f = q - at;
+    return std::atan2(e.cross(f).norm(), e.dot(f)) * 180 / M_PI;
+  };
+  const double at_a = angle(a, b, c), at_b = angle(b, c, a), at_c = angle(c, a, b);
+  return {std::min({at_a, at_b, at_c}), std::max({at_a, at_b, at_c})};
+}
+
+/// The surface ball of a triangle: centred on the skin, through the three vertices. It is the ball
+/// that a restricted Delaunay triangle keeps empty (section 2.2). The centre lies on the line
+/// through the circumcentre along the triangle's normal.
+struct SurfaceBall {
+  Point centre;
+  double squared_radius;
+  bool is_exact;  ///< to rounding; otherwise one Newton step in the patch of a vertex
+
+  /// How deep p lies inside, Angstrom^2: negative outside.
+  double intrusion(const Point& p) const { return squared_radius - (p - centre).squaredNorm(); }
+};
+
+/// The ball with its centre found in one patch, that of a vertex a: off by a few hundredths of the
+/// squared radius where the skin changes patches under the triangle.
+SurfaceBall quick_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a,
+                               const Circumcircle& circle);
+/// The ball with its centre on the skin to rounding.
+SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a, const Point& b,
+                               const Point& c);
+
+}  // namespace morskin::refine

@@ -1,0 +1,178 @@
+#include "skin/dual_complex.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/orthosphere.h"
+#include "skin/singular_skin.h"
+
+namespace morskin::skin {
+
+namespace {
+
+using geometry::RegularTriangulation;
+using geometry::Sign;
+
+/// The cofaces of simplices of one dimension: for each, the vertex that the coface has more, and
+/// the coface's place.
+struct Cofaces {
+  struct Entry {
+    AtomId apex;
+    std::uint32_t place;
+  };
+  std::vector<std::uint32_t> first;
+  std::vector<Entry> entries;
+
+  std::span<const Entry> of(std::size_t simplex) const {
+    return {entries.data() + first[simplex], first[simplex + 1] - first[simplex]};
+  }
+};
+
+template <std::size_t N, class FacetPlace>
+Cofaces cofaces(std::size_t facets, const std::vector<std::array<AtomId, N>>& simplices,
+                FacetPlace facet_place) {
+  Cofaces result;
+  result.first.assign(facets + 2, 0);
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    for (std::size_t k = 0; k < N; ++k) ++result.first[facet_place(s, k) + 2];
+  }
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+  result.entries.resize(result.first.back());
+  for (std::uint32_t s = 0; s < simplices.size(); ++s) {
+    for (std::size_t k = 0; k < N; ++k) {
+      result.entries[result.first[facet_place(s, k) + 1]++] = {simplices[s][k], s};
+    }
+  }
+  result.first.pop_back();
+  return result;
+}
+
+template <std::size_t N>
+std::array<WeightedPoint, N> weighted(const SkinSurface& skin, const std::array<AtomId, N>& ids) {
+  std::array<WeightedPoint, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = skin.points()[ids[i].index()];
+  return result;
+}
+
+/// Whether the orthocentre lies in the (closed) simplex: no facet's smallest orthosphere has the
+/// opposite vertex inside.
+template <std::size_t N>
+bool contains_orthocentre(const std::array<WeightedPoint, N>& simplex) {
+  if constexpr (N > 1) {
+    for (std::size_t k = 0; k < N; ++k) {
+      std::array<WeightedPoint, N - 1> facet;
+      for (std::size_t i = 0; i + 1 < N; ++i) facet[i] = simplex[(k + 1 + i) % N];
+      if (geometry::orthosphere_power_sign(facet, simplex[k]) == Sign::Negative) return false;
+    }
+  }
+  return true;
+}
+
+/// Membership in K of all simplices of one dimension, given that of the next one.
+template <std::size_t N>
+std::vector<char> members(const SkinSurface& skin,
+                          const std::vector<std::array<AtomId, N>>& simplices, const Cofaces& above,
+                          const std::vector<char>& above_in_complex) {
+  std::vector<char> result(simplices.size(), 0);
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    const auto corners = weighted(skin, simplices[s]);
+    const Sign weight = geometry::orthosphere_weight_sign(corners);
+    bool attached = false;
+    if (weight != Sign::Negative) {
+      if constexpr (N < 4) {
+        for (const auto& coface : above.of(s)) {
+          const WeightedPoint& apex = skin.points()[coface.apex.index()];
+          attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
+        }
+      }
+      result[s] = !attached;
+    }
+    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
+      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
+    }
+    if constexpr (N < 4) {
+      for (const auto& coface : above.of(s)) {
+        if (above_in_complex[coface.place]) result[s] = 1;
+      }
+    }
+  }
+  return result;
+}
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) { parent_[root(i)] = root(j); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+template <class Counted>
+std::size_t count_roots(UnionFind& sets, std::size_t n, Counted counted) {
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < n; ++i) count += counted(i) && sets.root(i) == i;
+  return count;
+}
+
+}  // namespace
+
+DualComplex dual_complex(const SkinSurface& skin) {
+  const RegularTriangulation& t = skin.triangulation();
+  std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
+  for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
+  std::vector<std::array<AtomId, 1>> vertices(t.vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = {t.vertices[v]};
+
+  const Cofaces edges_of = cofaces(vertices.size(), t.edges, [&](std::size_t s, std::size_t k) {
+    return vertex_of_atom[t.edges[s][1 - k].index()];
+  });
+  const Cofaces triangles_of =
+      cofaces(t.edges.size(), t.triangles,
+              [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
+  const Cofaces tetrahedra_of =
+      cofaces(t.triangles.size(), t.tetrahedra,
+              [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
+
+  const auto in3 = members(skin, t.tetrahedra, Cofaces{}, {});
+  const auto in2 = members(skin, t.triangles, tetrahedra_of, in3);
+  const auto in1 = members(skin, t.edges, triangles_of, in2);
+  const auto in0 = members(skin, vertices, edges_of, in1);
+
+  DualComplex result;
+  const auto size = [](const std::vector<char>& in) {
+    return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
+  };
+  result.simplices = {size(in0), size(in1), size(in2), size(in3)};
+
+  UnionFind body(vertices.size());
+  for (std::size_t e = 0; e < t.edges.size(); ++e) {
+    if (!in1[e]) continue;
+    body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
+  }
+  result.betti[0] =
+      count_roots(body, vertices.size(), [&](std::uint32_t v) { return in0[v] == 1; });
+
+  // The complement's components: tetrahedra out of K, joined through triangles out of K; the
+  // outside of the hull is one more place.
+  const std::uint32_t outside = static_cast<std::uint32_t>(t.tetrahedra.size());
+  UnionFind complement(t.tetrahedra.size() + 1);
+  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
+    if (in2[f]) continue;
+    const auto around = tetrahedra_of.of(f);
+    if (around.empty()) continue;
+    complement.join(around[0].place, around.size() == 2 ? around[1].place : outside);
+  }
+  result.betti[2] = count_roots(complement, t.tetrahedra.size() + 1,
+                                [&](std::uint32_t c) { return c == outside || in3[c] == 0; }) -
+                    1;
+  result.betti[1] = static_cast<std::size_t>(static_cast<long>(result.betti[0] + result.betti[2]) -
+                                             result.euler_characteristic());
+  return result;
+}
+
+}  // namespace morskin::skin

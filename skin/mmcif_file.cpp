@@ -1,0 +1,201 @@
+// mmCIF: the grammar is gemmi's, the table of atoms is read here, for few of its columns are needed
+// and small files lack some that gemmi's own reader asks for.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <gemmi/cif.hpp>
+#include <gemmi/numb.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/text_lines.h"
+#include "skin/molecule_formats.h"
+#include "skin/radii.h"
+
+namespace morskin::skin::molecule_formats {
+namespace {
+
+namespace cif = gemmi::cif;
+
+// Tags of _atom_site, in the order of Column; those with two names are tried in turn.
+enum Column : std::size_t {
+  X,
+  Y,
+  Z,
+  Symbol,
+  Name,
+  Residue,
+  Number,
+  Insertion,
+  Chain,
+  Alternate,
+  Occupancy,
+  ModelNumber,
+  ColumnCount
+};
+struct ColumnTags {
+  std::string_view tag;
+  std::string_view other = {};
+};
+constexpr std::array<ColumnTags, ColumnCount> column_tags = {{
+    {"Cartn_x"},
+    {"Cartn_y"},
+    {"Cartn_z"},
+    {"type_symbol"},
+    {"auth_atom_id", "label_atom_id"},
+    {"auth_comp_id", "label_comp_id"},
+    {"auth_seq_id", "label_seq_id"},
+    {"pdbx_PDB_ins_code"},
+    {"auth_asym_id", "label_asym_id"},
+    {"label_alt_id"},
+    {"occupancy"},
+    {"pdbx_PDB_model_num"},
+}};
+
+cif::Document parse_document(std::string_view bytes, const std::string& source) {
+  try {
+    return cif::read_memory(bytes.data(), bytes.size(), source.c_str());
+  } catch (const std::exception& error) {
+    // gemmi's text begins with the source and the line.
+    throw geometry::UnreadableInput(std::string(error.what()) + "; is it an mmCIF file?");
+  }
+}
+
+// The rows of the atom table, of which each holds one value per tag.
+class AtomTable {
+ public:
+  AtomTable(cif::Block& block, std::string_view text) {
+    for (cif::Item& item : block.items) {
+      if (item.type != cif::ItemType::Loop) continue;
+      if (!item.loop.tags.empty() && gemmi::istarts_with(item.loop.tags[0], "_atom_site.")) {
+        loop_ = &item.loop;
+        find_lines(text, item.line_number);
+      }
+    }
+    if (loop_ == nullptr) return;
+    for (std::size_t column = 0; column < ColumnCount; ++column) {
+      places_[column] = place_of(column_tags[column].tag);
+      if (places_[column] < 0) places_[column] = place_of(column_tags[column].other);
+    }
+  }
+
+  bool is_present() const { return loop_ != nullptr; }
+  bool has(Column column) const { return places_[column] >= 0; }
+  std::size_t size() const { return loop_->length(); }
+
+  // The value without its quotation marks; empty if the column is missing or the value unknown.
+  std::string value(std::size_t row, Column column) const {
+    if (!has(column)) return {};
+    return cif::as_string(raw(row, column));
+  }
+  const std::string& raw(std::size_t row, Column column) const {
+    return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(places_[column])];
+  }
+  std::uint32_t line_of(std::size_t row) const {
+    return first_line_ == 0 ? 0 : static_cast<std::uint32_t>(first_line_ + row);
+  }
+
+ private:
+  int place_of(std::string_view tag) const {
+    if (tag.empty()) return -1;
+    return loop_->find_tag("_atom_site." + std::string(tag));
+  }
+
+  // gemmi does not keep the lines of values. Where, as usual, each row has a line of its own, the
+  // first row's line gives the others; otherwise they stay unknown.
+  void find_lines(std::string_view text, int loop_line) {
+    geometry::TextLines lines(text, {});
+    std::size_t row = 0;
+    while (row < loop_->length() && lines.advance()) {
+      if (lines.number() < static_cast<std::size_t>(loop_line)) continue;
+      std::string_view fields = lines.line();
+      const std::string_view first = geometry::take_field(fields);
+      if (row == 0 && (first.empty() || first[0] == '#' || first == "loop_" || first[0] == '_')) {
+        continue;
+      }
+      if (row == 0) first_line_ = lines.number();
+      if (first != loop_->values[row * loop_->tags.size()]) {
+        first_line_ = 0;
+        return;
+      }
+      ++row;
+    }
+  }
+
+  cif::Loop* loop_ = nullptr;
+  std::array<int, ColumnCount> places_{};
+  std::size_t first_line_ = 0;  // of the first row; 0 if unknown
+};
+
+double coordinate(const AtomTable& table, std::size_t row, Column column,
+                  const std::string& source) {
+  const double value = cif::as_number(table.raw(row, column));
+  if (value == value) return value;
+  const std::uint32_t line = table.line_of(row);
+  throw geometry::UnreadableInput(source + (line > 0 ? ":" + std::to_string(line) : "") +
+                                  ": atom " + std::to_string(row + 1) + " has coordinate " +
+                                  geometry::quoted(table.raw(row, column)) +
+                                  ", which is no number; remove the atom");
+}
+
+// The element of "C", "CL", "N1+"; where the symbol is missing, that of the atom's name.
+Label element_of(const std::string& symbol, const std::string& name, std::string_view residue) {
+  const std::size_t letters =
+      symbol.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  if (!symbol.empty()) {
+    const auto element = element_symbol(std::string_view(symbol).substr(0, letters));
+    return Label(element.value_or(symbol));
+  }
+  return Label(element_from_word(name, residue));
+}
+
+AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& source) {
+  AtomRecord record;
+  Atom& atom = record.atom;
+  const std::string name = table.value(row, Name);
+  atom.line = table.line_of(row);
+  atom.position = {coordinate(table, row, X, source), coordinate(table, row, Y, source),
+                   coordinate(table, row, Z, source)};
+  atom.name = Label(name);
+  atom.residue = Label(table.value(row, Residue));
+  atom.residue_number = Label(table.value(row, Number) + table.value(row, Insertion));
+  atom.chain = Label(table.value(row, Chain));
+  atom.element = element_of(table.value(row, Symbol), name, atom.residue.view());
+  const std::string alternate = table.value(row, Alternate);
+  record.alternate = alternate.empty() ? ' ' : alternate[0];
+  if (table.has(Occupancy)) record.occupancy = cif::as_number(table.raw(row, Occupancy), 1.0);
+  return record;
+}
+
+}  // namespace
+
+ParsedFile parse_mmcif(std::string_view bytes, const std::string& source) {
+  cif::Document document = parse_document(bytes, source);
+  for (cif::Block& block : document.blocks) {
+    const AtomTable table(block, bytes);
+    if (!table.is_present()) continue;
+    if (!table.has(X) || !table.has(Y) || !table.has(Z)) {
+      throw geometry::UnreadableInput(source +
+                                      ": the atoms have no Cartn_x, _y and _z; "
+                                      "coordinates in Angstrom are needed");
+    }
+    ParsedFile file;
+    file.atoms.reserve(table.size());
+    std::vector<std::string> models;  // in order of appearance
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      const std::string model = table.value(row, ModelNumber);
+      if (models.empty() || models.back() != model) {
+        if (std::ranges::find(models, model) == models.end()) models.push_back(model);
+      }
+      if (model == models.front()) file.atoms.push_back(atom_in(table, row, source));
+    }
+    file.other_models = models.empty() ? 0 : models.size() - 1;
+    if (!file.atoms.empty()) return file;
+  }
+  throw geometry::UnreadableInput(source + ": has no table _atom_site with atoms; is it mmCIF?");
+}
+
+}  // namespace morskin::skin::molecule_formats

@@ -1,0 +1,225 @@
+#include "skin/molecule_files.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "geometry/atomic_file.h"
+#include "geometry/error.h"
+#include "geometry/text_lines.h"
+#include "skin/gzip.h"
+#include "skin/molecule_formats.h"
+#include "skin/radii.h"
+
+namespace morskin::skin {
+namespace {
+
+using geometry::parse_double;
+using geometry::RefusedInput;
+using geometry::take_field;
+using geometry::TextLines;
+using geometry::trimmed;
+using geometry::UnreadableInput;
+using molecule_formats::AtomRecord;
+using molecule_formats::ParsedFile;
+
+constexpr double largest_number = 1e6;  // Angstrom; coordinates and radii
+
+constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 8> endings = {{
+    {".pdb", MoleculeFormat::Pdb},
+    {".ent", MoleculeFormat::Pdb},
+    {".pdb1", MoleculeFormat::Pdb},
+    {".cif", MoleculeFormat::Mmcif},
+    {".mmcif", MoleculeFormat::Mmcif},
+    {".pqr", MoleculeFormat::Pqr},
+    {".xyz", MoleculeFormat::Xyz},
+    {".xyzr", MoleculeFormat::Xyzr},
+}};
+
+constexpr std::array<std::string_view, 15> water_residues = {"HOH", "DOD", "WAT",  "H2O",  "D2O",
+                                                             "SOL", "SPC", "TIP",  "TP3",  "TP4",
+                                                             "TP5", "T3P", "TIP3", "TIP4", "TIP5"};
+
+bool is_water(const AtomRecord& record) {
+  return std::ranges::find(water_residues, record.atom.residue.view()) != water_residues.end();
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  return text;
+}
+
+bool is_four_numbers(std::string_view line) {
+  for (int i = 0; i < 4; ++i) {
+    if (!parse_double(take_field(line))) return false;
+  }
+  return true;
+}
+
+// An atom line of a PDB file has two decimals of occupancy and temperature factor in fixed columns;
+// that of a PQR file has its radius at the end.
+bool is_pqr_atom(std::string_view line) {
+  if (line.size() >= 66 && line[57] == '.' && line[63] == '.') return false;
+  std::vector<std::string_view> fields;
+  for (auto field = take_field(line); !field.empty(); field = take_field(line)) {
+    fields.push_back(field);
+  }
+  if (fields.size() < 10 || fields.size() > 11) return false;
+  return std::all_of(fields.end() - 5, fields.end(),
+                     [](std::string_view field) { return parse_double(field).has_value(); });
+}
+
+std::optional<MoleculeFormat> format_by_content(std::string_view bytes) {
+  TextLines lines(bytes, "");
+  bool is_pdb = false;  // a line began with a record name, though no atom came yet
+  while (lines.advance()) {
+    const std::string_view line = lines.line();
+    std::string_view fields = line;
+    const std::string_view word = take_field(fields);
+    if (word.empty() || word[0] == '#') continue;
+    if (word == "ATOM" || word.starts_with("HETATM")) {
+      return is_pqr_atom(line) ? MoleculeFormat::Pqr : MoleculeFormat::Pdb;
+    }
+    if (is_pdb) continue;
+    if (word.starts_with("data_")) return MoleculeFormat::Mmcif;
+    if (is_four_numbers(line)) return MoleculeFormat::Xyzr;
+    if (geometry::parse_integer(word) && trimmed(fields).empty()) return MoleculeFormat::Xyz;
+    is_pdb = word.size() >= 3 && word.size() <= 6 && std::ranges::all_of(word, [](char c) {
+               return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+             });
+    if (!is_pdb) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+ParsedFile parse(std::string_view bytes, const std::string& source, MoleculeFormat format) {
+  switch (format) {
+    case MoleculeFormat::Pdb:
+      return molecule_formats::parse_pdb(bytes, source);
+    case MoleculeFormat::Mmcif:
+      return molecule_formats::parse_mmcif(bytes, source);
+    case MoleculeFormat::Pqr:
+      return molecule_formats::parse_pqr(bytes, source);
+    case MoleculeFormat::Xyz:
+      return molecule_formats::parse_xyz(bytes, source);
+    case MoleculeFormat::Xyzr:
+      return molecule_formats::parse_xyzr(bytes, source);
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const std::string& source, const Atom& atom, const std::string& what) {
+  const std::string line = atom.line > 0 ? ":" + std::to_string(atom.line) : "";
+  throw RefusedInput(source + line + ": " + describe(atom) + " " + what);
+}
+
+void give_radius(Atom& atom, const std::string& source) {
+  const std::optional<double> radius = van_der_waals_radius(atom.element.view());
+  if (!radius) {
+    const std::string element = atom.element.is_empty()
+                                    ? "no known element"
+                                    : "element " + geometry::quoted(atom.element.view());
+    refuse(source, atom,
+           "has " + element +
+               ", for which there is no van der Waals radius; remove the atom, or give radii "
+               "in a PQR or XYZR file");
+  }
+  atom.radius = *radius;
+}
+
+void check_range(const Atom& atom, const std::string& source) {
+  if (!atom.position.allFinite())
+    refuse(source, atom, "has a coordinate that is not finite; remove it");
+  if (atom.position.cwiseAbs().maxCoeff() > largest_number) {
+    refuse(source, atom, "lies more than 10^6 Angstrom from the origin; remove or move it");
+  }
+  if (!(atom.radius >= 0) || atom.radius > largest_number) {
+    refuse(source, atom, "has a radius that is not between 0 and 10^6 Angstrom; correct it");
+  }
+}
+
+// How many atoms have the place and radius of an earlier one.
+std::size_t count_duplicates(const std::vector<Atom>& atoms) {
+  std::vector<std::array<double, 4>> balls;
+  balls.reserve(atoms.size());
+  for (const Atom& atom : atoms) {
+    balls.push_back({atom.position.x(), atom.position.y(), atom.position.z(), atom.radius});
+  }
+  std::ranges::sort(balls);
+  const auto distinct_end = std::unique(balls.begin(), balls.end());
+  return static_cast<std::size_t>(balls.end() - distinct_end);
+}
+
+Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& options) {
+  Molecule molecule;
+  molecule.source = source;
+  molecule.counts.other_models = file.other_models;
+  const std::size_t waters = static_cast<std::size_t>(std::ranges::count_if(file.atoms, is_water));
+  if (!options.waters && waters < file.atoms.size()) {
+    molecule.counts.waters = std::erase_if(file.atoms, is_water);
+  }
+  molecule.counts.unknown = std::erase_if(file.atoms, [](const AtomRecord& record) {
+    return record.atom.element.view() == molecule_formats::unknown_element;
+  });
+  molecule.counts.alternates = molecule_formats::keep_likeliest_places(file.atoms);
+  molecule.atoms.reserve(file.atoms.size());
+  for (AtomRecord& record : file.atoms) {
+    if (!file.has_radii) give_radius(record.atom, source);
+    check_range(record.atom, source);
+    if (record.atom.radius == 0) {
+      ++molecule.counts.zero_radii;
+    } else {
+      molecule.atoms.push_back(record.atom);
+    }
+  }
+  if (molecule.atoms.empty()) {
+    throw RefusedInput(source + ": has no atom" +
+                       (molecule.counts.zero_radii > 0 ? " with a radius above 0" : "") +
+                       "; name another file");
+  }
+  molecule.counts.duplicates = count_duplicates(molecule.atoms);
+  return molecule;
+}
+
+}  // namespace
+
+std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& path) {
+  std::filesystem::path name = lower_case(path.filename().string());
+  if (name.extension() == ".gz") name = name.stem();
+  const std::string ending = name.extension().string();
+  for (const auto& [known, format] : endings) {
+    if (ending == known) return format;
+  }
+  return std::nullopt;
+}
+
+Molecule parse_molecule(std::string_view bytes, const std::string& source,
+                        const ReadOptions& options) {
+  std::string unpacked;
+  if (is_gzip(bytes)) {
+    unpacked = unpack_gzip(bytes, source, options.most_bytes);
+    bytes = unpacked;
+  }
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  if (trimmed(bytes).empty()) throw UnreadableInput(source + ": is empty; name another file");
+  std::optional<MoleculeFormat> format = options.format;
+  if (!format) format = molecule_format_of(source);
+  if (!format) format = format_by_content(bytes);
+  if (!format) {
+    throw UnreadableInput(source +
+                          ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ or "
+                          "XYZR and the ending of that name");
+  }
+  return finish(parse(bytes, source, *format), source, options);
+}
+
+Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {
+  const geometry::FileBytes bytes = geometry::read_file(path);
+  return parse_molecule(bytes.view(), path.string(), options);
+}
+
+}  // namespace morskin::skin

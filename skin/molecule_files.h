@@ -1,0 +1,54 @@
+#pragma once
+
+// Molecules from the files that chemists keep them in.
+//
+// What a reader keeps: the first model; of each atom with alternate places the likeliest; hydrogens
+// if they are there; no water unless asked or unless there is nothing else; no atom whose element
+// the file itself calls unknown (X). Radii come from the file (PQR, XYZR) or from the elements
+// (PDB, mmCIF, XYZ; see radii.h). Molecule::counts tells what was left out.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "skin/molecule.h"
+
+namespace morskin::skin {
+
+enum class MoleculeFormat {
+  Pdb,
+  Mmcif,
+  Pqr,   ///< PDB-like words with charge and radius, separated by white space
+  Xyz,   ///< a count, a comment, "element x y z" per line
+  Xyzr,  ///< "x y z r" per line, # for comments
+};
+
+/// The format that a file's ending stands for, in upper or lower case, with or without .gz.
+std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& path);
+
+struct ReadOptions {
+  bool waters = false;                   ///< keep water
+  std::optional<MoleculeFormat> format;  ///< absent: by the ending, else by the content
+  std::size_t most_bytes = 1ULL << 32;   ///< of the file once unpacked
+};
+
+/// Reads the molecule in a file; "-" is standard input. Gzipped files are unpacked whatever their
+/// name.
+///
+/// Law:    every atom's coordinates are finite and at most 10^6 Angstrom in magnitude, and its
+///         radius is positive and at most 10^6 Angstrom.
+/// @throws UnreadableInput  for a file that is missing, empty, damaged or of no format known here
+/// @throws RefusedInput     if no atom is left, a number is out of range, or an element has no
+///                          radius; names the atom and its line
+Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// The molecule that `bytes` hold, gzipped or not.
+///
+/// @param source  the name to use in messages and, for its ending, to choose the format.
+/// @throws UnreadableInput, RefusedInput  as above
+Molecule parse_molecule(std::string_view bytes, const std::string& source,
+                        const ReadOptions& options = {});
+
+}  // namespace morskin::skin

@@ -1,0 +1,153 @@
+// PDB: fixed columns, counted from 1 in the comments as in the format's description.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "geometry/error.h"
+#include "geometry/text_lines.h"
+#include "skin/molecule_formats.h"
+#include "skin/radii.h"
+
+namespace morskin::skin::molecule_formats {
+namespace {
+
+using geometry::parse_double;
+using geometry::TextLines;
+using geometry::trimmed;
+
+// Columns first to last of a line; less where the line is shorter.
+std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
+  if (line.size() < first) return {};
+  return line.substr(first - 1, last - first + 1);
+}
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+constexpr std::array<std::string_view, 60> standard_residues = {
+    "ALA", "ARG", "ASH", "ASN", "ASP", "ASX", "CYM", "CYS", "CYX", "GLH", "GLN", "GLU",
+    "GLX", "GLY", "HID", "HIE", "HIP", "HIS", "HSD", "HSE", "HSP", "ILE", "LEU", "LYN",
+    "LYS", "MET", "PHE", "PRO", "SER", "THR", "TRP", "TYR", "VAL", "A",   "C",   "G",
+    "I",   "T",   "U",   "DA",  "DC",  "DG",  "DI",  "DT",  "DU",  "ADE", "CYT", "GUA",
+    "THY", "URA", "RA",  "RC",  "RG",  "RU",  "DA5", "DC5", "DG5", "DA3", "DC3", "DG3"};
+
+// What standard residues are made of.
+constexpr std::string_view residue_elements = "HDCNOPS";
+
+// Names of four characters leave no column for the blank before an element of one letter; of those
+// that begin with the letters of a heavier element only these, and then a digit, are taken for it.
+constexpr std::array<std::string_view, 8> heavy_in_long_names = {"CL", "BR", "FE", "ZN",
+                                                                 "MG", "MN", "SE", "SI"};
+
+std::string_view symbol_or_empty(std::string_view element) {
+  return element_symbol(element).value_or(std::string_view());
+}
+
+// Columns 77-78, if there is an element in them that the residue can have; "X" if they declare it
+// unknown.
+std::string_view element_from_columns(std::string_view line, std::string_view residue) {
+  const std::string_view field = trimmed(columns(line, 77, 78));
+  if (field.empty() || !is_letter(field[0])) return {};
+  if (field == unknown_element) return unknown_element;
+  const std::string_view symbol = symbol_or_empty(field);
+  const bool is_usual = residue_elements.find(symbol) != std::string_view::npos;
+  return is_usual || !is_standard_residue(residue) ? symbol : std::string_view();
+}
+
+bool is_atom(std::string_view line) {
+  if (line.starts_with("HETATM")) return true;
+  return line.starts_with("ATOM") && (line.size() == 4 || !is_letter(line[4]));
+}
+
+double take_coordinate(const TextLines& lines, std::size_t first) {
+  const std::string_view field = trimmed(columns(lines.line(), first, first + 7));
+  const std::optional<double> value = parse_double(field);
+  if (!value) {
+    lines.fail("no coordinate in columns " + std::to_string(first) + "-" +
+               std::to_string(first + 7) + ", found " + geometry::quoted(field) +
+               "; PDB columns are fixed, use mmCIF, PQR or XYZR if they overflow");
+  }
+  return *value;
+}
+
+AtomRecord atom_on(const TextLines& lines) {
+  const std::string_view line = lines.line();
+  AtomRecord record;
+  Atom& atom = record.atom;
+  const std::string_view name = columns(line, 13, 16);
+  atom.name = Label(trimmed(name));
+  atom.residue = Label(trimmed(columns(line, 18, 21)));  // column 21: names of four letters
+  atom.residue_number = Label(trimmed(columns(line, 23, 27)));
+  atom.chain = Label(trimmed(columns(line, 22, 22)));
+  atom.line = static_cast<std::uint32_t>(lines.number());
+  atom.position = {take_coordinate(lines, 31), take_coordinate(lines, 39),
+                   take_coordinate(lines, 47)};
+  record.alternate = line[16];
+  record.occupancy = parse_double(trimmed(columns(line, 55, 60))).value_or(1.0);
+  std::string_view element = element_from_columns(line, atom.residue.view());
+  if (element.empty()) element = element_from_name(name, atom.residue.view());
+  atom.element = Label(element);
+  return record;
+}
+
+}  // namespace
+
+bool is_standard_residue(std::string_view residue) {
+  return std::ranges::find(standard_residues, residue) != standard_residues.end();
+}
+
+std::string_view element_from_name(std::string_view name, std::string_view residue) {
+  const auto first = std::ranges::find_if(name, is_letter);
+  if (first == name.end()) return {};
+  const std::string_view from_first(first, name.end());
+  const std::string_view one = from_first.substr(0, 1);
+  if (is_standard_residue(residue) || first != name.begin()) return symbol_or_empty(one);
+
+  // The name begins in column 13.
+  const std::string_view two = name.substr(0, 2);
+  const bool is_long = name.size() == 4 && name[3] != ' ';
+  if (name.size() < 2 || !is_letter(name[1])) return symbol_or_empty(one);
+  if (is_long) {
+    const bool is_heavy = std::ranges::find(heavy_in_long_names, two) != heavy_in_long_names.end();
+    if (is_heavy && is_digit(name[2])) return symbol_or_empty(two);
+    if (!symbol_or_empty(one).empty()) return symbol_or_empty(one);
+  }
+  const std::string_view element = symbol_or_empty(two);
+  return element.empty() ? symbol_or_empty(one) : element;
+}
+
+std::string_view element_from_word(std::string_view name, std::string_view residue) {
+  // An ion is called like its residue: "ZN" of "ZN".
+  if (name == residue && !symbol_or_empty(name).empty()) return symbol_or_empty(name);
+  std::string columns_13_to_16(name.size() < 4 ? 1 : 0, ' ');
+  columns_13_to_16 += name;
+  return element_from_name(columns_13_to_16, residue);
+}
+
+ParsedFile parse_pdb(std::string_view bytes, const std::string& source) {
+  ParsedFile file;
+  TextLines lines(bytes, source);
+  bool is_in_model = false;  // an atom was read since the last model began or ended
+  bool is_first = true;
+  while (lines.advance()) {
+    const std::string_view line = lines.line();
+    const std::string_view record = trimmed(columns(line, 1, 6));
+    if (is_atom(line)) {
+      if (!is_in_model && !is_first) ++file.other_models;
+      is_in_model = true;
+      if (is_first) file.atoms.push_back(atom_on(lines));
+    } else if (record == "MODEL" || record == "ENDMDL" || record == "END") {
+      if (is_in_model) is_first = false;
+      is_in_model = false;
+    }
+  }
+  if (file.atoms.empty()) {
+    throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a PDB file?");
+  }
+  return file;
+}
+
+}  // namespace morskin::skin::molecule_formats

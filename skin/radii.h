@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace morskin::skin {
+
+/// The van der Waals radius of an element, Angstrom, as this program uses it throughout.
+///
+/// @param element  a symbol in upper or lower case ("C", "CL", "Cl"); "D" and "T" are hydrogen.
+/// @return Angstrom; nothing for what is no element, or one without a published radius.
+/// Source: A. Bondi, J. Phys. Chem. 68 (1964) 441; what is missing there from M. Mantina et al.,
+///         J. Phys. Chem. A 113 (2009) 5806, and S. Alvarez, Dalton Trans. 42 (2013) 8617.
+std::optional<double> van_der_waals_radius(std::string_view element);
+
+/// The symbol of an element in the usual spelling ("Cl"), "D" for deuterium and "T" for tritium;
+/// nothing for what is no element.
+std::optional<std::string_view> element_symbol(std::string_view element);
+
+/// The symbol of the element with this atomic number, 1 to 118; nothing for other numbers.
+std::optional<std::string_view> element_symbol(long long atomic_number);
+
+}  // namespace morskin::skin

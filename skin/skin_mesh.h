@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/surface_mesh.h"
+#include "skin/skin_surface.h"
+
+namespace morskin::skin {
+
+/// A triangle mesh whose vertices are points of the skin: connectivity, and by vertex the surface
+/// point.
+struct SkinMesh {
+  geometry::SurfaceMesh surface;
+  std::vector<SurfacePoint> points;  ///< by vertex
+
+  const SurfacePoint& at(geometry::VertexId v) const { return points[v.index()]; }
+  const Point& position(geometry::VertexId v) const { return points[v.index()].position; }
+
+  geometry::VertexId add_vertex(const SurfacePoint& p) {
+    points.push_back(p);
+    return surface.add_vertex();
+  }
+};
+
+}  // namespace morskin::skin

@@ -1,0 +1,99 @@
+#include "skin/skin_surface.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "geometry/error.h"
+
+namespace morskin::skin {
+
+namespace {
+
+template <class Work>
+auto timed(double& seconds, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = work();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& points) {
+  const bool any = std::any_of(points.begin(), points.end(),
+                               [](const WeightedPoint& p) { return p.weight > 0; });
+  if (!any) {
+    throw geometry::RefusedInput(
+        "no atom has a positive weight, so there is no surface; give radii");
+  }
+  return points;
+}
+
+}  // namespace
+
+SkinSurface::SkinSurface(std::vector<WeightedPoint> points)
+    : points_(std::move(points)),
+      triangulation_(timed(triangulate_seconds_,
+                           [&] { return geometry::regular_triangulation(checked(points_)); })),
+      complex_(
+          timed(mixed_complex_seconds_, [&] { return MixedComplex(points_, triangulation_); })) {}
+
+std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
+  const std::size_t place = complex_.place(cell);
+  const auto list = [](const auto& simplex) {
+    return std::vector<AtomId>(simplex.begin(), simplex.end());
+  };
+  switch (complex_.dimension(cell)) {
+    case 0:
+      return {triangulation_.vertices[place]};
+    case 1:
+      return list(triangulation_.edges[place]);
+    case 2:
+      return list(triangulation_.triangles[place]);
+    default:
+      return list(triangulation_.tetrahedra[place]);
+  }
+}
+
+CellId SkinSurface::locate(const Point& x, CellId start) const {
+  CellId current = start, previous = start;
+  const double tolerance = complex_.wall_tolerance();
+  for (std::size_t steps = 0; steps <= complex_.size(); ++steps) {
+    double farthest = tolerance;
+    CellId beyond = current;
+    for (const Wall& wall : complex_.walls(current)) {
+      const double distance = wall.normal.dot(x) - wall.offset;
+      if (distance > farthest && wall.beyond != previous) {
+        farthest = distance;
+        beyond = wall.beyond;
+      }
+    }
+    if (beyond == current) break;
+    previous = current;
+    current = beyond;
+  }
+  return current;
+}
+
+std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) const {
+  // Two or three rounds settle a point within rho / 2; the cap is for points that are out of reach.
+  constexpr int most_rounds = 40;
+  Point y = x;
+  CellId cell = locate(y, start);
+  for (int round = 0; round < most_rounds; ++round) {
+    y = complex_.patch(cell).slide(y);
+    cell = locate(y, cell);
+    const Patch& patch = complex_.patch(cell);
+    const Vector n = patch.half_gradient(y);
+    const double g = (y - patch.centre).dot(n) - patch.half_weight;
+    const double rho = n.norm();
+    if (std::abs(g) <= residual_bound(rho)) return SurfacePoint{y, n / rho, rho, cell};
+  }
+  return std::nullopt;
+}
+
+SurfacePoint SkinSurface::at(const Point& x, CellId cell) const {
+  const Vector n = complex_.patch(cell).half_gradient(x);
+  const double rho = n.norm();
+  return {x, n / rho, rho, cell};
+}
+
+}  // namespace morskin::skin

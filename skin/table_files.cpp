@@ -1,0 +1,165 @@
+// PQR, XYZ and XYZR: words separated by white space.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/text_lines.h"
+#include "skin/molecule_formats.h"
+#include "skin/radii.h"
+
+namespace morskin::skin::molecule_formats {
+namespace {
+
+using geometry::parse_double;
+using geometry::parse_integer;
+using geometry::quoted;
+using geometry::take_field;
+using geometry::TextLines;
+using geometry::trimmed;
+
+double number_in(std::string_view field, std::string_view what, const TextLines& lines) {
+  const std::optional<double> value = parse_double(field);
+  if (!value) {
+    lines.fail("expected " + std::string(what) + ", found " + quoted(field) + "; mend the line");
+  }
+  return *value;
+}
+
+std::uint32_t line_number(const TextLines& lines) {
+  return static_cast<std::uint32_t>(lines.number());
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (auto field = take_field(line); !field.empty(); field = take_field(line)) {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+// record serial name residue [chain] number x y z charge radius; the serial may stick to HETATM.
+AtomRecord pqr_atom(const TextLines& lines) {
+  std::vector<std::string_view> fields = fields_of(lines.line());
+  if (fields[0].size() > 6) fields.insert(fields.begin() + 1, fields[0].substr(6));
+  if (fields.size() < 10 || fields.size() > 11) {
+    lines.fail(
+        "expected 10 or 11 fields (record, serial, name, residue, chain if any, number, "
+        "x, y, z, charge, radius), found " +
+        std::to_string(fields.size()) + "; separate them with blanks");
+  }
+  const std::size_t x = fields.size() - 5;
+  AtomRecord record;
+  Atom& atom = record.atom;
+  atom.line = line_number(lines);
+  atom.name = Label(fields[2]);
+  atom.residue = Label(fields[3]);
+  if (fields.size() == 11) atom.chain = Label(fields[4]);
+  atom.residue_number = Label(fields[x - 1]);
+  atom.element = Label(element_from_word(fields[2], fields[3]));
+  atom.position = {number_in(fields[x], "the coordinate x", lines),
+                   number_in(fields[x + 1], "the coordinate y", lines),
+                   number_in(fields[x + 2], "the coordinate z", lines)};
+  number_in(fields[x + 3], "the charge", lines);
+  atom.radius = number_in(fields[x + 4], "the radius", lines);
+  return record;
+}
+
+// "C", "cl", "17"; a number behind the letters ("C12") only tells atoms of an element apart.
+Label xyz_element(std::string_view field, const TextLines& lines) {
+  std::optional<std::string_view> element;
+  if (const auto atomic_number = parse_integer(field)) {
+    element = element_symbol(static_cast<long long>(*atomic_number));
+  } else {
+    element = element_symbol(field.substr(0, field.find_first_of("0123456789")));
+  }
+  if (!element) lines.fail(quoted(field) + " is no element; write its symbol or atomic number");
+  return Label(*element);
+}
+
+AtomRecord xyz_atom(const TextLines& lines) {
+  std::string_view fields = lines.line();
+  AtomRecord record;
+  record.atom.line = line_number(lines);
+  record.atom.element = xyz_element(take_field(fields), lines);
+  for (int axis = 0; axis < 3; ++axis) {
+    record.atom.position[axis] = number_in(take_field(fields), "a coordinate", lines);
+  }
+  return record;
+}
+
+}  // namespace
+
+ParsedFile parse_pqr(std::string_view bytes, const std::string& source) {
+  ParsedFile file;
+  file.has_radii = true;
+  TextLines lines(bytes, source);
+  bool is_first_model = true;
+  bool is_in_model = false;
+  while (lines.advance()) {
+    std::string_view rest = lines.line();
+    const std::string_view record = take_field(rest);
+    if (record == "ATOM" || record.starts_with("HETATM")) {
+      if (!is_in_model && !is_first_model) ++file.other_models;
+      is_in_model = true;
+      if (is_first_model) file.atoms.push_back(pqr_atom(lines));
+    } else if (record == "MODEL" || record == "ENDMDL" || record == "END") {
+      if (is_in_model) is_first_model = false;
+      is_in_model = false;
+    }
+  }
+  if (file.atoms.empty()) {
+    throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a PQR file?");
+  }
+  return file;
+}
+
+ParsedFile parse_xyz(std::string_view bytes, const std::string& source) {
+  ParsedFile file;
+  TextLines lines(bytes, source);
+  std::size_t models = 0;
+  while (lines.advance()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.empty()) continue;
+    std::string_view fields = line;
+    const std::optional<std::int64_t> count = parse_integer(take_field(fields));
+    if (!count || *count < 0 || !trimmed(fields).empty()) {
+      lines.fail("expected the number of atoms, found " + quoted(line) +
+                 (models > 0 ? "; the count above may be too small" : "; is it an XYZ file?"));
+    }
+    lines.advance();  // the comment
+    for (std::int64_t atom = 0; atom < *count; ++atom) {
+      if (!lines.advance() || trimmed(lines.line()).empty()) {
+        lines.fail("there are " + std::to_string(atom) + " atoms where " + std::to_string(*count) +
+                   " were announced; mend the count");
+      }
+      if (models == 0) file.atoms.push_back(xyz_atom(lines));
+    }
+    ++models;
+  }
+  file.other_models = models > 0 ? models - 1 : 0;
+  return file;
+}
+
+ParsedFile parse_xyzr(std::string_view bytes, const std::string& source) {
+  ParsedFile file;
+  file.has_radii = true;
+  TextLines lines(bytes, source);
+  while (lines.advance()) {
+    std::string_view fields = lines.line().substr(0, lines.line().find('#'));
+    std::string_view field = take_field(fields);
+    if (field.empty()) continue;
+    AtomRecord record;
+    record.atom.line = line_number(lines);
+    for (int axis = 0; axis < 3; ++axis) {
+      record.atom.position[axis] = number_in(field, "x y z r", lines);
+      field = take_field(fields);
+    }
+    record.atom.radius = number_in(field, "x y z r", lines);
+    file.atoms.push_back(record);
+  }
+  return file;
+}
+
+}  // namespace morskin::skin::molecule_formats

@@ -1,0 +1,326 @@
+#include "refine/certificate.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "refine/triangle_geometry.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::IndexedMesh;
+using geometry::Point;
+using refine::Certificate;
+using support::ball;
+using support::WeightedPoints;
+
+namespace {
+
+/// A skin and a good mesh of it.
+struct Good {
+  explicit Good(const WeightedPoints& points)
+      : skin(front::prepare_skin(points)),
+        mesh(front::mesh_skin(skin, support::uncertified()).mesh) {}
+
+  Certificate certify(const IndexedMesh& other) const {
+    return refine::certify(other, skin.surface, skin.topology);
+  }
+
+  front::PreparedSkin skin;
+  IndexedMesh mesh;
+};
+
+Good one_ball() { return Good({ball(0, 0, 0, 1)}); }
+Good two_overlapping() { return Good({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)}); }
+Good two_apart() { return Good({ball(0, 0, 0, 1), ball(9, 0, 0, 1.2)}); }
+/// A cage of four balls with a void inside.
+Good cage() { return Good(support::tetrahedron_balls(2.8)); }
+
+void check_rejected(const Certificate& certificate, const std::string& reason) {
+  CHECK_FALSE(certificate.certified);
+  CHECK_FALSE(certificate.is_homeomorphic);
+  CHECK_MESSAGE(certificate.reason.find(reason) != std::string::npos, certificate.reason);
+}
+
+/// The triangles of a mesh that keep(first corner) allows, without the vertices they leave behind.
+template <class Keep>
+IndexedMesh part(const IndexedMesh& mesh, Keep keep) {
+  IndexedMesh result;
+  std::vector<std::optional<std::uint32_t>> name(mesh.positions.size());
+  for (auto triangle : mesh.triangles) {
+    if (!keep(mesh.positions[triangle[0]])) continue;
+    for (std::uint32_t& v : triangle) {
+      if (!name[v]) {
+        name[v] = static_cast<std::uint32_t>(result.positions.size());
+        result.positions.push_back(mesh.positions[v]);
+      }
+      v = *name[v];
+    }
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+/// Both meshes as one.
+IndexedMesh together(IndexedMesh a, const IndexedMesh& b) {
+  const auto shift = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const auto& [p, q, r] : b.triangles)
+    a.triangles.push_back({p + shift, q + shift, r + shift});
+  return a;
+}
+
+IndexedMesh turned_inside_out(IndexedMesh mesh) {
+  for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+  return mesh;
+}
+
+/// Two copies of a mesh, cut open along the two edges p - m - q and sewn crosswise: one closed
+/// surface that covers the skin twice, branching at p and q. As a sphere's it is a sphere again.
+IndexedMesh double_cover(const IndexedMesh& mesh) {
+  const auto built = geometry::closed_mesh(mesh.positions.size(), mesh.triangles);
+  const geometry::SurfaceMesh& surface = built.mesh;
+  // m with two neighbours p, q; the triangles from p round to q are on one side of the cut.
+  const geometry::VertexId m = surface.origin(geometry::HalfEdgeId{0U});
+  std::vector<geometry::HalfEdgeId> round;
+  surface.for_each_outgoing(m, [&](geometry::HalfEdgeId h) { round.push_back(h); });
+  const std::size_t half = round.size() / 2;
+  const std::uint32_t p = surface.target(round[0]).value, q = surface.target(round[half]).value;
+  std::set<std::size_t> crossed;
+  for (std::size_t i = 0; i < half; ++i) {
+    crossed.insert(geometry::SurfaceMesh::triangle(round[i]).index());
+  }
+  IndexedMesh cover = mesh;
+  std::vector<std::uint32_t> copy(mesh.positions.size());
+  for (std::uint32_t v = 0; v < copy.size(); ++v) {
+    copy[v] = v;
+    if (v == p || v == q) continue;
+    copy[v] = static_cast<std::uint32_t>(cover.positions.size());
+    cover.positions.push_back(mesh.positions[v]);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    auto second = mesh.triangles[t];
+    for (std::uint32_t& v : second) v = copy[v];
+    if (crossed.contains(t)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (mesh.triangles[t][k] == m.value) std::swap(cover.triangles[t][k], second[k]);
+      }
+    }
+    cover.triangles.push_back(second);
+  }
+  return cover;
+}
+
+}  // namespace
+
+TEST_CASE("good meshes are certified, with the skin's own counts") {
+  for (const Good& good : {one_ball(), two_overlapping(), two_apart(), cage()}) {
+    const Certificate certificate = good.certify(good.mesh);
+    CHECK(certificate.reason == "");
+    CHECK(certificate.certified);
+    CHECK(certificate.components == good.skin.topology.skin_components());
+    CHECK(certificate.genus == static_cast<long>(good.skin.topology.skin_genus()));
+    CHECK(certificate.euler_characteristic == good.skin.topology.skin_euler_characteristic());
+    CHECK(certificate.vertices == good.mesh.positions.size());
+    CHECK(certificate.triangles == good.mesh.triangles.size());
+    CHECK(certificate.volume > 0);
+  }
+}
+
+TEST_CASE("a mesh with one triangle facing the wrong way is rejected") {
+  const Good good = two_overlapping();
+  for (const std::size_t t : {std::size_t{0}, good.mesh.triangles.size() / 2}) {
+    CAPTURE(t);
+    IndexedMesh bad = good.mesh;
+    std::swap(bad.triangles[t][0], bad.triangles[t][1]);
+    check_rejected(good.certify(bad), "disagree on orientation");
+  }
+}
+
+TEST_CASE("a mesh with a missing component is rejected, whichever it is") {
+  const Good good = two_apart();
+  for (const bool left : {true, false}) {
+    CAPTURE(left);
+    const IndexedMesh bad = part(good.mesh, [&](const Point& p) { return (p.x() < 4) == left; });
+    const Certificate certificate = good.certify(bad);
+    check_rejected(certificate, "components is 1, the skin's is 2");
+    CHECK(certificate.covering_degree_ok);
+  }
+}
+
+TEST_CASE("a mesh with a missing inner void is rejected, and so is the void alone") {
+  for (const Good& good :
+       {cage(), Good(support::molecule("shell_hollow.xyzr", skin::Model::Vdw))}) {
+    const auto built = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles);
+    const auto parts = geometry::components(built.mesh);
+    REQUIRE(parts.count == 2);
+    for (const std::uint32_t kept : {0U, 1U}) {
+      CAPTURE(kept);
+      IndexedMesh chosen{good.mesh.positions, {}};
+      for (std::size_t t = 0; t < good.mesh.triangles.size(); ++t) {
+        if (parts.of_triangle[t] == kept) chosen.triangles.push_back(good.mesh.triangles[t]);
+      }
+      const IndexedMesh bad = part(chosen, [](const Point&) { return true; });
+      check_rejected(good.certify(bad), "components is 1, the skin's is 2");
+    }
+  }
+}
+
+TEST_CASE("a mesh laid twice over the skin is rejected") {
+  for (const Good& good : {one_ball(), two_apart()}) {
+    const Certificate certificate = good.certify(together(good.mesh, good.mesh));
+    check_rejected(certificate, "covers the skin more than once");
+    CHECK_FALSE(certificate.covering_degree_ok);
+  }
+  // One of two components doubled, the other missing: components and Euler characteristic agree.
+  const Good good = two_apart();
+  const IndexedMesh left = part(good.mesh, [](const Point& p) { return p.x() < 4; });
+  const Certificate certificate = good.certify(together(left, left));
+  check_rejected(certificate, "covers the skin more than once");
+  CHECK(certificate.components == certificate.expected_components);
+  CHECK(certificate.euler_characteristic == certificate.expected_euler_characteristic);
+}
+
+TEST_CASE("a second sheet whose vertices lie elsewhere on the skin is rejected") {
+  const Good good = two_apart();
+  const IndexedMesh left = part(good.mesh, [](const Point& p) { return p.x() < 4; });
+  IndexedMesh turned = left;
+  for (Point& p : turned.positions) p = Point(p.y(), p.z(), p.x());  // about the ball's centre
+  check_rejected(good.certify(together(left, turned)), "covers the skin more than once");
+}
+
+TEST_CASE("a connected double cover of a ball is rejected though all its counts are a sphere's") {
+  const Good good = one_ball();
+  const Certificate certificate = good.certify(double_cover(good.mesh));
+  check_rejected(certificate, "covers the skin more than once");
+  CHECK(certificate.components == 1);
+  CHECK(certificate.euler_characteristic == 2);
+  CHECK(certificate.violations_L + certificate.violations_U == 0);
+}
+
+TEST_CASE("a mesh with a hole is rejected") {
+  const Good good = two_overlapping();
+  IndexedMesh bad = good.mesh;
+  bad.triangles.erase(bad.triangles.begin() + 17);
+  check_rejected(good.certify(bad), "has only one triangle");
+}
+
+TEST_CASE("a mesh with a vertex off the skin is rejected and the vertex named") {
+  const Good good = one_ball();
+  for (const double off : {1e-6, -1e-6, 0.05, -0.5}) {
+    CAPTURE(off);
+    IndexedMesh bad = good.mesh;
+    bad.positions[5] *= 1 + off;
+    const Certificate certificate = good.certify(bad);
+    check_rejected(certificate, "vertex 5 lies");
+    CHECK(certificate.max_distance_to_skin > std::abs(off) / 2);
+  }
+}
+
+TEST_CASE("a mesh with a vertex moved over the skin to its far side is rejected") {
+  const Good good = one_ball();
+  IndexedMesh bad = good.mesh;
+  bad.positions[5] *= -1;
+  CHECK(good.certify(bad).max_distance_to_skin < 1e-12);
+  check_rejected(good.certify(bad), "triangle");
+}
+
+TEST_CASE("a mesh that is inside out is rejected") {
+  for (const Good& good : {one_ball(), cage()}) {
+    const Certificate certificate = good.certify(turned_inside_out(good.mesh));
+    check_rejected(certificate, "does not face the way the skin does");
+    CHECK(certificate.volume < 0);
+  }
+}
+
+TEST_CASE("a mesh of another molecule is rejected, though of one kind") {
+  const Good good = two_overlapping();
+  const Good other({ball(0, 0, 0, 1), ball(1.5001, 0, 0, 1.2)});
+  check_rejected(good.certify(other.mesh), "off the skin");
+  check_rejected(other.certify(good.mesh), "off the skin");
+}
+
+TEST_CASE("a mesh too coarse for its sizing is homeomorphic but breaks [U]") {
+  const Good good = two_overlapping();
+  constexpr refine::Sizing finer{0.06, 1.65};
+  const Certificate certificate =
+      refine::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
+  CHECK(certificate.is_homeomorphic);
+  CHECK_FALSE(certificate.certified);
+  CHECK_MESSAGE(certificate.reason.find("break [U]") != std::string::npos, certificate.reason);
+  CHECK(certificate.violations_U > 0);
+  CHECK(certificate.worst_U > 1);
+}
+
+TEST_CASE("an octahedron, and one cut finer once, in place of a ball are too coarse to be proved") {
+  const Good good = one_ball();
+  for (const int levels : {0, 1}) {
+    CAPTURE(levels);
+    check_rejected(good.certify(support::sphere_mesh(Point::Zero(), 1, levels)), "triangle");
+  }
+}
+
+TEST_CASE("a mesh with one vertex too near to another is homeomorphic but breaks [L]") {
+  const Good good = one_ball();
+  IndexedMesh fine = good.mesh;
+  const auto [a, b, c] = fine.triangles[3];
+  const auto x = static_cast<std::uint32_t>(fine.positions.size());
+  fine.positions.push_back(
+      (0.7 * fine.positions[a] + 0.15 * fine.positions[b] + 0.15 * fine.positions[c]).normalized());
+  fine.triangles[3] = {a, b, x};
+  fine.triangles.push_back({b, c, x});
+  fine.triangles.push_back({c, a, x});
+  const Certificate certificate = good.certify(fine);
+  CHECK(certificate.is_homeomorphic);
+  CHECK_FALSE(certificate.certified);
+  CHECK(certificate.violations_L > 0);
+  CHECK(certificate.worst_L < 1);
+  CHECK_MESSAGE(certificate.reason.find("break [L]") != std::string::npos, certificate.reason);
+}
+
+TEST_CASE("coordinates that are no numbers are rejected") {
+  const Good good = one_ball();
+  for (const double bad_number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    CAPTURE(bad_number);
+    IndexedMesh bad = good.mesh;
+    bad.positions[7].y() = bad_number;
+    CHECK_FALSE(good.certify(bad).certified);
+    CHECK_FALSE(good.certify(bad).is_homeomorphic);
+    for (Point& p : bad.positions) p = Point::Constant(bad_number);
+    CHECK_FALSE(good.certify(bad).certified);
+    CHECK_FALSE(good.certify(bad).is_homeomorphic);
+  }
+}
+
+TEST_CASE("an empty mesh, a mesh without triangles and one with an unused vertex are rejected") {
+  const Good good = one_ball();
+  check_rejected(good.certify({}), "no triangles");
+  check_rejected(good.certify({good.mesh.positions, {}}), "no triangles");
+  IndexedMesh bad = good.mesh;
+  bad.positions.push_back(bad.positions[0]);
+  check_rejected(good.certify(bad), "belongs to no triangle");
+}
+
+TEST_CASE("the measured angles, area and volume are those of a count triangle by triangle") {
+  const Good good = cage();
+  const Certificate certificate = good.certify(good.mesh);
+  double smallest = 180, largest = 0, area = 0, volume = 0;
+  for (const auto& [a, b, c] : good.mesh.triangles) {
+    const Point &p = good.mesh.positions[a], &q = good.mesh.positions[b],
+                &r = good.mesh.positions[c];
+    const auto range = refine::angle_range(p, q, r);
+    smallest = std::min(smallest, range.smallest_deg);
+    largest = std::max(largest, range.largest_deg);
+    area += (q - p).cross(r - p).norm() / 2;
+    volume += p.dot((q - p).cross(r - p)) / 6;
+  }
+  constexpr double rounding = 1e-9;
+  CHECK(std::abs(certificate.min_angle_deg - smallest) < rounding);
+  CHECK(std::abs(certificate.max_angle_deg - largest) < rounding);
+  CHECK(std::abs(certificate.area - area) < rounding * area);
+  CHECK(std::abs(certificate.volume - volume) < rounding * area);
+}

@@ -1,0 +1,279 @@
+#!/usr/bin/env python3
+"""The command from outside: exit codes, files, reports. Usage: command_test.py path/to/morskin"""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+MOLECULES = Path(__file__).resolve().parent.parent / "bench" / "molecules"
+MORSKIN = "build/morskin"
+
+REPORT_KEYS = """input model probe atoms_used atoms_skipped patch_radius_min patch_radius_max C Q
+    vertices triangles components euler_characteristic genus expected_euler_characteristic
+    expected_components expected_genus min_angle_deg max_angle_deg worst_L worst_U
+    max_distance_to_skin covering_degree_ok certified minima saddles maxima operations seconds
+    floor_ratio peak_memory_bytes""".split()
+OPERATION_KEYS = """creation creep wing bridge seal guard_inside_protecting
+    guard_outside_protecting flip contract insert""".split()
+SECONDS_KEYS = """read triangulate mixed_complex critical_points sweep refine certify write
+    total""".split()
+
+
+class CommandTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.ring = self.input("ring.xyzr", (MOLECULES / "ring12.xyzr").read_bytes())
+
+    def input(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def run_morskin(self, *words, code=0, **options):
+        done = subprocess.run([MORSKIN, *map(str, words)], capture_output=True, cwd=self.folder,
+                              timeout=120, **options)
+        self.assertEqual(done.returncode, code, repr(done.stderr + done.stdout[-2000:]))
+        return done
+
+    def names(self):
+        return sorted(p.name for p in self.folder.iterdir() if p.name != "ring.xyzr")
+
+    def mesh_json(self, *words, code=0):
+        return json.loads(self.run_morskin("mesh", *words, "--json", code=code).stdout)
+
+
+class Mesh(CommandTest):
+    def test_the_report_holds_every_promised_key_and_a_torus(self):
+        report = self.mesh_json(self.ring, "-o", "ring.ply", "--model", "sas", "--probe", "0")
+        self.assertEqual([k for k in REPORT_KEYS if k not in report], [])
+        self.assertEqual([k for k in OPERATION_KEYS if k not in report["operations"]], [])
+        self.assertEqual([k for k in SECONDS_KEYS if k not in report["seconds"]], [])
+        self.assertTrue(report["certified"])
+        self.assertEqual((report["components"], report["genus"]), (1, 1))
+        self.assertEqual(report["minima"] - report["saddles"] + report["maxima"], 0)
+        self.assertEqual(report["vertices"] - report["triangles"] // 2,
+                         report["euler_characteristic"])
+        self.assertGreater(report["min_angle_deg"], 21.54)
+        self.assertGreater(report["worst_L"], 1)
+        self.assertLess(report["worst_U"], 1)
+        self.assertEqual(report["certified_file"], "ring.ply")
+        self.assertEqual(self.names(), ["ring.ply"])
+
+    def test_the_report_for_people_says_certified(self):
+        text = self.run_morskin("mesh", self.ring, "-o", "ring.ply").stdout.decode()
+        self.assertIn("certified: homeomorphic", text)
+        self.assertIn("genus", text)
+
+    def test_the_report_file_holds_what_json_prints(self):
+        printed = self.mesh_json(self.ring, "-o", "ring.off", "--report", "report.json")
+        self.assertEqual(json.loads((self.folder / "report.json").read_text()), printed)
+        self.assertEqual(self.names(), ["report.json", "ring.off"])
+
+    def test_quiet_prints_nothing(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q")
+        self.assertEqual(done.stdout + done.stderr, b"")
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        for name in ("a.ply", "b.ply"):
+            self.run_morskin("mesh", self.ring, "-o", name, "-q")
+        self.assertEqual((self.folder / "a.ply").read_bytes(), (self.folder / "b.ply").read_bytes())
+
+    def test_every_format_is_written_and_the_first_exact_one_is_certified(self):
+        names = ["m.stl", "m.vtu", "m.obj", "m.off", "m.ply"]
+        report = self.mesh_json(self.ring, *(w for n in names for w in ("-o", n)))
+        self.assertEqual(report["certified_file"], "m.obj")
+        self.assertEqual(report["outputs"], names)
+        self.assertEqual(self.names(), sorted(names))
+
+    def test_a_lone_stl_is_certified_in_memory_and_the_report_says_so(self):
+        report = self.mesh_json(self.ring, "-o", "ring.stl")
+        self.assertTrue(report["certified"])
+        self.assertIn("in memory", report["certified_file"])
+
+    def test_a_mesh_on_standard_output_is_alone_there(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "-")
+        self.assertTrue(done.stdout.startswith(b"ply\n"))
+        self.assertIn(b"certified", done.stderr)
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q")
+        self.assertEqual(done.stdout, (self.folder / "ring.ply").read_bytes())
+
+    def test_dev_null_is_an_output(self):
+        self.assertTrue(self.mesh_json(self.ring, "-o", "/dev/null")["certified"])
+        self.assertEqual(self.names(), [])
+
+    def test_the_molecule_may_come_from_standard_input(self):
+        self.run_morskin("mesh", "-", "-o", "ring.ply", "-q", input=self.ring.read_bytes())
+        self.assertEqual(self.names(), ["ring.ply"])
+
+    def test_the_progress_line_is_shown_only_when_asked_off_a_terminal(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--progress", "always")
+        self.assertIn(b"%", done.stderr)
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply")
+        self.assertEqual(done.stderr, b"")
+
+    def test_a_direction_is_taken_with_a_minus_sign(self):
+        report = self.mesh_json(self.ring, "-o", "ring.ply", "--height", "-1,0.3,0.2")
+        self.assertLess(report["height"][0], 0)
+
+    def test_waters_are_kept_when_asked(self):
+        words = (MOLECULES / "9dna.pdb", "--json")
+        dry = json.loads(self.run_morskin("info", *words).stdout)
+        wet = json.loads(self.run_morskin("info", *words, "--waters").stdout)
+        self.assertEqual(wet["atoms"], dry["atoms"] + dry["skipped_waters"])
+        self.assertGreater(dry["skipped_waters"], 0)
+
+
+class NotCertified(CommandTest):
+    # Far outside the range of the theory: triangles as big as the surface's features.
+    WORDS = ("-C", "0.9", "-Q", "1.9")
+
+    def test_a_mesh_that_is_not_certified_is_called_unverified(self):
+        self.input("ring.ply", "an older mesh")
+        report = self.mesh_json(self.ring, "-o", "ring.ply", *self.WORDS, code=5)
+        self.assertFalse(report["certified"])
+        self.assertTrue(report["reason"])
+        self.assertEqual(report["outputs"], ["ring.ply.unverified"])
+        self.assertEqual((self.folder / "ring.ply").read_text(), "an older mesh")
+        self.assertEqual(self.names(), ["ring.ply", "ring.ply.unverified"])
+
+    def test_a_mesh_that_is_not_certified_does_not_reach_standard_output(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "-", "-q", *self.WORDS, code=5)
+        self.assertEqual(done.stdout, b"")
+        self.assertIn(b"not certified", done.stderr)
+
+    def test_a_note_says_that_the_sizes_are_out_of_range(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *self.WORDS, code=5)
+        self.assertIn(b"theory", done.stderr)
+
+
+class Failures(CommandTest):
+    def test_wrong_arguments_give_2(self):
+        good = ("mesh", self.ring, "-o", "ring.ply")
+        for words in [(), ("melt",), ("mesh",), ("mesh", self.ring), (*good, "--probe", "-1"),
+                      (*good, "--probe", "nan"), (*good, "-C", "0"), (*good, "-C", "x"),
+                      (*good, "-C", "inf"), (*good, "-Q", "1"), (*good, "-C", "1"),
+                      (*good, "--height", "0,0,0"), (*good, "--height", "1,2"),
+                      (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
+                      (*good, "--method", "static"), (*good, "--progress", "often"),
+                      (*good, "-o", "ring.ply"), (*good, "-o", "ring.txt"), (*good, "--threads"),
+                      ("mesh", self.ring, "-o", "-", "--json"),
+                      ("balls", self.ring, "-o", self.ring)]:
+            with self.subTest(words=words):
+                done = self.run_morskin(*words, code=2)
+                self.assertTrue(done.stderr.startswith(b"morskin: "))
+                self.assertEqual(done.stdout, b"")
+        self.assertEqual(self.names(), [])
+
+    def test_help_and_version_are_no_failure(self):
+        self.assertIn(b"Exit codes", self.run_morskin("--help").stdout)
+        for command in ("mesh", "balls", "info", "check"):
+            self.assertIn(b"Usage", self.run_morskin(command, "--help").stdout)
+        self.assertTrue(self.run_morskin("--version").stdout.startswith(b"morskin "))
+
+    def test_an_unreadable_input_gives_3(self):
+        self.input("empty.pdb", "")
+        self.input("words.xyzr", "0 0 zero 1\n")
+        for name in ("missing.pdb", "empty.pdb", "words.xyzr", "."):
+            with self.subTest(name=name):
+                self.run_morskin("mesh", name, "-o", "out.ply", code=3)
+                self.run_morskin("info", name, code=3)
+        self.run_morskin("check", "missing.ply", code=3)
+        self.assertEqual(self.names(), ["empty.pdb", "words.xyzr"])
+
+    def test_a_singular_skin_gives_4_and_names_the_atoms(self):
+        # W = 2 r^2 is 8 and 32; spheres of these squared radii touch when the squared distance is
+        # (sqrt 8 + sqrt 32)^2 = 72, and (6, 6, 0) is that long.
+        self.input("touching.xyzr", "0 0 0 2\n90 90 90 1\n6 6 0 4\n")
+        done = self.run_morskin("mesh", "touching.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
+        self.assertIn(b"line 1", done.stderr)
+        self.assertIn(b"line 3", done.stderr)
+        self.assertEqual(self.names(), ["touching.xyzr"])
+
+    def test_an_input_without_usable_atoms_gives_4(self):
+        self.input("zero.pqr", "ATOM 1 C ALA 1 0.0 0.0 0.0 0.0 0.0\n")
+        self.run_morskin("mesh", "zero.pqr", "-o", "out.ply", code=4)
+        self.input("huge.xyzr", "0 0 0 900000\n")
+        self.run_morskin("mesh", "huge.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
+
+    def test_an_unwritable_output_gives_7(self):
+        (self.folder / "folder.ply").mkdir()
+        for name in ("no/such/folder/out.ply", "folder.ply"):
+            with self.subTest(name=name):
+                self.run_morskin("mesh", self.ring, "-o", name, code=7)
+        self.run_morskin("mesh", self.ring, "-o", "a.ply", "--report", "no/report.json", code=7)
+        self.run_morskin("balls", self.ring, "-o", "no/out.xyzr", code=7)
+        self.assertEqual(self.names(), ["folder.ply"])
+
+    @unittest.skipUnless(Path("/dev/full").exists(), "needs /dev/full")
+    def test_a_full_disk_gives_7(self):
+        self.run_morskin("mesh", self.ring, "-o", "/dev/full", code=7)
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([MORSKIN, "info", self.ring], stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, 7)
+
+    def test_an_interrupted_run_leaves_nothing(self):
+        molecule = MOLECULES / "1crn.pdb"
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([MORSKIN, "mesh", str(molecule), "-o", "crambin.ply", "-q",
+                                        "-C", "0.02"], cwd=self.folder)
+            deadline = time.monotonic() + 30
+            while not self.names() and time.monotonic() < deadline:
+                time.sleep(0.01)
+            process.send_signal(number)
+            self.assertEqual(process.wait(30), -number)
+            self.assertEqual(self.names(), [])
+
+
+class OtherCommands(CommandTest):
+    def test_check_agrees_with_mesh(self):
+        report = self.mesh_json(self.ring, "-o", "ring.ply", "--model", "vdw")
+        checked = json.loads(self.run_morskin("check", "ring.ply", "--against", self.ring,
+                                              "--model", "vdw", "--json").stdout)
+        for key in ("certified", "vertices", "triangles", "components", "genus", "min_angle_deg",
+                    "worst_L", "worst_U", "area", "volume", "max_distance_to_skin"):
+            self.assertEqual(checked[key], report[key], key)
+
+    def test_check_refuses_the_mesh_of_another_surface(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q")
+        self.run_morskin("check", "ring.ply", "--against", self.ring, "--model", "sas", code=5)
+        self.run_morskin("check", "ring.ply", "--against", MOLECULES / "cube8.xyzr", code=5)
+
+    def test_check_alone_tells_a_closed_mesh_from_an_open_one(self):
+        tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
+        self.input("open.obj", tetrahedron)
+        self.input("closed.obj", tetrahedron + "f 1 4 3\n")
+        shape = json.loads(self.run_morskin("check", "closed.obj", "--json").stdout)
+        self.assertTrue(shape["closed_oriented_manifold"])
+        self.assertEqual((shape["components"], shape["genus"]), (1, 0))
+        self.assertAlmostEqual(shape["volume"], 1 / 6)
+        self.assertIn(b"manifold    NO", self.run_morskin("check", "open.obj", code=5).stdout)
+
+    def test_the_balls_are_those_of_the_model(self):
+        self.input("ball.xyzr", "1 2 3 1.5\n")
+        for model, radius in (("vdw", 1.5), ("sas", 2.9), ("paper", (2 ** 0.5 * 2.9 / 2) ** 0.5)):
+            self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzr", "--model", model)
+            numbers = [float(w) for w in (self.folder / "out.xyzr").read_text().split()]
+            self.assertEqual(numbers[:3], [1, 2, 3])
+            self.assertAlmostEqual(numbers[3], radius)
+
+    def test_info_counts_the_elements(self):
+        info = json.loads(self.run_morskin("info", MOLECULES / "caffeine.xyz", "--json").stdout)
+        self.assertEqual(info["elements"], {"C": 8, "H": 10, "N": 4, "O": 2})
+        self.assertEqual(info["atoms"], 24)
+        self.assertGreater(info["estimated_triangles"], 0)
+        self.assertIn(b"about", self.run_morskin("info", MOLECULES / "caffeine.xyz").stdout)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        MORSKIN = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,226 @@
+#include "morse/critical_points.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "morse/protecting_spheres.h"
+#include "refine/sizing.h"
+#include "tests/support/molecules.h"
+
+using namespace morskin;
+using namespace morskin::morse;
+using skin::SkinSurface;
+using skin::SurfacePoint;
+
+namespace {
+
+/// The point of one patch's quadric nearest to x in the sense of project(), cells left out.
+Point on_patch(const skin::Patch& patch, Point x) {
+  for (int round = 0; round < 20; ++round) x = patch.slide(x);
+  return x;
+}
+
+/// A random non-degenerate height of a random ball set and its critical points.
+struct Case {
+  explicit Case(unsigned seed)
+      : random(seed),
+        skin(support::ball_set(seed)),
+        height{random.direction()},
+        critical(critical_points(skin, height)) {}
+  bool is_degenerate() const { return !critical.degeneracies.empty(); }
+
+  support::Random random;
+  SkinSurface skin;
+  HeightFunction height;
+  CriticalPoints critical;
+};
+
+}  // namespace
+
+TEST_CASE("every critical point lies on the skin with its normal along the direction") {
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    for (const CriticalPoint& p : test.critical.points) {
+      const SurfacePoint& x = p.point;
+      const skin::CellId cell = test.skin.locate(x.position, x.cell);
+      const double rho = x.length_scale;
+      // The rounding of coordinates this large, and a share of the length scale.
+      const double off = 1e-10 * rho + test.skin.complex().wall_tolerance();
+      CHECK(std::abs(test.skin.complex().patch(cell).value(x.position)) <= 2 * rho * off);
+      const SurfacePoint there = test.skin.at(x.position, cell);
+      CHECK((there.normal - x.normal).norm() <= 4 * off / rho);
+      CHECK(std::abs(there.length_scale - rho) <= 4 * off);
+      CHECK(std::abs(std::abs(x.normal.dot(test.height.direction)) - 1) < 1e-12);
+      CHECK(p.value == test.height(x.position));
+    }
+  }
+}
+
+TEST_CASE("the index counts the descending directions of differences of the height") {
+  std::array<std::size_t, 3> met{};
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    for (const CriticalPoint& p : test.critical.points) {
+      const skin::Patch& patch = test.skin.complex().patch(p.point.cell);
+      const double h = 1e-3 * p.point.length_scale;
+      const Vector e = p.point.normal.unitOrthogonal(), f = p.point.normal.cross(e);
+      const auto rise = [&](const Vector& step) {
+        return test.height.direction.dot(on_patch(patch, p.point.position + h * step) -
+                                         p.point.position);
+      };
+      const double ee = rise(e) + rise(-e), ff = rise(f) + rise(-f);
+      const double ef = (rise(e + f) + rise(-e - f) - rise(e - f) - rise(f - e)) / 4;
+      Eigen::Matrix2d hessian;
+      hessian << ee, ef, ef, ff;
+      // In units of 1 / rho, where the steeper curvature is 1.
+      const Eigen::Vector2d values =
+          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian).eigenvalues() *
+          p.point.length_scale / (h * h);
+      constexpr double flat = 1e-3;  // fourth order in h, and rounding over h^2
+      if (values.cwiseAbs().minCoeff() < flat ||
+          p.point.length_scale < 1e9 * test.skin.complex().wall_tolerance()) {
+        continue;
+      }
+      ++met[static_cast<std::size_t>(p.index)];
+      CHECK(p.index == (values[0] < 0) + (values[1] < 0));
+      CHECK(std::abs(values.cwiseAbs().maxCoeff() - 1) < 10 * flat);
+      if (p.index == 1) {
+        CHECK(std::abs(p.descending.norm() - 1) < 1e-12);
+        CHECK(std::abs(p.descending.dot(p.point.normal)) < 1e-12);
+        CHECK(rise(p.descending) < 0);
+        CHECK(rise(-p.descending) < 0);
+        const Vector across = p.point.normal.cross(p.descending);
+        CHECK(rise(across) > 0);
+        CHECK(rise(-across) > 0);
+      } else {
+        CHECK(p.descending == Vector::Zero());
+      }
+    }
+  }
+  for (const std::size_t count : met) CHECK(count > 100);
+}
+
+TEST_CASE("one ball has one minimum and one maximum, at its poles") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const HeightFunction height{random.direction()};
+    const Point centre = random.between(0, 10) * random.direction();
+    const double radius = random.between(0.5, 3);
+    const auto critical = critical_points(
+        SkinSurface({support::ball(centre.x(), centre.y(), centre.z(), radius)}), height);
+    REQUIRE(critical.points.size() == 2);
+    for (const CriticalPoint& p : critical.points) {
+      const double side = p.index == 2 ? 1 : -1;
+      CHECK(p.index != 1);
+      CHECK((p.point.position - centre - side * radius * height.direction).norm() <
+            1e-12 * radius + 1e-14);
+    }
+    CHECK(critical.count(0) == 1);
+  }
+}
+
+TEST_CASE(
+    "no point of the skin is lower than the lowest minimum or higher than the highest maximum") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    Case test(seed);
+    if (test.is_degenerate()) continue;
+    double lowest = INFINITY, highest = -INFINITY;
+    for (const CriticalPoint& p : test.critical.points) {
+      if (p.index == 0) lowest = std::min(lowest, p.value);
+      if (p.index == 2) highest = std::max(highest, p.value);
+    }
+    const support::Box box = support::box_of(test.skin.points());
+    const double rounding = 1e-10 * support::span_of(box);
+    for (int i = 0; i < 100; ++i) {
+      const auto p = test.skin.project(box.sample(test.random), skin::CellId{0U});
+      if (!p) continue;
+      CHECK(test.height(p->position) >= lowest - rounding);
+      CHECK(test.height(p->position) <= highest + rounding);
+    }
+  }
+}
+
+TEST_CASE(
+    "a direction along an axis of the cube is degenerate and said to be so, the default is not") {
+  for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
+    const SkinSurface cube(support::molecule("cube8.xyzr", model));
+    for (int axis = 0; axis < 3; ++axis) {
+      CAPTURE(axis);
+      CHECK_FALSE(critical_points(cube, {Vector::Unit(axis)}).degeneracies.empty());
+    }
+    CHECK(critical_points(cube, {}).degeneracies.empty());
+  }
+}
+
+TEST_CASE("critical points on the wall between two spheres' patches are reported as degenerate") {
+  // Two balls of one size side by side: seen along their axis, tilted by 45 degrees, the sphere's
+  // pole passes into the neck's cell.
+  const SkinSurface pair({support::ball(-1, 0, 0, 1), support::ball(1, 0, 0, 1)});
+  const skin::Wall wall = pair.complex().walls(skin::CellId{0U})[0];
+  const double height = wall.normal.dot(Vector(-1, 0, 0));
+  const double along = wall.offset - height;  // from the centre to the wall, patch radius 1
+  const Vector pole = along * wall.normal + std::sqrt(1 - along * along) * Vector::UnitY();
+  CHECK_FALSE(critical_points(pair, {pole.normalized()}).degeneracies.empty());
+  constexpr double tilt = 1e-3;
+  for (const double side : {-tilt, tilt}) {
+    const HeightFunction tilted{(pole + side * wall.normal).normalized()};
+    const auto critical = critical_points(pair, tilted);
+    CHECK(critical.degeneracies.empty());
+    CHECK(critical.euler_characteristic() == 2);
+  }
+}
+
+TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their own centres") {
+  const double share = refine::Sizing{}.tangent_disk_share();
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    if (test.is_degenerate()) continue;
+    const auto& points = test.critical.points;
+    const ProtectingSpheres spheres(test.skin, points, share);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double r = spheres.radius(CriticalId{i});
+      CHECK(r > 0);
+      CHECK(r <= share * points[i].point.length_scale);
+      CHECK(spheres.containing(points[i].point) == CriticalId{i});
+      for (std::size_t j = 0; j < i; ++j) {
+        const double apart = (points[i].point.position - points[j].point.position).norm();
+        CHECK(r + spheres.radius(CriticalId{j}) <= apart * (1 + 1e-15));
+      }
+    }
+  }
+}
+
+TEST_CASE("the sphere that holds a point of the skin is the one that a look at all spheres finds") {
+  const double share = refine::Sizing{}.tangent_disk_share();
+  std::size_t held = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Case test(seed);
+    if (test.is_degenerate()) continue;
+    const auto& points = test.critical.points;
+    const ProtectingSpheres spheres(test.skin, points, share);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const SurfacePoint& centre = points[i].point;
+      const Vector tangent = centre.normal.cross(test.random.direction()).normalized();
+      const double step = test.random.between(0, 1.5) * spheres.radius(CriticalId{i});
+      const auto x = test.skin.project(centre.position + step * tangent, centre.cell);
+      if (!x) continue;
+      std::optional<CriticalId> expected;
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        const double r = spheres.radius(CriticalId{j});
+        if ((points[j].point.position - x->position).squaredNorm() < r * r)
+          expected = CriticalId{j};
+      }
+      held += expected.has_value();
+      CHECK(spheres.containing(*x) == expected);
+    }
+  }
+  CHECK(held > 1000);
+}

@@ -1,0 +1,333 @@
+#include "geometry/mesh_files.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "geometry/atomic_file.h"
+#include "geometry/error.h"
+#include "tests/support/temporary_folder.h"
+
+using morskin::geometry::IndexedMesh;
+using morskin::geometry::MeshFormat;
+using morskin::geometry::parse_mesh;
+using morskin::geometry::Point;
+using morskin::geometry::read_mesh;
+using morskin::geometry::serialized;
+using morskin::geometry::UnreadableInput;
+using morskin::geometry::UnwritableOutput;
+using morskin::geometry::write_file_atomically;
+using morskin::geometry::write_mesh;
+using morskin::support::bytes_of;
+using morskin::support::TemporaryFolder;
+
+namespace {
+
+// Coordinates that decimal text gets wrong unless it is careful.
+IndexedMesh awkward_tetrahedron() {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  return {{{0.1, -1.0 / 3, 1e-300}, {1e300, 2, -0.0}, {tiny, 123456789.123456789, 0}, {-1, -2, -3}},
+          {{{0, 1, 2}}, {{0, 3, 1}}, {{1, 3, 2}}, {{2, 3, 0}}}};
+}
+
+// Coordinates that single precision holds.
+IndexedMesh plain_tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}},
+          {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}};
+}
+
+// To the last bit, so that -0 is not 0.
+bool is_identical(const IndexedMesh& a, const IndexedMesh& b) {
+  return a.triangles == b.triangles && a.positions.size() == b.positions.size() &&
+         std::ranges::equal(a.positions, b.positions, [](const Point& p, const Point& q) {
+           return std::memcmp(p.data(), q.data(), 3 * sizeof(double)) == 0;
+         });
+}
+
+constexpr MeshFormat exact_formats[] = {MeshFormat::PlyBinary, MeshFormat::PlyAscii,
+                                        MeshFormat::Off, MeshFormat::Obj};
+constexpr MeshFormat read_formats[] = {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off,
+                                       MeshFormat::Obj, MeshFormat::Stl};
+
+std::string ending_of(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::PlyBinary:
+    case MeshFormat::PlyAscii:
+      return "mesh.ply";
+    case MeshFormat::Off:
+      return "mesh.off";
+    case MeshFormat::Obj:
+      return "mesh.obj";
+    case MeshFormat::Stl:
+      return "mesh.stl";
+    case MeshFormat::Vtu:
+      return "mesh.vtu";
+  }
+  return "";
+}
+
+// The message with which a file is turned down; "" if it is read.
+std::string complaint(const std::string& bytes, const std::string& name) {
+  try {
+    parse_mesh(bytes, name);
+    return "";
+  } catch (const UnreadableInput& error) {
+    return error.what();
+  }
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("PLY, OFF and OBJ give every coordinate back to the last bit") {
+  const TemporaryFolder folder;
+  for (const MeshFormat format : exact_formats) {
+    CAPTURE(ending_of(format));
+    const auto path = folder / ending_of(format);
+    write_mesh(path, awkward_tetrahedron(), format);
+    CHECK(is_identical(read_mesh(path), awkward_tetrahedron()));
+  }
+}
+
+TEST_CASE("a mesh without triangles, or without anything, survives every exact format") {
+  for (const MeshFormat format : exact_formats) {
+    CAPTURE(ending_of(format));
+    const IndexedMesh points{{{1, 2, 3}}, {}};
+    CHECK(is_identical(parse_mesh(serialized(points, format), ending_of(format)), points));
+    CHECK(is_identical(parse_mesh(serialized({}, format), ending_of(format)), {}));
+  }
+}
+
+TEST_CASE("STL gives single precision back and joins equal corners") {
+  const IndexedMesh mesh = parse_mesh(serialized(plain_tetrahedron(), MeshFormat::Stl), "mesh.stl");
+  CHECK(mesh.positions.size() == 4);
+  CHECK(mesh.triangles.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      CHECK(mesh.positions[mesh.triangles[i][corner]] ==
+            plain_tetrahedron().positions[plain_tetrahedron().triangles[i][corner]]);
+    }
+  }
+}
+
+TEST_CASE("a large STL mesh comes back with as many vertices as it had") {
+  IndexedMesh strip;
+  for (std::uint32_t i = 0; i < 5000; ++i) strip.positions.push_back(Point(i, i % 2, 0));
+  for (std::uint32_t i = 0; i + 2 < 5000; ++i) strip.triangles.push_back({i, i + 1, i + 2});
+  CHECK(is_identical(parse_mesh(serialized(strip, MeshFormat::Stl), "strip.stl"), strip));
+}
+
+TEST_CASE("an STL file as text is read") {
+  const IndexedMesh mesh = parse_mesh(
+      "solid a\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n"
+      " endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\n"
+      "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+      "mesh.stl");
+  CHECK(mesh.positions.size() == 4);
+  CHECK(mesh.triangles[1] == std::array<std::uint32_t, 3>{1, 3, 2});
+}
+
+TEST_CASE("the VTU text names its arrays and their sizes") {
+  const std::string text = serialized(plain_tetrahedron(), MeshFormat::Vtu);
+  CHECK(contains(text, "NumberOfPoints=\"4\" NumberOfCells=\"4\""));
+  CHECK(contains(text, "header_type=\"UInt64\""));
+  // The types: a count of 4, then four times VTK_TRIANGLE = 5.
+  CHECK(contains(text, ">BAAAAAAAAAAFBQUF</DataArray>"));
+}
+
+TEST_CASE("a PLY file in the other byte order, in single precision, with more in it, is read") {
+  std::string bytes =
+      "ply\r\nformat binary_big_endian 1.0\r\ncomment made by hand\r\nelement camera 1\r\n"
+      "property list uchar short values\r\nelement vertex 4\r\nproperty float x\r\n"
+      "property uchar red\r\nproperty float y\r\nproperty float z\r\nelement face 1\r\n"
+      "property uchar flags\r\nproperty list uchar ushort vertex_index\r\nend_header\r\n";
+  bytes += std::string("\x02\x00\x01\x00\x02", 5);
+  const std::string one("\x3f\x80\x00\x00", 4);
+  const std::string zero(4, '\0');
+  bytes += zero + "r" + zero + zero;
+  bytes += one + "r" + zero + zero;
+  bytes += one + "r" + one + zero;
+  bytes += zero + "r" + one + zero;
+  bytes += std::string("\x07\x04\0\0\0\1\0\2\0\3", 10);
+  const IndexedMesh mesh = parse_mesh(bytes, "mesh.ply");
+  CHECK(mesh.positions == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  CHECK(mesh.triangles == decltype(mesh.triangles){{{0, 1, 2}}, {{0, 2, 3}}});
+}
+
+TEST_CASE("a PLY file whose triangles turn into polygons midway is read") {
+  const IndexedMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}}};
+  std::string bytes = serialized(square, MeshFormat::PlyBinary);
+  bytes.replace(bytes.find("face 1"), 6, "face 2");
+  bytes += std::string("\4\0\0\0\0\1\0\0\0\2\0\0\0\3\0\0\0", 17);
+  CHECK(parse_mesh(bytes, "mesh.ply").triangles ==
+        decltype(square.triangles){{{0, 1, 2}}, {{0, 1, 2}}, {{0, 2, 3}}});
+}
+
+TEST_CASE("an OBJ file with texture, normals, negative numbers and polygons is read") {
+  const IndexedMesh mesh = parse_mesh(
+      "# by hand\nmtllib a.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+      "f 1/1/1 2//1 3/1 \\\n 4\nf -4 -3 -1 # a comment\n",
+      "mesh.obj");
+  CHECK(mesh.triangles == decltype(mesh.triangles){{{0, 1, 2}}, {{0, 2, 3}}, {{0, 1, 3}}});
+}
+
+TEST_CASE("an OFF file with comments, colours and counts on the first line is read") {
+  const IndexedMesh mesh = parse_mesh(
+      "\xEF\xBB\xBFOFF 4 1 0 # square\n\n0 0 0\r\n1 0 0\n+1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n",
+      "mesh.off");
+  CHECK(mesh.positions[2] == Point(1, 1, 0));
+  CHECK(mesh.triangles.size() == 2);
+}
+
+TEST_CASE("the content decides the format where the ending is wrong") {
+  for (const MeshFormat format : read_formats) {
+    CAPTURE(ending_of(format));
+    CHECK(parse_mesh(serialized(plain_tetrahedron(), format), "mesh.bin").triangles.size() == 4);
+  }
+}
+
+TEST_CASE("a bad mesh is turned down with its line and a reason") {
+  CHECK(contains(complaint("OFF\n1 0 0\n0 0 nan\n", "a.off"), "a.off:3: coordinate \"nan\""));
+  CHECK(contains(complaint("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "a.off"), "a.off:4: corner \"1\""));
+  CHECK(contains(complaint("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "a.off"), "a.off:4: corner"));
+  CHECK(contains(complaint("OFF\n1 1 0\n0 0 0\n2 0 0\n", "a.off"), "three corners"));
+  CHECK(contains(complaint("OFF\n2 0 0\n0 0 0\n", "a.off"), "ends before its last vertex"));
+  CHECK(contains(complaint("v 0 0\nf 1 1 1\n", "a.obj"), "a.obj:1:"));
+  CHECK(contains(complaint("v 0 0 0\nf 1 1 2\n", "a.obj"), "a.obj:2: corner 2"));
+  CHECK(contains(complaint("v 0 0 0\nf 1 1 -2\n", "a.obj"), "a.obj:2: corner \"-2\""));
+  CHECK(contains(complaint("v 0 0 inf\n", "a.obj"), "not finite"));
+  CHECK(contains(complaint("once upon a time\n", "a.obj"), "holds no vertex"));
+  CHECK(contains(complaint("solid\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid", "a.stl"),
+                 "a.stl:4: a facet needs three"));
+  CHECK(contains(complaint("garbage", "a.stl"), "no STL file"));
+  CHECK(contains(complaint("garbage", "a.txt"), "recognised"));
+  CHECK(contains(complaint("", "a.ply"), "is empty"));
+  CHECK(contains(complaint("<VTKFile/>", "a.vtu"), "only written"));
+}
+
+TEST_CASE("a bad PLY mesh is turned down with a reason") {
+  const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
+  const std::string middle = "\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  CHECK(contains(complaint(start + "1" + middle + faces + "0 0 nan\n3 0 0 0\n", "a.ply"),
+                 "vertex 0 has a coordinate that is not finite"));
+  CHECK(contains(complaint(start + "1" + middle + faces + "0 0 0\n3 0 0 1\n", "a.ply"),
+                 "corner 1 but there are only 1"));
+  CHECK(contains(complaint(start + "1" + middle + faces + "0 0 0\n3 0 0 -1\n", "a.ply"),
+                 "a.ply:11:"));
+  CHECK(contains(complaint(start + "1" + middle + faces + "0 0 x\n3 0 0 0\n", "a.ply"),
+                 "a.ply:10: \"x\" is no number"));
+  CHECK(contains(complaint(start + "1" + middle + "end_header\n0 0\n", "a.ply"), "too"));
+  CHECK(contains(complaint(start + "1\nproperty float x\nend_header\n0\n", "a.ply"), "x, y and z"));
+  CHECK(contains(complaint("ply\nformat ascii 1.0\n", "a.ply"), "does not end"));
+  CHECK(contains(complaint("ply\nend_header\n", "a.ply"), "no format"));
+}
+
+TEST_CASE("a count beyond what the file can hold is turned down and not allocated") {
+  const std::string properties = "\nproperty double x\nproperty double y\nproperty double z\n";
+  for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    for (const std::string count : {"1000000000000", "9223372036854775807", "4000000000"}) {
+      const std::string header = "ply\nformat " + format + " 1.0\nelement vertex ";
+      CHECK_FALSE(complaint(header + count + properties + "end_header\n", "a.ply").empty());
+      CHECK_FALSE(complaint(header + "0" + properties + "element face " + count +
+                                "\nproperty list uchar int vertex_indices\nend_header\n",
+                            "a.ply")
+                      .empty());
+      CHECK_FALSE(complaint(header + "0" + properties + "element edge " + count +
+                                "\nproperty int a\nend_header\n",
+                            "a.ply")
+                      .empty());
+    }
+  }
+  CHECK_FALSE(complaint("OFF\n1000000000000 0 0\n", "a.off").empty());
+  CHECK_FALSE(complaint("OFF\n1 1000000000000 0\n0 0 0\n", "a.off").empty());
+  CHECK_FALSE(complaint("OFF\n1 1 0\n0 0 0\n1000000000000 0\n", "a.off").empty());
+  CHECK_FALSE(complaint(std::string(80, ' ') + "\xff\xff\xff\xff", "a.stl").empty());
+}
+
+TEST_CASE("a mesh cut short anywhere is read or turned down, never worse") {
+  for (const MeshFormat format : read_formats) {
+    const std::string bytes = serialized(plain_tetrahedron(), format);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      CAPTURE(ending_of(format));
+      CAPTURE(size);
+      const bool is_binary = format == MeshFormat::PlyBinary || format == MeshFormat::Stl;
+      const std::string reason = complaint(bytes.substr(0, size), ending_of(format));
+      if (is_binary) CHECK_FALSE(reason.empty());
+    }
+  }
+}
+
+TEST_CASE("a mesh with flipped bits is read or turned down, never worse") {
+  for (const MeshFormat format : read_formats) {
+    const std::string bytes = serialized(awkward_tetrahedron(), format);
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+      std::mt19937 random(seed);
+      std::string damaged = bytes;
+      for (unsigned flip = 0; flip <= seed % 4; ++flip) {
+        char& victim = damaged[random() % damaged.size()];
+        victim = static_cast<char>(victim ^ (1 << random() % 8));
+      }
+      CAPTURE(ending_of(format));
+      CAPTURE(seed);
+      try {
+        const IndexedMesh mesh = parse_mesh(damaged, ending_of(format));
+        for (const auto& triangle : mesh.triangles) {
+          for (const std::uint32_t corner : triangle) REQUIRE(corner < mesh.positions.size());
+        }
+        for (const Point& position : mesh.positions) REQUIRE(position.allFinite());
+      } catch (const UnreadableInput&) {
+      }
+    }
+  }
+}
+
+TEST_CASE("a file that cannot be read is told apart from a bad one") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(read_mesh(folder / "none.ply"), doctest::Contains("cannot be opened"),
+                       UnreadableInput);
+  CHECK_THROWS_WITH_AS(read_mesh(folder / ""), doctest::Contains("is a folder"), UnreadableInput);
+}
+
+TEST_CASE("a file that cannot be written leaves nothing behind and the old file as it was") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(write_mesh(folder / "none/mesh.ply", plain_tetrahedron()),
+                       doctest::Contains("create the folder first"), UnwritableOutput);
+  CHECK_THROWS_WITH_AS(write_mesh(folder / "", plain_tetrahedron(), MeshFormat::Off),
+                       doctest::Contains("name a file"), UnwritableOutput);
+  CHECK_THROWS_WITH_AS(write_mesh(folder / "mesh.txt", plain_tetrahedron()),
+                       doctest::Contains("use .ply"), UnwritableOutput);
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("a file that is replaced keeps its permissions, a link keeps its target") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("report.json", "old");
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("report.json", folder / "link.json");
+  write_file_atomically(folder / "link.json", "new");
+  CHECK(bytes_of(path) == "new");
+  CHECK(fs::is_symlink(folder / "link.json"));
+  CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("devices are written to and not replaced") {
+  namespace fs = std::filesystem;
+  write_file_atomically("/dev/null", "text");
+  CHECK(fs::is_character_file("/dev/null"));
+  if (fs::exists("/dev/full")) {
+    CHECK_THROWS_WITH_AS(write_file_atomically("/dev/full", "text"),
+                         doctest::Contains("free some space"), UnwritableOutput);
+    CHECK(fs::is_character_file("/dev/full"));
+  }
+}

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""Checks what the pages say about the code: papers/*.md and ARCHITECTURE.md.
+
+- Every relative link and picture resolves, with its heading if it names one; in READMEs as well.
+- Every code span names something that is there:
+      a file or folder              `refine/sizing.h`, `papers/`
+      a name in the file before it  `Sizing::edge_ratio` (a header stands for its .cpp too);
+                                    with no file before it in the block, in any source file
+      a test case, word for word    `"points on a line are collinear"`, in the test file before it
+      a make target, an option      `make demo`, `--height`
+  A block is a paragraph, a list item or a table row. Formulas are not set as code.
+- Every row of a table has as many cells as its head.
+- Every figure is well-formed and shown on some page.
+
+Prints one line and exits with 1 on any failure.
+"""
+
+import re
+import sys
+import xml.etree.ElementTree
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
+READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
+CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake"]
+CODE_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".sh", ".in"}
+
+FENCE = re.compile(r"^\s*(```|~~~)")
+SPAN = re.compile(r"(`+)(.+?)\1", re.DOTALL)
+LINK = re.compile(r"\]\(([^)\s]+)[^)]*\)|<img[^>]*\ssrc=\"([^\"]+)\"")
+FILE = re.compile(r"\.?[\w.-]+(/[\w.-]+)+/?|[\w.-]+/|[\w-]+\.(md|txt|json|h|cpp|py|sh)|Makefile")
+NAME = re.compile(r"[A-Za-z_]\w*((::|\.)[A-Za-z_]\w*)*(\(\))?")
+TEST_CASE = re.compile(r'TEST_CASE(?:_TEMPLATE)?\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)')
+LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
+
+
+class Checks:
+    def __init__(self):
+        self.passed = 0
+        self.failures = []
+
+    def expect(self, condition, where, what):
+        if condition:
+            self.passed += 1
+        else:
+            self.failures.append(f"{where}: {what}")
+
+
+def words_of(path):
+    """The words of a source file, of its .cpp too if it is a header."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix == ".h" and path.with_suffix(".cpp").exists():
+        text += path.with_suffix(".cpp").read_text(encoding="utf-8")
+    return set(re.findall(r"\w+", text))
+
+
+class Sources:
+    """Words by file, read once each."""
+
+    def __init__(self):
+        self.words = {}
+        self.everywhere = set()
+        for folder in CODE_FOLDERS:
+            for path in sorted((ROOT / folder).rglob("*")):
+                if path.suffix in CODE_ENDINGS or path.name == "CMakeLists.txt":
+                    self.everywhere |= self.of(path)
+
+    def of(self, path):
+        if path not in self.words:
+            self.words[path] = words_of(path)
+        return self.words[path]
+
+
+def test_cases(path):
+    text = path.read_text(encoding="utf-8")
+    return {"".join(LITERAL.findall(m[1])).replace('\\"', '"') for m in TEST_CASE.finditer(text)}
+
+
+def blocks(text):
+    """(number of the first line, text) of each paragraph, list item, heading and table row."""
+    block, start, is_fenced = [], 0, False
+    for number, line in enumerate(text.splitlines(), start=1):
+        if FENCE.match(line):
+            is_fenced = not is_fenced
+            line = ""
+        elif is_fenced:
+            continue
+        starts_anew = re.match(r"\s*([-*]|\d+\.)\s|\s*\||#", line)
+        if block and (not line.strip() or starts_anew):
+            yield start, "\n".join(block)
+            block = []
+        if line.strip():
+            if not block:
+                start = number
+            block.append(line)
+    if block:
+        yield start, "\n".join(block)
+
+
+def slugs(path):
+    """The anchors that GitHub gives a page's headings."""
+    heads = re.findall(r"^#+\s+(.*?)\s*$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in heads}
+
+
+def check_link(checks, page, where, target):
+    if re.match(r"[a-z]+:", target):
+        return
+    path, _, anchor = target.partition("#")
+    file = (page.parent / path).resolve() if path else page
+    checks.expect(file.exists(), where, f"the link {target} leads nowhere")
+    if anchor and file.suffix == ".md" and file.exists():
+        checks.expect(anchor in slugs(file), where, f"{target}: no such heading")
+
+
+def check_span(checks, sources, where, span, file):
+    """Checks one code span; returns the file that the next span is about."""
+    if span.startswith('"'):
+        name = span.strip('"')
+        is_test = file is not None and file.name.endswith("_test.cpp")
+        checks.expect(is_test and name in test_cases(file), where, f"no TEST_CASE {span}"
+                      + (f" in {file.relative_to(ROOT)}" if file else "; name its file first"))
+    elif span.startswith("make "):
+        targets = re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
+        checks.expect(span.split()[1] in targets, where, f"no such target: {span}")
+    elif span.startswith("-"):
+        options = (ROOT / "app" / "arguments.cpp").read_text(encoding="utf-8")
+        checks.expect(f"{span.split()[0]}" in options, where, f"no such option: {span}")
+    elif FILE.fullmatch(span):
+        exists = (ROOT / span).exists()
+        checks.expect(exists, where, f"no such file: {span}")
+        if exists and (ROOT / span).is_file():
+            return ROOT / span
+    elif NAME.fullmatch(span):
+        words = sources.of(file) if file else sources.everywhere
+        missing = [w for w in re.findall(r"\w+", span) if w not in words]
+        checks.expect(not missing, where, f"no {', '.join(missing)} in "
+                      + (str(file.relative_to(ROOT)) if file else "any source file"))
+    else:
+        checks.expect(False, where, f"a code span that names nothing: `{span}`")
+    return file
+
+
+def check_page(checks, sources, page):
+    columns, last_row = 0, 0
+    for line, block in blocks(page.read_text(encoding="utf-8")):
+        where = f"{page.relative_to(ROOT)}:{line}"
+        if block.startswith("|"):
+            cells = len(re.findall(r"(?<!\\)\|", block)) - 1
+            columns = columns if line == last_row + 1 else cells
+            last_row = line
+            checks.expect(cells == columns, where, f"{cells} cells in a table of {columns}")
+        for match in LINK.finditer(block):
+            check_link(checks, page, where, match[1] or match[2])
+        file = None
+        for match in SPAN.finditer(block):
+            file = check_span(checks, sources, where, " ".join(match[2].split()), file)
+
+
+def check_figures(checks):
+    shown = "".join(page.read_text(encoding="utf-8") for page in PAGES if page.exists())
+    for figure in sorted((ROOT / "papers" / "figures").glob("*.svg")):
+        where = str(figure.relative_to(ROOT))
+        checks.expect(figure.name in shown, where, "on no page")
+        try:
+            xml.etree.ElementTree.parse(figure)
+            checks.expect(True, where, "")
+        except xml.etree.ElementTree.ParseError as error:
+            checks.expect(False, where, str(error))
+
+
+def main():
+    checks = Checks()
+    sources = Sources()
+    for page in PAGES:
+        checks.expect(page.exists(), page.name, "missing")
+        if page.exists():
+            check_page(checks, sources, page)
+    for page in READMES:
+        for line, block in blocks(page.read_text(encoding="utf-8")) if page not in PAGES else []:
+            for match in LINK.finditer(block):
+                check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
+    check_figures(checks)
+    for failure in checks.failures:
+        print(failure)
+    print(f"{checks.passed} passed, {len(checks.failures)} failed")
+    return 1 if checks.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

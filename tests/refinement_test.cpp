@@ -1,0 +1,256 @@
+#include "refine/refinement.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "front/sweep.h"
+#include "morse/protecting_spheres.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::refine;
+using front::PreparedSkin;
+using support::ball;
+
+namespace {
+
+/// What the sweep leaves for the refinement, in a direction that is not degenerate; nothing if the
+/// default is.
+std::optional<SkinMesh> swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
+  const morse::HeightFunction height;
+  const auto critical = morse::critical_points(skin.surface, height);
+  if (!critical.degeneracies.empty()) return std::nullopt;
+  const morse::ProtectingSpheres spheres(skin.surface, critical.points,
+                                         sizing.tangent_disk_share());
+  SkinMesh mesh;
+  front::Sweep sweep(skin.surface, height, critical.points, spheres, sizing, mesh);
+  sweep.run();
+  REQUIRE(sweep.open_edges() == 0);
+  return mesh;
+}
+
+SkinMesh refined_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
+  front::MeshOptions options = support::with(sizing);
+  options.certify = false;
+  return support::skin_mesh(skin.surface, front::mesh_skin(skin, options));
+}
+
+RefinementCounts refine_mesh(const PreparedSkin& skin, SkinMesh& mesh, const Sizing& sizing = {}) {
+  Refinement refinement(skin.surface, sizing, mesh);
+  refinement.run();
+  return refinement.counts();
+}
+
+struct Breaches {
+  std::size_t L = 0, U = 0;
+  bool operator==(const Breaches&) const = default;
+};
+Breaches breaches(const SkinMesh& mesh, const Sizing& sizing = {}) {
+  Breaches found;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+    const std::array p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
+    const double radius = circumcircle(p[0]->position, p[1]->position, p[2]->position).radius;
+    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    found.U += !(sizing.triangle_ratio(radius, rho) < 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      found.L += !(sizing.edge_ratio(*p[k], *p[(k + 1) % 3]) > 1);
+    }
+  }
+  return found;
+}
+
+/// Sound, of the skin's topology, every vertex with its point, no breach left.
+void check_refined(const PreparedSkin& skin, const SkinMesh& mesh, const Sizing& sizing = {}) {
+  CHECK(geometry::validate(mesh.surface).value_or("") == "");
+  REQUIRE(mesh.points.size() == mesh.surface.vertex_count());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    REQUIRE(mesh.surface.outgoing(VertexId{v}).has_value());
+  }
+  CHECK(breaches(mesh, sizing) == Breaches{});
+  CHECK(static_cast<long>(mesh.surface.vertex_count()) -
+            static_cast<long>(mesh.surface.triangle_count() / 2) ==
+        skin.topology.skin_euler_characteristic());
+  CHECK(geometry::components(mesh.surface).count == skin.topology.skin_components());
+}
+
+/// A ball this shallowly entered counts as empty: the refinement's own share of its squared radius.
+constexpr double least_intrusion = 1e-9;
+
+std::size_t entered_balls(const PreparedSkin& skin, const SkinMesh& mesh) {
+  std::size_t entered = 0;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+    const SurfaceBall around =
+        exact_surface_ball(skin.surface, mesh.at(a), mesh.position(b), mesh.position(c));
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      if (VertexId{v} == a || VertexId{v} == b || VertexId{v} == c) continue;
+      // Twice, since the flips compare with the smaller of two balls, which may round apart.
+      if (around.intrusion(mesh.points[v].position) > 2 * least_intrusion * around.squared_radius) {
+        ++entered;
+        break;
+      }
+    }
+  }
+  return entered;
+}
+
+std::vector<support::WeightedPoints> small_skins() {
+  return {{ball(0, 0, 0, 1)},
+          {ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)},
+          {ball(0, 0, 0, 1), ball(2, 0.1, 0.3, 0.9), ball(0.8, 1.6, 0, 0.8)},
+          support::tetrahedron_balls(2.3)};
+}
+
+bool faces_outward(const SkinMesh& mesh, VertexId a, VertexId b, VertexId c) {
+  const Vector n =
+      (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).normalized();
+  constexpr double upright = 0.5;
+  return n.dot(mesh.at(a).normal) > upright && n.dot(mesh.at(b).normal) > upright &&
+         n.dot(mesh.at(c).normal) > upright;
+}
+
+/// Flips random edges as long as both new triangles face outward; returns how many were flipped.
+std::size_t spoil_by_flips(SkinMesh& mesh, support::Random& random, std::size_t tries) {
+  std::size_t flipped = 0;
+  SurfaceMesh& surface = mesh.surface;
+  for (std::size_t i = 0; i < tries; ++i) {
+    const HalfEdgeId h{random.below(3 * surface.triangle_count())};
+    const HalfEdgeId g = surface.twin(h);
+    const VertexId a = surface.origin(h), b = surface.target(h);
+    const VertexId c = surface.apex(h), d = surface.apex(g);
+    if (c == d || surface.has_edge(c, d) || !faces_outward(mesh, a, d, c) ||
+        !faces_outward(mesh, b, c, d)) {
+      continue;
+    }
+    surface.flip(h);
+    ++flipped;
+  }
+  return flipped;
+}
+
+/// Puts new vertices into random triangles, mostly close to a corner.
+std::size_t spoil_by_splits(const PreparedSkin& skin, SkinMesh& mesh, support::Random& random,
+                            std::size_t count) {
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TriangleId t{random.below(mesh.surface.triangle_count())};
+    const auto [a, b, c] = mesh.surface.corners(t);
+    const double s = random.between(0.05, 0.3);
+    const auto x = skin.surface.project(
+        (1 - 2 * s) * mesh.position(a) + s * mesh.position(b) + s * mesh.position(c),
+        mesh.at(a).cell);
+    if (!x) continue;
+    mesh.surface.split(t, mesh.add_vertex(*x));
+    ++made;
+  }
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps the topology") {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    auto mesh = swept_mesh(*skin);
+    if (!mesh) continue;
+    const std::size_t components = geometry::components(mesh->surface).count;
+    CHECK(components == skin->topology.skin_components());
+    refine_mesh(*skin, *mesh);
+    check_refined(*skin, *mesh);
+  }
+}
+
+TEST_CASE("refining twice changes nothing the second time") {
+  for (const auto& points : small_skins()) {
+    const PreparedSkin skin = front::prepare_skin(points);
+    SkinMesh mesh = refined_mesh(skin);
+    const auto before = mesh.surface.triangle_list();
+    const RefinementCounts counts = refine_mesh(skin, mesh);
+    CHECK(counts.flip + counts.contract + counts.insert + counts.refused == 0);
+    CHECK(mesh.surface.triangle_list() == before);
+  }
+}
+
+TEST_CASE("no vertex lies in the surface ball of a triangle of a refined mesh") {
+  for (const auto& points : small_skins()) {
+    const PreparedSkin skin = front::prepare_skin(points);
+    const SkinMesh mesh = refined_mesh(skin);
+    CHECK(entered_balls(skin, mesh) == 0);
+  }
+}
+
+TEST_CASE("random flips are undone: the restricted Delaunay triangulation is found again") {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
+    SkinMesh mesh = refined_mesh(skin);
+    REQUIRE(spoil_by_flips(mesh, random, 500) > 50);
+    refine_mesh(skin, mesh);
+    check_refined(skin, mesh);
+    CHECK(entered_balls(skin, mesh) == 0);
+  }
+}
+
+TEST_CASE("vertices put in too close to others are taken out again") {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
+    SkinMesh mesh = refined_mesh(skin);
+    REQUIRE(spoil_by_splits(skin, mesh, random, 100) > 50);
+    CHECK(breaches(mesh).L > 0);
+    const RefinementCounts counts = refine_mesh(skin, mesh);
+    CHECK(counts.contract > 0);
+    check_refined(skin, mesh);
+    CHECK(entered_balls(skin, mesh) == 0);
+  }
+}
+
+TEST_CASE("a mesh spoiled by splits and flips together is repaired") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
+    SkinMesh mesh = refined_mesh(skin);
+    spoil_by_splits(skin, mesh, random, 150);
+    spoil_by_flips(mesh, random, 600);
+    refine_mesh(skin, mesh);
+    check_refined(skin, mesh);
+  }
+}
+
+TEST_CASE("the sphere of eight times four triangles, far too coarse, is refined to a good one") {
+  const PreparedSkin skin = front::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
+  const auto sphere = support::sphere_mesh(Point::Zero(), 1, 1);
+  SkinMesh mesh;
+  mesh.surface = geometry::closed_mesh(sphere.positions.size(), sphere.triangles).mesh;
+  for (const Point& p : sphere.positions) {
+    mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
+  }
+  refine_mesh(skin, mesh);
+  check_refined(skin, mesh);
+}
+
+TEST_CASE("a surface ball is centred on the skin and passes through its triangle's corners") {
+  for (const auto& points : small_skins()) {
+    const PreparedSkin skin = front::prepare_skin(points);
+    const SkinMesh mesh = refined_mesh(skin);
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+      const SurfaceBall around =
+          exact_surface_ball(skin.surface, mesh.at(a), mesh.position(b), mesh.position(c));
+      const double rho = mesh.at(a).length_scale;
+      // What rounding leaves of a length of the order of rho, and twice G over its slope.
+      const double off = 1e-10 * rho;
+      CHECK(std::abs(skin.surface.value(around.centre, mesh.at(a).cell)) <= 2 * rho * off);
+      for (const VertexId v : {a, b, c}) {
+        CHECK(std::abs(around.intrusion(mesh.position(v))) <= 2 * off * rho);
+      }
+    }
+  }
+}

@@ -1,0 +1,59 @@
+// Cases that failed once, each with its reason.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "front/mesh_skin.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+
+TEST_CASE(
+    "a lane between two fronts that narrows faster than the length scale is filled, not zipped "
+    "up") {
+  // PDB entry 1BRS (wwPDB, CC0 1.0) within 6 Angstrom of (-8.67, 20.54, 18.05), van der Waals
+  // radii: closing corner after corner along the lane left edges longer than the length scale
+  // there.
+  constexpr double C = 1.7, N = 1.55, O = 1.52;
+  const support::WeightedPoints points{
+      support::ball(-11.595, 19.826, 12.964, C), support::ball(-11.502, 18.414, 13.522, C),
+      support::ball(-11.129, 18.241, 14.78, N),  support::ball(-11.055, 16.918, 15.414, C),
+      support::ball(-10.627, 16.956, 16.875, C), support::ball(-9.182, 17.417, 17.007, C),
+      support::ball(-8.906, 17.898, 18.419, C),  support::ball(-7.559, 18.566, 18.552, C),
+      support::ball(-7.497, 19.254, 19.878, N),  support::ball(-6.663, 18.543, 14.244, C),
+      support::ball(-10.207, 24.907, 14.405, C), support::ball(-9.671, 24.05, 15.255, N),
+      support::ball(-10.239, 23.924, 16.581, C), support::ball(-9.882, 25.113, 17.472, C),
+      support::ball(-8.829, 25.698, 17.29, O),   support::ball(-9.8, 22.647, 17.354, C),
+      support::ball(-10.545, 21.458, 16.76, C),  support::ball(-11.747, 21.338, 17.002, O),
+      support::ball(-9.944, 20.664, 16.052, O),  support::ball(-10.773, 25.37, 18.413, N),
+      support::ball(-9.258, 26.091, 20.183, C),  support::ball(-9.0, 24.969, 20.625, O),
+      support::ball(-5.241, 24.175, 17.591, C),  support::ball(-4.425, 23.303, 18.503, C),
+      support::ball(-3.361, 22.759, 18.121, O),  support::ball(-4.835, 23.151, 19.669, O),
+  };
+  const auto result = front::mesh_skin(points);
+  CHECK(result.certificate.reason == "");
+  CHECK(result.certificate.certified);
+  // The place is on the mesh.
+  constexpr double largest_edge = 0.3;  // over the length scale, 1.7 Angstrom at most
+  const geometry::Point place(-8.67, 20.54, 18.05);
+  CHECK(
+      std::any_of(result.mesh.positions.begin(), result.mesh.positions.end(),
+                  [&](const geometry::Point& p) { return (p - place).norm() < largest_edge * C; }));
+}
+
+TEST_CASE("vertices that nearly lie on one circle do not make the flips go round") {
+  // Symmetric molecules put front vertices on common circles: quick surface balls, each centred in
+  // another patch, then disagreed about every flip.
+  for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
+    CAPTURE(std::string(skin::name_of(model)));
+    for (const char* const name :
+         {"shell_hollow.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb"}) {
+      CAPTURE(std::string(name));
+      const auto result = front::mesh_skin(support::molecule(name, model));
+      CHECK(result.certificate.certified);
+      CHECK(result.refinement.flip < result.mesh.triangles.size());
+    }
+  }
+}

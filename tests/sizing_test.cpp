@@ -1,0 +1,103 @@
+#include "refine/sizing.h"
+
+#include <doctest/doctest.h>
+
+#include "refine/triangle_geometry.h"
+#include "tests/support/ball_sets.h"
+
+using namespace morskin;
+using refine::Sizing;
+
+namespace {
+
+constexpr double rounding = 1e-12;
+
+/// Random constants with 0 < 2C < Q.
+Sizing random_sizing(support::Random& random) {
+  return {random.between(0.01, 0.15), random.between(1.45, 1.75)};
+}
+
+skin::SurfacePoint corner(const geometry::Point& position, double length_scale) {
+  return {position, geometry::Vector::UnitZ(), length_scale, geometry::CellId{}};
+}
+
+}  // namespace
+
+TEST_CASE("erratum E3: the tangent disk's share is 0.208, twice what the printed formula gives") {
+  const Sizing sizing;
+  const double C = sizing.C, Q = sizing.Q;
+  constexpr double three_digits = 0.0005;
+  CHECK(std::abs(sizing.tangent_disk_share() - 0.208) < three_digits);
+  const double R = C * Q / (1 + 2 * C * Q);
+  const double printed = R * std::sqrt(1 - R * R);
+  CHECK(std::abs(printed - 0.104) < three_digits);
+  // As printed it would lie below the least radius that [L] allows.
+  const double least = 2 * C / (Q - 2 * C);
+  CHECK(std::abs(least - 0.107) < three_digits);
+  CHECK(printed < least);
+  CHECK(sizing.tangent_disk_share() > least);
+}
+
+TEST_CASE("a rim point dropped on the sandwich ball is as far as [U] lets an edge be") {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const Sizing sizing = random_sizing(random);
+    const double r = sizing.tangent_disk_share();
+    // The ball of radius 1 under the disk: the rim lies 1 - sqrt(1 - r^2) above it.
+    const double half_edge = std::hypot(r, 1 - std::sqrt(1 - r * r)) / 2;
+    // [U] with the length scale fallen as fast as it can along the edge, with equality.
+    CHECK(std::abs(half_edge - sizing.C * sizing.Q * (1 - 2 * half_edge)) < rounding);
+  }
+}
+
+TEST_CASE("the least angle is 21.54 degrees with the default constants") {
+  constexpr double two_digits = 0.01;
+  CHECK(std::abs(Sizing{}.least_angle_deg() - 21.54) < two_digits);
+  CHECK(Sizing{}.least_angle_deg() > 21.54);
+}
+
+TEST_CASE("insertion with the default constants cannot make a short edge") {
+  const Sizing sizing;
+  CHECK(sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q);  // mathematics.md 2.3
+}
+
+TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") {
+  std::size_t kept = 0;
+  for (unsigned seed = 0; seed < 20000; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const Sizing sizing = random_sizing(random);
+    const auto near = [&]() -> geometry::Vector {
+      return 0.35 * random.uniform() * random.direction();
+    };
+    std::array<skin::SurfacePoint, 3> p;
+    for (skin::SurfacePoint& x : p) x = corner(near(), random.between(0.8, 1.2));
+    const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
+    const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
+    if (sizing.triangle_ratio(circle.radius, rho) >= 1) continue;
+    bool keeps_L = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      keeps_L = keeps_L && sizing.edge_ratio(p[k], p[(k + 1) % 3]) > 1;
+    }
+    if (!keeps_L) continue;
+    ++kept;
+    const auto angles = refine::angle_range(p[0].position, p[1].position, p[2].position);
+    CHECK(angles.smallest_deg > sizing.least_angle_deg());
+  }
+  CHECK(kept > 20);  // the law was put to the test
+}
+
+TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const Sizing sizing = random_sizing(random);
+    const geometry::Point a = random.direction(), b = random.direction();
+    const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
+    const double ratio = sizing.edge_ratio(corner(a, rho_a), corner(b, rho_b));
+    CHECK(ratio == sizing.edge_ratio(corner(b, rho_b), corner(a, rho_a)));
+    CHECK(ratio == sizing.edge_ratio(corner(2 * a, 2 * rho_a), corner(2 * b, 2 * rho_b)));
+    CHECK(sizing.triangle_ratio(rho_a, rho_b) == sizing.triangle_ratio(2 * rho_a, 2 * rho_b));
+  }
+}

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "geometry/point.h"
+#include "geometry/predicates.h"
+
+namespace morskin::support {
+
+/// A seeded stream of doubles in [0, 1), the same with every standard library.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+  double between(double low, double high) { return low + (high - low) * uniform(); }
+  std::size_t below(std::size_t n) {
+    return static_cast<std::size_t>(uniform() * static_cast<double>(n));
+  }
+  geometry::Vector direction() {
+    for (;;) {
+      const geometry::Vector v(between(-1, 1), between(-1, 1), between(-1, 1));
+      if (v.squaredNorm() <= 1 && v.squaredNorm() > 0.01) return v.normalized();
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// 1 to 40 balls with patch radii from 0.5 to 3 Angstrom, in a box that makes them a loose chain, a
+/// dense clump or a scatter; among them now and then a nested ball, a duplicate, and a ball that
+/// nearly touches another (a gap or an overlap of 1e-1 to 1e-6 of its radius).
+inline std::vector<geometry::WeightedPoint> ball_set(unsigned seed) {
+  Random random(seed);
+  const std::size_t n = 1 + random.below(40);
+  const double box = random.between(1, 3) * std::cbrt(static_cast<double>(n)) * 1.7;
+  struct Ball {
+    geometry::Point centre;
+    double radius;
+  };
+  std::vector<Ball> balls;
+  while (balls.size() < n) {
+    Ball ball{{random.between(0, box), random.between(0, box), random.between(0, box)},
+              random.between(0.5, 3)};
+    const double kind = random.uniform();
+    if (!balls.empty() && kind < 0.2) {
+      const Ball& other = balls[random.below(balls.size())];
+      if (kind < 0.05) {
+        ball = other;
+      } else if (kind < 0.1) {
+        ball.radius = other.radius * random.between(0.2, 0.8);
+        ball.centre =
+            other.centre + (other.radius - ball.radius) * random.uniform() * random.direction();
+      } else {
+        // Patches meet where the spheres of radius sqrt(2) r touch.
+        const double gap = (kind < 0.15 ? 1 : -1) * std::pow(10.0, -random.between(1, 6));
+        ball.centre = other.centre + std::sqrt(2.0) * (other.radius + ball.radius) * (1 + gap) *
+                                         random.direction();
+      }
+    }
+    balls.push_back(ball);
+  }
+  std::vector<geometry::WeightedPoint> points;
+  for (const Ball& b : balls) {
+    points.push_back({{geometry::on_exact_grid(b.centre.x()), geometry::on_exact_grid(b.centre.y()),
+                       geometry::on_exact_grid(b.centre.z())},
+                      geometry::on_exact_grid(2 * b.radius * b.radius)});
+  }
+  return points;
+}
+
+}  // namespace morskin::support

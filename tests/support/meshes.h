@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "front/mesh_skin.h"
+#include "geometry/surface_mesh.h"
+#include "skin/singular_skin.h"
+#include "skin/skin_mesh.h"
+#include "tests/support/molecules.h"
+
+namespace morskin::support {
+
+using TriangleList = std::vector<std::array<std::uint32_t, 3>>;
+
+inline TriangleList octahedron() {
+  return {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+}
+inline TriangleList tetrahedron(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                std::uint32_t d) {
+  return {{a, b, c}, {a, c, d}, {a, d, b}, {d, c, b}};
+}
+
+/// The same triangles in one order: each from its smallest corner on, the list ascending.
+inline TriangleList canonical(TriangleList list) {
+  for (auto& t : list) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// A sphere's mesh: the octahedron with every triangle cut into four, `levels` times, its vertices
+/// moved out to the sphere.
+inline geometry::IndexedMesh sphere_mesh(const geometry::Point& centre, double radius, int levels) {
+  geometry::IndexedMesh mesh;
+  for (const double s : {1.0, -1.0}) mesh.positions.emplace_back(s, 0, 0);
+  for (const double s : {1.0, -1.0}) mesh.positions.emplace_back(0, s, 0);
+  for (const double s : {1.0, -1.0}) mesh.positions.emplace_back(0, 0, s);
+  mesh.triangles = octahedron();
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [it, is_new] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.positions.size()));
+      if (is_new) mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]).normalized());
+      return it->second;
+    };
+    TriangleList finer;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    mesh.triangles = finer;
+  }
+  for (geometry::Point& p : mesh.positions) p = centre + radius * p;
+  return mesh;
+}
+
+/// A result's mesh as the refinement works on it.
+inline skin::SkinMesh skin_mesh(const skin::SkinSurface& surface, const front::MeshResult& result) {
+  skin::SkinMesh mesh;
+  mesh.surface = geometry::closed_mesh(result.mesh.positions.size(), result.mesh.triangles).mesh;
+  for (std::size_t v = 0; v < result.cells.size(); ++v) {
+    mesh.points.push_back(surface.at(result.mesh.positions[v], result.cells[v]));
+  }
+  return mesh;
+}
+
+/// The prepared skin of some balls, or nothing when it is singular.
+inline std::optional<front::PreparedSkin> prepared(const WeightedPoints& points) {
+  try {
+    return front::prepare_skin(points);
+  } catch (const skin::SingularSkin&) {
+    return std::nullopt;
+  }
+}
+
+inline front::MeshOptions along(const geometry::Vector& height) {
+  front::MeshOptions options;
+  options.height = height;
+  return options;
+}
+inline front::MeshOptions with(const refine::Sizing& sizing) {
+  front::MeshOptions options;
+  options.sizing = sizing;
+  return options;
+}
+inline front::MeshOptions uncertified() {
+  front::MeshOptions options;
+  options.certify = false;
+  return options;
+}
+
+}  // namespace morskin::support

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "geometry/point.h"
+#include "skin/model.h"
+#include "skin/molecule_files.h"
+#include "tests/support/ball_sets.h"
+
+namespace morskin::support {
+
+using WeightedPoints = std::vector<geometry::WeightedPoint>;
+
+/// The balls of a file in bench/molecules. Tests run from the project's root.
+inline WeightedPoints molecule(std::string_view file, skin::Model model, double probe = 1.4) {
+  const auto path = std::filesystem::path("bench/molecules") / file;
+  return skin::weighted_points(skin::read_molecule(path), model, probe);
+}
+
+/// A ball whose patch has this radius.
+inline geometry::WeightedPoint ball(double x, double y, double z, double patch_radius) {
+  return {{x, y, z}, 2 * patch_radius * patch_radius};
+}
+
+/// The six corners of an octahedron, patches overlapping.
+inline WeightedPoints octahedron_balls() {
+  return {ball(2, 0, 0, 1.5),  ball(-2, 0, 0, 1.5), ball(0, 2, 0, 1.5),
+          ball(0, -2, 0, 1.5), ball(0, 0, 2, 1.5),  ball(0, 0, -2, 1.5)};
+}
+
+/// Four balls of one weight at alternate corners of the cube of side 2: squared distances 8,
+/// squared circumradius of a face 8/3, of the whole 3.
+inline WeightedPoints tetrahedron_balls(double weight) {
+  return {{{1, 1, 1}, weight}, {{1, -1, -1}, weight}, {{-1, 1, -1}, weight}, {{-1, -1, 1}, weight}};
+}
+
+/// All lengths twice as large.
+inline WeightedPoints doubled(WeightedPoints points) {
+  for (geometry::WeightedPoint& p : points) {
+    p.position *= 2;
+    p.weight *= 4;
+  }
+  return points;
+}
+
+inline WeightedPoints shuffled(WeightedPoints points, unsigned seed) {
+  Random random(seed);
+  for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
+  return points;
+}
+
+/// The balls' box, a little larger, and its half diagonal: the length that rounding is relative to.
+struct Box {
+  geometry::Point low, high;
+
+  geometry::Point sample(Random& random) const {
+    return {random.between(low.x(), high.x()), random.between(low.y(), high.y()),
+            random.between(low.z(), high.z())};
+  }
+};
+inline Box box_of(const WeightedPoints& points) {
+  Box box{points[0].position, points[0].position};
+  for (const geometry::WeightedPoint& p : points) {
+    const double r = 1.2 * std::sqrt(std::max(p.weight, 0.0));
+    box.low = box.low.cwiseMin((p.position.array() - r).matrix());
+    box.high = box.high.cwiseMax((p.position.array() + r).matrix());
+  }
+  return box;
+}
+/// The largest distance between two points of a box, or from the origin, Angstrom.
+inline double span_of(const Box& box) {
+  return (box.high - box.low).norm() + std::max(box.high.norm(), box.low.norm());
+}
+
+}  // namespace morskin::support
