@@ -188,3 +188,25 @@ TEST_CASE("input without a surface is refused") {
   CHECK_THROWS_AS(front::mesh_skin(WeightedPoints{{{0, 0, 0}, 9}, {{0, 7, 0}, 16}}),
                   skin::SingularSkin);
 }
+
+TEST_CASE("doubling all lengths doubles every coordinate exactly") {
+  for (unsigned seed = 100; seed < 110; ++seed) {  // 104 once hung the refinement
+    CAPTURE(seed);
+    const support::WeightedPoints points = support::ball_set(seed);
+    const MeshResult a = front::mesh_skin(points, support::uncertified());
+    const MeshResult b = front::mesh_skin(support::doubled(points), support::uncertified());
+    REQUIRE(a.mesh.triangles == b.mesh.triangles);
+    for (std::size_t v = 0; v < a.mesh.positions.size(); ++v) {
+      REQUIRE(2 * a.mesh.positions[v] == b.mesh.positions[v]);
+    }
+  }
+}
+
+TEST_CASE(
+    "a fine mesh is certified: the ball kept free about a vertex shrinks with the triangles") {
+  MeshOptions options;
+  options.sizing.C = 0.02;
+  const MeshResult result =
+      front::mesh_skin(support::WeightedPoints{{geometry::Point(0, 0, 0), 2}}, options);
+  CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+}

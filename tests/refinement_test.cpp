@@ -254,3 +254,39 @@ TEST_CASE("a surface ball is centred on the skin and passes through its triangle
     }
   }
 }
+
+TEST_CASE(
+    "two vertices close together in one triangle of a coarse mesh do not hang the refinement") {
+  // While the only vertex that could go has neighbours of degree three, contraction is refused; the
+  // flips tried on the way queued the same edge again, for ever.
+  const PreparedSkin skin = front::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
+  const auto s = support::sphere_mesh(Point::Zero(), 1, 0);
+  SkinMesh mesh;
+  mesh.surface = geometry::closed_mesh(6, s.triangles).mesh;
+  for (const Point& p : s.positions) {
+    mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
+  }
+  for (const double h : {0.06, 0.07}) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{7U});
+    const Point inside =
+        (1 - 2 * h) * mesh.position(a) + h * mesh.position(b) + h * mesh.position(c);
+    const auto x = skin.surface.project(inside, geometry::CellId{0U});
+    mesh.surface.split(TriangleId{7U}, mesh.add_vertex(*x));
+  }
+  refine_mesh(skin, mesh);
+  check_refined(skin, mesh);
+}
+
+TEST_CASE("a mesh too coarse for its sizing is refined, one too fine is thinned") {
+  const Sizing coarse{0.1, 1.65}, fine{0.06, 1.65};
+  for (const support::WeightedPoints& points :
+       {support::WeightedPoints{ball(0, 0, 0, 1)},
+        support::WeightedPoints{ball(0, 0, 0, 1.2), ball(2, 0, 0, 1.5), ball(0, 2.5, 0, 1)}}) {
+    const PreparedSkin skin = front::prepare_skin(points);
+    SkinMesh mesh = refined_mesh(skin, coarse), other = refined_mesh(skin, fine);
+    CHECK(refine_mesh(skin, mesh, fine).insert > 0);
+    check_refined(skin, mesh, fine);
+    CHECK(refine_mesh(skin, other, coarse).contract > 0);
+    check_refined(skin, other, coarse);
+  }
+}
