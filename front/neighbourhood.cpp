@@ -130,6 +130,13 @@ bool Neighbourhood::opens_towards(FrontEdgeId corner, const Vector2& at, const V
   return !(cross(out, d) >= 0 && cross(d, in) >= 0);
 }
 
+bool Neighbourhood::covers(const Corner& c, const Vector2& x) const {
+  const Vector2& a = c.at.plane;
+  if (cross(c.to - a, x - a) <= 0) return false;  // on the bare side, as nearly always
+  const Vector2 apex = local(mesh_.position(mesh_.surface.apex(front_[c.edge].half_edge))).plane;
+  return cross(apex - c.to, x - c.to) >= 0 && cross(a - apex, x - apex) >= 0;
+}
+
 bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_gap,
                              double edge_gap) const {
   const VertexId p = front_[e].origin, w = front_.target(e);
@@ -145,6 +152,7 @@ bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_g
       if (other && *other < *offset && sees(e, c.edge)) return false;
     }
     if (squared_distance_to_segment(x.plane, c.at.plane, c.to) < edge_gap * edge_gap) return false;
+    if (covers(c, x.plane)) return false;
     const bool at_end_p = c.vertex == p || c.target == p, at_end_w = c.vertex == w || c.target == w;
     if (!at_end_p && segments_cross(at_p, x.plane, c.at.plane, c.to)) return false;
     if (!at_end_w && segments_cross(at_w, x.plane, c.at.plane, c.to)) return false;

@@ -34,7 +34,7 @@ struct LocalPoint {
 
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const Front& front) : front_(front) {}
+  Neighbourhood(const SkinMesh& mesh, const Front& front) : mesh_(mesh), front_(front) {}
 
   /// Looks round a point of the skin: every front corner within largest_reach of its length scale,
   /// and the edges on both sides of each.
@@ -65,7 +65,9 @@ class Neighbourhood {
 
   /// Whether a new vertex x would do as the apex over edge e: not within `vertex_gap` of a front
   /// vertex nor within `edge_gap` of a front edge (Angstrom), no front vertex in the disk round the
-  /// triangle, no front edge across the triangle's new sides.
+  /// triangle, no front edge across the triangle's new sides, and not in a finished triangle behind
+  /// the front: a hole that is nearly flat may be inside out by rounding of its vertices' places,
+  /// and then its bare side is where the mesh is.
   bool is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_gap, double edge_gap) const;
 
   /// The corner of the front that makes the Delaunay triangle over edge e: among the vertices seen
@@ -88,6 +90,8 @@ class Neighbourhood {
   bool is_crossed(VertexId a, const Vector2& at_a, VertexId b, const Vector2& at_b) const;
   /// Whether the direction d points into the bare sector of a corner.
   bool opens_towards(FrontEdgeId corner, const Vector2& at, const Vector2& d) const;
+  /// Whether x lies in the finished triangle behind a front edge.
+  bool covers(const Corner& c, const Vector2& x) const;
   void list(FrontEdgeId e);
   Corner seen(FrontEdgeId e) const;
   Vector2 plane(const FrontEdge& edge) const {
@@ -95,6 +99,7 @@ class Neighbourhood {
     return {first_axis_.dot(d), second_axis_.dot(d)};
   }
 
+  const SkinMesh& mesh_;
   const Front& front_;
   Point origin_ = Point::Zero();
   Vector normal_ = Vector::Zero(), first_axis_ = Vector::Zero(), second_axis_ = Vector::Zero();

@@ -13,6 +13,14 @@ namespace {
 
 constexpr double sixty_degrees = M_PI / 3;
 
+/// Twice as many as a whole sphere takes when its vertices stand 0.85 disk radii apart, which is
+/// denser than any sweep lays them: with more, the front has passed itself unseen.
+std::uint32_t most_vertices_on_a_sphere(double disk_share) {
+  const double spacing = 0.85 * disk_share;
+  const double area_each = std::sqrt(3.0) / 2 * spacing * spacing;
+  return static_cast<std::uint32_t>(2 * 4 * M_PI / area_each) + 100;
+}
+
 }  // namespace
 
 Sweep::Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
@@ -26,8 +34,10 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
       disk_share_(spacing_.disk_share * sizing.tangent_disk_share()),
       mesh_(mesh),
       front_(mesh),
-      near_(front_),
-      marked_(critical_points.size()) {}
+      near_(mesh, front_),
+      marked_(critical_points.size()),
+      laid_(skin.complex().size(), 0),
+      most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {}
 
 void Sweep::run(const std::function<void(double)>& progress) {
   progress_ = progress;
@@ -63,8 +73,8 @@ void Sweep::run(const std::function<void(double)>& progress) {
 void Sweep::creep_triangles() {
   constexpr std::size_t steps_between_reports = 4096;
   std::size_t steps = 0;
-  while (!queue_.empty()) {                    // 1
-    const Departure departure = queue_.top();  // 2
+  while (!queue_.empty() && !is_overlapping_) {  // 1
+    const Departure departure = queue_.top();    // 2
     queue_.pop();
     if (!is_current(departure)) continue;
     if (progress_ && ++steps % steps_between_reports == 0) {
@@ -177,13 +187,16 @@ bool Sweep::creep(FrontEdgeId e) {
   const std::uint32_t generation = front_[e].generation;
   near_.gather(centre);
   fresh_.assign({front_[e].next});
-  break_long_edge(e);
-  break_long_edge(front_[e].previous);
+  if (!is_triangle(e)) {
+    break_long_edge(e);
+    break_long_edge(front_[e].previous);
+  }
   while (front_[e].is_open && front_[e].generation == generation) {
     const double angle = near_.bare_angle(e);
     double sectors = std::round(angle / sixty_degrees);
-    if (sectors < 2 && !is_ear_small(e)) sectors = 2;
-    if (sectors >= 2) lay_fan(e, centre, angle / sectors, static_cast<int>(sectors) - 1);
+    if (sectors < 2 && angle > 0 && !is_ear_small(e)) sectors = 2;
+    if (sectors >= 2 && !is_triangle(e))
+      lay_fan(e, centre, angle / sectors, static_cast<int>(sectors) - 1);
     const auto apex = last_apex(e);
     if (!apex) return false;
     attach(e, *apex);
@@ -217,6 +230,8 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   near_.refresh(added);
   push(added);
   fresh_.push_back(added);
+  const bool is_sphere = skin_.complex().patch(x->cell).axis.isZero(0);
+  if (is_sphere && ++laid_[x->cell.index()] > most_on_sphere_) is_overlapping_ = true;
   return true;
 }
 
@@ -241,12 +256,15 @@ bool Sweep::is_ear_small(FrontEdgeId corner) const {
   return radius <= spacing_.largest_ear * disk_share_ * p.length_scale;
 }
 
+/// Whether the polygon of an edge has three edges.
+bool Sweep::is_triangle(FrontEdgeId e) const {
+  return front_[front_[e].previous].previous == front_[e].next;
+}
+
 /// The existing vertex to finish edge e with. Three edges are a triangle, however flat: what it
 /// lacks in shape the flips of the refinement make good.
 std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
-  const FrontEdgeId before = front_[e].previous;
-  if (front_[before].previous == front_[e].next) return before;
-  return near_.delaunay_apex(e);
+  return is_triangle(e) ? front_[e].previous : near_.delaunay_apex(e);
 }
 
 /// Closes the small angles among the corners that the last operation changed, and those that this

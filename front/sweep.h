@@ -82,6 +82,7 @@ class Sweep {
   void break_long_edge(FrontEdgeId e);
   bool attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r);
   void lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count);
+  bool is_triangle(FrontEdgeId e) const;
   std::optional<FrontEdgeId> last_apex(FrontEdgeId e) const;
   void wing();
   void close_corner(FrontEdgeId corner);
@@ -114,7 +115,10 @@ class Sweep {
   std::function<void(double)> progress_;
   double lowest_ = 0, highest_ = 1;  ///< critical values
   std::vector<Departure> stuck_;
-  std::vector<FrontEdgeId> fresh_;  ///< corners that the current operation made or changed
+  std::vector<FrontEdgeId> fresh_;   ///< corners that the current operation made or changed
+  std::vector<std::uint32_t> laid_;  ///< by mixed cell: vertices laid on its patch
+  std::uint32_t most_on_sphere_;     ///< more than fit on a whole sphere
+  bool is_overlapping_ = false;  ///< some patch is covered more than once: the sweep has stopped
   Operations operations_;
 };
 

@@ -249,13 +249,14 @@ double squared_distance_to_triangle(const Point& x, const Point& a, const Point&
   return is_over ? height * height / n.squaredNorm() : least;
 }
 
-/// A triangle that comes within s rho of a vertex has a length scale of at most (1 + s) rho there,
-/// so s is the fixed point of s = 1 - sqrt(1 - ((1 + s) R / rho)^2), which iteration finds from
-/// below.
+/// With q the largest R / rho at a triangle's corners, which lie within R of any of its points p,
+/// R <= q (rho_p + R), so R <= q / (1 - q) rho_p. A triangle that comes within s rho of a vertex
+/// does so at a point p with rho_p <= (1 + s) rho, and s is the fixed point of s = 1 - sqrt(1 - ((1
+/// + s) q / (1 - q))^2), which iteration finds from below; 1 when there is none.
 void Certifier::find_free_share() {
-  const double r = std::min(largest_share_, 0.5);
-  for (int i = 0; i < 40; ++i) {
-    const double reach = (1 + free_share_) * r;
+  const double share = largest_share_ / (1 - std::min(largest_share_, 0.5));
+  for (int i = 0; i < 60; ++i) {
+    const double reach = std::min((1 + free_share_) * share, 1.0);
     free_share_ = 1 - std::sqrt(1 - reach * reach);
   }
   free_share_ *= 1 + 1e-6;

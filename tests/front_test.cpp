@@ -340,7 +340,7 @@ TEST_CASE("the bare angle of a corner is what its fan leaves of the full turn") 
     CAPTURE(n);
     Plane plane;
     const auto polygon = plane.fan(0, 0, 0.15, 0.2, n);
-    Neighbourhood near(plane.front);
+    Neighbourhood near(plane.mesh, plane.front);
     near.gather(flat(0, 0));
     const double inside = M_PI - 2 * M_PI / n;
     for (const FrontEdgeId corner : polygon) {
@@ -363,7 +363,7 @@ TEST_CASE("a notch in the front is acute, and no more than its angle") {
         plane.mesh.add_vertex(flat(-0.2, 0.15)), plane.mesh.add_vertex(flat(-0.2, -0.15)),
         plane.mesh.add_vertex(flat(r * std::cos(half), -r * std::sin(half)))};
     const auto polygon = plane.open(centre, rim);
-    Neighbourhood near(plane.front);
+    Neighbourhood near(plane.mesh, plane.front);
     near.gather(flat(0, 0));
     CHECK(std::abs(near.bare_angle(polygon[0]) - 2 * half) < 1e-12);
     for (const double limit_deg : {30.0, 60.0, 75.0, 85.0}) {
@@ -379,7 +379,7 @@ TEST_CASE("a notch in the front is acute, and no more than its angle") {
 TEST_CASE("an edge of a lone convex front has no apex") {
   Plane plane;
   const auto polygon = plane.fan(0, 0, 0.15, 0);
-  Neighbourhood near(plane.front);
+  Neighbourhood near(plane.mesh, plane.front);
   near.gather(flat(0, 0));
   for (const FrontEdgeId e : polygon) CHECK_FALSE(near.delaunay_apex(e).has_value());
 }
@@ -392,7 +392,7 @@ TEST_CASE(
   const auto left = plane.fan(0, 0, 0.1, M_PI / 6), right = plane.fan(0.3, 0, 0.1, M_PI);
   const FrontEdgeId facing = left[5];
   {
-    Neighbourhood near(plane.front);
+    Neighbourhood near(plane.mesh, plane.front);
     near.gather(flat(0.1, 0));
     CHECK(near.sees(facing, right[0]));
     CHECK_FALSE(near.sees(facing, right[3]));  // behind its own fan
@@ -400,7 +400,7 @@ TEST_CASE(
   }
   // A third fan in the gap, large enough to hide that corner.
   const auto between = plane.fan(0.15, 0, 0.03, M_PI);
-  Neighbourhood near(plane.front);
+  Neighbourhood near(plane.mesh, plane.front);
   near.gather(flat(0.1, 0));
   CHECK_FALSE(near.sees(facing, right[0]));
   CHECK(near.delaunay_apex(facing) == between[0]);
@@ -421,7 +421,7 @@ TEST_CASE("the apex has no corner that the edge sees in its circle") {
         corners.push_back(c);
       }
     }
-    Neighbourhood near(plane.front);
+    Neighbourhood near(plane.mesh, plane.front);
     near.gather(flat(0, 0));
     const auto apex = near.delaunay_apex(e);
     if (!apex) continue;
@@ -452,7 +452,7 @@ TEST_CASE("a new vertex is clear only away from vertices, edges and the far side
   Plane plane;
   const auto left = plane.fan(0, 0, 0.1, M_PI / 6), right = plane.fan(0.3, 0, 0.1, M_PI);
   const FrontEdgeId facing = left[5];
-  Neighbourhood near(plane.front);
+  Neighbourhood near(plane.mesh, plane.front);
   near.gather(flat(0.1, 0));
   const auto is_clear = [&](double x, double y, double vertex_gap, double edge_gap) {
     return near.is_clear(facing, near.local({x, y, 0}), vertex_gap, edge_gap);
@@ -469,7 +469,7 @@ TEST_CASE("a neighbourhood's frame keeps lengths and puts its centre at the orig
     CAPTURE(seed);
     Random random(seed);
     const Plane plane;
-    Neighbourhood near(plane.front);
+    Neighbourhood near(plane.mesh, plane.front);
     const SurfacePoint centre{random.between(0, 5) * random.direction(), random.direction(), 1,
                               geometry::CellId{}};
     near.gather(centre);

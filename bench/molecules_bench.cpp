@@ -1,0 +1,99 @@
+// The molecules of the paper's Table 1, and the kernels that meshing them spends its time in. Each
+// row counts what speed could be traded for: the smallest angle and the distance to [L] and [U].
+// Run from the project's root.
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <string>
+
+#include "front/mesh_skin.h"
+#include "geometry/mesh_files.h"
+#include "skin/model.h"
+#include "skin/molecule_files.h"
+
+namespace {
+
+using namespace morskin;
+
+constexpr double probe = 1.4;  // Angstrom, as in section 2.1
+
+std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Model model) {
+  return skin::weighted_points(skin::read_molecule("bench/molecules/" + file), model, probe);
+}
+
+/// The whole run: file in, mesh written in binary PLY form, read back and certified.
+void whole_run(benchmark::State& state, const std::string& file, skin::Model model) {
+  double floor = 0, seconds = 0;
+  refine::Certificate certificate;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const front::PreparedSkin skin = front::prepare_skin(points_of(file, model));
+    front::MeshOptions options;
+    options.certify = false;
+    const front::MeshResult result = front::mesh_skin(skin, options);
+    const std::string bytes = geometry::serialized(result.mesh, geometry::MeshFormat::PlyBinary);
+    certificate = refine::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    state.PauseTiming();
+    floor += front::floor_seconds(skin.surface, result);
+    state.ResumeTiming();
+  }
+  if (!certificate.certified) state.SkipWithError(certificate.reason.c_str());
+  using benchmark::Counter;
+  const auto triangles = static_cast<double>(certificate.triangles);
+  state.counters["triangles"] = triangles;
+  state.counters["triangles/s"] = Counter(triangles, Counter::kIsIterationInvariantRate);
+  state.counters["min_angle_deg"] = certificate.min_angle_deg;
+  state.counters["worst_L"] = certificate.worst_L;
+  state.counters["worst_U"] = certificate.worst_U;
+  state.counters["floor_ratio"] = seconds / floor;
+}
+
+/// Locating and projecting every vertex of gramicidin's mesh once, from its own cell.
+void locate_and_project(benchmark::State& state) {
+  const front::PreparedSkin skin =
+      front::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
+  const front::MeshResult result = front::mesh_skin(skin);
+  for (auto _ : state) benchmark::DoNotOptimize(front::floor_seconds(skin.surface, result));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(result.cells.size()));
+}
+
+/// The certificate of gramicidin's mesh, in memory.
+void certificate(benchmark::State& state) {
+  const front::PreparedSkin skin =
+      front::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
+  const front::MeshResult result = front::mesh_skin(skin);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(refine::certify(result.mesh, skin.surface, skin.topology));
+  }
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(result.mesh.triangles.size()));
+}
+
+BENCHMARK(locate_and_project)->Unit(benchmark::kMillisecond);
+BENCHMARK(certificate)->Unit(benchmark::kMillisecond);
+
+void register_molecules() {
+  const std::array table{std::pair{"5tmn_ligand.pdb", "5TMN_inhibitor"},
+                         std::pair{"9dna.pdb", "9DNA_strand"},
+                         std::pair{"1grm_model1.pdb", "1GRM_gramicidin_A"}};
+  for (const auto& [file, name] : table) {
+    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
+      const std::string row = std::string(name) + "/" + std::string(skin::name_of(model));
+      benchmark::RegisterBenchmark(row.c_str(), [file = file, model](benchmark::State& state) {
+        whole_run(state, file, model);
+      })->Unit(benchmark::kMillisecond);
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  register_molecules();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
