@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <thread>
 
 #include "app/version.h"
 #include "geometry/mesh_files.h"
@@ -91,6 +92,13 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
+  mesh.threads = std::max(1U, std::thread::hardware_concurrency());
+  command
+      .add_option(
+          "--threads", mesh.threads,
+          "Threads at most (all cores); the certificate uses two, and the bytes written are "
+          "the same for any number")
+      ->check(CLI::Range(1U, 1024U));
   command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
@@ -165,6 +173,19 @@ bool is_standard_output(const std::filesystem::path& path) {
   return path == "-" || path == "/dev/stdout";
 }
 
+bool is_special(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return is_standard_output(path) || (std::filesystem::exists(path, ignored) &&
+                                      !std::filesystem::is_regular_file(path, ignored));
+}
+
+// The one name of a file, whatever way its path is written.
+std::filesystem::path one_name(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::filesystem::path name = std::filesystem::weakly_canonical(path, failed);
+  return failed ? std::filesystem::absolute(path).lexically_normal() : name;
+}
+
 void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
@@ -172,20 +193,19 @@ void check_outputs(const MeshArguments& mesh) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].empty()) throw UsageError("an output's name is empty");
     if (is_standard_output(names[i])) ++standard_outputs;
-    std::error_code ignored;
-    const bool is_special = std::filesystem::exists(names[i], ignored) &&
-                            !std::filesystem::is_regular_file(names[i], ignored);
-    for (std::size_t j = 0; j < i && !is_special; ++j) {
-      if (names[i] == names[j]) throw UsageError(names[i].string() + " is named twice");
+    if (is_special(names[i])) continue;
+    if (one_name(names[i]) == one_name(mesh.molecule.input)) {
+      throw UsageError(names[i].string() + " would replace the input; choose another name");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (one_name(names[i]) == one_name(names[j])) {
+        throw UsageError(names[i].string() + " is named twice");
+      }
     }
   }
   if (standard_outputs > 1) throw UsageError("only one thing can go to standard output");
   for (const std::filesystem::path& output : mesh.outputs) {
-    std::error_code ignored;
-    const bool is_special =
-        is_standard_output(output) || (std::filesystem::exists(output, ignored) &&
-                                       !std::filesystem::is_regular_file(output, ignored));
-    if (!is_special && !geometry::mesh_format_of(output)) {
+    if (!is_special(output) && !geometry::mesh_format_of(output)) {
       throw UsageError(output.string() +
                        ": the ending stands for no mesh format; use .ply, .off, .obj, .stl or "
                        ".vtu");

@@ -34,6 +34,9 @@ sigset_t signal_set() {
 }  // namespace
 
 RemovedOnInterrupt::RemovedOnInterrupt() {
+  // A full file or a closed pipe then is an error of the write, with its own message and exit code.
+  ::signal(SIGXFSZ, SIG_IGN);
+  ::signal(SIGPIPE, SIG_IGN);
   struct sigaction action {};
   action.sa_handler = remove_and_end;
   action.sa_mask = signal_set();

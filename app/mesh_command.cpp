@@ -62,30 +62,47 @@ void write(std::span<PendingFile> files, const geometry::IndexedMesh& mesh) {
   for (PendingFile& file : files) file.write(geometry::serialized(mesh, format_of(file.path())));
 }
 
+bool is_same(const geometry::IndexedMesh& a, const geometry::IndexedMesh& b) {
+  return a.positions == b.positions && a.triangles == b.triangles;
+}
+
+geometry::IndexedMesh read_back(const PendingFile& file) {
+  return geometry::parse_mesh(geometry::read_file(file.temporary_name()).view(),
+                              file.path().string());
+}
+
 // The certificate of the first file whose format keeps every coordinate, from its bytes; if there
-// is none, of the bytes that a PLY file would have.
+// is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
 refine::Certificate certify(std::span<const PendingFile> files, const geometry::IndexedMesh& mesh,
-                            const front::PreparedSkin& skin, const refine::Sizing& sizing,
+                            const front::PreparedSkin& skin, const MeshArguments& arguments,
                             std::string& certified_file) {
-  const auto file = std::ranges::find_if(
-      files, [](const PendingFile& f) { return can_be_certified(format_of(f.path())); });
   geometry::IndexedMesh copy;
+  std::string defect;
   try {
-    if (file != files.end()) {
-      certified_file = file->path().string();
-      copy =
-          geometry::parse_mesh(geometry::read_file(file->temporary_name()).view(), certified_file);
-    } else {
+    for (const PendingFile& file : files) {
+      if (!can_be_certified(format_of(file.path()))) continue;
+      if (certified_file.empty()) {
+        certified_file = file.path().string();
+        copy = read_back(file);
+      } else if (!is_same(copy, read_back(file))) {
+        defect = file.path().string() + " does not hold the mesh of " + certified_file;
+      }
+    }
+    if (certified_file.empty()) {
       certified_file = "the same mesh as binary PLY, in memory";
       copy =
           geometry::parse_mesh(geometry::serialized(mesh, MeshFormat::PlyBinary), certified_file);
     }
   } catch (const geometry::UnreadableInput& error) {
-    refine::Certificate refused = refine::certify({}, skin.surface, skin.topology, sizing);
-    refused.reason = error.what();
-    return refused;
+    defect = error.what();
   }
-  return refine::certify(copy, skin.surface, skin.topology, sizing);
+  refine::Certificate certificate =
+      refine::certify(copy, skin.surface, skin.topology, arguments.sizing, arguments.threads);
+  if (!defect.empty()) {
+    certificate.certified = false;
+    certificate.reason = defect;
+  }
+  return certificate;
 }
 
 // Gives the files their names and feeds what is no regular file, which gets certified meshes only.
@@ -185,7 +202,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   write(files, result.mesh);
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
-  report.certificate = certify(files, result.mesh, skin, arguments.sizing, report.certified_file);
+  report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
   report.seconds.certify = certifying.seconds();
   const Stopwatch delivering;
   report.outputs = deliver(files, arguments, result.mesh, report.certificate.certified);

@@ -7,6 +7,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/package/morskinConfig.cmake
 "include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4)
 find_dependency(ZLIB)
+find_dependency(Threads)
 include(\${CMAKE_CURRENT_LIST_DIR}/morskinTargets.cmake)
 ")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/morskinConfigVersion.cmake

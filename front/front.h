@@ -33,7 +33,8 @@ struct FrontEdge {
 
 class Front {
  public:
-  explicit Front(SkinMesh& mesh) : mesh_(mesh) {}
+  /// @param reach  how far the grid of corners can be asked, in units of the length scale
+  explicit Front(SkinMesh& mesh, double reach = 0.4) : mesh_(mesh), grid_(reach) {}
 
   const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }
   const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e.index()].next.index()]; }

@@ -3,7 +3,7 @@
 /// Front corners by place: a hash of cells whose size follows the length scale in octaves.
 ///
 /// A query at a point of length scale rho looks into the octave of rho. Since rho is 1-Lipschitz, a
-/// corner within `largest_reach` rho of the point has its own length scale within a known factor,
+/// corner within reach() rho of the point has its own length scale within a known factor,
 /// so a corner is filed in every octave from which it can be asked for, its own and mostly one
 /// more: nothing within reach is missed.
 
@@ -22,10 +22,10 @@ using FrontEdgeId = geometry::Id<struct FrontEdgeTag>;
 
 class FrontGrid {
  public:
-  /// Largest query radius, in units of the length scale.
-  static constexpr double largest_reach = 0.4;
+  /// @param reach  largest query radius in units of the length scale, below 1
+  explicit FrontGrid(double reach) : reach_(reach), slots_(1024) {}
 
-  FrontGrid() : slots_(1024) {}
+  double reach() const { return reach_; }
 
   void insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
     for_each_octave(length_scale, [&](int octave) {
@@ -53,9 +53,9 @@ class FrontGrid {
     });
   }
 
-  /// Calls visit(corner) for every corner within `reach` of a position, and for few beyond it; a
-  /// corner may be visited twice when two cells share a key.
-  /// @pre reach <= largest_reach * length_scale
+  /// Calls visit(corner) for every corner within `reach` of a position. When two cells share a key,
+  /// a corner may be visited twice, and one that lies far away may be visited.
+  /// @pre reach <= reach() * length_scale
   template <class Visit>
   void for_each_within(const geometry::Point& p, double length_scale, double reach,
                        Visit visit) const {
@@ -111,10 +111,8 @@ class FrontGrid {
   };
 
   /// Twice the reach at the top of the octave, so that a query touches two cells an axis at most.
-  static double cell_size(int octave) { return 4 * largest_reach * power_of_two(octave); }
-  static double cells_per_angstrom(int octave) {
-    return power_of_two(-octave) / (4 * largest_reach);
-  }
+  double cell_size(int octave) const { return 4 * reach_ * power_of_two(octave); }
+  double cells_per_angstrom(int octave) const { return power_of_two(-octave) / (4 * reach_); }
   /// 2^n and the octave of x from the bits: the library's functions are calls, and this is the
   /// innermost loop. @pre both are normal numbers.
   static double power_of_two(int n) {
@@ -142,15 +140,15 @@ class FrontGrid {
     const auto key = static_cast<std::uint32_t>(h >> 32);
     return key == free_slot ? 1 : key;
   }
-  static Place place_of(int octave, const geometry::Point& p) {
+  Place place_of(int octave, const geometry::Point& p) const {
     const double size = cell_size(octave), s = cells_per_angstrom(octave);
     const std::int64_t i = whole(p.x() * s), j = whole(p.y() * s), k = whole(p.z() * s);
     return {key_of(octave, i, j, k), offset(p, i, j, k, size)};
   }
   template <class Visit>
-  static void for_each_octave(double length_scale, Visit visit) {
-    const int lowest = octave_of(length_scale / (1 + largest_reach));
-    const int highest = octave_of(length_scale / (1 - largest_reach));
+  void for_each_octave(double length_scale, Visit visit) const {
+    const int lowest = octave_of(length_scale / (1 + reach_));
+    const int highest = octave_of(length_scale / (1 - reach_));
     for (int octave = lowest; octave <= highest; ++octave) visit(octave);
   }
 
@@ -193,6 +191,7 @@ class FrontGrid {
     }
   }
 
+  double reach_;
   std::vector<Slot> slots_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> unused_;  ///< cells in no slot

@@ -1,13 +1,28 @@
 #include "front/mesh_skin.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
+
+#include "geometry/predicates.h"
 
 namespace morskin::front {
 
 namespace {
 
 using geometry::Vector;
+
+constexpr double largest_input = 1 << 30;  // the range of the exact predicates
+
+void check(const MeshOptions& options) {
+  const auto [C, Q] = options.sizing;
+  if (!(C > 0 && Q > 1 && 2 * C < Q && std::isfinite(C) && std::isfinite(Q))) {
+    throw geometry::RefusedInput("C and Q must satisfy 0 < 2 C < Q and Q > 1");
+  }
+  if (options.height && !(options.height->allFinite() && options.height->norm() > 0)) {
+    throw geometry::RefusedInput("the height direction must be a vector that is not zero");
+  }
+}
 
 /// Runs a piece of work and adds its time to a stage.
 template <class Work>
@@ -57,12 +72,23 @@ Choice choose_height(const PreparedSkin& skin, const MeshOptions& options) {
 }  // namespace
 
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    geometry::WeightedPoint& p = points[i];
+    if (!p.position.allFinite() || !std::isfinite(p.weight) ||
+        p.position.cwiseAbs().maxCoeff() > largest_input || std::abs(p.weight) > largest_input) {
+      throw geometry::RefusedInput("weighted point " + std::to_string(i) +
+                                   " has a coordinate or weight that is no number or beyond 2^30");
+    }
+    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+    p.weight = geometry::on_exact_grid(p.weight);
+  }
   skin::SkinSurface surface(std::move(points));
   skin::DualComplex topology = skin::dual_complex(surface);
   return {std::move(surface), topology};
 }
 
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
+  check(options);
   MeshResult result;
   const auto progress = [&](std::string_view stage, double share) {
     if (options.progress) options.progress(stage, share);

@@ -56,6 +56,9 @@ struct PreparedSkin {
   skin::SkinSurface surface;
   skin::DualComplex topology;
 };
+/// @param points  coordinates and weights of at most 2^30, Angstrom and Angstrom^2; they are
+/// rounded
+///                to multiples of 2^-64, the grid of the exact predicates
 /// @throws skin::SingularSkin, geometry::RefusedInput
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points);
 

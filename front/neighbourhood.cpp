@@ -1,6 +1,7 @@
 #include "front/neighbourhood.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,9 +58,10 @@ void Neighbourhood::gather(const SurfacePoint& centre) {
   second_axis_ = normal_.cross(first_axis_);
   corners_.clear();
   if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
-  front_.grid().for_each_within(centre.position, centre.length_scale,
-                                FrontGrid::largest_reach * centre.length_scale,
-                                [&](FrontEdgeId e) { list(e); });
+  const double reach = front_.grid().reach() * centre.length_scale;
+  front_.grid().for_each_within(origin_, centre.length_scale, reach, [&](FrontEdgeId e) {
+    if ((front_[e].position - origin_).squaredNorm() <= reach * reach) list(e);
+  });
   // Edges that come into reach from a vertex out of reach.
   const std::size_t within = corners_.size();
   for (std::size_t i = 0; i < within; ++i) list(front_[corners_[i].edge].previous);

@@ -36,8 +36,8 @@ class Neighbourhood {
  public:
   Neighbourhood(const SkinMesh& mesh, const Front& front) : mesh_(mesh), front_(front) {}
 
-  /// Looks round a point of the skin: every front corner within largest_reach of its length scale,
-  /// and the edges on both sides of each.
+  /// Looks round a point of the skin: every front corner within the grid's reach of its length
+  /// scale, and the edges on both sides of each.
   void gather(const SurfacePoint& centre);
 
   LocalPoint local(const Point& x) const {

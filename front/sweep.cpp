@@ -13,6 +13,10 @@ namespace {
 
 constexpr double sixty_degrees = M_PI / 3;
 
+/// Nearer than this share of the length scale all skin is one nearly flat sheet: normals differ by
+/// less than asin(0.6) = 37 degrees.
+constexpr double largest_view = 0.6;
+
 /// Twice as many as a whole sphere takes when its vertices stand 0.85 disk radii apart, which is
 /// denser than any sweep lays them: with more, the front has passed itself unseen.
 std::uint32_t most_vertices_on_a_sphere(double disk_share) {
@@ -33,13 +37,14 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
       disk_share_(spacing_.disk_share * sizing.tangent_disk_share()),
       mesh_(mesh),
-      front_(mesh),
+      front_(mesh, std::min(spacing_.view * disk_share_, largest_view)),
       near_(mesh, front_),
       marked_(critical_points.size()),
       laid_(skin.complex().size(), 0),
       most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {}
 
 void Sweep::run(const std::function<void(double)>& progress) {
+  if (critical_points_.empty()) return;
   progress_ = progress;
   const auto [lowest, highest] =
       std::minmax_element(critical_points_.begin(), critical_points_.end(),
@@ -123,8 +128,11 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
   constexpr double least_gap = 1.9;
   const double r = disk_share_ * minimum.point.length_scale;
   bool is_bare = true;
-  front_.grid().for_each_within(minimum.point.position, minimum.point.length_scale, least_gap * r,
-                                [&](FrontEdgeId) { is_bare = false; });
+  front_.grid().for_each_within(
+      minimum.point.position, minimum.point.length_scale, least_gap * r, [&](FrontEdgeId e) {
+        const Vector d = front_[e].position - minimum.point.position;
+        is_bare = is_bare && d.squaredNorm() > least_gap * r * least_gap * r;
+      });
   if (!is_bare) return;
   std::array<SurfacePoint, 6> rim;
   for (std::size_t i = 0; i < 6; ++i) {

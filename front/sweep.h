@@ -34,6 +34,7 @@ struct Spacing {
   double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
   double vertex_gap = 0.6;     ///< least distance of a new vertex from a front vertex
   double edge_gap = 0.4;       ///< and from a front edge
+  double view = 2.2;           ///< how far the collision guard looks round a departure vertex
   double wing_angle_deg = 75;  ///< front angles below this are closed at once
   /// Where the length scale shrinks ahead of the front, as in a funnel, edges left as they are
   /// would soon be longer than it. So a corner is filled instead of closed when its triangle's

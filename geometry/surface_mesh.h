@@ -52,8 +52,8 @@ class SurfaceMesh {
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
 
-  /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h is
-  /// the half-edge from d to c, in the triangle with a... the same two triangles are reused.
+  /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
+  /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).
   /// @pre the edge is not on the boundary.
   void flip(HalfEdgeId h);
   /// Replaces triangle t by three around the new vertex v. The first keeps t's place.
@@ -62,8 +62,8 @@ class SurfaceMesh {
   /// @pre v has exactly three triangles around it and no boundary.
   void unsplit(VertexId v);
 
-  /// Calls visit(h) for each half-edge that leaves v, counter-clockwise, for a vertex without
-  /// boundary.
+  /// Calls visit(h) for each half-edge that leaves v, counter-clockwise, for a vertex with
+  /// triangles and without boundary.
   template <class Visit>
   void for_each_outgoing(VertexId v, Visit visit) const {
     const HalfEdgeId first = outgoing_[v.index()];

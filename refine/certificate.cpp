@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "refine/triangle_geometry.h"
@@ -22,42 +24,49 @@ std::string number(double x) {
 }
 
 /// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
-/// all around it, so that a question looks into one cell only.
+/// all around it, so that a question looks into one cell only. Cells follow the length scale in
+/// octaves; rho being 1-Lipschitz, places within `reach` < 0.5 of it are at most one octave apart.
 class CandidateGrid {
  public:
-  /// @param cell_size  no vertex farther than this from the place asked for needs to be found
-  explicit CandidateGrid(double cell_size) : scale_(1 / cell_size), buckets_(1U << 16) {}
+  /// @param reach  how far from a place, in units of the length scale, a vertex is to be found
+  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
 
-  void add(const Point& p, VertexId v) {
-    const auto home = cell(p);
-    for (std::int64_t i = -1; i <= 1; ++i) {
-      for (std::int64_t j = -1; j <= 1; ++j) {
-        for (std::int64_t k = -1; k <= 1; ++k) {
-          auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k})];
-          if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
+  void add(const Point& p, double length_scale, VertexId v) {
+    for (int octave = std::ilogb(length_scale) - 1; octave <= std::ilogb(length_scale) + 1;
+         ++octave) {
+      const auto home = cell(p, octave);
+      for (std::int64_t i = -1; i <= 1; ++i) {
+        for (std::int64_t j = -1; j <= 1; ++j) {
+          for (std::int64_t k = -1; k <= 1; ++k) {
+            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
+            if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
+          }
         }
       }
     }
   }
   template <class Visit>
-  void for_each_near(const Point& p, Visit visit) const {
-    for (const VertexId v : buckets_[hash(cell(p))]) visit(v);
+  void for_each_near(const Point& p, double length_scale, Visit visit) const {
+    const int octave = std::ilogb(length_scale);
+    for (const VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
   }
 
  private:
   using Cell = std::array<std::int64_t, 3>;
-  Cell cell(const Point& p) const {
-    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale_)); };
+  Cell cell(const Point& p, int octave) const {
+    const double scale = std::ldexp(1 / reach_, -(octave + 1));
+    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale)); };
     return {whole(p.x()), whole(p.y()), whole(p.z())};
   }
-  static std::size_t hash(const Cell& c) {
+  static std::size_t hash(const Cell& c, int octave) {
     const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
                             static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
-                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL;
+                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL +
+                            static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
     return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
   }
 
-  double scale_;
+  double reach_;
   std::vector<std::vector<VertexId>> buckets_;
 };
 
@@ -68,13 +77,24 @@ class Certifier {
             Certificate& certificate)
       : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate) {}
 
-  void run(const skin::DualComplex& expected) {
+  void run(const skin::DualComplex& expected, unsigned threads) {
     out_.vertices = mesh_.positions.size();
     out_.triangles = mesh_.triangles.size();
     out_.expected_euler_characteristic = expected.skin_euler_characteristic();
     out_.expected_components = expected.skin_components();
     out_.expected_genus = static_cast<long>(expected.skin_genus());
-    measure_shape();
+    // The shape needs no connectivity and shares no result: it can be measured beside the proof.
+    std::jthread beside;
+    if (threads > 1) {
+      beside = std::jthread([this] { measure_shape(); });
+    } else {
+      measure_shape();
+    }
+    prove();
+  }
+
+ private:
+  void prove() {
     if (mesh_.triangles.empty()) return fail("the mesh has no triangles");
     geometry::MeshOrDefect built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
     if (built.defect) return fail("not a closed oriented 2-manifold: " + *built.defect);
@@ -91,7 +111,6 @@ class Certifier {
     out_.certified = out_.reason.empty();
   }
 
- private:
   void fail(const std::string& reason) {
     if (out_.reason.empty()) out_.reason = reason;
   }
@@ -119,14 +138,13 @@ class Certifier {
   Certificate& out_;
   geometry::SurfaceMesh surface_;
   std::vector<SurfacePoint> points_;
-  double longest_edge_ = 0, largest_length_scale_ = 0;
   double largest_share_ = 0;  ///< of R_abc over rho_abc
   double free_share_ = 0;     ///< free_radius() over rho
 };
 
 void Certifier::measure_shape() {
   // The extreme angles have the extreme cosines; one arc cosine each at the end.
-  double largest_cosine = -1, smallest_cosine = 1;
+  double largest_cosine = -1, smallest_cosine = 1, area = 0, volume = 0;
   for (const auto& [a, b, c] : mesh_.triangles) {
     const Point &p = position(a), &q = position(b), &r = position(c);
     const Vector pq = q - p, qr = r - q, rp = p - r;
@@ -136,9 +154,11 @@ void Certifier::measure_shape() {
       largest_cosine = std::max(largest_cosine, std::isnan(cosine) ? 1.0 : cosine);
       smallest_cosine = std::min(smallest_cosine, std::isnan(cosine) ? -1.0 : cosine);
     }
-    out_.area += pq.cross(rp).norm() / 2;
-    out_.volume += p.dot(q.cross(r)) / 6;
+    area += pq.cross(rp).norm() / 2;
+    volume += p.dot(q.cross(r)) / 6;
   }
+  out_.area = area;
+  out_.volume = volume;
   out_.min_angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * 180 / M_PI;
   out_.max_angle_deg = std::acos(std::clamp(smallest_cosine, -1.0, 1.0)) * 180 / M_PI;
 }
@@ -152,7 +172,6 @@ void Certifier::locate_vertices() {
     points_[v] = skin_.at(x, cell);
     is_located[v] = 1;
     const double rho = points_[v].length_scale;
-    largest_length_scale_ = std::max(largest_length_scale_, rho);
     // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
     const double g = std::abs(skin_.complex().patch(cell).value(x));
     out_.max_distance_to_skin = std::max(out_.max_distance_to_skin, g / (2 * rho));
@@ -202,7 +221,6 @@ void Certifier::check_triangles() {
     }
     const std::size_t k =
         static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-    longest_edge_ = std::max(longest_edge_, side[k]);
     const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
     const double upright =
         p[k]->length_scale * p[k]->normal.dot(circle.doubled_area) / area2;  // N(a) . n_t
@@ -277,16 +295,17 @@ void Certifier::check_covering_degree() {
   }
   std::vector<char> is_free(mesh_.positions.size(), 0);
   find_free_share();
-  CandidateGrid grid(longest_edge_ + free_share_ * largest_length_scale_);
+  // From a triangle's corner a, no point of the triangle is farther than 2 R <= 2 q rho_a.
+  CandidateGrid grid(2 * largest_share_ + 2 * free_share_);
   for (const auto& list : candidates) {
     for (const VertexId v : list) {
       is_free[v.index()] = 1;
-      grid.add(position(v.value), v);
+      grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
   }
   for (const auto& triangle : mesh_.triangles) {
     const auto [a, b, c] = triangle;
-    grid.for_each_near(position(a), [&](VertexId v) {
+    grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
       if (v.value == a || v.value == b || v.value == c) return;
       const double d2 =
           squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
@@ -299,7 +318,7 @@ void Certifier::check_covering_degree() {
                                    [&](VertexId v) { return is_free[v.index()] != 0; });
     if (shown) continue;
     out_.covering_degree_ok = false;
-    fail("component " + std::to_string(i) + " covers the skin more than once");
+    fail("component " + std::to_string(i) + " could not be shown to cover the skin once");
   }
 }
 
@@ -322,9 +341,9 @@ void Certifier::compare_counts() {
 }  // namespace
 
 Certificate certify(const IndexedMesh& mesh, const skin::SkinSurface& skin,
-                    const skin::DualComplex& expected, const Sizing& sizing) {
+                    const skin::DualComplex& expected, const Sizing& sizing, unsigned threads) {
   Certificate certificate;
-  Certifier(mesh, skin, sizing, certificate).run(expected);
+  Certifier(mesh, skin, sizing, certificate).run(expected, threads);
   return certificate;
 }
 

@@ -53,8 +53,10 @@ struct Certificate {
 };
 
 /// @param expected  the dual complex of the skin's weighted points
+/// @param threads   how many may be used; the result is the same for any number
 /// Never throws on a bad mesh: the reason says what is wrong with it.
 Certificate certify(const geometry::IndexedMesh& mesh, const skin::SkinSurface& skin,
-                    const skin::DualComplex& expected, const Sizing& sizing = {});
+                    const skin::DualComplex& expected, const Sizing& sizing = {},
+                    unsigned threads = 1);
 
 }  // namespace morskin::refine

@@ -129,8 +129,7 @@ void Refinement::flip_everywhere() {
 }
 
 void Refinement::flip_where_needed() {
-  const std::size_t most_flips = counts_.flip + 10 * mesh_.surface.triangle_count();
-  while (!to_flip_.empty() && counts_.flip < most_flips) {
+  while (!to_flip_.empty() && counts_.flip < 1000 + 50 * balls_.size()) {
     const HalfEdgeId h = to_flip_.back();
     to_flip_.pop_back();
     if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;

@@ -60,7 +60,8 @@ class Refinement {
   std::vector<HalfEdgeId> to_flip_;  ///< edges that may not be Delaunay
   std::vector<HalfEdgeId> short_;    ///< edges that broke [L] when they came to be
   std::vector<TriangleId> big_;      ///< triangles that broke [U] when they came to be
-  /// A budget of operations, for constants outside the range where termination is proved.
+  /// Budgets, for constants outside the range where termination is proved: of contractions and
+  /// insertions together, and 50 flips for every triangle there has been.
   std::size_t most_ = 0;
   RefinementCounts counts_;
 };

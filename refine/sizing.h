@@ -31,7 +31,7 @@ struct Sizing {
   double triangle_ratio(double circumradius, double smallest_length_scale) const {
     return circumradius / (C * Q * smallest_length_scale);
   }
-  /// The smallest angle that [L] and [U] allow, degrees: 21.54 with the default constants.
+  /// The smallest angle that [L] and [U] allow, degrees: 21.55 with the default constants.
   double least_angle_deg() const { return std::asin(1 / (Q * Q)) * 180 / M_PI; }
 
   /// Largest radius of the disk, tangent at a departure vertex, on whose rim new vertices are

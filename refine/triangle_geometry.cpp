@@ -34,16 +34,18 @@ SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint
   constexpr int most_steps = 12;
   Point x = circle.centre;
   skin::CellId cell = a.cell;
+  bool is_on_skin = false;
   for (int i = 0; i < most_steps; ++i) {
     cell = skin.locate(x, cell);
     const skin::Patch& patch = skin.complex().patch(cell);
     const double rho = patch.length_scale(x);
-    if (std::abs(patch.value(x)) <= skin.residual_bound(rho)) break;
+    is_on_skin = std::abs(patch.value(x)) <= skin.residual_bound(rho);
+    if (is_on_skin) break;
     const auto step = newton_step(patch, x, circle.doubled_area, circle.radius);
     if (!step) break;
     x += *step * circle.doubled_area;
   }
-  return ball_about(x, a, true);
+  return ball_about(x, a, is_on_skin);
 }
 
 }  // namespace morskin::refine

@@ -32,7 +32,7 @@ inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c)
   return {a + offset, offset.norm(), n};
 }
 
-/// Smallest of the three angles, degrees: opposite the shortest side, sin = side / (2 R).
+/// The smallest and the largest of a triangle's three angles.
 struct AngleRange {
   double smallest_deg, largest_deg;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/point.h"
@@ -47,7 +48,8 @@ struct Patch {
 
   /// Moves x along the gradient line to the quadric of this patch. Along x + s N the function is
   /// the exact parabola G + 2 s |u|^2 + s^2 (G + w/2); the nearer root is taken in the form that
-  /// does not cancel. Where the line misses the quadric it goes to the parabola's vertex.
+  /// does not cancel. Where the line misses the quadric it goes
+  /// as far as the linear part would take it half way.
   Point slide(const Point& x) const {
     const Vector u = x - centre;
     const Vector n = reflect(u);

@@ -297,7 +297,7 @@ TEST_CASE(
       const auto& [at, scale] = deepest[random.below(deepest.size())];
       return at + scale * std::pow(10.0, random.between(-1, 1)) * random.direction();
     };
-    FrontGrid grid;
+    FrontGrid grid(0.4);
     std::vector<std::pair<FrontEdgeId, Point>> filed;
     for (std::uint32_t i = 0; i < 3000; ++i) {
       if (random.uniform() < 0.35 && !filed.empty()) {
@@ -314,7 +314,7 @@ TEST_CASE(
       CAPTURE(i);
       const Point p = random_point();
       const double rho = length_scale(p);
-      const double reach = random.between(0, FrontGrid::largest_reach) * rho;
+      const double reach = random.between(0, grid.reach()) * rho;
       std::vector<FrontEdgeId> visited, expected;
       grid.for_each_within(p, rho, reach, [&](FrontEdgeId e) { visited.push_back(e); });
       std::sort(visited.begin(), visited.end());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "front/mesh_skin.h"
+#include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -55,5 +56,30 @@ TEST_CASE("vertices that nearly lie on one circle do not make the flips go round
       CHECK(result.certificate.certified);
       CHECK(result.refinement.flip < result.mesh.triangles.size());
     }
+  }
+}
+
+TEST_CASE("a flat hole that is inside out does not start the sweep over the finished mesh") {
+  // Three vertices nearly on a line enclosed a hole of the wrong sign; its longest edge was broken
+  // with a new vertex on what looked like bare surface, and the skin was meshed a second time.
+  const std::vector<std::array<double, 4>> balls{{4, -2, 4, 2},    {6, 3, 1, 2},    {1, -1, 2, 2},
+                                                 {-3, -2, 0, 1},   {5, -1, 1, 0.5}, {0, -1, 4, 1.5},
+                                                 {2, -2, -4, 0.5}, {4, 0, 4, 2},    {3, 5, 0, 2},
+                                                 {-5, -1, 2, 1},   {2, -6, 2, 1.5}};
+  std::vector<geometry::WeightedPoint> points;
+  for (const auto& [x, y, z, r] : balls) points.push_back({{x, y, z}, 2 * r * r});
+  const front::MeshResult result = front::mesh_skin(points);
+  CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+}
+
+TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the length scale") {
+  // Edges across a lane were left as they were while the length scale shrank along it.
+  for (const auto& [seed, direction] : {std::pair{44U, 2U}, std::pair{588U, 1U}}) {
+    CAPTURE(seed);
+    support::Random random(1000 * seed + direction);
+    front::MeshOptions options;
+    options.height = random.direction();
+    const front::MeshResult result = front::mesh_skin(support::ball_set(seed), options);
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
