@@ -36,6 +36,7 @@ corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/cor
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py
+	@command -v clang-format > /dev/null || { echo "make lint needs clang-format: apt-get install clang-format"; exit 1; }
 	clang-format --dry-run -Werror $(sources)
 	@if command -v clang-tidy > /dev/null; then $(MAKE) --no-print-directory tidy; fi
 

@@ -304,7 +304,7 @@ void Certifier::check_covering_degree() {
     }
   }
   for (const auto& triangle : mesh_.triangles) {
-    const auto [a, b, c] = triangle;
+    const std::uint32_t a = triangle[0], b = triangle[1], c = triangle[2];
     grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
       if (v.value == a || v.value == b || v.value == c) return;
       const double d2 =
