@@ -25,6 +25,9 @@ test: build  ## run every test but the slow ones
 
 test-slow: build  ## run the slow tests
 	ctest --test-dir build --output-on-failure -C slow -L slow
+	cmake --preset dev
+	cmake --build build/dev --parallel $(JOBS) --target morskin_command
+	python3 tests/same_bytes.py build/morskin build/dev/morskin
 
 bench: deps  ## build and run the benchmarks
 	cmake --preset bench
