@@ -43,9 +43,12 @@ lint:  ## check module order, layout and formatting, and run clang-tidy if it is
 	clang-format --dry-run -Werror $(sources)
 	@if command -v clang-tidy > /dev/null; then $(MAKE) --no-print-directory tidy; fi
 
+# Debian 12's clang cannot compile gemmi's headers as C++20 (a vector of an incomplete type).
+untidied = tests/installed/% skin/mmcif_file.cpp
+
 tidy: deps
 	cmake --preset tidy
-	printf '%s\n' $(filter-out tests/installed/%,$(filter %.cpp,$(sources))) | \
+	printf '%s\n' $(filter-out $(untidied),$(filter %.cpp,$(sources))) | \
 	  xargs --max-args=1 --max-procs=$(JOBS) clang-tidy -p build/tidy --quiet
 
 format:  ## lay out every source file with clang-format
