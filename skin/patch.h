@@ -48,8 +48,8 @@ struct Patch {
 
   /// Moves x along the gradient line to the quadric of this patch. Along x + s N the function is
   /// the exact parabola G + 2 s |u|^2 + s^2 (G + w/2); the nearer root is taken in the form that
-  /// does not cancel. Where the line misses the quadric it goes
-  /// as far as the linear part would take it half way.
+  /// does not cancel. Where the line misses the quadric it goes twice as
+  /// far as Newton's step.
   Point slide(const Point& x) const {
     const Vector u = x - centre;
     const Vector n = reflect(u);
