@@ -33,8 +33,8 @@ void timed(double& seconds, Work work) {
 }
 
 /// The default direction first, then others off the axes and off each other, fixed for all time.
-std::vector<morse::HeightFunction> default_heights() {
-  std::vector<morse::HeightFunction> heights{morse::HeightFunction{}};
+std::vector<morse::MorseFunction> default_heights() {
+  std::vector<morse::MorseFunction> heights{morse::MorseFunction{}};
   for (const Vector& tilted :
        {Vector(0.0391, 1, -0.0177), Vector(-0.0523, 1, 0.0311), Vector(0.1117, 1, 0.0713),
         Vector(-0.0933, 1, -0.1391), Vector(0.2171, 1, 0.1549), Vector(0.3019, 1, -0.2243)}) {
@@ -44,7 +44,7 @@ std::vector<morse::HeightFunction> default_heights() {
 }
 
 struct Choice {
-  morse::HeightFunction height;
+  morse::MorseFunction height;
   morse::CriticalPoints critical;
 };
 
@@ -52,10 +52,10 @@ struct Choice {
 /// the defaults that is not degenerate. Their alternating sum must be the skin's Euler
 /// characteristic; it is the witness that none was lost or found twice.
 Choice choose_height(const PreparedSkin& skin, const MeshOptions& options) {
-  std::vector<morse::HeightFunction> heights = default_heights();
+  std::vector<morse::MorseFunction> heights = default_heights();
   if (options.height) heights = {{options.height->normalized()}};
   std::string why;
-  for (const morse::HeightFunction& height : heights) {
+  for (const morse::MorseFunction& height : heights) {
     Choice choice{height, morse::critical_points(skin.surface, height)};
     const long chi = choice.critical.euler_characteristic();
     const long expected = skin.topology.skin_euler_characteristic();

@@ -12,7 +12,7 @@
 #include "front/sweep.h"
 #include "geometry/error.h"
 #include "geometry/indexed_mesh.h"
-#include "morse/height_function.h"
+#include "morse/morse_function.h"
 #include "refine/certificate.h"
 #include "refine/refinement.h"
 

@@ -27,7 +27,7 @@ std::uint32_t most_vertices_on_a_sphere(double disk_share) {
 
 }  // namespace
 
-Sweep::Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
+Sweep::Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& height,
              std::span<const morse::CriticalPoint> critical_points,
              const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh)
     : skin_(skin),

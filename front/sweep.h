@@ -48,7 +48,7 @@ struct Spacing {
 class Sweep {
  public:
   /// @pre the spheres are those of the critical points; the mesh is empty.
-  Sweep(const skin::SkinSurface& skin, const morse::HeightFunction& height,
+  Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& height,
         std::span<const morse::CriticalPoint> critical_points,
         const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh);
 
@@ -102,7 +102,7 @@ class Sweep {
   bool is_protected(VertexId v) const;
 
   const skin::SkinSurface& skin_;
-  const morse::HeightFunction& height_;
+  const morse::MorseFunction& height_;
   std::span<const morse::CriticalPoint> critical_points_;
   const morse::ProtectingSpheres& spheres_;
   Spacing spacing_;

@@ -23,7 +23,7 @@ Where side(const skin::MixedComplex& complex, CellId cell, const Point& x, doubl
   return where;
 }
 
-CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const HeightFunction& height,
+CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const MorseFunction& height,
                        double lambda) {
   const Patch& patch = surface.complex().patch(cell);
   const Vector& v = height.direction;
@@ -39,7 +39,9 @@ CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const Heig
   const double along_value = -patch.sign * (1 - 2 * along.squaredNorm()) / lambda;
   critical.index = (across_value < 0) + (along_value < 0);
   if (critical.index == 1) {
-    critical.descending = along_value < 0 ? along.normalized() : v.cross(along).normalized();
+    critical.descending = along.normalized();
+    critical.ascending = v.cross(along).normalized();
+    if (along_value > 0) std::swap(critical.descending, critical.ascending);
   }
   return critical;
 }
@@ -56,7 +58,7 @@ long CriticalPoints::euler_characteristic() const {
   return static_cast<long>(count(0) + count(2)) - static_cast<long>(count(1));
 }
 
-CriticalPoints critical_points(const skin::SkinSurface& surface, const HeightFunction& height) {
+CriticalPoints critical_points(const skin::SkinSurface& surface, const MorseFunction& height) {
   // A point this near a wall, relative to its length scale, may be taken for either side's.
   constexpr double doubt = 1e-9;
   const skin::MixedComplex& complex = surface.complex();

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "morse/height_function.h"
+#include "morse/morse_function.h"
 #include "skin/skin_surface.h"
 
 namespace morskin::morse {
@@ -18,9 +18,10 @@ namespace morskin::morse {
 struct CriticalPoint {
   skin::SurfacePoint point;
   int index = 0;     ///< number of descending directions: 0 minimum, 1 saddle, 2 maximum
-  double value = 0;  ///< the height
-  /// At a saddle the unit tangent of steepest descent, one of the two; otherwise zero.
-  Vector descending = Vector::Zero();
+  double value = 0;  ///< of the Morse function
+  /// At a saddle the unit tangents of steepest descent and ascent, one of the two each; they are
+  /// orthogonal. Otherwise zero.
+  Vector descending = Vector::Zero(), ascending = Vector::Zero();
 };
 
 struct CriticalPoints {
@@ -35,6 +36,6 @@ struct CriticalPoints {
 };
 
 /// @pre height.direction is a unit vector; the skin is not singular.
-CriticalPoints critical_points(const skin::SkinSurface& skin, const HeightFunction& height);
+CriticalPoints critical_points(const skin::SkinSurface& skin, const MorseFunction& height);
 
 }  // namespace morskin::morse

@@ -33,7 +33,7 @@ struct Case {
 
   support::Random random;
   SkinSurface skin;
-  HeightFunction height;
+  MorseFunction height;
   CriticalPoints critical;
 };
 
@@ -108,7 +108,7 @@ TEST_CASE("one ball has one minimum and one maximum, at its poles") {
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
     support::Random random(seed);
-    const HeightFunction height{random.direction()};
+    const MorseFunction height{random.direction()};
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
     const auto critical = critical_points(
@@ -169,7 +169,7 @@ TEST_CASE("critical points on the wall between two spheres' patches are reported
   CHECK_FALSE(critical_points(pair, {pole.normalized()}).degeneracies.empty());
   constexpr double tilt = 1e-3;
   for (const double side : {-tilt, tilt}) {
-    const HeightFunction tilted{(pole + side * wall.normal).normalized()};
+    const MorseFunction tilted{(pole + side * wall.normal).normalized()};
     const auto critical = critical_points(pair, tilted);
     CHECK(critical.degeneracies.empty());
     CHECK(critical.euler_characteristic() == 2);

@@ -18,7 +18,7 @@ namespace {
 /// What the sweep leaves for the refinement, in a direction that is not degenerate; nothing if the
 /// default is.
 std::optional<SkinMesh> swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  const morse::HeightFunction height;
+  const morse::MorseFunction height;
   const auto critical = morse::critical_points(skin.surface, height);
   if (!critical.degeneracies.empty()) return std::nullopt;
   const morse::ProtectingSpheres spheres(skin.surface, critical.points,
