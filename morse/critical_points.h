@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "geometry/id.h"
 #include "morse/morse_function.h"
 #include "skin/skin_surface.h"
 
 namespace morskin::morse {
+
+using CriticalId = geometry::Id<struct CriticalTag>;
 
 struct CriticalPoint {
   skin::SurfacePoint point;

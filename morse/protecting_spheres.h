@@ -7,12 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/id.h"
 #include "morse/critical_points.h"
 
 namespace morskin::morse {
-
-using CriticalId = geometry::Id<struct CriticalTag>;
 
 class ProtectingSpheres {
  public:
