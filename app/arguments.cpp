@@ -89,6 +89,12 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
       ->check(CLI::IsMember({"sweep"}))
       ->capture_default_str();
+  command
+      .add_option("--fronts", mesh.fronts,
+                  "2 sweeps from below and from above at once; 1 from below only,\n"
+                  "Algorithm 1 as the paper prints it")
+      ->check(CLI::IsMember({1, 2}))
+      ->capture_default_str();
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
@@ -96,8 +102,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option(
           "--threads", mesh.threads,
-          "Threads at most (all cores); the certificate uses two, and the bytes written are "
-          "the same for any number")
+          "Threads at most (all cores); most of the work is done by two, and the bytes written "
+          "are the same for any number")
       ->check(CLI::Range(1U, 1024U));
   command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))

@@ -40,6 +40,7 @@ struct MeshArguments {
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
+  int fronts = 2;        ///< front::MeshOptions::fronts
   unsigned threads = 1;  ///< at most; the result is the same for any number
 };
 

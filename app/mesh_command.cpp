@@ -47,6 +47,8 @@ front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arg
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.height = arguments.height;
+  options.fronts = arguments.fronts;
+  options.threads = arguments.threads;
   options.certify = false;
   options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
   try {

@@ -43,6 +43,22 @@ std::vector<FrontEdgeId> Front::open_polygon(std::span<const HalfEdgeId> half_ed
   return polygon;
 }
 
+std::uint32_t Front::append(const Front& other, std::uint32_t vertices, std::uint32_t half_edges) {
+  const auto edges = static_cast<std::uint32_t>(edges_.size());
+  for (FrontEdge edge : other.edges_) {
+    edge.origin.value += vertices;
+    edge.half_edge.value += half_edges;
+    edge.next.value += edges;
+    edge.previous.value += edges;
+    const FrontEdgeId e{edges_.size()};
+    edges_.push_back(edge);
+    if (edge.is_open) grid_.insert(e, edge.position, mesh_.at(edge.origin).length_scale);
+  }
+  for (const FrontEdgeId e : other.free_) free_.emplace_back(e.value + edges);
+  open_ += other.open_;
+  return edges;
+}
+
 /// The triangle on the bare side of e: its half-edge 0 glued to e's, 1 and 2 on the boundary.
 geometry::TriangleId Front::add_triangle(FrontEdgeId e, VertexId apex) {
   const auto t = mesh_.surface.add_triangle(target(e), edges_[e.index()].origin, apex);

@@ -50,6 +50,11 @@ class Front {
   /// @return the edges, in the same order.
   std::vector<FrontEdgeId> open_polygon(std::span<const HalfEdgeId> half_edges);
 
+  /// Takes over the edges of the front of a mesh that was appended to this one's.
+  /// @param vertices, half_edges  how many this mesh had before
+  /// @return  what to add to an edge's id
+  std::uint32_t append(const Front& other, std::uint32_t vertices, std::uint32_t half_edges);
+
   /// Adds the triangle of edge e and a new vertex x. Edge e then runs from its origin to x.
   /// @return the new edge, from x to e's old target.
   FrontEdgeId attach(FrontEdgeId e, const SurfacePoint& x);

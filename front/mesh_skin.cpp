@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "front/two_fronts.h"
 #include "geometry/predicates.h"
 
 namespace morskin::front {
@@ -111,16 +112,21 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
 
   skin::SkinMesh mesh;
   timed(result.seconds.sweep, [&] {
-    Sweep sweep(skin.surface, choice.height, choice.critical.points, *spheres, options.sizing,
-                mesh);
-    sweep.run([&](double share) { progress("sweep", share); });
-    result.operations = sweep.operations();
-    result.open_edges = sweep.open_edges();
+    const auto report = [&](double share) { progress("sweep", share); };
+    const auto& points = choice.critical.points;
+    SweepResult swept =
+        options.fronts == 1
+            ? sweep_once(skin.surface, choice.height, points, *spheres, options.sizing, report)
+            : sweep_from_both_ends(skin.surface, choice.height, points, *spheres, options.sizing,
+                                   options.threads, report);
+    mesh = std::move(swept.mesh);
+    result.operations = swept.operations;
+    result.open_edges = swept.open_edges;
   });
   timed(result.seconds.refine, [&] {
     progress("refine", 0);
     if (result.open_edges == 0) {
-      refine::Refinement refinement(skin.surface, options.sizing, mesh);
+      refine::Refinement refinement(skin.surface, options.sizing, mesh, options.threads);
       refinement.run();
       result.refinement = refinement.counts();
     }
@@ -135,8 +141,8 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   if (options.certify) {
     progress("certify", 0);
     timed(result.seconds.certify, [&] {
-      result.certificate =
-          refine::certify(result.mesh, skin.surface, skin.topology, options.sizing);
+      result.certificate = refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
+                                           options.threads);
     });
   }
   return result;

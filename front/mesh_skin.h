@@ -26,6 +26,9 @@ struct MeshOptions {
   /// Direction of the height function; without one, y with a small tilt, and further tilts should
   /// that be degenerate.
   std::optional<geometry::Vector> height;
+  /// 2: swept from both ends at once; 1: from below only, Algorithm 1 as printed.
+  int fronts = 2;
+  unsigned threads = 2;  ///< at most; the mesh is the same for any number
   /// Certify the mesh in memory. The command does without: it certifies the bytes it wrote.
   bool certify = true;
   Progress progress;  ///< may be empty

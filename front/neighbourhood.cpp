@@ -58,9 +58,9 @@ void Neighbourhood::gather(const SurfacePoint& centre) {
   second_axis_ = normal_.cross(first_axis_);
   corners_.clear();
   if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
-  const double reach = front_.grid().reach() * centre.length_scale;
-  front_.grid().for_each_within(origin_, centre.length_scale, reach, [&](FrontEdgeId e) {
-    if ((front_[e].position - origin_).squaredNorm() <= reach * reach) list(e);
+  reach_ = front_.grid().reach() * centre.length_scale;
+  front_.grid().for_each_within(origin_, centre.length_scale, reach_, [&](FrontEdgeId e) {
+    if ((front_[e].position - origin_).squaredNorm() <= reach_ * reach_) list(e);
   });
   // Edges that come into reach from a vertex out of reach.
   const std::size_t within = corners_.size();

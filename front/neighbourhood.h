@@ -50,6 +50,12 @@ class Neighbourhood {
   }
   Point in_space(const Vector2& v) const { return origin_ + in_tangent_plane(v); }
 
+  /// Whether every front corner in a ball has been gathered.
+  bool is_in_view(const Point& centre, double radius) const {
+    return radius <= reach_ &&
+           (centre - origin_).squaredNorm() <= (reach_ - radius) * (reach_ - radius);
+  }
+
   /// Notes that a front edge is new or has new ends.
   void refresh(FrontEdgeId e);
   /// Drops edges that are no longer open.
@@ -102,6 +108,7 @@ class Neighbourhood {
   const SkinMesh& mesh_;
   const Front& front_;
   Point origin_ = Point::Zero();
+  double reach_ = 0;
   Vector normal_ = Vector::Zero(), first_axis_ = Vector::Zero(), second_axis_ = Vector::Zero();
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> place_;  ///< by front edge: its place in corners_, checked on use

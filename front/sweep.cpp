@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "refine/triangle_geometry.h"
-
 namespace morskin::front {
 
 namespace {
@@ -27,11 +25,23 @@ std::uint32_t most_vertices_on_a_sphere(double disk_share) {
 
 }  // namespace
 
-Sweep::Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& height,
+Operations& Operations::operator+=(const Operations& other) {
+  creation += other.creation;
+  creep += other.creep;
+  wing += other.wing;
+  bridge += other.bridge;
+  seal += other.seal;
+  guard_inside_protecting += other.guard_inside_protecting;
+  guard_outside_protecting += other.guard_outside_protecting;
+  return *this;
+}
+
+Sweep::Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& function,
              std::span<const morse::CriticalPoint> critical_points,
-             const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh)
+             const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh,
+             double last)
     : skin_(skin),
-      height_(height),
+      function_(function),
       critical_points_(critical_points),
       spheres_(spheres),
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
@@ -40,6 +50,7 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& height,
       front_(mesh, std::min(spacing_.view * disk_share_, largest_view)),
       near_(mesh, front_),
       marked_(critical_points.size()),
+      last_(last),
       laid_(skin.complex().size(), 0),
       most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {}
 
@@ -50,15 +61,19 @@ void Sweep::run(const std::function<void(double)>& progress) {
       std::minmax_element(critical_points_.begin(), critical_points_.end(),
                           [](const auto& p, const auto& q) { return p.value < q.value; });
   lowest_ = lowest->value;
-  highest_ = highest->value;
+  highest_ = std::min(highest->value, last_);
   std::vector<std::uint32_t> minima;
   for (std::uint32_t i = 0; i < critical_points_.size(); ++i) {
-    if (critical_points_[i].index == 0) minima.push_back(i);
+    if (critical_points_[i].index == 0 && critical_points_[i].value <= last_) minima.push_back(i);
   }
   std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(critical_points_[a].value, a) < std::pair(critical_points_[b].value, b);
   });
   for (const std::uint32_t i : minima) create(critical_points_[i]);
+  finish();
+}
+
+void Sweep::finish() {
   creep_triangles();
   release_red_marks();
   creep_triangles();
@@ -67,11 +82,31 @@ void Sweep::run(const std::function<void(double)>& progress) {
   // What was refused while the front stood differently may go now.
   for (std::size_t before = 0; !stuck_.empty() && before != mesh_.surface.triangle_count();) {
     before = mesh_.surface.triangle_count();
-    for (const Departure& d : std::exchange(stuck_, {})) {
-      if (is_current(d)) queue_.push(d);
-    }
+    push_current(stuck_);
     creep_triangles();
   }
+}
+
+void Sweep::join(const Sweep& above) {
+  const auto vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count());
+  const auto half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count());
+  mesh_.append(above.mesh_);
+  const std::uint32_t edges = front_.append(above.front_, vertices, half_edges);
+  push_current(beyond_);
+  for (const auto* departures : {&above.beyond_, &above.stuck_}) {
+    for (const Departure& d : *departures) {
+      if (above.is_current(d)) push(FrontEdgeId{d.corner.value + edges});
+    }
+  }
+  for (std::size_t c = 0; c < marked_.size(); ++c) {
+    if (critical_points_[c].index == 1) marked_[c].is_done |= above.marked_[c].is_done;
+    if (critical_points_[c].index == 2) marked_[c].is_done = false;
+  }
+  for (std::size_t cell = 0; cell < laid_.size(); ++cell) laid_[cell] += above.laid_[cell];
+  is_overlapping_ |= above.is_overlapping_;
+  operations_ += above.operations_;
+  last_ = std::numeric_limits<double>::infinity();
+  finish();
 }
 
 // Algorithm 1, with its line numbers.
@@ -83,7 +118,11 @@ void Sweep::creep_triangles() {
     queue_.pop();
     if (!is_current(departure)) continue;
     if (progress_ && ++steps % steps_between_reports == 0) {
-      progress_(std::clamp((departure.height - lowest_) / (highest_ - lowest_), 0.0, 1.0));
+      progress_(std::clamp((departure.value - lowest_) / (highest_ - lowest_), 0.0, 1.0));
+    }
+    if (!may_depart(departure)) {
+      beyond_.push_back(departure);
+      continue;
     }
     const VertexId t = front_[departure.corner].origin;
     const auto c = spheres_.containing(mesh_.at(t));
@@ -104,8 +143,24 @@ bool Sweep::is_current(const Departure& d) const {
   return front_[d.corner].is_open && front_[d.corner].generation == d.generation;
 }
 
+/// Whether all that a fan or a closed corner at the departure vertex could add stays below the last
+/// value, with a disk's radius to spare.
+bool Sweep::may_depart(const Departure& d) const {
+  const SurfacePoint& t = mesh_.at(front_[d.corner].origin);
+  const double reach = 2 * disk_share_ * t.length_scale;
+  return d.value + function_.most_change(t.position, reach) <= last_;
+}
+
+/// Puts those departures back into the queue whose corners are still there.
+void Sweep::push_current(std::vector<Departure>& departures) {
+  for (const Departure& d : std::exchange(departures, {})) {
+    if (is_current(d)) queue_.push(d);
+  }
+}
+
 void Sweep::push(FrontEdgeId corner) {
-  queue_.push({height_(mesh_.position(front_[corner].origin)), corner, front_[corner].generation});
+  queue_.push(
+      {function_(mesh_.position(front_[corner].origin)), corner, front_[corner].generation});
 }
 
 /// The disk's radius in one direction: for the smaller of the length scales at both ends, which is
@@ -256,12 +311,16 @@ void Sweep::break_long_edge(FrontEdgeId e) {
   attach_new(e, skin_.project(near_.in_space(x), p.cell), r);
 }
 
+/// The circle through a corner and its two neighbours.
+refine::Circumcircle Sweep::ear(FrontEdgeId corner) const {
+  return refine::circumcircle(front_[corner].position, front_.previous(corner).position,
+                              front_.next(corner).position);
+}
+
 /// Whether the triangle that closes a corner is not much bigger than those of a fan there.
 bool Sweep::is_ear_small(FrontEdgeId corner) const {
-  const SurfacePoint& p = mesh_.at(front_[corner].origin);
-  const Point &in = front_.previous(corner).position, &out = front_.next(corner).position;
-  const double radius = refine::circumcircle(p.position, in, out).radius;
-  return radius <= spacing_.largest_ear * disk_share_ * p.length_scale;
+  const double rho = mesh_.at(front_[corner].origin).length_scale;
+  return ear(corner).radius <= spacing_.largest_ear * disk_share_ * rho;
 }
 
 /// Whether the polygon of an edge has three edges.
@@ -281,6 +340,10 @@ void Sweep::wing() {
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
     if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
+    // One closed corner makes the next one small, and so on out of view: what lies there is not
+    // known. Such a corner waits for its own turn.
+    const refine::Circumcircle circle = ear(c);
+    if (!near_.is_in_view(circle.centre, circle.radius)) continue;
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
     ++operations_.wing;
@@ -337,11 +400,7 @@ void Sweep::release_red_marks() {
   for (std::size_t c = 0; c < marked_.size(); ++c) {
     if (critical_points_[c].index != 1) continue;
     marked_[c].is_done = true;
-    for (auto& side : marked_[c].sides) {
-      for (const Departure& d : std::exchange(side, {})) {
-        if (is_current(d)) queue_.push(d);
-      }
-    }
+    for (auto& side : marked_[c].sides) push_current(side);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "morse/critical_points.h"
 #include "morse/protecting_spheres.h"
 #include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
 
 namespace morskin::front {
 
@@ -27,6 +29,8 @@ struct Operations {
   /// Touches of the front found by the collision guard, in and out of protecting spheres.
   std::size_t guard_inside_protecting = 0;
   std::size_t guard_outside_protecting = 0;
+
+  Operations& operator+=(const Operations& other);
 };
 
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
@@ -47,15 +51,22 @@ struct Spacing {
 
 class Sweep {
  public:
+  /// @param last  the sweep stays below this value of the Morse function, by a disk's radius or
+  ///              more where it moves on, by next to nothing where a bowl is laid
   /// @pre the spheres are those of the critical points; the mesh is empty.
-  Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& height,
+  Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& function,
         std::span<const morse::CriticalPoint> critical_points,
-        const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh);
+        const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh,
+        double last = std::numeric_limits<double>::infinity());
 
   /// Sweeps until no bare surface is left that the front can reach.
   /// `progress` is told now and then what share of the way from the lowest critical point to the
   /// highest the front has come.
   void run(const std::function<void(double)>& progress = {});
+
+  /// Takes over the mesh and the front of a sweep of the reversed function that has run, and sweeps
+  /// on without a last value.
+  void join(const Sweep& above);
 
   const Operations& operations() const { return operations_; }
   /// Front edges left open: 0 when the mesh is closed.
@@ -64,11 +75,11 @@ class Sweep {
  private:
   using CriticalId = morse::CriticalId;
   struct Departure {
-    double height;
+    double value;  ///< of the Morse function
     FrontEdgeId corner;
     std::uint32_t generation;
     bool operator>(const Departure& other) const {
-      return height != other.height ? height > other.height : corner > other.corner;
+      return value != other.value ? value > other.value : corner > other.corner;
     }
   };
   /// Departures stopped in the protecting sphere of a critical point.
@@ -77,6 +88,7 @@ class Sweep {
     bool is_done = false;
   };
 
+  void finish();
   void create(const morse::CriticalPoint& minimum);
   void creep_triangles();
   bool creep(FrontEdgeId e);
@@ -93,8 +105,11 @@ class Sweep {
   void release_red_marks();
 
   bool is_current(const Departure& d) const;
+  bool may_depart(const Departure& d) const;
+  void push_current(std::vector<Departure>& departures);
   void push(FrontEdgeId corner);
   bool is_ear_small(FrontEdgeId corner) const;
+  refine::Circumcircle ear(FrontEdgeId corner) const;
   void attach(FrontEdgeId e, FrontEdgeId corner);
   std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector2& direction);
   double disk_radius(const SurfacePoint& centre, const Vector& direction) const;
@@ -102,7 +117,7 @@ class Sweep {
   bool is_protected(VertexId v) const;
 
   const skin::SkinSurface& skin_;
-  const morse::MorseFunction& height_;
+  const morse::MorseFunction function_;
   std::span<const morse::CriticalPoint> critical_points_;
   const morse::ProtectingSpheres& spheres_;
   Spacing spacing_;
@@ -113,9 +128,11 @@ class Sweep {
   Neighbourhood near_;
   std::priority_queue<Departure, std::vector<Departure>, std::greater<>> queue_;
   std::vector<Marked> marked_;  ///< by critical point
+  double last_;
   std::function<void(double)> progress_;
   double lowest_ = 0, highest_ = 1;  ///< critical values
   std::vector<Departure> stuck_;
+  std::vector<Departure> beyond_;    ///< too near the last value
   std::vector<FrontEdgeId> fresh_;   ///< corners that the current operation made or changed
   std::vector<std::uint32_t> laid_;  ///< by mixed cell: vertices laid on its patch
   std::uint32_t most_on_sphere_;     ///< more than fit on a whole sphere

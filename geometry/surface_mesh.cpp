@@ -44,6 +44,17 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
   set_twin(h, g);
 }
 
+void SurfaceMesh::append(const SurfaceMesh& other) {
+  const std::uint32_t vertices = static_cast<std::uint32_t>(vertex_count());
+  const std::uint32_t half_edges = static_cast<std::uint32_t>(origin_.size());
+  const auto moved = [](auto id, std::uint32_t by) {
+    return id.value == kBoundary ? id : decltype(id){id.value + by};
+  };
+  for (const VertexId v : other.origin_) origin_.push_back(moved(v, vertices));
+  for (const HalfEdgeId h : other.twin_) twin_.push_back(moved(h, half_edges));
+  for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));
+}
+
 void SurfaceMesh::flip(HalfEdgeId h) {
   assert(!is_boundary(h));
   const HalfEdgeId g = twin(h);

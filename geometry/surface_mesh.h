@@ -52,6 +52,9 @@ class SurfaceMesh {
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
 
+  /// Adds all vertices and triangles of another mesh, in their order, behind those there are.
+  void append(const SurfaceMesh& other);
+
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).
   /// @pre the edge is not on the boundary.

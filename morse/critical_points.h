@@ -25,6 +25,9 @@ struct CriticalPoint {
   /// At a saddle the unit tangents of steepest descent and ascent, one of the two each; they are
   /// orthogonal. Otherwise zero.
   Vector descending = Vector::Zero(), ascending = Vector::Zero();
+
+  /// The same point as one of the reversed function.
+  CriticalPoint reversed() const { return {point, 2 - index, -value, ascending, descending}; }
 };
 
 struct CriticalPoints {

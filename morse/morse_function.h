@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "geometry/point.h"
 
 namespace morskin::morse {
@@ -18,7 +20,7 @@ using geometry::Vector;
 struct MorseFunction {
   Vector direction = Vector(0.0231, 1.0, 0.0137).normalized();  ///< unit for a height, or zero
   Point origin = Point::Zero();                                 ///< of the squared distance
-  double curvature = 0;  ///< 0 for a height, 1 for a squared distance
+  double curvature = 0;  ///< 0 for a height, 1 for a squared distance, -1 for one reversed
 
   /// @pre direction is not zero.
   static MorseFunction height(const Vector& direction) { return {direction.normalized()}; }
@@ -26,12 +28,19 @@ struct MorseFunction {
 
   bool is_height() const { return curvature == 0; }
 
+  /// -f: minima and maxima change places, saddles stay.
+  MorseFunction reversed() const { return {-direction, origin, -curvature}; }
+
   /// Angstrom for a height, Angstrom^2 for a squared distance.
   double operator()(const Point& x) const {
     return direction.dot(x) + curvature * (x - origin).squaredNorm();
   }
   /// The gradient in space; on the skin it is this without its part along the normal.
   Vector gradient(const Point& x) const { return direction + 2 * curvature * (x - origin); }
+  /// No point within a distance of x has a value that differs from f(x) by more than this.
+  double most_change(const Point& x, double distance) const {
+    return distance * (gradient(x).norm() + std::abs(curvature) * distance);
+  }
 };
 
 }  // namespace morskin::morse

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
-#include <thread>
 #include <vector>
 
+#include "geometry/parallel.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -83,25 +83,30 @@ class Certifier {
     out_.expected_euler_characteristic = expected.skin_euler_characteristic();
     out_.expected_components = expected.skin_components();
     out_.expected_genus = static_cast<long>(expected.skin_genus());
-    // The shape needs no connectivity and shares no result: it can be measured beside the proof.
-    std::jthread beside;
-    if (threads > 1) {
-      beside = std::jthread([this] { measure_shape(); });
-    } else {
-      measure_shape();
-    }
-    prove();
+    prove(threads);
   }
 
  private:
-  void prove() {
+  void prove(unsigned threads) {
     if (mesh_.triangles.empty()) return fail("the mesh has no triangles");
-    geometry::MeshOrDefect built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
-    if (built.defect) return fail("not a closed oriented 2-manifold: " + *built.defect);
+    geometry::MeshOrDefect built;
+    // Where the vertices lie needs no connectivity, and the other way round.
+    const auto look_at_places = [&] {
+      locate_vertices();
+      check_triangles();
+    };
+    const auto look_at_connectivity = [&] {
+      built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
+      if (!built.defect) parts_ = geometry::components(built.mesh);
+      measure_shape();
+    };
+    geometry::do_both(threads, look_at_places, look_at_connectivity);
+    if (built.defect) {
+      out_.reason = "not a closed oriented 2-manifold: " + *built.defect;
+      return;
+    }
     surface_ = std::move(built.mesh);
-    locate_vertices();
-    check_triangles();
-    check_covering_degree();
+    check_covering_degree(threads);
     compare_counts();
     out_.is_homeomorphic = out_.reason.empty();
     if (out_.violations_L + out_.violations_U > 0) {
@@ -123,7 +128,7 @@ class Certifier {
   /// [L], [U], and the conditions c1 and c2 of the theorem.
   void check_triangles();
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
-  void check_covering_degree();
+  void check_covering_degree(unsigned threads);
   void compare_counts();
 
   bool turns_once(VertexId v) const;
@@ -137,6 +142,7 @@ class Certifier {
   const Sizing sizing_;
   Certificate& out_;
   geometry::SurfaceMesh surface_;
+  geometry::Components parts_;
   std::vector<SurfacePoint> points_;
   double largest_share_ = 0;  ///< of R_abc over rho_abc
   double free_share_ = 0;     ///< free_radius() over rho
@@ -280,15 +286,14 @@ void Certifier::find_free_share() {
   free_share_ *= 1 + 1e-6;
 }
 
-void Certifier::check_covering_degree() {
-  const geometry::Components parts = geometry::components(surface_);
-  out_.components = parts.count;
+void Certifier::check_covering_degree(unsigned threads) {
+  out_.components = parts_.count;
   // A few candidates per component: where the mesh is thin beside its length scale a neighbour's
   // triangle may pass through the ball, and another vertex shows the degree.
   constexpr std::size_t most_candidates = 8;
-  std::vector<std::vector<VertexId>> candidates(parts.count);
+  std::vector<std::vector<VertexId>> candidates(parts_.count);
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    auto& list = candidates[parts.of_triangle[t]];
+    auto& list = candidates[parts_.of_triangle[t]];
     const VertexId v{mesh_.triangles[t][0]};
     if (list.size() == most_candidates) continue;
     if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
@@ -303,14 +308,22 @@ void Certifier::check_covering_degree() {
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
   }
-  for (const auto& triangle : mesh_.triangles) {
-    const std::uint32_t a = triangle[0], b = triangle[1], c = triangle[2];
-    grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
-      if (v.value == a || v.value == b || v.value == c) return;
-      const double d2 =
-          squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-      if (d2 <= free_radius(v) * free_radius(v)) is_free[v.index()] = 0;
-    });
+  std::vector<std::vector<VertexId>> entered(
+      geometry::chunk_count(threads, mesh_.triangles.size()));
+  geometry::for_each_chunk(threads, mesh_.triangles.size(), [&](auto begin, auto end, auto chunk) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& corner = mesh_.triangles[t];
+      const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
+      grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
+        if (v.value == a || v.value == b || v.value == c) return;
+        const double d2 =
+            squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
+        if (d2 <= free_radius(v) * free_radius(v)) entered[chunk].push_back(v);
+      });
+    }
+  });
+  for (const auto& list : entered) {
+    for (const VertexId v : list) is_free[v.index()] = 0;
   }
   out_.covering_degree_ok = true;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

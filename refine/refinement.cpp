@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/parallel.h"
+
 namespace morskin::refine {
 
 namespace {
@@ -19,14 +21,15 @@ constexpr double doubtful_intrusion = 0.12;
 
 }  // namespace
 
-Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh)
-    : skin_(skin), sizing_(sizing), mesh_(mesh) {}
+Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+                       unsigned threads)
+    : skin_(skin), sizing_(sizing), mesh_(mesh), threads_(threads) {}
 
 void Refinement::run() {
   balls_.resize(mesh_.surface.triangle_count());
   most_ = 1000 + 10 * mesh_.surface.triangle_count();
-  for (std::size_t t = 0; t < balls_.size(); ++t) update(TriangleId{t});
-  flip_everywhere();
+  look_everywhere();
+  flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.
   std::size_t done = 0;
   do {
@@ -34,13 +37,41 @@ void Refinement::run() {
     contract_short_edges();
     insert_into_big_triangles();
   } while (counts_.contract + counts_.insert > done && counts_.contract + counts_.insert < most_);
-  counts_.refused = short_.size() + big_.size();
+  counts_.refused = work_.too_short.size() + work_.big.size();
   const auto renamed = mesh_.surface.compact();
   std::size_t kept = 0;
   for (std::size_t v = 0; v < renamed.size(); ++v) {
     if (renamed[v]) mesh_.points[kept++] = mesh_.points[v];
   }
   mesh_.points.resize(kept);
+}
+
+void Refinement::Work::append(const Work& other) {
+  to_flip.insert(to_flip.end(), other.to_flip.begin(), other.to_flip.end());
+  too_short.insert(too_short.end(), other.too_short.begin(), other.too_short.end());
+  big.insert(big.end(), other.big.begin(), other.big.end());
+}
+
+/// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles and writes
+/// only what belongs to them.
+void Refinement::look_everywhere() {
+  std::vector<Work> found(geometry::chunk_count(threads_, balls_.size()));
+  geometry::for_each_chunk(threads_, balls_.size(), [&](auto begin, auto end, auto chunk) {
+    for (std::size_t t = begin; t < end; ++t) update(TriangleId{t}, found[chunk]);
+  });
+  geometry::for_each_chunk(threads_, balls_.size(), [&](auto begin, auto end, auto chunk) {
+    for (std::size_t t = begin; t < end; ++t) look_for_flips(TriangleId{t}, found[chunk]);
+  });
+  for (const Work& work : found) work_.append(work);
+}
+
+/// Notes the edges of t over which a vertex lies in its ball.
+void Refinement::look_for_flips(TriangleId t, Work& found) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+    const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
+    if (intrusion(t, beyond) > 0) found.to_flip.push_back(h);
+  }
 }
 
 /// How deep v lies in the surface ball of t; in doubt the ball is found to rounding, so that all
@@ -55,24 +86,25 @@ double Refinement::intrusion(TriangleId t, VertexId v) {
 }
 
 /// Finds what is kept about a triangle, and whether it breaks [L] or [U].
-void Refinement::update(TriangleId t) {
+void Refinement::update(TriangleId t, Work& found) {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   balls_[t.index()] = quick_surface_ball(skin_, *p[0], circle);
   const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) big_.push_back(t);
+  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.edge_ratio(*p[k], *p[(k + 1) % 3]) <= 1) {
-      short_.push_back(SurfaceMesh::half_edge(t, k));
+      found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
 }
 
-void Refinement::update_after_change(TriangleId t) {
+/// Looks again at a triangle that changed, and at its edges but for those known to be Delaunay.
+void Refinement::update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
   if (balls_.size() <= t.index()) balls_.resize(mesh_.surface.triangle_count());
-  update(t);
-  for (std::uint32_t k = 0; k < 3; ++k) to_flip_.push_back(SurfaceMesh::half_edge(t, k));
+  update(t, work_);
+  work_.to_flip.insert(work_.to_flip.end(), edges);
 }
 
 /// Whether the triangle's normal agrees with the skin's at all its corners: then it lies on the
@@ -97,8 +129,10 @@ void Refinement::flip(HalfEdgeId h) {
   const HalfEdgeId g = mesh_.surface.twin(h);
   mesh_.surface.flip(h);
   ++counts_.flip;
-  update_after_change(SurfaceMesh::triangle(h));
-  update_after_change(SurfaceMesh::triangle(g));
+  for (const HalfEdgeId side : {h, g}) {
+    update_after_change(SurfaceMesh::triangle(side),
+                        {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
+  }
 }
 
 bool Refinement::flip_if_better(HalfEdgeId h) {
@@ -118,24 +152,14 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   return true;
 }
 
-void Refinement::flip_everywhere() {
-  const std::size_t half_edges = 3 * mesh_.surface.triangle_count();
-  for (std::size_t i = 0; i < half_edges; ++i) {
-    const HalfEdgeId h{i};
-    if (h > mesh_.surface.twin(h)) continue;
-    flip_if_better(h);
-    flip_where_needed();
-  }
-}
-
 void Refinement::flip_where_needed() {
-  while (!to_flip_.empty() && counts_.flip < 1000 + 50 * balls_.size()) {
-    const HalfEdgeId h = to_flip_.back();
-    to_flip_.pop_back();
+  while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * balls_.size()) {
+    const HalfEdgeId h = work_.to_flip.back();
+    work_.to_flip.pop_back();
     if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;
     flip_if_better(h);
   }
-  to_flip_.clear();
+  work_.to_flip.clear();
 }
 
 bool Refinement::is_short(HalfEdgeId h) const {
@@ -146,12 +170,12 @@ bool Refinement::is_short(HalfEdgeId h) const {
 void Refinement::contract_short_edges() {
   for (std::size_t done = counts_.contract + 1; counts_.contract != done;) {
     done = counts_.contract;
-    std::vector<HalfEdgeId> batch = std::exchange(short_, {});
+    std::vector<HalfEdgeId> batch = std::exchange(work_.too_short, {});
     std::sort(batch.begin(), batch.end());
     batch.erase(std::unique(batch.begin(), batch.end()), batch.end());
     for (const HalfEdgeId h : batch) {
       if (mesh_.surface.is_removed(SurfaceMesh::triangle(h)) || !is_short(h)) continue;
-      if (!contract(h)) short_.push_back(h);
+      if (!contract(h)) work_.too_short.push_back(h);
     }
   }
 }
@@ -186,6 +210,7 @@ bool Refinement::remove(VertexId v) {
     });
     if (!best) return false;
     flip(*best);
+    work_.to_flip.push_back(*best);  // no Delaunay flip: if v stays after all, it may go back
   }
   const HalfEdgeId first = *surface.outgoing(v);
   const VertexId a = surface.target(first), b = surface.apex(first);
@@ -195,20 +220,22 @@ bool Refinement::remove(VertexId v) {
     return false;
   }
   surface.unsplit(v);
-  update_after_change(SurfaceMesh::triangle(first));
+  const TriangleId left = SurfaceMesh::triangle(first);
+  update_after_change(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
+                             SurfaceMesh::half_edge(left, 2)});
   return true;
 }
 
 void Refinement::insert_into_big_triangles() {
   std::vector<TriangleId> refused;
-  while (!big_.empty() && counts_.insert < most_) {
-    const TriangleId t = big_.back();
-    big_.pop_back();
+  while (!work_.big.empty() && counts_.insert < most_) {
+    const TriangleId t = work_.big.back();
+    work_.big.pop_back();
     if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
   }
   std::sort(refused.begin(), refused.end());
   refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
-  big_.insert(big_.end(), refused.begin(), refused.end());
+  work_.big.insert(work_.big.end(), refused.begin(), refused.end());
 }
 
 /// Breaks a triangle that is too big with the centre of its surface ball; true when the triangle is
@@ -249,7 +276,7 @@ bool Refinement::insert(TriangleId t) {
   const std::size_t before = surface.triangle_count();
   surface.split(under, mesh_.add_vertex(*x));
   for (const TriangleId changed : {under, TriangleId{before}, TriangleId{before + 1}}) {
-    update_after_change(changed);
+    update_after_change(changed, {SurfaceMesh::half_edge(changed, 0)});
   }
   ++counts_.insert;
   flip_where_needed();

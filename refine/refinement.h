@@ -24,8 +24,11 @@ struct RefinementCounts {
 
 class Refinement {
  public:
+  /// @param threads  at most, for the first look at the mesh; the outcome is the same for any
+  ///                 number
   /// @pre the mesh is closed, its vertices are points of the skin.
-  Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh);
+  Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+             unsigned threads = 1);
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
   void run();
@@ -33,9 +36,19 @@ class Refinement {
   const RefinementCounts& counts() const { return counts_; }
 
  private:
-  void update(TriangleId t);
-  void update_after_change(TriangleId t);
-  void flip_everywhere();
+  /// What needs work.
+  struct Work {
+    std::vector<HalfEdgeId> to_flip;    ///< edges that may not be Delaunay
+    std::vector<HalfEdgeId> too_short;  ///< edges that broke [L] when they came to be
+    std::vector<TriangleId> big;        ///< triangles that broke [U] when they came to be
+
+    void append(const Work& other);
+  };
+
+  void look_everywhere();
+  void look_for_flips(TriangleId t, Work& found);
+  void update(TriangleId t, Work& found);
+  void update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges);
   void flip_where_needed();
   bool flip_if_better(HalfEdgeId h);
   void flip(HalfEdgeId h);
@@ -56,10 +69,9 @@ class Refinement {
   const skin::SkinSurface& skin_;
   const Sizing sizing_;
   SkinMesh& mesh_;
-  std::vector<SurfaceBall> balls_;   ///< by triangle
-  std::vector<HalfEdgeId> to_flip_;  ///< edges that may not be Delaunay
-  std::vector<HalfEdgeId> short_;    ///< edges that broke [L] when they came to be
-  std::vector<TriangleId> big_;      ///< triangles that broke [U] when they came to be
+  const unsigned threads_;
+  std::vector<SurfaceBall> balls_;  ///< by triangle
+  Work work_;
   /// Budgets, for constants outside the range where termination is proved: of contractions and
   /// insertions together, and 50 flips for every triangle there has been.
   std::size_t most_ = 0;

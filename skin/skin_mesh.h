@@ -20,6 +20,10 @@ struct SkinMesh {
     points.push_back(p);
     return surface.add_vertex();
   }
+  void append(const SkinMesh& other) {
+    surface.append(other.surface);
+    points.insert(points.end(), other.points.begin(), other.points.end());
+  }
 };
 
 }  // namespace morskin::skin

@@ -83,3 +83,20 @@ TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the 
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
+
+TEST_CASE("a corner is closed only where everything near it is in view") {
+  // One corner closed made the next one small, and so on until a vertex lay in the way unseen.
+  for (const unsigned seed : {1779U, 2889U}) {
+    CAPTURE(seed);
+    const auto result = front::mesh_skin(support::ball_set(seed));
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+  }
+}
+
+TEST_CASE("an edge flipped for a vertex that then stays is flipped back") {
+  for (const unsigned seed : {1649U, 10393U, 10439U, 11314U}) {
+    CAPTURE(seed);
+    const auto result = front::mesh_skin(support::ball_set(seed));
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+  }
+}

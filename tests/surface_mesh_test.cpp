@@ -177,6 +177,23 @@ TEST_CASE("compact drops what is removed and renames the rest in order") {
   }
 }
 
+TEST_CASE("append keeps both meshes, one behind the other, with all their edges") {
+  SurfaceMesh mesh = octahedron_mesh();
+  const SurfaceMesh second = octahedron_mesh();
+  mesh.append(second);
+  CHECK(validate(mesh) == std::nullopt);
+  CHECK(components(mesh).count == 2);
+  TriangleList expected = support::octahedron();
+  for (const auto& [a, b, c] : support::octahedron()) expected.push_back({a + 6, b + 6, c + 6});
+  CHECK(mesh.triangle_list() == expected);
+  SurfaceMesh disk;
+  for (int i = 0; i < 3; ++i) disk.add_vertex();
+  disk.add_triangle(VertexId{0U}, VertexId{1U}, VertexId{2U});
+  mesh.append(disk);
+  CHECK(validate(mesh, Expect::Any) == std::nullopt);
+  CHECK(components(mesh).count == 3);
+}
+
 TEST_CASE("a disk is a valid mesh but not a closed one") {
   SurfaceMesh mesh;
   const VertexId a = mesh.add_vertex(), b = mesh.add_vertex(), c = mesh.add_vertex();

@@ -1,0 +1,99 @@
+#include "front/two_fronts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/parallel.h"
+
+namespace morskin::front {
+
+namespace {
+
+/// An open interval of values.
+struct Interval {
+  double low, high;
+};
+
+/// The values between a minimum and a higher maximum that lie within a length scale of each other.
+std::vector<Interval> close_pairs(std::span<const morse::CriticalPoint> points) {
+  std::vector<const morse::CriticalPoint*> extrema;
+  double largest = 0;
+  for (const morse::CriticalPoint& p : points) {
+    if (p.index == 1) continue;
+    extrema.push_back(&p);
+    largest = std::max(largest, p.point.length_scale);
+  }
+  // Along an axis: points that are close in space are close there.
+  std::sort(extrema.begin(), extrema.end(), [](const auto* p, const auto* q) {
+    return p->point.position.x() < q->point.position.x();
+  });
+  std::vector<Interval> pairs;
+  for (std::size_t i = 0; i < extrema.size(); ++i) {
+    const skin::SurfacePoint& p = extrema[i]->point;
+    for (std::size_t j = i + 1; j < extrema.size(); ++j) {
+      const skin::SurfacePoint& q = extrema[j]->point;
+      if (q.position.x() - p.position.x() > largest) break;
+      const bool is_close =
+          (p.position - q.position).norm() <= std::min(p.length_scale, q.length_scale);
+      const auto [low, high] = std::minmax(extrema[i]->value, extrema[j]->value);
+      if (is_close && extrema[i]->index != extrema[j]->index) pairs.push_back({low, high});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Interval& a, const Interval& b) {
+    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+  });
+  return pairs;
+}
+
+}  // namespace
+
+double middle_level(const skin::SkinSurface& skin, const morse::MorseFunction& function,
+                    std::span<const morse::CriticalPoint> critical_points) {
+  std::vector<double> values;
+  for (const geometry::AtomId atom : skin.triangulation().vertices) {
+    values.push_back(function(skin.points()[atom.index()].position));
+  }
+  const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), median, values.end());
+  double level = *median;
+  for (const Interval& pair : close_pairs(critical_points)) {
+    if (pair.low <= level && level <= pair.high) level = std::nextafter(pair.high, INFINITY);
+  }
+  return level;
+}
+
+SweepResult sweep_once(const skin::SkinSurface& skin, const morse::MorseFunction& function,
+                       std::span<const morse::CriticalPoint> critical_points,
+                       const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing,
+                       const std::function<void(double)>& progress) {
+  SweepResult result;
+  Sweep sweep(skin, function, critical_points, spheres, sizing, result.mesh);
+  sweep.run(progress);
+  result.operations = sweep.operations();
+  result.open_edges = sweep.open_edges();
+  return result;
+}
+
+SweepResult sweep_from_both_ends(const skin::SkinSurface& skin,
+                                 const morse::MorseFunction& function,
+                                 std::span<const morse::CriticalPoint> critical_points,
+                                 const morse::ProtectingSpheres& spheres,
+                                 const refine::Sizing& sizing, unsigned threads,
+                                 const std::function<void(double)>& progress) {
+  const double middle = middle_level(skin, function, critical_points);
+  std::vector<morse::CriticalPoint> reversed_points;
+  for (const auto& p : critical_points) reversed_points.push_back(p.reversed());
+  SweepResult result;
+  skin::SkinMesh upper_mesh;
+  Sweep below(skin, function, critical_points, spheres, sizing, result.mesh, middle);
+  Sweep above(skin, function.reversed(), reversed_points, spheres, sizing, upper_mesh, -middle);
+  geometry::do_both(
+      threads, [&] { below.run(progress); }, [&] { above.run(); });
+  below.join(above);
+  result.operations = below.operations();
+  result.open_edges = below.open_edges();
+  return result;
+}
+
+}  // namespace morskin::front

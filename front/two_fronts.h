@@ -1,0 +1,47 @@
+#pragma once
+
+/// Two sweeps at once: one from the minima up, one from the maxima down (the Morse function
+/// reversed), each in its own thread. Both stop a few edges before a middle level; then one front
+/// takes over the other and closes the strip between.
+///
+/// The paper sweeps once, from below (section 4.1). Which way the surface is swept is open there
+/// ("our algorithm can generate correct mesh with different directions"), and neither sweep
+/// touches what the other has laid before they are joined, so the mesh does not depend on the
+/// number of threads.
+
+#include <functional>
+#include <span>
+
+#include "front/sweep.h"
+
+namespace morskin::front {
+
+struct SweepResult {
+  skin::SkinMesh mesh;
+  Operations operations;
+  std::size_t open_edges = 0;  ///< 0 when the mesh is closed
+};
+
+/// One sweep from below, Algorithm 1 as printed.
+/// @pre the spheres are those of the critical points.
+SweepResult sweep_once(const skin::SkinSurface& skin, const morse::MorseFunction& function,
+                       std::span<const morse::CriticalPoint> critical_points,
+                       const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing,
+                       const std::function<void(double)>& progress = {});
+
+/// From both ends.
+/// @param threads  with one, the two sweeps run one after the other
+SweepResult sweep_from_both_ends(const skin::SkinSurface& skin,
+                                 const morse::MorseFunction& function,
+                                 std::span<const morse::CriticalPoint> critical_points,
+                                 const morse::ProtectingSpheres& spheres,
+                                 const refine::Sizing& sizing, unsigned threads,
+                                 const std::function<void(double)>& progress = {});
+
+/// The level where they meet: as near as can be to the median value over the atoms, so that both
+/// have about as much to do, but never between a minimum below and a maximum above that are so
+/// close to each other that their bowls might overlap.
+double middle_level(const skin::SkinSurface& skin, const morse::MorseFunction& function,
+                    std::span<const morse::CriticalPoint> critical_points);
+
+}  // namespace morskin::front

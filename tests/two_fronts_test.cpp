@@ -1,0 +1,111 @@
+#include "front/two_fronts.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "front/mesh_skin.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::front;
+
+namespace {
+
+/// A skin with the critical points of a height along it.
+struct Swept {
+  explicit Swept(unsigned seed) : skin(support::prepared(support::ball_set(seed))) {
+    if (!skin) return;
+    critical = morse::critical_points(skin->surface, function).points;
+    spheres.emplace(skin->surface, critical, refine::Sizing{}.tangent_disk_share());
+  }
+  SweepResult sweep(unsigned threads) const {
+    return sweep_from_both_ends(skin->surface, function, critical, *spheres, {}, threads);
+  }
+
+  morse::MorseFunction function;
+  std::optional<PreparedSkin> skin;
+  std::vector<morse::CriticalPoint> critical;
+  std::optional<morse::ProtectingSpheres> spheres;
+};
+
+}  // namespace
+
+TEST_CASE("two fronts leave a closed mesh of the same surface that one front leaves") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    MeshOptions one, two;
+    one.fronts = 1;
+    const MeshResult a = mesh_skin(*skin, one), b = mesh_skin(*skin, two);
+    CHECK_MESSAGE(a.certificate.certified, a.certificate.reason);
+    CHECK_MESSAGE(b.certificate.certified, b.certificate.reason);
+    CHECK(std::abs(a.certificate.area - b.certificate.area) < 2e-3 * a.certificate.area);
+  }
+}
+
+TEST_CASE("two fronts lay the same triangles in one thread as in two") {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    CAPTURE(seed);
+    const Swept swept(seed);
+    if (!swept.skin) continue;
+    const SweepResult a = swept.sweep(1), b = swept.sweep(2);
+    CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
+    CHECK(a.open_edges == 0);
+  }
+}
+
+TEST_CASE("the middle level keeps out of the interval between a close minimum and maximum") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    const Swept swept(seed);
+    if (!swept.skin) continue;
+    const double level = middle_level(swept.skin->surface, swept.function, swept.critical);
+    for (const auto& p : swept.critical) {
+      for (const auto& q : swept.critical) {
+        if (p.index != 0 || q.index != 2) continue;
+        const double reach = std::min(p.point.length_scale, q.point.length_scale);
+        if ((p.point.position - q.point.position).norm() > reach) continue;
+        CHECK_FALSE((p.value <= level && level <= q.value));
+      }
+    }
+  }
+}
+
+TEST_CASE("a reversed Morse function has the same critical points with minima and maxima swapped") {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    CAPTURE(seed);
+    const Swept swept(seed);
+    if (!swept.skin) continue;
+    const auto reversed =
+        morse::critical_points(swept.skin->surface, swept.function.reversed()).points;
+    REQUIRE(reversed.size() == swept.critical.size());
+    for (const auto& p : swept.critical) {
+      const auto same = std::find_if(reversed.begin(), reversed.end(), [&](const auto& q) {
+        return (p.point.position - q.point.position).norm() < 1e-9 * p.point.length_scale &&
+               p.reversed().index == q.index;
+      });
+      REQUIRE(same != reversed.end());
+      CHECK(same->value == doctest::Approx(p.reversed().value));
+      CHECK(std::abs(same->descending.dot(p.reversed().descending)) ==
+            doctest::Approx(p.index == 1 ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("no value within a distance differs by more than a Morse function's most change") {
+  support::Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const geometry::Point from = 3 * random.direction(), x = 5 * random.direction();
+    for (const auto& f : {morse::MorseFunction::height(random.direction()),
+                          morse::MorseFunction::squared_distance(from),
+                          morse::MorseFunction::squared_distance(from).reversed()}) {
+      const double distance = random.between(0, 4);
+      const geometry::Point y = x + distance * random.direction();
+      CHECK(std::abs(f(y) - f(x)) <= f.most_change(x, distance) * (1 + 1e-12));
+    }
+  }
+}
