@@ -15,36 +15,27 @@ std::vector<std::uint32_t> first_arcs(const MorseSmaleComplex& complex) {
   return first;
 }
 
+/// The sector that ends at an arc.
+Sector before_arc(ArcId arc) { return arc.value - arc.value % 4 + (arc.value + 3) % 4; }
+
 }  // namespace
 
 std::optional<std::vector<Sector>> matched_sectors(const MorseSmaleComplex& complex) {
-  const std::vector<std::uint32_t> first_arc = first_arcs(complex);
-  const std::size_t arcs = complex.arcs.size();
   constexpr Sector none = ~Sector{0};
-  std::vector<Sector> matched(arcs, none);
-  // A free sector of the saddle that comes after an arc to `from` and before one to `to`.
-  const auto free_sector = [&](CriticalId saddle, CriticalId from, CriticalId to) {
-    const std::size_t first = first_arc[saddle.index()];
-    for (std::size_t k = 0; k < 4 && first + 3 < arcs; ++k) {
-      if (matched[first + k] == none && complex.arcs[first + k].saddle == saddle &&
-          complex.arcs[first + k].extremum == from &&
-          complex.arcs[first + (k + 1) % 4].extremum == to) {
-        return static_cast<Sector>(first + k);
-      }
-    }
-    return none;
+  std::vector<Sector> matched(complex.arcs.size(), none);
+  const auto match = [&](Sector a, Sector b) {
+    if (matched[a] != none && matched[a] != b) return false;
+    matched[a] = b;
+    return true;
   };
-  // Counter-clockwise about a region from its minimum comes the saddle that has it between an arc
-  // to the maximum and the next arc, to the minimum; last comes the one with these exchanged.
-  for (const auto& [minimum, first, maximum, second] : complex.regions) {
-    const Sector s = free_sector(first, maximum, minimum);
-    const Sector t = free_sector(second, minimum, maximum);
-    if (s == none || t == none) return std::nullopt;
-    matched[s] = t;
-    matched[t] = s;
-  }
-  for (const Sector s : matched) {
-    if (s == none) return std::nullopt;
+  for (std::size_t i = 0; i < complex.points.size(); ++i) {
+    const std::span<const ArcId> about = complex.arcs_at(CriticalId{i});
+    for (std::size_t k = 0; k < about.size(); ++k) {
+      // The region from this arc on to the next lies before this one, seen from its saddle, and
+      // after the next one, seen from there.
+      const Sector before = before_arc(about[k]), after = about[(k + 1) % about.size()].value;
+      if (!match(before, after) || !match(after, before)) return std::nullopt;
+    }
   }
   return matched;
 }
@@ -105,11 +96,15 @@ void Quadrangles::cancel(CriticalId saddle, CriticalId extremum) {
   survives_[saddle.index()] = survives_[extremum.index()] = false;
 }
 
+ArcId Quadrangles::next_about_extremum(ArcId arc) const { return ArcId{matched_[before_arc(arc)]}; }
+
 std::vector<std::array<CriticalId, 4>> Quadrangles::regions() const {
   std::vector<std::array<CriticalId, 4>> result;
   for (std::size_t i = 0; i < complex_.arcs.size(); i += 4) {
     const CriticalId first = complex_.arcs[i].saddle;
     if (!survives(first)) continue;
+    // Counter-clockwise from the minimum, the first saddle is the one that has the region between
+    // an arc to the maximum and the next, to the minimum.
     for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
       const CriticalId second = complex_.arcs[matched_[i + k]].saddle;
       result.push_back({heir(complex_.arcs[i + (k + 1) % 4].extremum), first,
@@ -117,6 +112,41 @@ std::vector<std::array<CriticalId, 4>> Quadrangles::regions() const {
     }
   }
   return result;
+}
+
+MorseSmaleComplex Quadrangles::remaining() const {
+  MorseSmaleComplex left;
+  left.points = complex_.points;
+  left.components = complex_.components;
+  left.merged_lines = complex_.merged_lines;
+  left.degeneracies = complex_.degeneracies;
+  left.regions = regions();
+  std::vector<ArcId> old_arcs;                             // by arc that is left
+  std::vector<std::uint32_t> place(complex_.arcs.size());  // by old arc
+  for (std::size_t i = 0; i < complex_.arcs.size(); ++i) {
+    const auto [saddle, extremum] = complex_.arcs[i];
+    if (!survives(saddle)) continue;
+    place[i] = static_cast<std::uint32_t>(old_arcs.size());
+    old_arcs.push_back(ArcId{i});
+    left.arcs.push_back({saddle, heir(extremum)});
+  }
+  std::vector<std::optional<ArcId>> first(complex_.points.size());  // by extremum, an arc to it
+  for (const ArcId arc : old_arcs) {
+    std::optional<ArcId>& one = first[heir(complex_.arcs[arc.index()].extremum).index()];
+    if (!one) one = arc;
+  }
+  left.first_end.push_back(0);
+  for (const std::optional<ArcId>& one : first) {
+    if (one) {
+      ArcId arc = *one;
+      do {
+        left.ends.push_back(ArcId{place[arc.index()]});
+        arc = next_about_extremum(arc);
+      } while (arc != *one);
+    }
+    left.first_end.push_back(static_cast<std::uint32_t>(left.ends.size()));
+  }
+  return left;
 }
 
 }  // namespace morskin::morse

@@ -24,9 +24,9 @@ namespace morskin::morse {
 /// counter-clockwise.
 using Sector = std::uint32_t;
 
-/// By sector, the other sector of its region; nothing when the regions do not fit between the arcs.
-/// Where a saddle has two sectors between the same extrema, either may be taken for the other.
-/// @pre arcs stand four to a saddle and name points that are there
+/// By sector, the other sector of its region, from the order of the arcs about the extrema. Nothing
+/// when the order about the minima and the one about the maxima make different regions.
+/// @pre arcs stand four to a saddle, and each stands once in `ends`, with its extremum
 std::optional<std::vector<Sector>> matched_sectors(const MorseSmaleComplex& complex);
 
 class Quadrangles {
@@ -51,11 +51,17 @@ class Quadrangles {
   /// @pre other_end(saddle, extremum) has a value, and both survive
   void cancel(CriticalId saddle, CriticalId extremum);
 
-  /// What is left, each minimum, saddle, maximum, saddle, counter-clockwise; two for each saddle.
-  std::vector<std::array<CriticalId, 4>> regions() const;
+  /// The next arc counter-clockwise about the extremum that an arc leads to now.
+  /// @pre the arc's saddle survives
+  ArcId next_about_extremum(ArcId arc) const;
+
+  /// What is left: all points with their ids, and the arcs, regions and orders of those that
+  /// survive; arcs in their old order, no lines.
+  MorseSmaleComplex remaining() const;
 
  private:
   void join_across(Sector before, Sector after);
+  std::vector<std::array<CriticalId, 4>> regions() const;
 
   const MorseSmaleComplex& complex_;
   std::vector<std::uint32_t> first_arc_;  ///< by critical point, of a saddle

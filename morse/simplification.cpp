@@ -137,16 +137,12 @@ class Simplifier {
 
  private:
   void gather_complex() {
+    result_.complex = quadrangles_.remaining();
     MorseSmaleComplex& left = result_.complex;
-    left.points = complex_.points;
-    left.components = complex_.components;
-    left.regions = quadrangles_.regions();
     const Ways ways(complex_, result_.survives, result_.cancelled);
     left.first_point.push_back(0);
     for (std::size_t i = 0; i < complex_.arcs.size(); ++i) {
-      const auto [saddle, extremum] = complex_.arcs[i];
-      if (!result_.survives[saddle.index()]) continue;
-      left.arcs.push_back({saddle, quadrangles_.heir(extremum)});
+      if (!result_.survives[complex_.arcs[i].saddle.index()]) continue;
       ways.append_line(ArcId{i}, left.line_points);
       left.first_point.push_back(static_cast<std::uint32_t>(left.line_points.size()));
     }

@@ -182,6 +182,26 @@ inline morse::MorseSmaleComplex complex_of(const EmbeddedGraph& graph, Random& r
   for (std::uint32_t d = 0; d < n; ++d) {
     complex.regions.push_back({minimum(d), saddle(d), maximum(d), saddle(graph.next(d))});
   }
+  // Counter-clockwise about a face is along it.
+  std::vector<std::vector<morse::ArcId>> about(count);
+  const auto add_circle = [&](CriticalId extremum, std::uint32_t d, auto step, auto arc) {
+    std::vector<morse::ArcId>& circle = about[extremum.index()];
+    if (!circle.empty()) return;
+    for (std::uint32_t k = d; circle.empty() || k != d; k = step(k)) circle.push_back(arc(k));
+  };
+  for (std::uint32_t d = 0; d < n; ++d) {
+    add_circle(
+        minimum(d), d, [&](auto k) { return graph.next(k); },
+        [](auto k) { return morse::ArcId{2 * k}; });
+    add_circle(
+        maximum(d), d, [&](auto k) { return graph.along_face(k); },
+        [](auto k) { return morse::ArcId{2 * k + (k % 2 == 0 ? 3 : 0U - 1)}; });
+  }
+  complex.first_end.push_back(0);
+  for (const std::vector<morse::ArcId>& circle : about) {
+    complex.ends.insert(complex.ends.end(), circle.begin(), circle.end());
+    complex.first_end.push_back(static_cast<std::uint32_t>(complex.ends.size()));
+  }
   std::vector<std::uint32_t> parent(n);
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&](std::uint32_t d) {
@@ -211,6 +231,8 @@ inline morse::MorseSmaleComplex upside_down(morse::MorseSmaleComplex complex) {
     complex.line_points.insert(complex.line_points.end(), line.begin(), line.end());
     complex.first_point[i + 1] = static_cast<std::uint32_t>(complex.line_points.size());
   }
+  for (morse::ArcId& arc : complex.ends)
+    arc = morse::ArcId{arc.value - arc.value % 4 + (arc.value + 3) % 4};
   for (auto& region : complex.regions) {
     const auto [minimum, first, maximum, second] = region;
     region = {maximum, second, minimum, first};
