@@ -10,7 +10,7 @@
 namespace morskin::morse {
 
 /// All pairs of overlapping spheres about critical points, the smaller id first, in order.
-/// Near-linear, however much the radii differ.
+/// Near-linear in the points and pairs.
 /// @param radii  by critical point, Angstrom; a sphere of radius 0 overlaps nothing.
 std::vector<std::pair<CriticalId, CriticalId>> overlapping_spheres(
     const std::vector<CriticalPoint>& points, const std::vector<double>& radii);

@@ -258,6 +258,15 @@ class Morse(CommandTest):
             corners = arrays["Cells", "connectivity"][ends[cell]:ends[cell + 1]]
             self.assertEqual([positions[3 * c:3 * c + 3] for c in corners], arc["points"])
 
+    def test_distances_are_functions_too(self):
+        ball = self.input("ball.xyzr", "1 2 3 1.5\n")
+        complex_ = self.morse_json(ball, "--function", "distance:5,2,3", "--model", "vdw")
+        self.assertEqual(complex_["function"], {"kind": "distance", "origin": [5, 2, 3]})
+        values = sorted(p["value"] for p in complex_["critical_points"])
+        self.assertEqual(len(values), 2)
+        self.assertAlmostEqual(values[0], 2.5 ** 2)
+        self.assertAlmostEqual(values[1], 5.5 ** 2)
+
     def test_the_complex_on_standard_output_is_alone_there_and_json(self):
         done = self.run_morskin("morse", self.ring, "-o", "-")
         self.assertEqual(json.loads(done.stdout)["components"], 1)
