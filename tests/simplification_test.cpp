@@ -5,342 +5,53 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <set>
-#include <string>
+#include <vector>
 
 #include "morse/overlaps.h"
-#include "morse/quadrangles.h"
 #include "morse/validate_complex.h"
-#include "tests/support/morse_complexes.h"
+#include "skin/dual_complex.h"
+#include "skin/singular_skin.h"
+#include "tests/support/plain_complex.h"
 
 using namespace morskin;
 using namespace morskin::morse;
-using support::complex_of;
-using support::random_graph;
+using support::euler_characteristic;
+using support::infinite;
+using support::PlainComplex;
+using support::random_complex;
 using support::upside_down;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// A random complex of up to `largest` saddles; one in four has many equal values, one in two
-/// stands on its head.
-MorseSmaleComplex random_complex(unsigned seed, std::size_t largest = 40) {
-  support::Random random(seed);
-  const support::EmbeddedGraph graph = random_graph(random, 1 + random.below(largest));
-  MorseSmaleComplex complex = complex_of(graph, random, seed % 4 == 3 ? 4 : 0);
-  return seed % 2 == 1 ? upside_down(std::move(complex)) : complex;
-}
-
-std::vector<CriticalId> points_of(const MorseSmaleComplex& complex, int index) {
-  std::vector<CriticalId> ids;
-  for (std::size_t i = 0; i < complex.points.size(); ++i) {
-    if (complex.points[i].index == index) ids.push_back(CriticalId{i});
-  }
-  return ids;
-}
-
-double value(const MorseSmaleComplex& complex, CriticalId id) {
-  return complex.points[id.index()].value;
-}
-
-/// minima - saddles + maxima of those that survive.
-long euler_characteristic(const MorseSmaleComplex& complex, const std::vector<bool>& survives) {
-  long chi = 0;
-  for (std::size_t i = 0; i < complex.points.size(); ++i) {
-    if (survives[i]) chi += complex.points[i].index == 1 ? -1 : 1;
-  }
-  return chi;
-}
-
-/// A complex as sets of ids, cancelled by the words of the paper: arcs are renamed, one by one.
-struct PlainComplex {
-  explicit PlainComplex(const MorseSmaleComplex& complex) : of(complex) {
-    for (const Arc& arc : complex.arcs) {
-      const int index = complex.points[arc.extremum.index()].index;
-      ends[arc.saddle][index == 0 ? 0 : 1].push_back(arc.extremum);
-    }
-  }
-
-  /// c, if the saddle may be cancelled with the extremum at all.
-  std::optional<CriticalId> other(CriticalId a, CriticalId b) const {
-    for (const auto& two : ends.at(a)) {
-      if (two[0] == two[1]) continue;
-      if (two[0] == b) return two[1];
-      if (two[1] == b) return two[0];
-    }
-    return std::nullopt;
-  }
-
-  /// f(c) <= f(b), and a is the lowest saddle of b but for those with both arcs to b; or mirrored.
-  bool is_valid(CriticalId a, CriticalId b) const {
-    const auto c = other(a, b);
-    if (!c) return false;
-    const bool is_minimum = of.points[b.index()].index == 0;
-    if (is_lower(of, *c, b) != is_minimum) return false;
-    for (const auto& [saddle, kinds] : ends) {
-      if (saddle != a && other(saddle, b) && is_lower(of, saddle, a) == is_minimum) return false;
-    }
-    return true;
-  }
-
-  void cancel(CriticalId a, CriticalId b) {
-    const CriticalId c = *other(a, b);
-    ends.erase(a);
-    for (auto& [saddle, kinds] : ends) {
-      for (auto& two : kinds) std::replace(two.begin(), two.end(), b, c);
-    }
-  }
-
-  /// The arc of least |f(a) - f(b)| that is allowed, with the other end.
-  template <class Allowed>
-  std::optional<std::pair<CriticalId, CriticalId>> least(Allowed allowed) const {
-    std::optional<std::pair<CriticalId, CriticalId>> best;
-    double least = infinite;
-    for (const auto& [saddle, kinds] : ends) {
-      for (const auto& two : kinds) {
-        for (const CriticalId b : two) {
-          const double persistence = std::abs(value(of, saddle) - value(of, b));
-          if (persistence < least && other(saddle, b) && allowed(saddle, b)) {
-            least = persistence;
-            best = {saddle, b};
-          }
-        }
-      }
-    }
-    return best;
-  }
-
-  const MorseSmaleComplex& of;
-  /// By saddle: the two minima, the two maxima.
-  std::map<CriticalId, std::array<std::vector<CriticalId>, 2>> ends;
-};
-
 using PairSet = std::set<std::pair<CriticalId, CriticalId>>;
 
-/// Which points survive.
-std::vector<bool> survivors(const MorseSmaleComplex& complex, const Quadrangles& quadrangles) {
-  std::vector<bool> survives;
-  for (std::size_t i = 0; i < complex.points.size(); ++i) {
-    survives.push_back(quadrangles.survives(CriticalId{i}));
+/// Raw complexes of heights, or of squared distances, on the skins of random ball sets; visits
+/// those that are not degenerate and returns how many it left out.
+template <class Visit>
+std::size_t for_each_traced(unsigned seeds, bool is_distance, Visit visit) {
+  std::size_t left_out = 0;
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    try {
+      const skin::SkinSurface skin(support::ball_set(seed));
+      support::Random random(seed);
+      const Vector v = random.direction();
+      const MorseFunction f =
+          is_distance ? MorseFunction::squared_distance(10 * v) : MorseFunction::height(v);
+      const MorseSmaleComplex complex = morse_smale_complex(skin, f, critical_points(skin, f));
+      if (complex.degeneracies.empty()) {
+        visit(seed, skin, complex);
+      } else {
+        ++left_out;
+      }
+    } catch (const skin::SingularSkin&) {
+      ++left_out;
+    }
   }
-  return survives;
-}
-
-/// A region as it reads whichever of its saddles stands first.
-std::array<CriticalId, 4> turned(const std::array<CriticalId, 4>& region) {
-  const auto [minimum, first, maximum, second] = region;
-  return {minimum, std::min(first, second), maximum, std::max(first, second)};
+  return left_out;
 }
 
 }  // namespace
-
-TEST_CASE("complexes made from random embedded graphs break no law") {
-  std::array<std::size_t, 3> met{};  // one sphere, several components, handles
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex complex = random_complex(seed);
-    CHECK(validate(complex).value_or("") == "");
-    const std::vector<bool> all(complex.points.size(), true);
-    const long genus =
-        static_cast<long>(complex.components) - euler_characteristic(complex, all) / 2;
-    ++met[genus > 0 ? 2 : complex.components > 1 ? 1 : 0];
-  }
-  for (const std::size_t count : met) CHECK(count > 50);
-}
-
-TEST_CASE("a damaged complex breaks a law") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex good = random_complex(seed);
-    support::Random random(seed);
-    MorseSmaleComplex bad = good;
-    bad.regions.pop_back();
-    CHECK(validate(bad));
-    bad = good;
-    ++bad.components;
-    CHECK(validate(bad));
-    bad = good;
-    std::swap(bad.arcs[0], bad.arcs[1]);
-    CHECK(validate(bad));
-    bad = good;
-    bad.arcs.resize(bad.arcs.size() - 4);
-    CHECK(validate(bad));
-    bad = good;
-    bad.points[bad.arcs[0].saddle.index()].value = -infinite;
-    CHECK(validate(bad));
-    bad = good;
-    for (std::size_t i = 0; i < bad.points.size(); ++i) {
-      const std::size_t first = bad.first_end[i];
-      if (bad.first_end[i + 1] - first < 3) continue;
-      std::swap(bad.ends[first], bad.ends[first + 1]);
-      CHECK(validate(bad));
-      break;
-    }
-    // An arc that ends at another minimum than it should.
-    const std::vector<CriticalId> minima = points_of(good, 0);
-    if (minima.size() < 2) continue;
-    bad = good;
-    Arc& arc = bad.arcs[4 * random.below(bad.arcs.size() / 4)];
-    const CriticalId old = arc.extremum;
-    while (arc.extremum == old) arc.extremum = minima[random.below(minima.size())];
-    CHECK(validate(bad));
-  }
-}
-
-TEST_CASE("every cancellation keeps the Euler characteristic, the components and all quadrangles") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex complex = random_complex(seed);
-    Quadrangles quadrangles(complex);
-    std::vector<bool> survives(complex.points.size(), true);
-    const long chi = euler_characteristic(complex, survives);
-    for (const PersistencePair& pair : persistence_pairs(complex)) {
-      REQUIRE(quadrangles.other_end(pair.saddle, pair.extremum).has_value());
-      quadrangles.cancel(pair.saddle, pair.extremum);
-      const MorseSmaleComplex left = quadrangles.remaining();
-      survives = survivors(complex, quadrangles);
-      CHECK(validate(left, survives).value_or("") == "");
-      CHECK(left.regions.size() == left.arcs.size() / 2);
-      CHECK(euler_characteristic(left, survives) == chi);
-    }
-  }
-}
-
-TEST_CASE("cancelling in any order, wherever two ends differ, keeps a surface of quadrangles") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    // Values play no part: all minima lie below all saddles, and these below all maxima.
-    MorseSmaleComplex complex = random_complex(seed);
-    for (CriticalPoint& p : complex.points) p.value = p.index;
-    Quadrangles quadrangles(complex);
-    support::Random random(seed);
-    std::vector<bool> survives(complex.points.size(), true);
-    const long chi = euler_characteristic(complex, survives);
-    std::vector<CriticalId> saddles = points_of(complex, 1);
-    for (std::size_t i = saddles.size(); i > 1; --i) {
-      std::swap(saddles[i - 1], saddles[random.below(i)]);
-    }
-    for (const CriticalId saddle : saddles) {
-      const CriticalId end = quadrangles.ends(saddle)[random.below(4)];
-      if (!quadrangles.other_end(saddle, end)) continue;
-      quadrangles.cancel(saddle, end);
-      CHECK_FALSE(quadrangles.survives(end));
-      const MorseSmaleComplex left = quadrangles.remaining();
-      survives = survivors(complex, quadrangles);
-      CHECK(validate(left, survives).value_or("") == "");
-      CHECK(euler_characteristic(left, survives) == chi);
-    }
-  }
-}
-
-TEST_CASE("Figure 3: after contracting ab each region is still a quadrangle, about c") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex complex = random_complex(seed);
-    const std::vector<PersistencePair> pairs = persistence_pairs(complex);
-    if (pairs.empty()) continue;
-    const auto [a, b, elder, persistence] = pairs.front();
-    Quadrangles quadrangles(complex);
-    const CriticalId c = *quadrangles.other_end(a, b);
-    quadrangles.cancel(a, b);
-    // By the definition: of regions with a, two that share an arc from a to an extremum of the
-    // other kind become one; all others only read c for b.
-    std::map<std::array<CriticalId, 4>, int> expected, found;
-    for (std::array<CriticalId, 4> region : complex.regions) {
-      if (region[1] == a || region[3] == a) continue;
-      std::replace(region.begin(), region.end(), b, c);
-      ++expected[turned(region)];
-    }
-    for (const auto& region : quadrangles.remaining().regions) ++found[turned(region)];
-    std::size_t merged = 0;
-    for (const auto& [region, count] : found) {
-      const int old = expected.contains(region) ? expected.at(region) : 0;
-      CHECK(count >= old);
-      merged += static_cast<std::size_t>(count - old);
-      expected.erase(region);
-    }
-    CHECK(expected.empty());
-    CHECK(merged <= 2);
-  }
-}
-
-TEST_CASE("pairs are those of the components of sublevel sets and superlevel sets, filled anew") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex complex = random_complex(seed);
-    PairSet expected, found;
-    for (const int side : {0, 1}) {
-      const auto is_older = [&](CriticalId p, CriticalId q) {
-        return side == 0 ? is_lower(complex, p, q) : is_lower(complex, q, p);
-      };
-      // The oldest extremum that can be reached from `start` through saddles older than `saddle`.
-      const auto oldest = [&](CriticalId start, CriticalId saddle) {
-        std::set<CriticalId> reached{start};
-        for (bool grew = true; grew;) {
-          grew = false;
-          for (std::size_t i = static_cast<std::size_t>(side); i < complex.arcs.size(); i += 4) {
-            if (!is_older(complex.arcs[i].saddle, saddle)) continue;
-            const CriticalId p = complex.arcs[i].extremum, q = complex.arcs[i + 2].extremum;
-            if (reached.contains(p) != reached.contains(q)) {
-              reached.insert({p, q});
-              grew = true;
-            }
-          }
-        }
-        return *std::min_element(reached.begin(), reached.end(), is_older);
-      };
-      for (std::size_t i = static_cast<std::size_t>(side); i < complex.arcs.size(); i += 4) {
-        const CriticalId saddle = complex.arcs[i].saddle;
-        const CriticalId p = oldest(complex.arcs[i].extremum, saddle);
-        const CriticalId q = oldest(complex.arcs[i + 2].extremum, saddle);
-        if (p != q) expected.emplace(saddle, is_older(p, q) ? q : p);
-      }
-    }
-    for (const PersistencePair& pair : persistence_pairs(complex)) {
-      CHECK(found.emplace(pair.saddle, pair.extremum).second);
-      CHECK(pair.persistence ==
-            std::abs(value(complex, pair.saddle) - value(complex, pair.extremum)));
-    }
-    CHECK(found == expected);
-  }
-}
-
-TEST_CASE("the hierarchy is what cancelling the least persistent arc again and again gives") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    if (seed % 4 == 3) continue;  // equal values: the order is open
-    const MorseSmaleComplex complex = random_complex(seed, 25);
-    PlainComplex plain(complex);
-    const std::vector<Cancellation> all = cancel_up_to(complex, infinite, 0).cancelled;
-    for (const Cancellation& c : all) {
-      const auto least = plain.least([](CriticalId, CriticalId) { return true; });
-      REQUIRE(least.has_value());
-      CHECK(*least == std::pair(c.saddle, c.extremum));
-      CHECK(plain.other(c.saddle, c.extremum) == c.heir);
-      CHECK(plain.is_valid(c.saddle, c.extremum));
-      plain.cancel(c.saddle, c.extremum);
-    }
-    CHECK_FALSE(plain.least([](CriticalId, CriticalId) { return true; }).has_value());
-  }
-}
-
-TEST_CASE("each cancellation meets the persistence condition when its turn comes, ties or not") {
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    CAPTURE(seed);
-    const MorseSmaleComplex complex = random_complex(seed);
-    PlainComplex plain(complex);
-    double last = 0;
-    for (const Cancellation& c : cancel_up_to(complex, infinite, 0).cancelled) {
-      REQUIRE(plain.is_valid(c.saddle, c.extremum));
-      CHECK(c.persistence >= last);
-      last = c.persistence;
-      plain.cancel(c.saddle, c.extremum);
-    }
-  }
-}
 
 TEST_CASE("all cancelled, each component keeps a minimum and a maximum, each handle two saddles") {
   std::size_t handles = 0;
@@ -555,4 +266,38 @@ TEST_CASE("turned upside down, the same pairs are cancelled and the same points 
       CHECK(one.cancelled[i].heir == two.cancelled[i].heir);
     }
   }
+}
+
+TEST_CASE("on skins of random ball sets a simplified complex is sound, about the same surface") {
+  std::size_t cancelled = 0, shrunk = 0;
+  for (const bool is_distance : {false, true}) {
+    const std::size_t left_out = for_each_traced(
+        150, is_distance,
+        [&](unsigned seed, const skin::SkinSurface& skin, const MorseSmaleComplex& complex) {
+          CAPTURE(seed);
+          CAPTURE(is_distance);
+          const skin::DualComplex topology = skin::dual_complex(skin);
+          CHECK(complex.components == topology.skin_components());
+          REQUIRE(validate(complex).value_or("") == "");
+          for (const Simplification& left :
+               {contract_short_arcs(complex, 0.2), cancel_up_to(complex, 0.5, 0.2),
+                cancel_up_to(complex, infinite, 0.2)}) {
+            CHECK(validate(left.complex, left.survives).value_or("") == "");
+            CHECK(left.complex.components == topology.skin_components());
+            CHECK(euler_characteristic(complex, left.survives) ==
+                  topology.skin_euler_characteristic());
+          }
+          const Simplification left = contract_short_arcs(complex, 0.2);
+          cancelled += left.cancelled.size();
+          shrunk += left.shrunk;
+          // The paper's claim, as far as it goes (E10): what is contracted is near.
+          for (const Cancellation& c : left.cancelled) {
+            CHECK(c.distance < 0.2 * (complex.points[c.saddle.index()].point.length_scale +
+                                      complex.points[c.extremum.index()].point.length_scale));
+          }
+        });
+    CHECK(left_out < 30);
+  }
+  CHECK(cancelled > 300);
+  CHECK(shrunk > 0);
 }
