@@ -38,7 +38,8 @@ class Pair {
   std::optional<double> meeting() const { return meeting_; }
 
  private:
-  /// The gap on a level. About an extremum, counter-clockwise is velocity x normal.
+  /// The gap where the first line passes `p`. About an extremum, counter-clockwise is velocity x
+  /// normal.
   Side side_at(double level) const {
     const auto p = lines_.passage(a_.nodes, level), q = lines_.passage(b_.nodes, level);
     if (!p || !q) return {};
@@ -131,11 +132,11 @@ class Orderer {
   }
 
  private:
+  /// Whether their angles do not tell line i from j, the next round the extremum.
   bool is_doubtful(std::size_t i, std::size_t j) const {
     if (i == j) return false;
     const Arrival &a = arriving_[i].arrival, &b = arriving_[j].arrival;
-    double turn = b.angle - a.angle;
-    if (turn < 0) turn += 2 * std::numbers::pi;
+    const double turn = b.angle - a.angle + (j == 0 ? 2 * std::numbers::pi : 0);
     const double rho = lines_.points()[a.extremum.index()].point.length_scale;
     return turn < safely_apart * lines_.merge_distance(rho) / std::min(a.radius, b.radius);
   }
