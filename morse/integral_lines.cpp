@@ -110,6 +110,15 @@ std::optional<Arrival> IntegralLines::trace(const skin::SurfacePoint& start, Way
   return tracer.arrival();
 }
 
+IntegralLines::Passage IntegralLines::passage_at(const LineNodes& line, std::size_t node) const {
+  const skin::Patch& patch = skin_.complex().patch(line.cells[node]);
+  const GradientFlow flow(patch, f_, line.way);
+  const Point& x = line.points[node];
+  const Vector normal = patch.half_gradient(x);
+  const double rho = normal.norm();
+  return {x, flow.to_space(flow(flow.to_local(x - patch.centre))), normal / rho, rho};
+}
+
 std::optional<IntegralLines::Passage> IntegralLines::passage(const LineNodes& line,
                                                              double level) const {
   const double way = line.way == Way::Up ? 1 : -1;

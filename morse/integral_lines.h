@@ -61,7 +61,7 @@ class IntegralLines {
   /// How far a line may lie from the true one, over the length scale, with the usual step: what is
   /// left of truncation after the flow has spread it on the way. Measured against finer steps; one
   /// place in 500 has a larger error (tests/integral_lines_test.cpp).
-  static constexpr double usual_accuracy = 1e-9;
+  static constexpr double usual_accuracy = 1e-8;
 
   /// @param points  the critical points of f on the skin, all of them; kept by reference.
   IntegralLines(const skin::SkinSurface& skin, const MorseFunction& f,
@@ -85,6 +85,8 @@ class IntegralLines {
   };
   /// @return nothing when the line does not pass the level.
   std::optional<Passage> passage(const LineNodes& line, double level) const;
+  /// The same at one of its nodes but the first and the last.
+  Passage passage_at(const LineNodes& line, std::size_t node) const;
 
   /// The accuracy with this object's step: the method is of order 8. Rounding ends it.
   double accuracy() const {

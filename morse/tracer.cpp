@@ -341,8 +341,8 @@ bool Tracer::step() {
   const double gradient = flow_.gradient(u_).norm(), speed = velocity_.norm();
   const double rate = flow_.rate(u_, gradient);
   // Where the flow is slow, near critical points, it is nearly linear, and the error of a step is
-  // its length times the ninth power of its time: a little more time gives the same error.
-  double time = lines_.step_ * std::pow(gradient / speed, 0.1) / rate;
+  // its length times the ninth power of its time: a little more time gives about the same error.
+  double time = lines_.step_ * std::sqrt(std::sqrt(std::sqrt(gradient / speed))) / rate;
   if (!(speed > 0 && std::isfinite(time))) return false;
   end_ = step_end(time);
   std::optional<std::size_t> exit;
