@@ -39,13 +39,15 @@ double IntegralLines::wall_distance(CriticalId id) const {
 }
 
 // At a critical point p the gradient of f is mu N(p), and G = 0 gives 2 N(p) . d = -d . M d for
-// d = x - p, so on the patch f(x) - f(p) = d . (curvature I - mu M / 2) d exactly. With lowest
-// curvature l on the tangent plane, T and H the form's other entries with the normal, and
-// |n . d| <= |d|^2 / (2 rho), the form is at least l |d|^2 / 4 and no other point critical within
+// d = x - p, so on the patch f(x) - f(p) = d . (curvature I - mu M / 2) d = d . form d exactly. Let
+// l be the form's lower value on the tangent plane, T its part between plane and normal, h its
+// value on the normal, x = |d| / rho. As |n . d| <= rho x^2 / 2,
 //
-//     min(rho / 2, l rho / (8 T), (rho / 2) sqrt(l / (l + |H|))),
+//     d . form d  >=  |d|^2 g(x),   g(x) = l (1 - x^2 / 4) - T x - h x^2 / 4,
 //
-// so that the part of {form < l radius^2 / 4} in this ball is a disc about p (papers page).
+// and another point with gradient mu' N would need  g(x) (1 - x) <= (T + h x / 2) x / 2  (papers
+// page). Up to the least x where that holds p is the only critical point, and a line that comes
+// within |d| = rho x to a level below rho^2 x^2 g(x) stays there.
 void IntegralLines::build_disc(CriticalId id) {
   const CriticalPoint& p = points_[id.index()];
   const skin::Patch& patch = skin_.complex().patch(p.point.cell);
@@ -68,9 +70,20 @@ void IntegralLines::build_disc(CriticalId id) {
   const double lowest = std::min(first, second);
   const Vector with_normal = disc.form * n;
   const double h = std::abs(n.dot(with_normal)), t = (with_normal - n.dot(with_normal) * n).norm();
-  disc.radius = std::min({wall_distance(id), rho / 2, t > 0 ? lowest * rho / (8 * t) : INFINITY,
-                          rho / 2 * std::sqrt(lowest / (lowest + h))});
-  disc.level = lowest * disc.radius * disc.radius / 4;
+  const auto g = [&](double x) { return lowest * (1 - x * x / 4) - t * x - h * x * x / 4; };
+  const double farthest = wall_distance(id) / rho;
+  double reach = std::min(farthest, 1.0);
+  // Both sides are monotone in x, so the first share that passes is safe with all below it. The
+  // best level among the shares is at most a few percent off the best of all.
+  constexpr double share = 0.9;
+  while (reach > 0 && g(reach) * (1 - reach) <= (t + h * reach / 2) * reach / 2) reach *= share;
+  for (double x = reach; x > reach / 4; x *= share) {
+    const double level = rho * rho * x * x * g(x);
+    if (level > disc.level) {
+      disc.level = level;
+      disc.radius = rho * x;
+    }
+  }
   disc.first *= std::sqrt(first);
   disc.second *= std::sqrt(second);
 }
@@ -95,6 +108,15 @@ std::optional<Arrival> IntegralLines::trace(const skin::SurfacePoint& start, Way
   tracer.start(start.position, start.cell);
   if (!tracer.run()) return std::nullopt;
   return tracer.arrival();
+}
+
+IntegralLines::Passage IntegralLines::passage_at(const LineNodes& line, std::size_t node) const {
+  const skin::Patch& patch = skin_.complex().patch(line.cells[node]);
+  const GradientFlow flow(patch, f_, line.way);
+  const Point& x = line.points[node];
+  const Vector normal = patch.half_gradient(x);
+  const double rho = normal.norm();
+  return {x, flow.to_space(flow(flow.to_local(x - patch.centre))), normal / rho, rho};
 }
 
 std::optional<IntegralLines::Passage> IntegralLines::passage(const LineNodes& line,

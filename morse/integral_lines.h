@@ -11,6 +11,8 @@
 /// A line ends only in the capture disc of an extremum, from which the flow cannot escape.
 /// Derivations: papers/3.2-simplification.md.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,13 +56,12 @@ struct LineNodes {
 
 class IntegralLines {
  public:
-  /// Longest step over the length scale. Half of it changes no node of a line by more than
-  /// line_accuracy in the tests.
-  static constexpr double usual_step = 0.15;
-  /// How far a node may lie from its line, over the length scale: what is left of truncation after
-  /// the flow has spread it on the way. Measured by halving the step
-  /// (tests/integral_lines_test.cpp).
-  static constexpr double line_accuracy = 1e-11;
+  /// Step over the length scale.
+  static constexpr double usual_step = 0.2;
+  /// How far a line may lie from the true one, over the length scale, with the usual step: what is
+  /// left of truncation after the flow has spread it on the way. Measured against finer steps; one
+  /// place in 500 has a larger error (tests/integral_lines_test.cpp).
+  static constexpr double usual_accuracy = 1e-8;
 
   /// @param points  the critical points of f on the skin, all of them; kept by reference.
   IntegralLines(const skin::SkinSurface& skin, const MorseFunction& f,
@@ -84,10 +85,16 @@ class IntegralLines {
   };
   /// @return nothing when the line does not pass the level.
   std::optional<Passage> passage(const LineNodes& line, double level) const;
+  /// The same at one of its nodes but the first and the last.
+  Passage passage_at(const LineNodes& line, std::size_t node) const;
 
+  /// The accuracy with this object's step: the method is of order 8. Rounding ends it.
+  double accuracy() const {
+    return std::max(usual_accuracy * std::pow(step_ / usual_step, 8), 1e-13);
+  }
   /// Two lines of one kind nearer than this cannot be told apart, Angstrom.
   double merge_distance(double length_scale) const {
-    return 10 * line_accuracy * length_scale + 4 * skin_.complex().wall_tolerance();
+    return 10 * accuracy() * length_scale + 4 * skin_.complex().wall_tolerance();
   }
 
   /// The nearest wall of the cell that contains a critical point, Angstrom.

@@ -16,6 +16,10 @@ constexpr double safely_apart = 32;
 /// which nothing else can lie between them; so the side read on one level is the side on all.
 constexpr double strip_width = 0.1;
 
+/// Levels are read down to this share of what a line's first piece rises; nearer to the saddle
+/// their differences are rounding.
+constexpr double nearest_level = 1e-6;
+
 struct Side {
   double gap = 0;  ///< signed, positive when the second line is counter-clockwise of the first
   double rho = 1;
@@ -38,9 +42,10 @@ class Pair {
   std::optional<double> meeting() const { return meeting_; }
 
  private:
-  /// The gap on a level. About an extremum, counter-clockwise is velocity x normal.
-  Side side_at(double level) const {
-    const auto p = lines_.passage(a_.nodes, level), q = lines_.passage(b_.nodes, level);
+  /// The gap where the first line passes `p`. About an extremum, counter-clockwise is velocity x
+  /// normal.
+  Side side_at(double level, const std::optional<IntegralLines::Passage>& p) const {
+    const auto q = lines_.passage(b_.nodes, level);
     if (!p || !q) return {};
     const Vector gap = q->position - p->position;
     const Vector across = p->velocity.cross(p->normal);
@@ -51,27 +56,35 @@ class Pair {
     return std::abs(side.gap) > safely_apart * lines_.merge_distance(side.rho);
   }
 
+  Side side_at(double level) const { return side_at(level, lines_.passage(a_.nodes, level)); }
+
   /// Goes up the first line, node by node, to a level where the two are apart.
   void read() {
     const auto value = [&](std::size_t i) { return lines_.function()(a_.nodes.points[i]); };
     std::optional<double> below;
-    for (std::size_t i = a_.nodes.points.size() - 1; i-- > 0;) {
+    for (std::size_t i = a_.nodes.points.size() - 2; i > 0; --i) {
       const double level = value(i);
-      if (look(level, below)) return;
+      if (look(level, side_at(level, lines_.passage_at(a_.nodes, i)), below)) return;
+      below = level;
+    }
+    // The second line passes the first one's saddle: on levels nearer to it their gap grows.
+    const double start = value(0), first = value(1);
+    for (double share = 0.25; share > nearest_level; share /= 4) {
+      const double level = start + share * (first - start);
+      if (look(level, side_at(level), below)) return;
       below = level;
     }
   }
 
   /// @return whether the search is over.
-  bool look(double level, std::optional<double> below) {
-    Side side = side_at(level);
+  bool look(double level, Side side, std::optional<double> below) {
     if (!side.is_known) {
       // The second line's own end has not begun yet, or its saddle lies below: the first line
       // passes that saddle, and its side of it decides.
       const double start = lines_.function()(b_.nodes.points.front());
       const bool is_past = b_.nodes.way == Way::Down ? level > start : level < start;
       if (!is_past) return false;
-      side = side_at(start + (below.value_or(start) - start) * 1e-6);
+      side = side_at(start + (below.value_or(start) - start) * nearest_level);
       if (side.is_known) side_ = side;
       return true;
     }
@@ -131,11 +144,11 @@ class Orderer {
   }
 
  private:
+  /// Whether their angles do not tell line i from j, the next round the extremum.
   bool is_doubtful(std::size_t i, std::size_t j) const {
     if (i == j) return false;
     const Arrival &a = arriving_[i].arrival, &b = arriving_[j].arrival;
-    double turn = b.angle - a.angle;
-    if (turn < 0) turn += 2 * std::numbers::pi;
+    const double turn = b.angle - a.angle + (j == 0 ? 2 * std::numbers::pi : 0);
     const double rho = lines_.points()[a.extremum.index()].point.length_scale;
     return turn < safely_apart * lines_.merge_distance(rho) / std::min(a.radius, b.radius);
   }

@@ -88,6 +88,11 @@ class Builder {
 
   bool trace_lines() {
     bool all = true;
+    std::size_t arcs = 0;
+    for (const CriticalPoint& p : complex_.points) arcs += p.index == 1 ? 4 : 0;
+    constexpr std::size_t usual_nodes = 90;  // of a line, on average
+    nodes_.points.reserve(usual_nodes * arcs);
+    nodes_.cells.reserve(usual_nodes * arcs);
     for (std::size_t i = 0; i < complex_.points.size(); ++i) {
       if (complex_.points[i].index != 1) continue;
       for (const Departure& departure : departures(complex_.points[i])) {
@@ -154,6 +159,7 @@ class Builder {
     std::sort(merges_.begin(), merges_.end(),
               [](const Merge& a, const Merge& b) { return a.child < b.child; });
     auto merge = merges_.begin();
+    complex_.line_points.reserve(nodes_.points.size());
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       complex_.first_point.push_back(static_cast<std::uint32_t>(complex_.line_points.size()));
       const std::span<const Point> own = nodes_of(a).points;

@@ -12,21 +12,23 @@ using skin::CellId;
 using skin::Patch;
 
 /// A take-off of this share of rho along the parabola that osculates a line at its saddle leaves an
-/// error of fourth order, 1e-13 rho.
-constexpr double take_off = 5e-4;
+/// error of fourth order, 1e-10 rho. It follows the square of the step, so that both errors keep
+/// step with each other.
+constexpr double usual_take_off = 3e-3;
 /// Nodes on arcs in closed form are at most this angle apart, radians (or rho, on a hyperbola).
 constexpr double node_spacing = 0.3;
-/// Steps of a slow flow last no longer than this over its rate: near a critical point a line is a
-/// sum of exponentials, of which a step gets the factor wrong by 0.25^9 / 9! = 1e-11.
-constexpr double longest_time = 0.25;
 /// Pieces after which a line counts as lost. The longest in the corpus have some thousands.
 constexpr int most_pieces = 200000;
-
-bool is_sphere(const Patch& patch) { return patch.axis.squaredNorm() == 0; }
 
 /// tan(t/2) of the point (cos t, sin t), 0 < t < pi, without cancellation at either pole.
 double half_tangent(double cosine, double sine) {
   return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+}
+
+/// Of the two lines through a saddle one runs along the meridian, with at least 1/sqrt 2 of its
+/// direction along the axis, the other across it.
+bool is_along_axis(const Patch& patch, const Vector& tangent) {
+  return std::abs(patch.axis.dot(tangent)) > 0.5;
 }
 
 /// A zero of the cubic with these values (opposite signs) and slopes at 0 and 1, roughly.
@@ -53,41 +55,40 @@ Tracer::Tracer(const IntegralLines& lines, Way way, std::vector<Point>* points,
       tolerance_(lines.skin_.complex().wall_tolerance()),
       flow_(lines.skin_.complex().patch(CellId{0U}), lines.f_, way) {}
 
-Vector Tracer::settled(const Vector& u) const { return patch_.slide(u); }
-
 void Tracer::enter(CellId cell, const Vector& u) {
   const skin::MixedComplex& complex = lines_.skin_.complex();
+  const Patch& patch = complex.patch(cell);
   cell_ = cell;
-  patch_ = complex.patch(cell);
-  flow_ = GradientFlow(patch_, lines_.f_, way_);
-  centre_ = patch_.centre;
+  flow_ = GradientFlow(patch, lines_.f_, way_);
+  centre_ = patch.centre;
   centre_value_ = lines_.f_(centre_);
-  patch_.centre = Point::Zero();
-  u_ = settled(u);
+  u_ = flow_.settled(flow_.to_local(u));
   velocity_ = flow_(u_);
   walls_.clear();
   for (const skin::Wall& wall : complex.walls(cell)) {
+    const Vector normal = flow_.to_local(wall.normal);
     const double offset = wall.offset - wall.normal.dot(centre_);
-    walls_.push_back({wall.normal, offset, wall.beyond, wall.normal.dot(u_) - offset,
-                      wall.normal.dot(velocity_)});
+    walls_.push_back({normal, offset, wall.beyond, normal.dot(u_) - offset, normal.dot(velocity_)});
   }
 }
 
-void Tracer::leave_through(const LocalWall& wall) {
-  const Vector u = u_ + (centre_ - lines_.skin_.complex().patch(wall.beyond).centre);
+void Tracer::leave_through(LocalWall wall) {
+  const Vector u =
+      flow_.to_space(u_) + (centre_ - lines_.skin_.complex().patch(wall.beyond).centre);
   enter(wall.beyond, u);
   if (cells_ != nullptr) cells_->back() = cell_;
 }
 
 void Tracer::note() {
   if (points_ == nullptr) return;
-  points_->push_back(centre_ + u_);
+  points_->push_back(centre_ + flow_.to_space(u_));
   cells_->push_back(cell_);
 }
 
 IntegralLines::Passage Tracer::passage() const {
   const double rho = u_.norm();
-  return {centre_ + u_, velocity_, flow_.normal(u_) / rho, rho};
+  return {centre_ + flow_.to_space(u_), flow_.to_space(velocity_),
+          flow_.to_space(flow_.normal(u_) / rho), rho};
 }
 
 void Tracer::start(const Point& x, CellId cell) {
@@ -95,81 +96,72 @@ void Tracer::start(const Point& x, CellId cell) {
   note();
 }
 
-// In the frame of the hyperboloid (radial direction of the saddle, across, axis) the flow is
-//
-//     r' = (c - l) r + V_r,   b' = (c - l) b,   s' = (c + l) s + v,
-//     l = (sign c w/2 + V_r r - v s) / (2 s^2 + k),   r^2 + b^2 - s^2 = k = sign w/2,
-//
-// with c = 2 curvature. By symmetry the line across has s and r as even functions of b; the first
-// coefficient of s = s0 + s1 b^2 follows from ds/db = s'/b'.
+// With r and s of the saddle, both relative to its radial direction and the axis: the line along
+// the meridian is an arc of the hyperbola r^2 - s^2 = k. On the line across, r and s are even
+// functions of b by symmetry; the first coefficient of s + s1 b^2 follows from ds/db = s'/b'.
 void Tracer::start(CriticalId saddle, const Vector& tangent, double share) {
   const skin::SurfacePoint& at = lines_.points_[saddle.index()].point;
   const Patch& patch = lines_.skin_.complex().patch(at.cell);
   const Vector u = at.position - patch.centre;
   const Vector& axis = patch.axis;
-  const double s = axis.dot(u), rho = at.length_scale;
+  const double s = axis.dot(u), rho = at.length_scale, rho2 = rho * rho;
   Vector radial = u - s * axis;
   const double r = radial.norm();
   radial /= r;
-  const double away = share * std::min(take_off * rho, lines_.wall_distance(saddle) / 2);
-  // The line along the meridian has at least 1/sqrt 2 of its direction along the axis, the other
-  // none.
-  if (std::abs(axis.dot(tangent)) > 0.5) {
+  const double of_usual = lines_.step_ / IntegralLines::usual_step;
+  const double away = share * std::min(usual_take_off * of_usual * of_usual * rho,
+                                       lines_.wall_distance(saddle) / 2);
+  if (is_along_axis(patch, tangent)) {
     const double t = std::copysign(away / rho, axis.dot(tangent));
     enter(at.cell, (r * std::cosh(t) + s * std::sinh(t)) * radial +
                        (s * std::cosh(t) + r * std::sinh(t)) * axis);
   } else {
-    const Vector across = tangent.dot(axis.cross(radial)) > 0 ? Vector(axis.cross(radial))
-                                                              : Vector(radial.cross(axis));
-    const GradientFlow up(patch, lines_.f_, Way::Up);
-    const Vector w = up.gradient(Vector::Zero());
+    const Vector w = lines_.f_.gradient(patch.centre);
     const double c = 2 * lines_.f_.curvature, v_r = radial.dot(w), v = axis.dot(w);
-    const double rho2 = rho * rho;
-    const double l = (c * patch.sign * patch.half_weight + v_r * r - v * s) / rho2;
-    const double a_part = -v_r / (2 * r * rho2), s_part = (v_r * s / r - v - 4 * l * s) / rho2;
-    const double s1 = s * a_part / (c - 3 * l - s * s_part);
-    const double b = away, s_new = s + s1 * b * b;
-    const double r_new = std::sqrt(patch.sign * patch.half_weight + s_new * s_new - b * b);
-    enter(at.cell, r_new * radial + b * across + s_new * axis);
+    const double k = patch.sign * patch.half_weight;
+    const double l = (c * k + v_r * r - v * s) / rho2;
+    const double l_of_b = -v_r / (2 * r * rho2), l_of_s = (v_r * s / r - v - 4 * l * s) / rho2;
+    const double s_end = s + s * l_of_b / (c - 3 * l - s * l_of_s) * away * away;
+    const double r_end = std::sqrt(k + s_end * s_end - away * away);
+    enter(at.cell, r_end * radial + away * tangent + s_end * axis);
   }
   note();
 }
 
 void Tracer::follow_meridian(CriticalId saddle, const Vector& tangent) {
-  const Vector& axis = patch_.axis;
-  if (std::abs(axis.dot(tangent)) < 0.5) return;
+  const Patch& patch = lines_.skin_.complex().patch(cell_);
+  if (!is_along_axis(patch, tangent)) return;
   for (const CriticalId id : lines_.within(lines_.points_[saddle.index()].point.cell)) {
     if (lines_.points_[id.index()].index != 1) return;
   }
-  const double way = axis.dot(tangent) > 0 ? 1 : -1;
+  const double way = patch.axis.dot(tangent) > 0 ? 1 : -1;
   const Vector u = u_;
-  const double s = axis.dot(u), r = (u - s * axis).norm();
-  const Vector turned = way * (r * axis + s / r * (u - s * axis));  // d u / d(hyperbolic angle)
+  const double s = u.z(), r = std::hypot(u.x(), u.y());
+  const Vector turned = way * Vector(s / r * u.x(), s / r * u.y(), r);  // du / d(hyperbolic angle)
   // A wall is reached where a cosh t + b sinh t = c; its zero with growing distance, in e^t.
   double first = INFINITY;
-  const LocalWall* exit = nullptr;
-  for (const LocalWall& wall : walls_) {
-    const double a = wall.normal.dot(u), b = wall.normal.dot(turned), c = wall.offset + tolerance_;
+  std::size_t exit = 0;
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    const double a = walls_[i].normal.dot(u), b = walls_[i].normal.dot(turned),
+                 c = walls_[i].offset + tolerance_;
     const double root2 = c * c - a * a + b * b;
     if (root2 < 0) continue;
     const double root = std::sqrt(root2);
     const double p = c >= 0 ? (c + root) / (a + b) : (a - b) / (c - root);
     if (p > 1 && p < first) {
       first = p;
-      exit = &wall;
+      exit = i;
     }
   }
-  if (exit == nullptr) return;
-  const double end = std::log(first), rho = u.norm();
+  if (first == INFINITY) return;
+  const double end = std::log(first);
   const int pieces = std::max(1, static_cast<int>(std::ceil(end / node_spacing)));
-  (void)rho;
-  const LocalWall wall = *exit;
   for (int i = 1; i <= pieces; ++i) {
     const double t = end * i / pieces;
-    u_ = settled(std::cosh(t) * u + std::sinh(t) * turned);
+    u_ = flow_.settled(std::cosh(t) * u + std::sinh(t) * turned);
     note();
   }
-  leave_through(wall);
+  leave_through(walls_[exit]);
 }
 
 std::optional<std::size_t> Tracer::wall_passed() const {
@@ -193,7 +185,7 @@ bool Tracer::run() {
       leave_through(walls_[*wall]);
       continue;
     }
-    if (!(is_sphere(patch_) ? follow_great_circle() : step())) {
+    if (!(flow_.is_sphere() ? follow_great_circle() : step())) {
       return arrival_.has_value() || at_level_;
     }
   }
@@ -203,13 +195,13 @@ bool Tracer::run() {
 // u = rho (cos t pole + sin t side), the pole being where the line runs to: t falls to 0.
 bool Tracer::follow_great_circle() {
   const double rho = u_.norm();
-  const Vector gradient = flow_.gradient(Vector::Zero());
+  const double gradient = flow_.gradient(Vector::Zero()).x();
   const double way = way_ == Way::Up ? 1 : -1;
-  const Vector pole = way * gradient.normalized();
+  const Vector pole = way * Vector::UnitX();
   const double height = pole.dot(u_) / rho;
   Vector side = u_ / rho - height * pole;
   const double sine = side.norm();
-  if (!(gradient.squaredNorm() > 0 && sine > 0)) return false;
+  if (!(gradient > 0 && sine > 0)) return false;
   side /= sine;
   const double from = half_tangent(height, sine);
   double to = 0;
@@ -230,8 +222,7 @@ bool Tracer::follow_great_circle() {
   }
   const double angle = 2 * std::atan(from);
   if (stop_) {
-    const double x = way * (*stop_ - centre_value_ - flow_.value(u_) + gradient.dot(u_)) /
-                     (gradient.norm() * rho);
+    const double x = way * (*stop_ - level_here(u_) + gradient * u_.x()) / (gradient * rho);
     if (x > -1 && x < 1 && half_tangent(x, std::sqrt((1 - x) * (1 + x))) >= to) {
       const double t = std::acos(x);
       u_ = rho * (std::cos(t) * pole + std::sin(t) * side);
@@ -241,18 +232,17 @@ bool Tracer::follow_great_circle() {
     }
   }
   if (exit != nullptr) {
-    const LocalWall wall = *exit;
     lay_circle(pole, side, angle, 2 * std::atan(to));
-    leave_through(wall);
+    leave_through(*exit);
     return true;
   }
   for (const CriticalId id : lines_.within(cell_)) {
     if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0)) continue;
-    const Vector start = u_;
+    const Vector away = flow_.to_space(u_ - rho * pole);
     if (angle > node_spacing) {
       lay_circle(pole, side, angle, angle / std::ceil(angle / node_spacing));
     }
-    arrive(id, start - rho * pole);
+    arrive(id, away);
     return false;
   }
   return false;
@@ -272,12 +262,13 @@ void Tracer::lay_circle(const Vector& pole, const Vector& side, double from, dou
 void Tracer::arrive(CriticalId id, const Vector& from) {
   const CaptureDisc& disc = lines_.discs_[id.index()];
   arrival_ = {id, std::atan2(from.dot(disc.second), from.dot(disc.first)), from.norm()};
-  u_ = disc.centre;
-  note();
+  if (points_ == nullptr) return;
+  points_->push_back(lines_.points_[id.index()].point.position);
+  cells_->push_back(cell_);
 }
 
 Vector Tracer::step_end(double time) const {
-  return settled(runge_kutta_step(flow_, u_, velocity_, time));
+  return flow_.settled(runge_kutta_step(flow_, u_, velocity_, time));
 }
 
 /// Shortens a step to where a function, negative at its begin and not at its end, is zero.
@@ -325,7 +316,8 @@ bool Tracer::rises_above(const LocalWall& wall, double& time, double slope_at_en
 bool Tracer::end_at_wall(double& time, std::optional<std::size_t>& exit) {
   // |u''| stays below a small multiple of |u'| times the rate, so a line can bulge no farther
   // beyond the walls' distances at the step's ends than this.
-  const double bulge = time * time * flow_.rate(u_) * velocity_.norm() / 2;
+  const double bulge =
+      time * time * flow_.rate(u_, flow_.gradient(u_).norm()) * velocity_.norm() / 2;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const LocalWall& wall = walls_[i];
     const double distance = wall.normal.dot(end_) - wall.offset;
@@ -347,7 +339,10 @@ bool Tracer::end_at_wall(double& time, std::optional<std::size_t>& exit) {
 
 bool Tracer::step() {
   const double gradient = flow_.gradient(u_).norm(), speed = velocity_.norm();
-  double time = std::min(longest_time, lines_.step_ * gradient / speed) / flow_.rate(u_);
+  const double rate = flow_.rate(u_, gradient);
+  // Where the flow is slow, near critical points, it is nearly linear, and the error of a step is
+  // its length times the ninth power of its time: a little more time gives about the same error.
+  double time = lines_.step_ * std::sqrt(std::sqrt(std::sqrt(gradient / speed))) / rate;
   if (!(speed > 0 && std::isfinite(time))) return false;
   end_ = step_end(time);
   std::optional<std::size_t> exit;
@@ -359,8 +354,7 @@ bool Tracer::step() {
   velocity_ = flow_(u_);
   note();
   if (exit) {
-    const LocalWall wall = walls_[*exit];
-    leave_through(wall);
+    leave_through(walls_[*exit]);
     return true;
   }
   for (LocalWall& wall : walls_) {
@@ -386,19 +380,21 @@ bool Tracer::look_for_stop(double time) {
 bool Tracer::capture(double time) {
   for (const CriticalId id : lines_.within(cell_)) {
     const CaptureDisc& disc = lines_.discs_[id.index()];
-    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0) || !disc.contains(end_)) {
+    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0) ||
+        !disc.contains(flow_.to_space(end_))) {
       continue;
     }
-    if (!disc.contains(u_)) {
+    if (!disc.contains(flow_.to_space(u_))) {
       const double rounding = 1e-13 + 1e-15 * u_.norm() / disc.radius;
       first_zero(time, rounding * disc.level, [&](const Vector& x, const Vector& velocity) {
-        return std::pair(disc.level - disc.height(x),
-                         -2 * (x - disc.centre).dot(disc.form * velocity));
+        const Vector d = flow_.to_space(x) - disc.centre;
+        return std::pair(disc.level - d.dot(disc.form * d),
+                         -2 * d.dot(disc.form * flow_.to_space(velocity)));
       });
       u_ = end_;
       note();
     }
-    arrive(id, end_ - disc.centre);
+    arrive(id, flow_.to_space(end_) - disc.centre);
     return true;
   }
   return false;

@@ -31,16 +31,16 @@ class Tracer {
 
  private:
   struct LocalWall {
-    Vector normal;
-    double offset;  ///< less the patch centre's
+    Vector normal;  ///< in the flow's coordinates
+    double offset;
     skin::CellId beyond;
     double distance, slope;  ///< of the point stood at, and along the velocity
   };
 
+  /// @param u  in space, from the centre of the cell's patch
   void enter(skin::CellId cell, const Vector& u);
-  void leave_through(const LocalWall& wall);
+  void leave_through(LocalWall wall);
   void note();
-  Vector settled(const Vector& u) const;
   double level_here(const Vector& u) const { return centre_value_ + flow_.value(u); }
   std::optional<std::size_t> wall_passed() const;
   bool follow_great_circle();
@@ -62,10 +62,9 @@ class Tracer {
   double tolerance_;
   skin::CellId cell_;
   Point centre_;
-  skin::Patch patch_;  ///< moved to the origin
   GradientFlow flow_;
   double centre_value_ = 0;
-  Vector u_, velocity_;  ///< where the line stands, from the patch's centre
+  Vector u_, velocity_;  ///< where the line stands, in the flow's coordinates
   Vector end_;           ///< where the step ends
   std::vector<LocalWall> walls_;
   std::optional<double> stop_;
