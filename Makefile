@@ -6,7 +6,7 @@ PREFIX ?= /usr/local
 sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow bench corpus lint tidy format sanitize install clean help
+.PHONY: build deps demo test test-slow bench corpus morse-corpus lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -36,6 +36,9 @@ bench: deps  ## build and run the benchmarks
 
 corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
 	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
+
+morse-corpus: build  ## trace Morse-Smale complexes of MOLECULES (see bench/morse_corpus.py --help)
+	python3 bench/morse_corpus.py --molecules $(MOLECULES) $(CORPUS)
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py
@@ -67,4 +70,4 @@ clean:  ## remove everything built
 
 help:  ## list these
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | while IFS="$$(printf '\t')" read -r name text; \
-	  do printf '  make %-10s %s\n' "$$name" "$$text"; done
+	  do printf '  make %-12s %s\n' "$$name" "$$text"; done

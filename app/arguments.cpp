@@ -7,9 +7,10 @@
 #include <string>
 #include <thread>
 
+#include "app/complex_files.h"
+#include "app/function_argument.h"
 #include "app/version.h"
 #include "geometry/mesh_files.h"
-#include "geometry/text_lines.h"
 
 namespace morskin::app {
 namespace {
@@ -37,6 +38,7 @@ constexpr const char* closing =
     "  morskin mesh 1crn.pdb -o 1crn.ply\n"
     "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model vdw --report 1crn.json\n"
     "  morskin check 1crn.ply --against 1crn.pdb\n"
+    "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
     "  morskin info 1crn.pdb --json\n"
     "\n"
     "Exit codes:\n"
@@ -48,7 +50,9 @@ constexpr const char* closing =
 // The options as typed, before they are checked.
 struct Typed {
   std::string model = "paper";
-  std::string height;
+  std::optional<std::string> height, function;
+  std::optional<double> persistence;
+  bool is_raw = false;
   std::string progress = "auto";
   std::string method = "sweep";
 };
@@ -72,6 +76,19 @@ void add_sizing_options(CLI::App& command, refine::Sizing& sizing) {
       ->capture_default_str();
 }
 
+void add_function_option(CLI::App& command, Typed& typed) {
+  command.add_option("--function", typed.function,
+                     "The Morse function: height:x,y,z along a direction, or\n"
+                     "distance:x,y,z, squared, from a point\n"
+                     "(default: height along y, tilted a little)");
+}
+
+void add_progress_option(CLI::App& command, Typed& typed) {
+  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+}
+
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
@@ -84,8 +101,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
   add_sizing_options(command, mesh.sizing);
-  command.add_option("--height", typed.height,
-                     "x,y,z: direction of the sweep (default: y, tilted a little)");
+  add_function_option(command, typed);
+  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
   command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
       ->check(CLI::IsMember({"sweep"}))
       ->capture_default_str();
@@ -105,13 +122,33 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
           "Threads at most (all cores); most of the work is done by two, and the bytes written "
           "are the same for any number")
       ->check(CLI::Range(1U, 1024U));
-  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_progress_option(command, typed);
   command.footer(
       "The mesh takes its name only when the bytes written have been read back and certified:\n"
       "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
       "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
+}
+
+void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "morse", "Write the Morse-Smale complex of a height or distance on the skin");
+  command.add_option("INPUT", morse.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", morse.output,
+                  ".json, everything, or .vtu, lines and points for ParaView;\n"
+                  "\"-\", /dev/null and the like take JSON")
+      ->required();
+  add_molecule_options(command, morse.molecule, typed);
+  add_function_option(command, typed);
+  command.add_flag("--raw", typed.is_raw, "Do not simplify");
+  command.add_option("--persistence", typed.persistence,
+                     "Cancel all pairs of at most this persistence, Angstrom for\n"
+                     "a height, Angstrom^2 for a distance, and no others");
+  command.add_flag("-q,--quiet", morse.quiet, "Print nothing but errors");
+  add_progress_option(command, typed);
+  command.footer(
+      "Unless told otherwise, arcs between overlapping protecting spheres are contracted, as in\n"
+      "section 3.2 of the paper, where the persistence condition allows it.");
 }
 
 void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
@@ -145,21 +182,14 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       "Exit code 0: certified, or without --against a closed oriented 2-manifold; 5: not.");
 }
 
-geometry::Vector parsed_height(std::string text) {
-  std::ranges::replace(text, ',', ' ');
-  std::string_view rest = text;
-  geometry::Vector height;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::optional<double> value = geometry::parse_double(geometry::take_field(rest));
-    if (!value || !std::isfinite(*value)) throw UsageError("--height needs three numbers: x,y,z");
-    height[axis] = *value;
+// --height and --function, of which at most one may be given.
+std::optional<morse::MorseFunction> parsed(const Typed& typed) {
+  if (typed.height && typed.function) {
+    throw UsageError("--height x,y,z is short for --function height:x,y,z; give one of them");
   }
-  if (!geometry::trimmed(rest).empty()) throw UsageError("--height needs three numbers: x,y,z");
-  const double length = height.stableNorm();
-  if (!(length > 0) || !std::isfinite(length)) {
-    throw UsageError("--height needs a direction; its length must not be zero or infinite");
-  }
-  return height / length;
+  if (typed.height) return parsed_height(*typed.height);
+  if (typed.function) return parsed_function(*typed.function);
+  return std::nullopt;
 }
 
 void check_sizing(const refine::Sizing& sizing) {
@@ -192,17 +222,21 @@ std::filesystem::path one_name(const std::filesystem::path& path) {
   return failed ? std::filesystem::absolute(path).lexically_normal() : name;
 }
 
+void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule) {
+  if (output.empty()) throw UsageError("an output's name is empty");
+  if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
+    throw UsageError(output.string() + " would replace the input; choose another name");
+  }
+}
+
 void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].empty()) throw UsageError("an output's name is empty");
+    check_not_input(names[i], mesh.molecule);
     if (is_standard_output(names[i])) ++standard_outputs;
     if (is_special(names[i])) continue;
-    if (one_name(names[i]) == one_name(mesh.molecule.input)) {
-      throw UsageError(names[i].string() + " would replace the input; choose another name");
-    }
     for (std::size_t j = 0; j < i; ++j) {
       if (one_name(names[i]) == one_name(names[j])) {
         throw UsageError(names[i].string() + " is named twice");
@@ -224,6 +258,30 @@ ShowProgress parsed_progress(std::string_view word) {
   return word == "never" ? ShowProgress::Never : ShowProgress::Auto;
 }
 
+void finish(MorseArguments& morse, const Typed& typed) {
+  check_not_input(morse.output, morse.molecule);
+  if (!is_special(morse.output) && !complex_format_of(morse.output)) {
+    throw UsageError(morse.output.string() + ": the ending must be .json or .vtu");
+  }
+  morse.function = parsed(typed);
+  morse.progress = parsed_progress(typed.progress);
+  if (typed.is_raw && typed.persistence) {
+    throw UsageError("--raw does not simplify and --persistence does; give one of them");
+  }
+  if (typed.is_raw) morse.simplify = Simplify::Not;
+  if (typed.persistence) {
+    if (!(*typed.persistence >= 0)) throw UsageError("--persistence must not be below 0");
+    morse.simplify = Simplify::ByPersistence;
+    morse.persistence = *typed.persistence;
+  }
+}
+
+void finish(MeshArguments& mesh, const Typed& typed) {
+  mesh.function = parsed(typed);
+  mesh.progress = parsed_progress(typed.progress);
+  check_outputs(mesh);
+}
+
 }  // namespace
 
 Arguments parse_arguments(int count, const char* const* words) {
@@ -235,19 +293,23 @@ Arguments parse_arguments(int count, const char* const* words) {
     return "morskin: " + std::string(error.what()) + "; see morskin --help\n";
   });
   MeshArguments mesh;
+  MorseArguments morse;
   BallsArguments balls;
   InfoArguments info;
   CheckArguments check;
   MoleculeArguments against;
   Typed typed;
   add_mesh(app, mesh, typed);
+  add_morse(app, morse, typed);
   add_balls(app, balls, typed);
   add_info(app, info, typed);
   add_check(app, check, against, typed);
   try {
     app.parse(count, words);
-    for (MoleculeArguments* molecule : {&mesh.molecule, &balls.molecule, &info.molecule, &against})
+    for (MoleculeArguments* molecule :
+         {&mesh.molecule, &morse.molecule, &balls.molecule, &info.molecule, &against}) {
       finish(*molecule, typed);
+    }
     for (const refine::Sizing& sizing : {mesh.sizing, info.sizing, check.sizing})
       check_sizing(sizing);
     if (app.got_subcommand("balls")) return balls;
@@ -256,9 +318,11 @@ Arguments parse_arguments(int count, const char* const* words) {
       if (!against.input.empty()) check.against = against;
       return check;
     }
-    if (!typed.height.empty()) mesh.height = parsed_height(typed.height);
-    mesh.progress = parsed_progress(typed.progress);
-    check_outputs(mesh);
+    if (app.got_subcommand("morse")) {
+      finish(morse, typed);
+      return morse;
+    }
+    finish(mesh, typed);
     return mesh;
   } catch (const CLI::ParseError& error) {
     const bool is_complaint = error.get_exit_code() != 0;

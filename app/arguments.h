@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/exit_codes.h"
-#include "geometry/point.h"
+#include "morse/morse_function.h"
 #include "refine/sizing.h"
 #include "skin/model.h"
 
@@ -35,13 +35,26 @@ struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
   refine::Sizing sizing;
-  std::optional<geometry::Vector> height;
+  std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
   int fronts = 2;        ///< front::MeshOptions::fronts
   unsigned threads = 1;  ///< at most; the result is the same for any number
+};
+
+/// What becomes of critical points whose protecting spheres overlap.
+enum class Simplify { Not, BySpheres, ByPersistence };
+
+struct MorseArguments {
+  MoleculeArguments molecule;
+  std::filesystem::path output;
+  std::optional<morse::MorseFunction> function;
+  Simplify simplify = Simplify::BySpheres;
+  double persistence = 0;  ///< of pairs to cancel, at most; Angstrom, or Angstrom^2 for a distance
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
 };
 
 struct BallsArguments {
@@ -68,8 +81,8 @@ struct Finished {
   ExitCode code;
 };
 
-using Arguments =
-    std::variant<Finished, MeshArguments, BallsArguments, InfoArguments, CheckArguments>;
+using Arguments = std::variant<Finished, MeshArguments, MorseArguments, BallsArguments,
+                               InfoArguments, CheckArguments>;
 
 /// Prints help, version or what is wrong with the arguments.
 Arguments parse_arguments(int count, const char* const* words);

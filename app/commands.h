@@ -8,6 +8,7 @@ namespace morskin::app {
 /// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
 /// UsageError
 ExitCode mesh_command(const MeshArguments& arguments);
+ExitCode morse_command(const MorseArguments& arguments);
 ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);
 ExitCode check_command(const CheckArguments& arguments);

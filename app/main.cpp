@@ -11,6 +11,7 @@ namespace {
 struct Run {
   ExitCode operator()(Finished finished) const { return finished.code; }
   ExitCode operator()(const MeshArguments& arguments) const { return mesh_command(arguments); }
+  ExitCode operator()(const MorseArguments& arguments) const { return morse_command(arguments); }
   ExitCode operator()(const BallsArguments& arguments) const { return balls_command(arguments); }
   ExitCode operator()(const InfoArguments& arguments) const { return info_command(arguments); }
   ExitCode operator()(const CheckArguments& arguments) const { return check_command(arguments); }

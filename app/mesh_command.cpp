@@ -46,16 +46,16 @@ front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arg
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   front::MeshOptions options;
   options.sizing = arguments.sizing;
-  options.height = arguments.height;
+  options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
   options.certify = false;
   options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
   try {
     return front::mesh_skin(skin, options);
-  } catch (const front::DegenerateHeight& error) {
-    // Which exit code depends on whose choice the direction was.
-    if (arguments.height) throw UsageError(error.what());
+  } catch (const morse::DegenerateFunction& error) {
+    // Which exit code depends on whose choice the function was.
+    if (arguments.function) throw UsageError(error.what());
     throw;
   }
 }
@@ -142,7 +142,7 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.minima = result.minima;
   report.saddles = result.saddles;
   report.maxima = result.maxima;
-  report.height = result.height;
+  report.function = result.function;
   report.operations = result.operations;
   report.refinement = result.refinement;
   report.open_edges = result.open_edges;

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/function_argument.h"
+
 namespace morskin::app {
 namespace {
 
@@ -129,8 +131,11 @@ std::string json_text(const MeshReport& report) {
   json["outputs"] = ordered_json::array();
   for (const std::filesystem::path& output : report.outputs)
     json["outputs"].push_back(output.string());
-  json["height"] = {rounded(report.height.x()), rounded(report.height.y()),
-                    rounded(report.height.z())};
+  json["function"] = function_json(report.function);
+  if (report.function.is_height()) {
+    const geometry::Vector& v = report.function.direction;
+    json["height"] = {rounded(v.x()), rounded(v.y()), rounded(v.z())};
+  }
   json["minima"] = report.minima;
   json["saddles"] = report.saddles;
   json["maxima"] = report.maxima;
@@ -189,9 +194,10 @@ std::string people_text(const MeshReport& report) {
                        brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
                        " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
   text += certificate_text(report.certificate, report.sizing);
-  text += line("heights", counted(report.minima, "minimum", "minima") + " - " +
-                              counted(report.saddles, "saddle", "saddles") + " + " +
-                              counted(report.maxima, "maximum", "maxima"));
+  text += line("function", in_words(report.function));
+  text += line("critical", counted(report.minima, "minimum", "minima") + " - " +
+                               counted(report.saddles, "saddle", "saddles") + " + " +
+                               counted(report.maxima, "maximum", "maxima"));
   text += line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
                             grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
                             grouped(done.seal) + " sealed");

@@ -33,7 +33,7 @@ struct MeshReport {
   std::string certified_file;
   refine::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
-  geometry::Vector height;
+  morse::MorseFunction function;
   front::Operations operations;
   refine::RefinementCounts refinement;
   std::size_t open_edges = 0;

@@ -20,7 +20,12 @@ void check(const MeshOptions& options) {
   if (!(C > 0 && Q > 1 && 2 * C < Q && std::isfinite(C) && std::isfinite(Q))) {
     throw geometry::RefusedInput("C and Q must satisfy 0 < 2 C < Q and Q > 1");
   }
-  if (options.height && !(options.height->allFinite() && options.height->norm() > 0)) {
+  if (!options.function) return;
+  const morse::MorseFunction& f = *options.function;
+  if (!f.direction.allFinite() || !f.origin.allFinite()) {
+    throw geometry::RefusedInput("the Morse function's direction or point is not finite");
+  }
+  if (f.is_height() && !(f.direction.norm() > 0)) {
     throw geometry::RefusedInput("the height direction must be a vector that is not zero");
   }
 }
@@ -33,41 +38,9 @@ void timed(double& seconds, Work work) {
   seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The default direction first, then others off the axes and off each other, fixed for all time.
-std::vector<morse::MorseFunction> default_heights() {
-  std::vector<morse::MorseFunction> heights{morse::MorseFunction{}};
-  for (const Vector& tilted :
-       {Vector(0.0391, 1, -0.0177), Vector(-0.0523, 1, 0.0311), Vector(0.1117, 1, 0.0713),
-        Vector(-0.0933, 1, -0.1391), Vector(0.2171, 1, 0.1549), Vector(0.3019, 1, -0.2243)}) {
-    heights.push_back({tilted.normalized()});
-  }
-  return heights;
-}
-
-struct Choice {
-  morse::MorseFunction height;
-  morse::CriticalPoints critical;
-};
-
-/// The height function to sweep along with its critical points: the one asked for, or the first of
-/// the defaults that is not degenerate. Their alternating sum must be the skin's Euler
-/// characteristic; it is the witness that none was lost or found twice.
-Choice choose_height(const PreparedSkin& skin, const MeshOptions& options) {
-  std::vector<morse::MorseFunction> heights = default_heights();
-  if (options.height) heights = {{options.height->normalized()}};
-  std::string why;
-  for (const morse::MorseFunction& height : heights) {
-    Choice choice{height, morse::critical_points(skin.surface, height)};
-    const long chi = choice.critical.euler_characteristic();
-    const long expected = skin.topology.skin_euler_characteristic();
-    if (choice.critical.degeneracies.empty() && chi == expected) return choice;
-    why = choice.critical.degeneracies.empty()
-              ? "minima - saddles + maxima is " + std::to_string(chi) + ", not " +
-                    std::to_string(expected)
-              : choice.critical.degeneracies.front();
-  }
-  throw DegenerateHeight("the height function is degenerate for this molecule: " + why +
-                         "; give another direction with --height");
+morse::ChosenFunction choose_height(const PreparedSkin& skin, const MeshOptions& options) {
+  return morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
+                                options.function);
 }
 
 }  // namespace
@@ -99,7 +72,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.expected = skin.topology;
 
   progress("critical points", 0);
-  Choice choice;
+  morse::ChosenFunction choice;
   std::optional<morse::ProtectingSpheres> spheres;
   timed(result.seconds.critical_points, [&] {
     choice = choose_height(skin, options);
@@ -108,7 +81,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.minima = choice.critical.count(0);
   result.saddles = choice.critical.count(1);
   result.maxima = choice.critical.count(2);
-  result.height = choice.height.direction;
+  result.function = choice.function;
 
   skin::SkinMesh mesh;
   timed(result.seconds.sweep, [&] {
@@ -116,8 +89,8 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
     const auto& points = choice.critical.points;
     SweepResult swept =
         options.fronts == 1
-            ? sweep_once(skin.surface, choice.height, points, *spheres, options.sizing, report)
-            : sweep_from_both_ends(skin.surface, choice.height, points, *spheres, options.sizing,
+            ? sweep_once(skin.surface, choice.function, points, *spheres, options.sizing, report)
+            : sweep_from_both_ends(skin.surface, choice.function, points, *spheres, options.sizing,
                                    options.threads, report);
     mesh = std::move(swept.mesh);
     result.operations = swept.operations;

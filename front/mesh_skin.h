@@ -12,7 +12,7 @@
 #include "front/sweep.h"
 #include "geometry/error.h"
 #include "geometry/indexed_mesh.h"
-#include "morse/morse_function.h"
+#include "morse/choose_function.h"
 #include "refine/certificate.h"
 #include "refine/refinement.h"
 
@@ -23,9 +23,9 @@ using Progress = std::function<void(std::string_view stage, double share)>;
 
 struct MeshOptions {
   refine::Sizing sizing;
-  /// Direction of the height function; without one, y with a small tilt, and further tilts should
-  /// that be degenerate.
-  std::optional<geometry::Vector> height;
+  /// The function to sweep along; without one, the height y with a small tilt, and further tilts
+  /// should that be degenerate.
+  std::optional<morse::MorseFunction> function;
   /// 2: swept from both ends at once; 1: from below only, Algorithm 1 as printed.
   int fronts = 2;
   unsigned threads = 2;  ///< at most; the mesh is the same for any number
@@ -47,7 +47,7 @@ struct MeshResult {
   refine::Certificate certificate;  ///< empty unless asked for
   skin::DualComplex expected;
   std::size_t minima = 0, saddles = 0, maxima = 0;
-  geometry::Vector height;  ///< the direction used
+  morse::MorseFunction function;  ///< the one used
   Operations operations;
   refine::RefinementCounts refinement;
   std::size_t open_edges = 0;  ///< of a front that could not be closed; 0 in a good mesh
@@ -65,17 +65,11 @@ struct PreparedSkin {
 /// @throws skin::SingularSkin, geometry::RefusedInput
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points);
 
-/// @throws DegenerateHeight when options.height is degenerate for this skin.
+/// @throws morse::DegenerateFunction when options.function is degenerate for this skin.
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options = {});
 /// The same from weighted points.
 /// @throws skin::SingularSkin when the skin is singular, geometry::RefusedInput when there is none.
 MeshResult mesh_skin(std::vector<geometry::WeightedPoint> points, const MeshOptions& options = {});
-
-/// The direction given is degenerate for this molecule; the text says where and what to do.
-class DegenerateHeight : public geometry::RefusedInput {
- public:
-  using geometry::RefusedInput::RefusedInput;
-};
 
 /// Seconds to move every vertex of a mesh 0.1 rho along its tangent plane and to locate and project
 /// it again from its old cell, once: the floor that no mesher can pass on this machine.

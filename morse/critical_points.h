@@ -1,11 +1,17 @@
 #pragma once
 
-/// Critical points of the height function on the skin (section 3.1), in closed form.
+/// Critical points of a height or a squared distance on the skin (section 3.1), cell by cell.
 ///
-/// In a mixed cell N(x) = M (x - z) must be parallel to the direction V, so x = z + lambda M V, and
-/// G(x) = 0 gives lambda^2 = (w/2) / (V . M V). The point counts when it lies in the cell. |lambda|
+/// In a mixed cell the gradient must be parallel to N(x) = M (x - z). For the height along V this
+/// has a closed form: x = z + lambda M V, and G(x) = 0 gives lambda^2 = (w/2) / (V . M V). |lambda|
 /// is the length scale there, sign(lambda) V the outward normal, and the Hessian of the height on
 /// the tangent plane is -(1/lambda) M restricted to it. Derived in papers/4.1-algorithm.md.
+///
+/// For the squared distance from p it is (I - mu M) (x - z) = p - z, and G(x) = 0 is one equation
+/// in mu, of degree 4 (distance_equation.h); the Hessian is 2 (I - mu M). Derived in
+/// papers/3.1-morse-functions.md.
+///
+/// A point counts when it lies in the cell.
 
 #include <string>
 #include <vector>
@@ -32,8 +38,12 @@ struct CriticalPoint {
 
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  ///< in the order of the cells
-  /// Why the function is not safely a Morse function on this skin, or nothing: a critical point so
-  /// near a cell wall that rounding decides on which side it lies.
+  /// Why the function is not safely a Morse function on this skin, with the place, or nothing:
+  /// - a critical point so near a cell wall that rounding decides on which side it lies;
+  /// - one whose Hessian has an eigenvalue that is zero within rounding;
+  /// - two at one place within rounding;
+  /// - a circle or a patch of critical points (squared distances from an axis or a centre of
+  ///   symmetry of a patch). Such points are not in `points`.
   std::vector<std::string> degeneracies;
 
   std::size_t count(int index) const;
@@ -41,7 +51,7 @@ struct CriticalPoints {
   long euler_characteristic() const;
 };
 
-/// @pre height.direction is a unit vector; the skin is not singular.
-CriticalPoints critical_points(const skin::SkinSurface& skin, const MorseFunction& height);
+/// @pre function.curvature >= 0; a height's direction is a unit vector; the skin is not singular.
+CriticalPoints critical_points(const skin::SkinSurface& skin, const MorseFunction& function);
 
 }  // namespace morskin::morse

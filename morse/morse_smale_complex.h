@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "morse/critical_points.h"
@@ -29,6 +30,19 @@ struct MorseSmaleComplex {
   std::vector<std::array<CriticalId, 4>> regions;
   /// Connected components of the skin.
   std::size_t components = 0;
+  /// By point, the arcs that end at an extremum, counter-clockwise about it seen from outside.
+  std::span<const ArcId> arcs_at(CriticalId extremum) const {
+    return {ends.data() + first_end[extremum.index()],
+            first_end[extremum.index() + 1] - first_end[extremum.index()]};
+  }
+  std::vector<ArcId> ends;
+  std::vector<std::uint32_t> first_end;  ///< by point, into ends
+  /// Lines that come so near to one of their kind on the way that they follow it from there on.
+  std::size_t merged_lines = 0;
+  /// Why this is not safely the complex, or nothing: those of the critical points, and lines that
+  /// rounding cannot tell from one between two saddles. Where they leave the complex undecided,
+  /// `arcs` or `regions` is empty.
+  std::vector<std::string> degeneracies;
 
   /// The arc's polyline from the saddle to the extremum, both included.
   std::span<const Point> line(ArcId arc) const {
@@ -38,5 +52,12 @@ struct MorseSmaleComplex {
   std::vector<Point> line_points;
   std::vector<std::uint32_t> first_point;  ///< by arc, into line_points
 };
+
+/// @pre  critical = critical_points(skin, f).
+/// The regions are traced from the cyclic order of the arcs at all points; that each has four sides
+/// is the witness of that order.
+/// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
+MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
+                                      CriticalPoints critical);
 
 }  // namespace morskin::morse

@@ -1,32 +1,16 @@
 #include "morse/protecting_spheres.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "geometry/kd_tree.h"
 
 namespace morskin::morse {
 
 namespace {
 
 using skin::CellId;
-
-/// Distance to the nearest other point, found along a sorted axis, or nothing within `reach`.
-double nearest_distance(std::span<const CriticalPoint> points,
-                        const std::vector<std::uint32_t>& by_height, std::size_t place,
-                        double reach) {
-  const CriticalPoint& p = points[by_height[place]];
-  double nearest = reach;
-  const auto look = [&](std::size_t q) {
-    const CriticalPoint& other = points[by_height[q]];
-    if (std::abs(other.value - p.value) > nearest) return false;
-    nearest = std::min(nearest, (other.point.position - p.point.position).norm());
-    return true;
-  };
-  for (std::size_t q = place + 1; q < by_height.size() && look(q); ++q) {
-  }
-  for (std::size_t q = place; q-- > 0 && look(q);) {
-  }
-  return nearest;
-}
 
 /// Cells that a ball about a point of `start` reaches, found by crossing the walls it cuts.
 std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point& centre,
@@ -52,14 +36,17 @@ std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point&
 ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
                                      std::span<const CriticalPoint> points, double radius_share)
     : points_(points), radius_(points.size()) {
-  std::vector<std::uint32_t> by_height(points.size());
-  std::iota(by_height.begin(), by_height.end(), 0U);
-  std::sort(by_height.begin(), by_height.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(points[a].value, a) < std::pair(points[b].value, b);
-  });
-  for (std::size_t i = 0; i < by_height.size(); ++i) {
-    const double full = radius_share * points[by_height[i]].point.length_scale;
-    radius_[by_height[i]] = std::min(full, nearest_distance(points, by_height, i, 2 * full) / 2);
+  std::vector<Point> places;
+  places.reserve(points.size());
+  for (const CriticalPoint& p : points) places.push_back(p.point.position);
+  const geometry::KdTree<CriticalId> tree(places);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double full = radius_share * points[i].point.length_scale;
+    // Farther than 2 full is of no matter; the look goes a little beyond, so that only the minimum
+    // below decides.
+    const auto other =
+        tree.nearest(places[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
+    radius_[i] = other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full;
   }
   std::vector<std::pair<CellId, CriticalId>> pairs;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 """The command from outside: exit codes, files, reports. Usage: command_test.py path/to/morskin"""
 
+import base64
+import collections
 import json
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 from pathlib import Path
 
 MOLECULES = Path(__file__).resolve().parent.parent / "bench" / "molecules"
@@ -122,6 +126,11 @@ class Mesh(CommandTest):
     def test_a_direction_is_taken_with_a_minus_sign(self):
         report = self.mesh_json(self.ring, "-o", "ring.ply", "--height", "-1,0.3,0.2")
         self.assertLess(report["height"][0], 0)
+        self.assertEqual(report["function"]["kind"], "height")
+        self.run_morskin("mesh", self.ring, "-o", "long.ply", "-q", "--function",
+                         "height:-1,0.3,0.2")
+        self.assertEqual((self.folder / "ring.ply").read_bytes(),
+                         (self.folder / "long.ply").read_bytes())
 
     def test_waters_are_kept_when_asked(self):
         words = (MOLECULES / "9dna.pdb", "--json")
@@ -154,6 +163,134 @@ class NotCertified(CommandTest):
         self.assertIn(b"theory", done.stderr)
 
 
+class Morse(CommandTest):
+    def morse_json(self, molecule, *words):
+        self.run_morskin("morse", molecule, "-o", "complex.json", "-q", *words)
+        return json.loads((self.folder / "complex.json").read_text())
+
+    def check_complex(self, complex_):
+        """Points, arcs and regions belong together; returns the counts of survivors by index."""
+        points = complex_["critical_points"]
+        self.assertEqual([p["id"] for p in points], list(range(len(points))))
+        left = collections.Counter(p["index"] for p in points if p["survives"])
+        self.assertEqual(left[0] - left[1] + left[2], complex_["euler_characteristic"])
+        self.assertEqual((len(complex_["arcs"]), len(complex_["regions"])),
+                         (4 * left[1], 2 * left[1]))
+        arcs = set()
+        for arc in complex_["arcs"]:
+            saddle, extremum = points[arc["saddle"]], points[arc["extremum"]]
+            self.assertTrue(saddle["survives"] and extremum["survives"])
+            self.assertEqual(saddle["index"], 1)
+            self.assertIn(extremum["index"], (0, 2))
+            self.assertEqual(arc["points"][0], saddle["position"])
+            self.assertEqual(arc["points"][-1], extremum["position"])
+            arcs.add((arc["saddle"], arc["extremum"]))
+        for low, first, high, second in complex_["regions"]:
+            self.assertEqual([points[i]["index"] for i in (low, first, high, second)], [0, 1, 2, 1])
+            self.assertLessEqual({(a, e) for a in (first, second) for e in (low, high)}, arcs)
+        return left
+
+    def test_the_raw_complex_of_a_torus_has_every_promised_key_and_belongs_together(self):
+        torus = self.morse_json(self.ring, "--model", "sas", "--probe", "0", "--raw")
+        for key in """critical_points arcs regions hierarchy cancelled euler_characteristic
+                components function model input before after shrunk_radii""".split():
+            self.assertIn(key, torus)
+        self.assertEqual((torus["euler_characteristic"], torus["components"]), (0, 1))
+        for point in torus["critical_points"]:
+            self.assertEqual(set(point), {"id", "index", "value", "position", "length_scale",
+                                          "patch", "survives", "radius"})
+            self.assertIn(point["patch"], ("vertex", "edge", "triangle", "tetrahedron"))
+            self.assertTrue(point["survives"])
+            height = sum(a * b for a, b in zip(torus["function"]["direction"], point["position"]))
+            self.assertAlmostEqual(height, point["value"])
+        left = self.check_complex(torus)
+        # What no cancellation can remove: a minimum, a maximum, and two saddles for the handle.
+        self.assertEqual(left[1] - len(torus["hierarchy"]), 2)
+        self.assertEqual(torus["before"], torus["after"])
+        self.assertEqual(self.names(), ["complex.json"])
+
+    def test_simplified_by_spheres_or_persistence_the_complex_still_belongs_together(self):
+        molecule = MOLECULES / "1grm_model1.pdb"
+        raw = self.morse_json(molecule, "--raw")
+        self.check_complex(raw)
+        pairs = {(p["saddle"], p["extremum"]): p["persistence"] for p in raw["hierarchy"]}
+        by_spheres = self.morse_json(molecule)
+        self.check_complex(by_spheres)
+        gone = [(c["saddle"], c["extremum"]) for c in by_spheres["cancelled"]]
+        self.assertGreater(len(gone), 10)
+        self.assertLessEqual(set(gone), set(pairs))
+        self.assertLess(by_spheres["overlaps_left"], by_spheres["overlaps_before"])
+        limit = sorted(pairs.values())[len(pairs) // 2]
+        by_persistence = self.morse_json(molecule, "--persistence", repr(limit))
+        self.check_complex(by_persistence)
+        self.assertEqual({(c["saddle"], c["extremum"]) for c in by_persistence["cancelled"]},
+                         {pair for pair, persistence in pairs.items() if persistence <= limit})
+        left = self.check_complex(self.morse_json(molecule, "--persistence", "inf"))
+        genus = raw["components"] - raw["euler_characteristic"] // 2
+        self.assertEqual((left[0], left[1], left[2]),
+                         (raw["components"], 2 * genus, raw["components"]))
+
+    def test_the_vtu_holds_critical_points_as_vertices_and_arcs_as_polylines(self):
+        complex_ = self.morse_json(self.ring)
+        self.run_morskin("morse", self.ring, "-o", "complex.vtu", "-q")
+        piece = xml.etree.ElementTree.parse(self.folder / "complex.vtu").getroot()[0][0]
+        arrays = {}
+        for group in piece:
+            for array in group:
+                data = base64.b64decode(array.text, validate=True)
+                letter = {"Float64": "d", "Int64": "q", "UInt8": "B"}[array.get("type")]
+                (size,) = struct.unpack("<Q", data[:8])
+                self.assertEqual(size, len(data) - 8)
+                arrays[group.tag, array.get("Name")] = list(
+                    value for value, in struct.iter_unpack("<" + letter, data[8:]))
+        points, arcs = complex_["critical_points"], complex_["arcs"]
+        cells = len(points) + len(arcs)
+        self.assertEqual(int(piece.get("NumberOfCells")), cells)
+        self.assertEqual(arrays["Cells", "types"], [1] * len(points) + [4] * len(arcs))
+        self.assertEqual(len(arrays["PointData", "value"]), int(piece.get("NumberOfPoints")))
+        for name in ("index", "value", "id", "survives"):
+            self.assertEqual(len(arrays["CellData", name]), cells)
+        self.assertEqual(arrays["CellData", "index"][:len(points)], [p["index"] for p in points])
+        self.assertEqual(arrays["CellData", "value"][:len(points)], [p["value"] for p in points])
+        positions = arrays["Points", "Points"]
+        ends = [0, *arrays["Cells", "offsets"]]
+        for cell, arc in enumerate(arcs, start=len(points)):
+            corners = arrays["Cells", "connectivity"][ends[cell]:ends[cell + 1]]
+            self.assertEqual([positions[3 * c:3 * c + 3] for c in corners], arc["points"])
+
+    def test_distances_are_functions_too(self):
+        ball = self.input("ball.xyzr", "1 2 3 1.5\n")
+        complex_ = self.morse_json(ball, "--function", "distance:5,2,3", "--model", "vdw")
+        self.assertEqual(complex_["function"], {"kind": "distance", "origin": [5, 2, 3]})
+        values = sorted(p["value"] for p in complex_["critical_points"])
+        self.assertEqual(len(values), 2)
+        self.assertAlmostEqual(values[0], 2.5 ** 2)
+        self.assertAlmostEqual(values[1], 5.5 ** 2)
+
+    def test_the_complex_on_standard_output_is_alone_there_and_json(self):
+        done = self.run_morskin("morse", self.ring, "-o", "-")
+        self.assertEqual(json.loads(done.stdout)["components"], 1)
+        self.assertIn(b"saddles", done.stderr)
+        done = self.run_morskin("morse", self.ring, "-o", "complex.JSON")
+        self.assertIn(b"saddles", done.stdout)
+        done = self.run_morskin("morse", self.ring, "-o", "complex.vtu", "-q")
+        self.assertEqual(done.stdout + done.stderr, b"")
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        for name in ("a.json", "b.json", "a.vtu", "b.vtu"):
+            self.run_morskin("morse", self.ring, "-o", name, "-q")
+        for ending in ("json", "vtu"):
+            self.assertEqual((self.folder / f"a.{ending}").read_bytes(),
+                             (self.folder / f"b.{ending}").read_bytes())
+
+    def test_a_degenerate_function_of_the_user_gives_2_and_the_place(self):
+        for command, out in (("morse", "out.json"), ("mesh", "out.ply")):
+            done = self.run_morskin(command, MOLECULES / "cube8.xyzr", "-o", out, "--function",
+                                    "height:0,1,0", code=2)
+            self.assertRegex(done.stderr.decode(), r"degenerate.* at \(.*\).*--function")
+        self.assertEqual(self.names(), [])
+
+
 class Failures(CommandTest):
     def test_wrong_arguments_give_2(self):
         good = ("mesh", self.ring, "-o", "ring.ply")
@@ -165,6 +302,17 @@ class Failures(CommandTest):
                       (*good, "--method", "static"), (*good, "--progress", "often"),
                       (*good, "-o", "ring.ply"), (*good, "-o", "ring.txt"), (*good, "--threads"),
                       ("mesh", self.ring, "-o", "-", "--json"),
+                      (*good, "--function", "height"), (*good, "--function", "height:1,2"),
+                      (*good, "--function", "height:0,0,0"), (*good, "--function", "depth:1,2,3"),
+                      (*good, "--function", "distance:1,2,x"),
+                      (*good, "--function", "distance:1,2,1e300"),
+                      (*good, "--function", "height:0,1,0", "--height", "0,1,0"),
+                      ("morse", self.ring), ("morse", self.ring, "-o", "ring.ply"),
+                      ("morse", self.ring, "-o", "a.json", "--function", "distance:1,2"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "-1"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "nan"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "1", "--raw"),
+                      ("morse", self.ring, "-o", self.ring),
                       ("balls", self.ring, "-o", self.ring)]:
             with self.subTest(words=words):
                 done = self.run_morskin(*words, code=2)
@@ -174,7 +322,7 @@ class Failures(CommandTest):
 
     def test_help_and_version_are_no_failure(self):
         self.assertIn(b"Exit codes", self.run_morskin("--help").stdout)
-        for command in ("mesh", "balls", "info", "check"):
+        for command in ("mesh", "morse", "balls", "info", "check"):
             self.assertIn(b"Usage", self.run_morskin(command, "--help").stdout)
         self.assertTrue(self.run_morskin("--version").stdout.startswith(b"morskin "))
 
@@ -210,6 +358,7 @@ class Failures(CommandTest):
                 self.run_morskin("mesh", self.ring, "-o", name, code=7)
         self.run_morskin("mesh", self.ring, "-o", "a.ply", "--report", "no/report.json", code=7)
         self.run_morskin("balls", self.ring, "-o", "no/out.xyzr", code=7)
+        self.run_morskin("morse", self.ring, "-o", "no/out.json", code=7)
         self.assertEqual(self.names(), ["folder.ply"])
 
     @unittest.skipUnless(Path("/dev/full").exists(), "needs /dev/full")

@@ -130,10 +130,10 @@ TEST_CASE("every direction gives a certified mesh of the same surface") {
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
     MeshOptions options;
-    options.height = 3 * random.direction();  // of any length
+    options.function = morse::MorseFunction::height(3 * random.direction());  // of any length
     const MeshResult result = front::mesh_skin(skin, options);
     check_result(result);
-    CHECK((result.height - options.height->normalized()).norm() == 0);
+    CHECK(result.function.direction == options.function->direction);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
   }
 }
@@ -142,7 +142,7 @@ TEST_CASE("a degenerate direction that the user gives is refused, the default fi
   for (const skin::Model model : all_models) {
     const PreparedSkin skin = front::prepare_skin(support::molecule("cube8.xyzr", model));
     CHECK_THROWS_AS(front::mesh_skin(skin, support::along(geometry::Vector::UnitY())),
-                    front::DegenerateHeight);
+                    morse::DegenerateFunction);
     check_result(front::mesh_skin(skin));
   }
 }

@@ -78,7 +78,7 @@ TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the 
     CAPTURE(seed);
     support::Random random(1000 * seed + direction);
     front::MeshOptions options;
-    options.height = random.direction();
+    options.function = morse::MorseFunction::height(random.direction());
     const front::MeshResult result = front::mesh_skin(support::ball_set(seed), options);
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }

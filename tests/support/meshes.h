@@ -81,7 +81,7 @@ inline std::optional<front::PreparedSkin> prepared(const WeightedPoints& points)
 
 inline front::MeshOptions along(const geometry::Vector& height) {
   front::MeshOptions options;
-  options.height = height;
+  options.function = morse::MorseFunction::height(height);
   return options;
 }
 inline front::MeshOptions with(const refine::Sizing& sizing) {

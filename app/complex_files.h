@@ -1,0 +1,55 @@
+#pragma once
+
+/// The Morse-Smale complex in files: JSON for programs, VTU for ParaView.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "morse/simplification.h"
+#include "skin/mixed_complex.h"
+
+namespace morskin::app {
+
+enum class ComplexFormat { Json, Vtu };
+
+/// The format that a file's ending stands for, in upper or lower case.
+std::optional<ComplexFormat> complex_format_of(const std::filesystem::path& path);
+
+/// Everything that `morskin morse` tells.
+struct ComplexReport {
+  MorseArguments arguments;
+  morse::MorseFunction function;  ///< the one used
+  std::vector<int> dimension;     ///< by critical point, of the simplex whose patch it lies on
+  /// Of the complex as traced.
+  std::size_t arcs = 0, regions = 0;
+  std::vector<morse::PersistencePair> pairs;
+  double radius_share = 0;  ///< radius of a protecting sphere over the length scale
+  morse::Simplification simplified;
+};
+
+/// Minima, saddles and maxima: all, or those that survive.
+struct CriticalCounts {
+  std::size_t minima = 0, saddles = 0, maxima = 0;
+
+  long euler_characteristic() const {
+    return static_cast<long>(minima + maxima) - static_cast<long>(saddles);
+  }
+};
+CriticalCounts counts_before(const ComplexReport& report);
+CriticalCounts counts_after(const ComplexReport& report);
+
+/// One JSON object, one critical point, arc, region or pair to a line, every number to the last
+/// bit. Ids are places in `critical_points`, which lists all of them.
+std::string complex_json(const ComplexReport& report);
+
+/// Arcs as polylines and critical points as vertices: first all critical points in order of their
+/// ids, then the arcs. Numbers on points: `value`, of the function. On cells: `index`, `value` (of
+/// the critical point, or of the extremum at the arc's end), `id` (of the critical point or the
+/// saddle) and `survives`, 0 or 1.
+std::string complex_vtu(const ComplexReport& report);
+
+}  // namespace morskin::app

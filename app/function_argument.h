@@ -1,0 +1,31 @@
+#pragma once
+
+/// Morse functions as words: on the command line and in reports.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "morse/morse_function.h"
+
+namespace morskin::app {
+
+/// The function that "height:x,y,z" or "distance:x,y,z" stands for: the height along a direction of
+/// any length, or the squared distance from a point, Angstrom.
+/// @throws UsageError
+morse::MorseFunction parsed_function(std::string_view text);
+
+/// The height that "x,y,z" after --height stands for.
+/// @throws UsageError
+morse::MorseFunction parsed_height(std::string_view text);
+
+/// "height along (0.02, 1, 0.01)" or "squared distance from (1, 2, 3)".
+std::string in_words(const morse::MorseFunction& function);
+
+/// {"kind": "height", "direction": [x, y, z]} or {"kind": "distance", "origin": [x, y, z]}.
+nlohmann::ordered_json function_json(const morse::MorseFunction& function);
+
+/// Of the function's values.
+std::string_view unit_of(const morse::MorseFunction& function);
+
+}  // namespace morskin::app

@@ -1,0 +1,343 @@
+#!/usr/bin/env python3
+"""Traces Morse-Smale complexes of molecules and checks their laws from the JSON, one line a run.
+
+For every molecule and model: the default function, some random heights and, for small molecules,
+some random squared distances; each raw and simplified (`morskin morse`). The laws:
+
+  - minima - saddles + maxima is the Euler characteristic; the default height's is everyone's, and
+    so is the number of components
+  - a saddle has two arcs to minima and two to maxima; a region is a minimum, a saddle, a maximum, a
+    saddle, neighbours joined by arcs; there are two regions for each saddle, and each arc borders
+    two
+  - a line starts at its saddle and ends at its extremum; raw ones rise or fall all the way
+  - the hierarchy is that of sublevel and superlevel sets, found here anew; all that it leaves is
+    one minimum and one maximum for each component and two saddles for each handle
+  - simplified, the cancelled pairs belong to the hierarchy, and no two protecting spheres overlap
+
+A function that is degenerate for a molecule (exit code 2) and a singular skin (4) are no failures,
+but counted. The lines also go to results/morse_corpus.tsv, each at once.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import math
+import random
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from corpus import BUNDLED, MODELS, MORSKIN, ROOT, atom_count, molecule_files
+
+COLUMNS = ["file", "model", "function", "atoms", "minima", "saddles", "maxima", "chi", "components",
+           "cancelled", "overlaps", "shrunk", "seconds", "verdict"]
+WIDTHS = [26, 6, 30, 7, 7, 8, 7, 6, 10, 9, 8, 7, 8, 0]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
+                        help="folder to search (default %(default)s, else bench/molecules)")
+    parser.add_argument("--max-atoms", type=int, default=2000, metavar="N",
+                        help="no molecule of more atoms (default %(default)s)")
+    parser.add_argument("--directions", type=int, default=3, metavar="N",
+                        help="random heights a molecule, beside the default (%(default)s)")
+    parser.add_argument("--distances", type=int, default=2, metavar="M",
+                        help="squared distances a small molecule (%(default)s)")
+    parser.add_argument("--max-distance-atoms", type=int, default=500, metavar="N",
+                        help="no squared distances for more atoms (%(default)s)")
+    parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
+    parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
+    parser.add_argument("--seed", type=int, default=1,
+                        help="of directions and points (%(default)s)")
+    parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
+    parser.add_argument("--timeout", type=float, default=600, help="seconds for one run")
+    parser.add_argument("--results", type=Path, default=ROOT / "results" / "morse_corpus.tsv")
+    return parser.parse_args()
+
+
+def functions(path, atoms, options):
+    """None for the default, then the words after --function; the same for the same file's name."""
+    stream = random.Random(f"{options.seed} {path.name}")
+
+    def triple(scale):
+        return ",".join(f"{stream.gauss(0, 1) * scale:.6f}" for _ in range(3))
+
+    result = [None] + ["height:" + triple(1) for _ in range(options.directions)]
+    if atoms <= options.max_distance_atoms:
+        result += ["distance:" + triple(10) for _ in range(options.distances)]
+    return result
+
+
+def value_of(function, point):
+    if function["kind"] == "height":
+        return sum(a * b for a, b in zip(function["direction"], point))
+    return sum((a - b) ** 2 for a, b in zip(function["origin"], point))
+
+
+class Laws:
+    """Collects the first few broken laws of one complex."""
+
+    def __init__(self, complex_):
+        self.complex = complex_
+        self.points = complex_["critical_points"]
+        self.broken = []
+
+    def expect(self, condition, what):
+        if not condition and len(self.broken) < 3:
+            self.broken.append(what)
+
+    def index(self, i):
+        return self.points[i]["index"]
+
+    def alive(self):
+        return [p for p in self.points if p["survives"]]
+
+    def check_counts(self):
+        number = collections.Counter(p["index"] for p in self.alive())
+        chi = number[0] - number[1] + number[2]
+        self.expect(chi == self.complex["euler_characteristic"], "Euler characteristic")
+        everything = collections.Counter(p["index"] for p in self.points)
+        self.expect(everything[0] - everything[1] + everything[2] == chi, "chi changed")
+        self.expect(len(self.complex["regions"]) == 2 * number[1], "two regions a saddle")
+        self.expect([p["id"] for p in self.points] == list(range(len(self.points))), "ids")
+
+    def check_arcs_and_regions(self):
+        ends = collections.defaultdict(list)
+        arcs = collections.Counter()
+        for arc in self.complex["arcs"]:
+            saddle, extremum = arc["saddle"], arc["extremum"]
+            ends[saddle].append(self.index(extremum))
+            arcs[saddle, extremum] += 1
+            self.expect(self.points[saddle]["survives"] and self.points[extremum]["survives"],
+                        "an arc with a lost end")
+        for p in self.alive():
+            if p["index"] == 1:
+                self.expect(sorted(ends[p["id"]]) == [0, 0, 2, 2], f"arcs of saddle {p['id']}")
+        sides = collections.Counter()
+        for region in self.complex["regions"]:
+            kinds = [self.index(i) for i in region]
+            self.expect(kinds == [0, 1, 2, 1], f"kinds of region {region}")
+            low, first, high, second = region
+            sides.update([(first, low), (first, high), (second, low), (second, high)])
+        self.expect(sides == collections.Counter({arc: 2 * n for arc, n in arcs.items()}),
+                    "each arc borders two regions")
+
+    def check_components(self):
+        parent = list(range(len(self.points)))
+
+        def root(i):
+            while parent[i] != i:
+                parent[i] = parent[parent[i]]
+                i = parent[i]
+            return i
+
+        joined = set()
+        for arc in self.complex["arcs"]:
+            joined |= {arc["saddle"], arc["extremum"]}
+            parent[root(arc["saddle"])] = root(arc["extremum"])
+        alone = collections.Counter(p["index"] for p in self.alive() if p["id"] not in joined)
+        self.expect(alone[0] == alone[2] and alone[1] == 0, "points without arcs")
+        parts = len({root(i) for i in joined}) + alone[0]
+        self.expect(parts == self.complex["components"], "components")
+
+    def check_lines(self, is_monotone):
+        function = self.complex["function"]
+        for arc in self.complex["arcs"]:
+            line = arc["points"]
+            saddle, extremum = self.points[arc["saddle"]], self.points[arc["extremum"]]
+            self.expect(line[0] == saddle["position"] and line[-1] == extremum["position"],
+                        f"ends of the line from {arc['saddle']} to {arc['extremum']}")
+            values = [value_of(function, p) for p in line]
+            rise = 1 if extremum["index"] == 2 else -1
+            # The rounding of a value: of the coordinates in it, and of their square.
+            size = 1 + max(abs(x) for p in line for x in p)
+            size *= size if function["kind"] == "distance" else 1
+            self.expect(not is_monotone or all(rise * (b - a) > -1e-13 * size
+                                               for a, b in zip(values, values[1:])),
+                        f"a line from {arc['saddle']} to {arc['extremum']} that is not monotone")
+
+    def check_hierarchy(self):
+        """On a raw complex: pairs by filling from below and from above."""
+        expected = set()
+        for kind, sign in ((0, 1), (2, -1)):
+            ends = collections.defaultdict(list)
+            for arc in self.complex["arcs"]:
+                if self.index(arc["extremum"]) == kind:
+                    ends[arc["saddle"]].append(arc["extremum"])
+            oldest = {p["id"]: p["id"] for p in self.points}
+
+            def find(i, oldest=oldest):
+                while oldest[i] != i:
+                    i = oldest[i]
+                return i
+
+            def age(i, sign=sign):
+                return (sign * self.points[i]["value"], sign * i)
+
+            for saddle in sorted(ends, key=age):
+                elder, younger = sorted((find(e) for e in ends[saddle]), key=age)
+                if elder != younger:
+                    expected.add((saddle, younger))
+                    oldest[younger] = elder
+        hierarchy = self.complex["hierarchy"]
+        found = {(pair["saddle"], pair["extremum"]) for pair in hierarchy}
+        self.expect(found == expected and len(hierarchy) == len(found), "hierarchy")
+        persistences = [pair["persistence"] for pair in hierarchy]
+        self.expect(persistences == sorted(persistences), "order of the hierarchy")
+        left = collections.Counter(p["index"] for p in self.points)
+        left.subtract(self.index(i) for pair in found for i in pair)
+        components, chi = self.complex["components"], self.complex["euler_characteristic"]
+        self.expect((left[0], left[1], left[2]) ==
+                    (components, 2 * components - chi, components), "what the hierarchy leaves")
+
+    def check_simplified(self, raw):
+        self.expect(self.complex["hierarchy"] == raw["hierarchy"], "another hierarchy")
+        hierarchy = {(p["saddle"], p["extremum"]) for p in raw["hierarchy"]}
+        gone = [(c["saddle"], c["extremum"]) for c in self.complex["cancelled"]]
+        self.expect(set(gone) <= hierarchy, "a cancelled pair not in the hierarchy")
+        self.expect({i for pair in gone for i in pair} ==
+                    {p["id"] for p in self.points if not p["survives"]}, "who survives")
+        self.expect(self.complex["components"] == raw["components"], "components changed")
+
+    def check_spheres(self):
+        spheres = sorted((p["position"][0] - p["radius"], p["radius"], p["position"])
+                         for p in self.alive())
+        for i, (low, radius, centre) in enumerate(spheres):
+            for other_low, other_radius, other in spheres[i + 1:]:
+                if other_low > low + 2 * radius:
+                    break
+                reach = radius + other_radius
+                self.expect(reach <= math.dist(centre, other) * (1 + 1e-12), "spheres overlap")
+
+
+def broken_laws(raw, simplified, default):
+    laws = Laws(raw)
+    laws.check_counts()
+    laws.check_arcs_and_regions()
+    laws.check_components()
+    laws.check_lines(is_monotone=True)
+    laws.check_hierarchy()
+    laws.check_spheres()
+    after = Laws(simplified)
+    after.check_counts()
+    after.check_arcs_and_regions()
+    after.check_components()
+    after.check_lines(is_monotone=False)
+    after.check_simplified(raw)
+    after.check_spheres()
+    for key in ("euler_characteristic", "components"):
+        if default and raw[key] != default[key]:
+            laws.broken.append(f"another function has other {key}")
+    return laws.broken + ["simplified: " + what for what in after.broken]
+
+
+def morse(path, model, function, more, timeout):
+    """(exit code, JSON or None, complaint, seconds)"""
+    command = [MORSKIN, "morse", path, "-o", "-", "--model", model, "--progress", "never", "-q",
+               *more]
+    if function:
+        command += ["--function", function]
+    start = time.monotonic()
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
+    except subprocess.TimeoutExpired:
+        return -1, None, f"still running after {timeout:g} s", time.monotonic() - start
+    complaint = " ".join(done.stderr.split()).removeprefix("morskin: ")
+    complex_ = json.loads(done.stdout) if done.returncode == 0 else None
+    return done.returncode, complex_, complaint, time.monotonic() - start
+
+
+def run(path, model, function, atoms, default, options, folder):
+    row = dict.fromkeys(COLUMNS, "")
+    row.update(file=str(path.relative_to(folder)), model=model, function=function or "default",
+               atoms=atoms)
+    code, raw, complaint, row["seconds"] = morse(path, model, function, ["--raw"], options.timeout)
+    if code == 2 and "degenerate" in complaint:
+        row["verdict"] = "degenerate: " + complaint
+    elif code == 4 and "singular" in complaint:
+        row["verdict"] = "refused: " + complaint
+    elif code != 0:
+        row["verdict"] = f"FAILED: exit code {code}: {complaint}"
+    else:
+        code, simplified, complaint, _ = morse(path, model, function, [], options.timeout)
+        if code != 0:
+            row["verdict"] = f"FAILED: simplified: exit code {code}: {complaint}"
+            return row, raw
+        broken = broken_laws(raw, simplified, default)
+        row["verdict"] = "FAILED: " + "; ".join(broken) if broken else "good"
+        row.update({key: raw["before"][key] for key in ("minima", "saddles", "maxima")})
+        row.update(chi=raw["euler_characteristic"], components=raw["components"],
+                   cancelled=simplified["cancelled_pairs"], overlaps=raw["overlaps_before"],
+                   shrunk=simplified["shrunk_radii"])
+    return row, raw
+
+
+def runs_of(path, model, atoms, options, folder):
+    """Every function of one molecule and model; the default first, the others held against it."""
+    default = None
+    for function in functions(path, atoms, options):
+        row, raw = run(path, model, function, atoms, default, options, folder)
+        default = default or raw
+        yield row
+        if row["verdict"].startswith("refused"):
+            return
+
+
+def print_row(values):
+    cells = [f"{v:.4g}" if isinstance(v, float) else str(v) for v in values]
+    text = [c[:w].ljust(w) if i < 3 else c.rjust(w) for i, (c, w) in enumerate(zip(cells, WIDTHS))]
+    print(" ".join(text[:-1]), "", cells[-1], flush=True)
+
+
+def print_totals(rows):
+    verdicts = collections.Counter(r["verdict"].split(":")[0] for r in rows)
+    good = [r for r in rows if r["verdict"] == "good"]
+    print(f"\n{len(rows)} runs: {verdicts['good']} good, {verdicts['degenerate']} degenerate, "
+          f"{verdicts['refused']} refused as singular, {verdicts['FAILED']} failed")
+    if good:
+        total = {key: sum(r[key] for r in good)
+                 for key in ("saddles", "overlaps", "cancelled", "shrunk")}
+        print(f"{total['saddles']:,} saddles, {total['overlaps']:,} overlaps of protecting "
+              f"spheres, {total['cancelled']:,} pairs contracted, {total['shrunk']:,} radii "
+              f"shrunk; {sum(r['seconds'] for r in good):.1f} s")
+    for row in rows:
+        if row["verdict"].startswith("FAILED"):
+            print(f"  {row['file']} {row['model']} {row['function']}: {row['verdict']}")
+    return verdicts["FAILED"]
+
+
+def main():
+    options = arguments()
+    folder = options.molecules if options.molecules.is_absolute() else ROOT / options.molecules
+    if not folder.is_dir():
+        print(f"{folder} is not there; using {BUNDLED}")
+        folder = BUNDLED
+    folder = folder.resolve()
+    files = sorted((atom_count(p), p) for p in molecule_files(folder, options.only))
+    plan = [(p, model, atoms) for atoms, p in files if atoms <= options.max_atoms
+            for model in options.models.split(",")]
+    options.results.parent.mkdir(parents=True, exist_ok=True)
+    rows = []
+    with open(options.results, "w", encoding="utf-8") as table, \
+            concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        table.write("\t".join(COLUMNS) + "\n")
+        print_row(COLUMNS)
+        for some in pool.map(lambda r: list(runs_of(*r, options, folder)), plan):
+            for row in some:
+                values = [row[c] for c in COLUMNS]
+                table.write("\t".join(map(str, values)) + "\n")
+                table.flush()
+                print_row(values)
+                rows.append(row)
+    failures = print_totals(rows)
+    if not rows:
+        print("nothing was run")
+    sys.exit(1 if failures or not rows else 0)
+
+
+if __name__ == "__main__":
+    main()

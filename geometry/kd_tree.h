@@ -1,0 +1,127 @@
+#pragma once
+
+/// A kd-tree over points that do not change, in flat arrays: the nearest point within a radius, and
+/// all points within a radius.
+///
+/// The tree has no pointers. A range of the array is cut at its median along the longest side of
+/// its box; the median's slot is the node, its two halves are the subtrees. Ranges of a few points
+/// are leaves, searched one by one.
+///
+/// Answers are those of a search through all points in the order of their ids, ties included.
+/// Source: Friedman, Bentley & Finkel 1977.
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geometry/id.h"
+#include "geometry/point.h"
+
+namespace morskin::geometry {
+
+/// @tparam Id  id of a point: its place in the span that the tree was built from.
+template <class Id>
+class KdTree {
+ public:
+  struct Neighbour {
+    Id id;
+    double squared_distance;  ///< Angstrom^2
+  };
+
+  /// @pre all points are finite; fewer than 2^32.
+  explicit KdTree(std::span<const Point> points) : ids_(points.size()), axis_(points.size()) {
+    std::iota(ids_.begin(), ids_.end(), 0U);
+    build(points, 0, ids_.size());
+    places_.reserve(points.size());
+    for (const std::uint32_t i : ids_) places_.push_back(points[i]);
+  }
+
+  std::size_t size() const { return ids_.size(); }
+
+  /// The nearest point no farther than `radius`; of several the one with the lowest id.
+  ///
+  /// @param accept  bool accept(Id): points that are refused are passed over.
+  template <class Accept>
+  std::optional<Neighbour> nearest(const Point& x, double radius, const Accept& accept) const {
+    std::optional<Neighbour> best;
+    double reach = radius * radius;
+    search(x, 0, size(), reach, [&](std::uint32_t id, double squared_distance) {
+      if (!accept(Id{id})) return;
+      if (best && squared_distance == reach && best->id < Id{id}) return;
+      best = Neighbour{Id{id}, squared_distance};
+      reach = squared_distance;
+    });
+    return best;
+  }
+  std::optional<Neighbour> nearest(const Point& x, double radius) const {
+    return nearest(x, radius, [](Id) { return true; });
+  }
+
+  /// Visits all points no farther than `radius`, in an order that is always the same.
+  /// @param visit  visit(Neighbour)
+  template <class Visit>
+  void for_each_within(const Point& x, double radius, const Visit& visit) const {
+    double reach = radius * radius;
+    search(x, 0, size(), reach, [&](std::uint32_t id, double squared_distance) {
+      visit(Neighbour{Id{id}, squared_distance});
+    });
+  }
+
+ private:
+  /// A range this long is searched through: about where a level of the tree stops paying.
+  static constexpr std::size_t leaf = 8;
+
+  void build(std::span<const Point> points, std::size_t first, std::size_t last) {
+    if (last - first <= leaf) return;
+    Point low = points[ids_[first]], high = low;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      low = low.cwiseMin(points[ids_[i]]);
+      high = high.cwiseMax(points[ids_[i]]);
+    }
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const std::size_t middle = first + (last - first) / 2;
+    const auto at = [&](std::size_t i) { return ids_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t i, std::uint32_t j) {
+      return std::pair(points[i][axis], i) < std::pair(points[j][axis], j);
+    });
+    axis_[middle] = static_cast<std::uint8_t>(axis);
+    build(points, first, middle);
+    build(points, middle + 1, last);
+  }
+
+  /// Visits points within `reach` (squared), which the visitor may shorten. Depth: log2 of the
+  /// size.
+  template <class Visit>
+  void search(const Point& x, std::size_t first, std::size_t last, double& reach,
+              const Visit& visit) const {
+    const auto look = [&](std::size_t i) {
+      const double squared_distance = (places_[i] - x).squaredNorm();
+      if (squared_distance <= reach) visit(ids_[i], squared_distance);
+    };
+    if (last - first <= leaf) {
+      for (std::size_t i = first; i < last; ++i) look(i);
+      return;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    const double beyond = x[axis_[middle]] - places_[middle][axis_[middle]];
+    look(middle);
+    const bool right_first = beyond > 0;
+    right_first ? search(x, middle + 1, last, reach, visit)
+                : search(x, first, middle, reach, visit);
+    // Rounding is monotone, so no point beyond the plane has a computed distance below this.
+    if (beyond * beyond > reach) return;
+    right_first ? search(x, first, middle, reach, visit)
+                : search(x, middle + 1, last, reach, visit);
+  }
+
+  std::vector<std::uint32_t> ids_;  ///< in the order of the tree
+  std::vector<std::uint8_t> axis_;  ///< of the plane through a node, by slot
+  std::vector<Point> places_;       ///< by slot
+};
+
+}  // namespace morskin::geometry

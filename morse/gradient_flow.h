@@ -1,0 +1,100 @@
+#pragma once
+
+/// The gradient flow of a Morse function f within one patch of the skin (sections 3.1, 3.2).
+///
+/// Points are given by u = (r, b, s) from the patch's centre, so that small patches far from the
+/// origin lose no digits: s along the axis, r along the part of f's gradient at the centre that is
+/// orthogonal to it, b along the third. With (V, 0, v) that gradient, c = 2 curvature and
+/// k = sign w/2, the patch is r^2 + b^2 - e s^2 = k (e = 1 on a hyperboloid, -1 on a sphere, whose
+/// axis is any one with v = 0), and the part of the gradient along the skin is
+///
+///     r' = (c - l) r + V,   b' = (c - l) b,   s' = (c + e l) s + v,
+///     l  = (c k + V r - v s) / ((1 + e) s^2 + k),
+///
+/// the denominator being |u|^2. It is analytic and vanishes at the critical points only.
+/// Erratum: papers/README.md, E2.
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "morse/morse_function.h"
+#include "skin/patch.h"
+
+namespace morskin::morse {
+
+/// Which way a line runs.
+enum class Way { Down, Up };
+
+class GradientFlow {
+ public:
+  GradientFlow(const skin::Patch& patch, const MorseFunction& f, Way way)
+      : linear_(2 * f.curvature),
+        way_(way == Way::Up ? 1 : -1),
+        sign_(patch.sign),
+        level_(patch.sign * patch.half_weight) {
+    const Vector gradient = f.gradient(patch.centre);
+    const bool is_sphere = patch.axis.squaredNorm() == 0;
+    twist_ = is_sphere ? -1 : 1;
+    axis_ = is_sphere ? gradient.unitOrthogonal() : patch.axis;
+    along_ = is_sphere ? 0 : axis_.dot(gradient);
+    radial_ = gradient - along_ * axis_;
+    across_ = radial_.norm();
+    if (across_ > 0) {
+      radial_ /= across_;
+    } else {
+      radial_ = axis_.unitOrthogonal();
+    }
+    third_ = axis_.cross(radial_);
+  }
+
+  Vector to_local(const Vector& v) const { return {radial_.dot(v), third_.dot(v), axis_.dot(v)}; }
+  Vector to_space(const Vector& u) const {
+    return u.x() * radial_ + u.y() * third_ + u.z() * axis_;
+  }
+  bool is_sphere() const { return twist_ < 0; }
+
+  /// The velocity of the line. @pre u lies on the patch.
+  Vector operator()(const Vector& u) const {
+    const double r = u.x(), b = u.y(), s = u.z();
+    const double l =
+        (linear_ * level_ + across_ * r - along_ * s) / ((1 + twist_) * s * s + level_);
+    const double shrink = way_ * (linear_ - l);
+    return {shrink * r + way_ * across_, shrink * b, way_ * ((linear_ + twist_ * l) * s + along_)};
+  }
+  /// The gradient of f in space.
+  Vector gradient(const Vector& u) const { return linear_ * u + Vector(across_, 0, along_); }
+  /// How fast the velocity can change: its derivative is a small multiple of this at most.
+  double rate(const Vector& u, double gradient_norm) const {
+    return std::abs(linear_) + gradient_norm / u.norm();
+  }
+  /// f(u) - f(centre).
+  double value(const Vector& u) const {
+    return across_ * u.x() + along_ * u.z() + linear_ / 2 * u.squaredNorm();
+  }
+  /// N, half the gradient of the patch's G.
+  Vector normal(const Vector& u) const {
+    return {sign_ * u.x(), sign_ * u.y(), -sign_ * twist_ * u.z()};
+  }
+  /// The point of the patch that u slides to along the normal, as Patch::slide.
+  Vector settled(const Vector& u) const {
+    const double round = u.x() * u.x() + u.y() * u.y(), axial = u.z() * u.z();
+    const double quadratic = round - twist_ * axial, off = quadratic - level_;
+    const double rho2 = round + axial;
+    const double t = -off / (rho2 + std::sqrt(std::max(rho2 * rho2 - quadratic * off, 0.0)));
+    return {u.x() * (1 + t), u.y() * (1 + t), u.z() * (1 - twist_ * t)};
+  }
+
+ private:
+  double linear_, way_, sign_, level_, twist_, across_, along_;
+  Vector axis_, radial_, third_;
+};
+
+/// One step of length `time` from u along the flow, by the explicit Runge-Kutta method of order 8
+/// with 11 stages. The error of a step is of order 9 in time * rate.
+///
+/// @param velocity  flow(u)
+/// Source: Cooper and Verner, SIAM Journal on Numerical Analysis 9 (1972).
+Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
+                        double time);
+
+}  // namespace morskin::morse

@@ -1,0 +1,403 @@
+#include "morse/tracer.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace morskin::morse {
+
+namespace {
+
+using skin::CellId;
+using skin::Patch;
+
+/// A take-off of this share of rho along the parabola that osculates a line at its saddle leaves an
+/// error of fourth order, 1e-10 rho. It follows the square of the step, so that both errors keep
+/// step with each other.
+constexpr double usual_take_off = 3e-3;
+/// Nodes on arcs in closed form are at most this angle apart, radians (or rho, on a hyperbola).
+constexpr double node_spacing = 0.3;
+/// Pieces after which a line counts as lost. The longest in the corpus have some thousands.
+constexpr int most_pieces = 200000;
+
+/// tan(t/2) of the point (cos t, sin t), 0 < t < pi, without cancellation at either pole.
+double half_tangent(double cosine, double sine) {
+  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+}
+
+/// Of the two lines through a saddle one runs along the meridian, with at least 1/sqrt 2 of its
+/// direction along the axis, the other across it.
+bool is_along_axis(const Patch& patch, const Vector& tangent) {
+  return std::abs(patch.axis.dot(tangent)) > 0.5;
+}
+
+/// A zero of the cubic with these values (opposite signs) and slopes at 0 and 1, roughly.
+double cubic_zero(double v0, double s0, double v1, double s1) {
+  double t = v0 / (v0 - v1);
+  const double c = 3 * (v1 - v0) - 2 * s0 - s1, d = s0 + s1 - 2 * (v1 - v0);
+  for (int i = 0; i < 3; ++i) {
+    const double value = v0 + t * (s0 + t * (c + t * d)), slope = s0 + t * (2 * c + 3 * t * d);
+    const double next = t - value / slope;
+    if (!(next > 0 && next < 1)) break;
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace
+
+Tracer::Tracer(const IntegralLines& lines, Way way, std::vector<Point>* points,
+               std::vector<CellId>* cells)
+    : lines_(lines),
+      way_(way),
+      points_(points),
+      cells_(cells),
+      tolerance_(lines.skin_.complex().wall_tolerance()),
+      flow_(lines.skin_.complex().patch(CellId{0U}), lines.f_, way) {}
+
+void Tracer::enter(CellId cell, const Vector& u) {
+  const skin::MixedComplex& complex = lines_.skin_.complex();
+  const Patch& patch = complex.patch(cell);
+  cell_ = cell;
+  flow_ = GradientFlow(patch, lines_.f_, way_);
+  centre_ = patch.centre;
+  centre_value_ = lines_.f_(centre_);
+  u_ = flow_.settled(flow_.to_local(u));
+  velocity_ = flow_(u_);
+  walls_.clear();
+  for (const skin::Wall& wall : complex.walls(cell)) {
+    const Vector normal = flow_.to_local(wall.normal);
+    const double offset = wall.offset - wall.normal.dot(centre_);
+    walls_.push_back({normal, offset, wall.beyond, normal.dot(u_) - offset, normal.dot(velocity_)});
+  }
+}
+
+void Tracer::leave_through(LocalWall wall) {
+  const Vector u =
+      flow_.to_space(u_) + (centre_ - lines_.skin_.complex().patch(wall.beyond).centre);
+  enter(wall.beyond, u);
+  if (cells_ != nullptr) cells_->back() = cell_;
+}
+
+void Tracer::note() {
+  if (points_ == nullptr) return;
+  points_->push_back(centre_ + flow_.to_space(u_));
+  cells_->push_back(cell_);
+}
+
+IntegralLines::Passage Tracer::passage() const {
+  const double rho = u_.norm();
+  return {centre_ + flow_.to_space(u_), flow_.to_space(velocity_),
+          flow_.to_space(flow_.normal(u_) / rho), rho};
+}
+
+void Tracer::start(const Point& x, CellId cell) {
+  enter(cell, x - lines_.skin_.complex().patch(cell).centre);
+  note();
+}
+
+// With r and s of the saddle, both relative to its radial direction and the axis: the line along
+// the meridian is an arc of the hyperbola r^2 - s^2 = k. On the line across, r and s are even
+// functions of b by symmetry; the first coefficient of s + s1 b^2 follows from ds/db = s'/b'.
+void Tracer::start(CriticalId saddle, const Vector& tangent, double share) {
+  const skin::SurfacePoint& at = lines_.points_[saddle.index()].point;
+  const Patch& patch = lines_.skin_.complex().patch(at.cell);
+  const Vector u = at.position - patch.centre;
+  const Vector& axis = patch.axis;
+  const double s = axis.dot(u), rho = at.length_scale, rho2 = rho * rho;
+  Vector radial = u - s * axis;
+  const double r = radial.norm();
+  radial /= r;
+  const double of_usual = lines_.step_ / IntegralLines::usual_step;
+  const double away = share * std::min(usual_take_off * of_usual * of_usual * rho,
+                                       lines_.wall_distance(saddle) / 2);
+  if (is_along_axis(patch, tangent)) {
+    const double t = std::copysign(away / rho, axis.dot(tangent));
+    enter(at.cell, (r * std::cosh(t) + s * std::sinh(t)) * radial +
+                       (s * std::cosh(t) + r * std::sinh(t)) * axis);
+  } else {
+    const Vector w = lines_.f_.gradient(patch.centre);
+    const double c = 2 * lines_.f_.curvature, v_r = radial.dot(w), v = axis.dot(w);
+    const double k = patch.sign * patch.half_weight;
+    const double l = (c * k + v_r * r - v * s) / rho2;
+    const double l_of_b = -v_r / (2 * r * rho2), l_of_s = (v_r * s / r - v - 4 * l * s) / rho2;
+    const double s_end = s + s * l_of_b / (c - 3 * l - s * l_of_s) * away * away;
+    const double r_end = std::sqrt(k + s_end * s_end - away * away);
+    enter(at.cell, r_end * radial + away * tangent + s_end * axis);
+  }
+  note();
+}
+
+void Tracer::follow_meridian(CriticalId saddle, const Vector& tangent) {
+  const Patch& patch = lines_.skin_.complex().patch(cell_);
+  if (!is_along_axis(patch, tangent)) return;
+  for (const CriticalId id : lines_.within(lines_.points_[saddle.index()].point.cell)) {
+    if (lines_.points_[id.index()].index != 1) return;
+  }
+  const double way = patch.axis.dot(tangent) > 0 ? 1 : -1;
+  const Vector u = u_;
+  const double s = u.z(), r = std::hypot(u.x(), u.y());
+  const Vector turned = way * Vector(s / r * u.x(), s / r * u.y(), r);  // du / d(hyperbolic angle)
+  // A wall is reached where a cosh t + b sinh t = c; its zero with growing distance, in e^t.
+  double first = INFINITY;
+  std::size_t exit = 0;
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    const double a = walls_[i].normal.dot(u), b = walls_[i].normal.dot(turned),
+                 c = walls_[i].offset + tolerance_;
+    const double root2 = c * c - a * a + b * b;
+    if (root2 < 0) continue;
+    const double root = std::sqrt(root2);
+    const double p = c >= 0 ? (c + root) / (a + b) : (a - b) / (c - root);
+    if (p > 1 && p < first) {
+      first = p;
+      exit = i;
+    }
+  }
+  if (first == INFINITY) return;
+  const double end = std::log(first);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(end / node_spacing)));
+  for (int i = 1; i <= pieces; ++i) {
+    const double t = end * i / pieces;
+    u_ = flow_.settled(std::cosh(t) * u + std::sinh(t) * turned);
+    note();
+  }
+  leave_through(walls_[exit]);
+}
+
+std::optional<std::size_t> Tracer::wall_passed() const {
+  // Lines leave a cell `tolerance` beyond its wall, so that only a way back of that length leads
+  // into it again. Where cells have no width the next wall is passed with the first; a quarter
+  // allows for rounding.
+  std::optional<std::size_t> passed;
+  double farthest = tolerance_ / 4;
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    if (walls_[i].slope > 0 && walls_[i].distance >= farthest) {
+      farthest = walls_[i].distance;
+      passed = i;
+    }
+  }
+  return passed;
+}
+
+bool Tracer::run() {
+  for (int piece = 0; piece < most_pieces; ++piece) {
+    if (const auto wall = wall_passed()) {
+      leave_through(walls_[*wall]);
+      continue;
+    }
+    if (!(flow_.is_sphere() ? follow_great_circle() : step())) {
+      return arrival_.has_value() || at_level_;
+    }
+  }
+  return false;
+}
+
+// u = rho (cos t pole + sin t side), the pole being where the line runs to: t falls to 0.
+bool Tracer::follow_great_circle() {
+  const double rho = u_.norm();
+  const double gradient = flow_.gradient(Vector::Zero()).x();
+  const double way = way_ == Way::Up ? 1 : -1;
+  const Vector pole = way * Vector::UnitX();
+  const double height = pole.dot(u_) / rho;
+  Vector side = u_ / rho - height * pole;
+  const double sine = side.norm();
+  if (!(gradient > 0 && sine > 0)) return false;
+  side /= sine;
+  const double from = half_tangent(height, sine);
+  double to = 0;
+  const LocalWall* exit = nullptr;
+  for (const LocalWall& wall : walls_) {
+    const double a = rho * wall.normal.dot(pole), b = rho * wall.normal.dot(side),
+                 c = wall.offset + tolerance_;
+    const double m2 = a * a + b * b;
+    if (m2 <= c * c) continue;
+    const double root = std::sqrt(m2 - c * c);
+    const double x = (c * a - root * b) / m2, y = (c * b + root * a) / m2;
+    if (y <= 0) continue;
+    const double t = half_tangent(x, y);
+    if (t < from && t > to) {
+      to = t;
+      exit = &wall;
+    }
+  }
+  const double angle = 2 * std::atan(from);
+  if (stop_) {
+    const double x = way * (*stop_ - level_here(u_) + gradient * u_.x()) / (gradient * rho);
+    if (x > -1 && x < 1 && half_tangent(x, std::sqrt((1 - x) * (1 + x))) >= to) {
+      const double t = std::acos(x);
+      u_ = rho * (std::cos(t) * pole + std::sin(t) * side);
+      velocity_ = flow_(u_);
+      at_level_ = true;
+      return false;
+    }
+  }
+  if (exit != nullptr) {
+    lay_circle(pole, side, angle, 2 * std::atan(to));
+    leave_through(*exit);
+    return true;
+  }
+  for (const CriticalId id : lines_.within(cell_)) {
+    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0)) continue;
+    const Vector away = flow_.to_space(u_ - rho * pole);
+    if (angle > node_spacing) {
+      lay_circle(pole, side, angle, angle / std::ceil(angle / node_spacing));
+    }
+    arrive(id, away);
+    return false;
+  }
+  return false;
+}
+
+void Tracer::lay_circle(const Vector& pole, const Vector& side, double from, double to) {
+  const double rho = u_.norm();
+  const int pieces =
+      points_ == nullptr ? 1 : std::max(1, static_cast<int>(std::ceil((from - to) / node_spacing)));
+  for (int i = 1; i <= pieces; ++i) {
+    const double t = from + (to - from) * i / pieces;
+    u_ = rho * (std::cos(t) * pole + std::sin(t) * side);
+    note();
+  }
+}
+
+void Tracer::arrive(CriticalId id, const Vector& from) {
+  const CaptureDisc& disc = lines_.discs_[id.index()];
+  arrival_ = {id, std::atan2(from.dot(disc.second), from.dot(disc.first)), from.norm()};
+  if (points_ == nullptr) return;
+  points_->push_back(lines_.points_[id.index()].point.position);
+  cells_->push_back(cell_);
+}
+
+Vector Tracer::step_end(double time) const {
+  return flow_.settled(runge_kutta_step(flow_, u_, velocity_, time));
+}
+
+/// Shortens a step to where a function, negative at its begin and not at its end, is zero.
+/// `function` gives value and slope in time at a point. The step's new end is left in end_.
+template <class Function>
+double Tracer::first_zero(double time, double tolerance, Function function) {
+  const auto [v0, s0] = function(u_, velocity_);
+  auto [v1, s1] = function(end_, flow_(end_));
+  double low = 0, high = time;
+  double t = v0 < 0 && v1 > 0 ? time * cubic_zero(v0, s0 * time, v1, s1 * time) : time;
+  for (int i = 0; i < 60; ++i) {
+    end_ = step_end(t);
+    const auto [value, slope] = function(end_, flow_(end_));
+    if (std::abs(value) <= tolerance) break;
+    (value < 0 ? low : high) = t;
+    t -= value / slope;
+    if (!(t > low && t < high)) t = (low + high) / 2;
+    if (!(t > low && t < high)) break;
+  }
+  return t;
+}
+
+/// Whether the line bulges through a wall within a step that ends before it. If so, `time` becomes
+/// the time of the farthest point.
+bool Tracer::rises_above(const LocalWall& wall, double& time, double slope_at_end) const {
+  double low = 0, high = time, s_low = wall.slope, s_high = slope_at_end;
+  for (int i = 0; i < 6; ++i) {
+    const double t = low + (high - low) * s_low / (s_low - s_high);
+    const Vector x = step_end(t);
+    if (wall.normal.dot(x) - wall.offset >= tolerance_) {
+      time = t;
+      return true;
+    }
+    const double s = wall.normal.dot(flow_(x));
+    // As the distance is nearly a parabola, its top is no higher than this.
+    const double top = wall.normal.dot(x) - wall.offset + std::abs(s) * (high - low);
+    if (top < tolerance_ || s == 0) return false;
+    (s > 0 ? low : high) = t;
+    (s > 0 ? s_low : s_high) = s;
+  }
+  return false;
+}
+
+/// Shortens the step to the first wall it passes. @return whether there is one.
+bool Tracer::end_at_wall(double& time, std::optional<std::size_t>& exit) {
+  // |u''| stays below a small multiple of |u'| times the rate, so a line can bulge no farther
+  // beyond the walls' distances at the step's ends than this.
+  const double bulge =
+      time * time * flow_.rate(u_, flow_.gradient(u_).norm()) * velocity_.norm() / 2;
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    const LocalWall& wall = walls_[i];
+    const double distance = wall.normal.dot(end_) - wall.offset;
+    if (std::max(distance, wall.distance) + bulge < tolerance_ || exit == i) continue;
+    double shortened = time;
+    if (distance < tolerance_) {
+      const double slope = wall.normal.dot(flow_(end_));
+      if (!(wall.slope > 0 && slope < 0 && rises_above(wall, shortened, slope))) continue;
+      end_ = step_end(shortened);
+    }
+    time = first_zero(shortened, tolerance_ / 2, [&](const Vector& x, const Vector& velocity) {
+      return std::pair(wall.normal.dot(x) - wall.offset - tolerance_, wall.normal.dot(velocity));
+    });
+    exit = i;
+    return true;
+  }
+  return false;
+}
+
+bool Tracer::step() {
+  const double gradient = flow_.gradient(u_).norm(), speed = velocity_.norm();
+  const double rate = flow_.rate(u_, gradient);
+  // Where the flow is slow, near critical points, it is nearly linear, and the error of a step is
+  // its length times the ninth power of its time: a little more time gives about the same error.
+  double time = lines_.step_ * std::sqrt(std::sqrt(std::sqrt(gradient / speed))) / rate;
+  if (!(speed > 0 && std::isfinite(time))) return false;
+  end_ = step_end(time);
+  std::optional<std::size_t> exit;
+  for (std::size_t i = 0; i <= walls_.size() && end_at_wall(time, exit); ++i) {
+  }
+  if (stop_ && look_for_stop(time)) return false;
+  if (!exit && capture(time)) return false;
+  u_ = end_;
+  velocity_ = flow_(u_);
+  note();
+  if (exit) {
+    leave_through(walls_[*exit]);
+    return true;
+  }
+  for (LocalWall& wall : walls_) {
+    wall.distance = wall.normal.dot(u_) - wall.offset;
+    wall.slope = wall.normal.dot(velocity_);
+  }
+  return true;
+}
+
+bool Tracer::look_for_stop(double time) {
+  const double way = way_ == Way::Up ? 1 : -1;
+  if (way * (level_here(end_) - *stop_) < 0) return false;
+  const double rounding = 4e-16 * (std::abs(*stop_) + std::abs(centre_value_));
+  first_zero(time, rounding, [&](const Vector& x, const Vector& velocity) {
+    return std::pair(way * (level_here(x) - *stop_), way * flow_.gradient(x).dot(velocity));
+  });
+  u_ = end_;
+  velocity_ = flow_(u_);
+  at_level_ = true;
+  return true;
+}
+
+bool Tracer::capture(double time) {
+  for (const CriticalId id : lines_.within(cell_)) {
+    const CaptureDisc& disc = lines_.discs_[id.index()];
+    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0) ||
+        !disc.contains(flow_.to_space(end_))) {
+      continue;
+    }
+    if (!disc.contains(flow_.to_space(u_))) {
+      const double rounding = 1e-13 + 1e-15 * u_.norm() / disc.radius;
+      first_zero(time, rounding * disc.level, [&](const Vector& x, const Vector& velocity) {
+        const Vector d = flow_.to_space(x) - disc.centre;
+        return std::pair(disc.level - d.dot(disc.form * d),
+                         -2 * d.dot(disc.form * flow_.to_space(velocity)));
+      });
+      u_ = end_;
+      note();
+    }
+    arrive(id, flow_.to_space(end_) - disc.centre);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace morskin::morse
