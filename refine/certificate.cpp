@@ -5,9 +5,12 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <thread>
 #include <vector>
 
+#include "geometry/mesh_shape.h"
+#include "refine/located_vertices.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -73,9 +76,9 @@ class CandidateGrid {
 /// The work of certify(), one claim after the other; the first that breaks is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, const skin::SkinSurface& skin, const Sizing& sizing,
-            Certificate& certificate)
-      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate) {}
+  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+            const skin::SkinSurface& skin, const Sizing& sizing, Certificate& certificate)
+      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate), points_(points) {}
 
   void run(const skin::DualComplex& expected, unsigned threads) {
     out_.vertices = mesh_.positions.size();
@@ -99,7 +102,8 @@ class Certifier {
     geometry::MeshOrDefect built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
     if (built.defect) return fail("not a closed oriented 2-manifold: " + *built.defect);
     surface_ = std::move(built.mesh);
-    locate_vertices();
+    if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
+    check_vertices();
     check_triangles();
     check_covering_degree();
     compare_counts();
@@ -118,8 +122,8 @@ class Certifier {
 
   /// Angles, area and volume need no connectivity.
   void measure_shape();
-  /// Finds each vertex's cell by walking from a neighbour's, and its distance to the skin.
-  void locate_vertices();
+  /// Each vertex's distance to the skin.
+  void check_vertices();
   /// [L], [U], and the conditions c1 and c2 of the theorem.
   void check_triangles();
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
@@ -137,43 +141,25 @@ class Certifier {
   const Sizing sizing_;
   Certificate& out_;
   geometry::SurfaceMesh surface_;
-  std::vector<SurfacePoint> points_;
+  std::vector<SurfacePoint> located_;  ///< unless they were given
+  std::span<const SurfacePoint> points_;
   double largest_share_ = 0;  ///< of R_abc over rho_abc
   double free_share_ = 0;     ///< free_radius() over rho
 };
 
 void Certifier::measure_shape() {
-  // The extreme angles have the extreme cosines; one arc cosine each at the end.
-  double largest_cosine = -1, smallest_cosine = 1, area = 0, volume = 0;
-  for (const auto& [a, b, c] : mesh_.triangles) {
-    const Point &p = position(a), &q = position(b), &r = position(c);
-    const Vector pq = q - p, qr = r - q, rp = p - r;
-    const double x = pq.norm(), y = qr.norm(), z = rp.norm();
-    for (const double cosine :
-         {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)}) {
-      largest_cosine = std::max(largest_cosine, std::isnan(cosine) ? 1.0 : cosine);
-      smallest_cosine = std::min(smallest_cosine, std::isnan(cosine) ? -1.0 : cosine);
-    }
-    area += pq.cross(rp).norm() / 2;
-    volume += p.dot(q.cross(r)) / 6;
-  }
-  out_.area = area;
-  out_.volume = volume;
-  out_.min_angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * 180 / M_PI;
-  out_.max_angle_deg = std::acos(std::clamp(smallest_cosine, -1.0, 1.0)) * 180 / M_PI;
+  const geometry::MeshShape shape = geometry::measure_shape(mesh_);
+  out_.area = shape.area;
+  out_.volume = shape.volume;
+  out_.min_angle_deg = shape.min_angle_deg;
+  out_.max_angle_deg = shape.max_angle_deg;
 }
 
-void Certifier::locate_vertices() {
-  points_.resize(mesh_.positions.size());
-  std::vector<char> is_located(points_.size(), 0);
-  const auto place = [&](std::uint32_t v, CellId start) {
-    const Point& x = position(v);
-    const CellId cell = skin_.locate(x, start);
-    points_[v] = skin_.at(x, cell);
-    is_located[v] = 1;
+void Certifier::check_vertices() {
+  for (std::size_t v = 0; v < points_.size(); ++v) {
     const double rho = points_[v].length_scale;
     // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
-    const double g = std::abs(skin_.complex().patch(cell).value(x));
+    const double g = std::abs(skin_.complex().patch(points_[v].cell).value(mesh_.positions[v]));
     out_.max_distance_to_skin = std::max(out_.max_distance_to_skin, g / (2 * rho));
     out_.max_relative_distance_to_skin =
         std::max(out_.max_relative_distance_to_skin, g / (2 * rho * rho));
@@ -182,18 +168,6 @@ void Certifier::locate_vertices() {
     if (!(g <= 100 * skin_.residual_bound(rho))) {
       fail("vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
            " Angstrom off the skin");
-    }
-  };
-  // Triangles come in the order they were laid, so a corner's cell is near the last triangle's; a
-  // breadth-first order would be as short and cost a queue.
-  CellId last{};
-  for (const auto& triangle : mesh_.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_located[triangle[k]]) last = points_[triangle[k]].cell;
-    }
-    for (const std::uint32_t v : triangle) {
-      if (!is_located[v]) place(v, last);
-      last = points_[v].cell;
     }
   }
 }
@@ -342,8 +316,14 @@ void Certifier::compare_counts() {
 
 Certificate certify(const IndexedMesh& mesh, const skin::SkinSurface& skin,
                     const skin::DualComplex& expected, const Sizing& sizing, unsigned threads) {
+  return certify(mesh, {}, skin, expected, sizing, threads);
+}
+
+Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+                    const skin::SkinSurface& skin, const skin::DualComplex& expected,
+                    const Sizing& sizing, unsigned threads) {
   Certificate certificate;
-  Certifier(mesh, skin, sizing, certificate).run(expected, threads);
+  Certifier(mesh, points, skin, sizing, certificate).run(expected, threads);
   return certificate;
 }
 

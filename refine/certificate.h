@@ -12,6 +12,7 @@
 ///   counts      components, Euler characteristic and genus equal the dual complex's.
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geometry/indexed_mesh.h"
@@ -58,5 +59,10 @@ struct Certificate {
 Certificate certify(const geometry::IndexedMesh& mesh, const skin::SkinSurface& skin,
                     const skin::DualComplex& expected, const Sizing& sizing = {},
                     unsigned threads = 1);
+/// The same, when the vertices have been located already.
+/// @param points  locate_vertices() of the mesh; if empty they are located here
+Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
+                    const skin::SkinSurface& skin, const skin::DualComplex& expected,
+                    const Sizing& sizing, unsigned threads);
 
 }  // namespace morskin::refine
