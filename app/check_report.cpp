@@ -35,77 +35,6 @@ const char* name_of(MeshDefect kind) {
   return "";
 }
 
-std::string list(const std::vector<std::uint32_t>& numbers) {
-  std::string text;
-  for (const std::uint32_t n : numbers) text += (text.empty() ? "" : ", ") + std::to_string(n);
-  return text;
-}
-
-// A verdict on a few kinds of defect: the first of them is the reason.
-Verdict on_defects(const geometry::MeshCheck& topology, const std::string& name,
-                   std::initializer_list<MeshDefect> kinds) {
-  Verdict verdict{name, true, "", true};
-  for (const MeshDefect kind : kinds) {
-    const geometry::DefectCount* const defect = topology.find(kind);
-    if (defect == nullptr) continue;
-    verdict.holds = false;
-    verdict.reason += (verdict.reason.empty() ? "" : "; ") + defect->first;
-    if (defect->count > 1) {
-      verdict.reason += " (the first of " + grouped(defect->count) + ")";
-    }
-  }
-  return verdict;
-}
-
-Verdict on_intersections(const geometry::SelfIntersections& found) {
-  Verdict verdict{"without self-intersections", found.count == 0, "", true};
-  if (found.count == 0) return verdict;
-  verdict.reason = "triangles " + std::to_string(found.pairs[0].first) + " and " +
-                   std::to_string(found.pairs[0].second) + " meet where they should not (" +
-                   (found.is_complete ? "" : "more than ") +
-                   counted(found.count, "such pair", "such pairs") + ")";
-  return verdict;
-}
-
-Verdict on_components(const AgainstSkin& against) {
-  Verdict verdict{"every component once", true, "", true};
-  for (const CoveredComponent& component : against.covered) {
-    if (component.by.size() == 1) continue;
-    verdict.holds = false;
-    verdict.reason += verdict.reason.empty() ? "" : "; ";
-    verdict.reason += component.by.empty()
-                          ? component.name + " is missing"
-                          : component.name + " is covered by components " + list(component.by);
-    if (verdict.reason.size() > 400) {
-      verdict.reason += "; and others";
-      break;
-    }
-  }
-  return verdict;
-}
-
-void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdicts) {
-  const refine::Certificate& c = against.certificate;
-  if (!against.covered.empty()) verdicts.push_back(on_components(against));
-  verdicts.push_back({"homeomorphic to the skin", c.is_homeomorphic, "", true});
-  verdicts.push_back({"certified", c.certified, "", true});
-  for (Verdict& verdict : verdicts) {
-    if (!verdict.holds && verdict.reason.empty()) verdict.reason = c.reason;
-  }
-  const refine::RestrictedDelaunay& d = against.delaunay;
-  Verdict delaunay{"restricted Delaunay", d.violations + d.undecided == 0, "", false};
-  if (d.violations > 0) {
-    delaunay.reason = "vertex " + std::to_string(d.deepest[0].vertex) +
-                      " lies in the surface ball of triangle " +
-                      std::to_string(d.deepest[0].triangle) + ", " + brief(d.deepest[0].depth, 2) +
-                      " of its squared radius deep (the deepest of " + grouped(d.violations) + ")";
-  } else if (d.undecided > 0) {
-    delaunay.reason = "triangle " + std::to_string(d.first_undecided[0]) +
-                      " has no surface ball (the first of " + grouped(d.undecided) + ")";
-  }
-  verdicts.push_back(delaunay);
-}
-
 ordered_json verdicts_json(const CheckReport& report) {
   ordered_json result = ordered_json::array();
   for (const Verdict& v : report.verdicts()) {
@@ -246,20 +175,6 @@ std::string skin_text(const CheckReport& report) {
 }
 
 }  // namespace
-
-std::vector<Verdict> CheckReport::verdicts() const {
-  std::vector<Verdict> result{
-      on_defects(topology, "without degenerate triangles",
-                 {MeshDefect::RepeatedCorner, MeshDefect::Collinear}),
-      on_defects(topology, "without duplicate triangles", {MeshDefect::DuplicateTriangle}),
-      on_defects(topology, "closed", {MeshDefect::NoTriangles, MeshDefect::BoundaryEdge}),
-      on_defects(topology, "manifold",
-                 {MeshDefect::CrowdedEdge, MeshDefect::SplitVertex, MeshDefect::UnusedVertex}),
-      on_defects(topology, "oriented", {MeshDefect::DisagreeingTriangles})};
-  if (intersections) result.push_back(on_intersections(*intersections));
-  if (against) add_skin_verdicts(*against, result);
-  return result;
-}
 
 std::string json_text(const CheckReport& report) {
   const CheckArguments& arguments = report.arguments;

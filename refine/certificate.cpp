@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/mesh_shape.h"
+#include "refine/candidate_grid.h"
 #include "refine/located_vertices.h"
 #include "refine/triangle_geometry.h"
 
@@ -25,53 +26,6 @@ std::string number(double x) {
   std::snprintf(text, sizeof text, "%.3g", x);
   return text;
 }
-
-/// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
-/// all around it, so that a question looks into one cell only. Cells follow the length scale in
-/// octaves; rho being 1-Lipschitz, places within `reach` < 0.5 of it are at most one octave apart.
-class CandidateGrid {
- public:
-  /// @param reach  how far from a place, in units of the length scale, a vertex is to be found
-  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
-
-  void add(const Point& p, double length_scale, VertexId v) {
-    for (int octave = std::ilogb(length_scale) - 1; octave <= std::ilogb(length_scale) + 1;
-         ++octave) {
-      const auto home = cell(p, octave);
-      for (std::int64_t i = -1; i <= 1; ++i) {
-        for (std::int64_t j = -1; j <= 1; ++j) {
-          for (std::int64_t k = -1; k <= 1; ++k) {
-            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
-            if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
-          }
-        }
-      }
-    }
-  }
-  template <class Visit>
-  void for_each_near(const Point& p, double length_scale, Visit visit) const {
-    const int octave = std::ilogb(length_scale);
-    for (const VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
-  }
-
- private:
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell(const Point& p, int octave) const {
-    const double scale = std::ldexp(1 / reach_, -(octave + 1));
-    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale)); };
-    return {whole(p.x()), whole(p.y()), whole(p.z())};
-  }
-  static std::size_t hash(const Cell& c, int octave) {
-    const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
-                            static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
-                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL +
-                            static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
-    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
-  }
-
-  double reach_;
-  std::vector<std::vector<VertexId>> buckets_;
-};
 
 /// The work of certify(), one claim after the other; the first that breaks is the reason.
 class Certifier {
@@ -98,25 +52,36 @@ class Certifier {
 
  private:
   void prove() {
-    if (mesh_.triangles.empty()) return fail("the mesh has no triangles");
+    if (mesh_.triangles.empty()) return fail(Claim::Manifold, "the mesh has no triangles");
     geometry::MeshOrDefect built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
-    if (built.defect) return fail("not a closed oriented 2-manifold: " + *built.defect);
+    if (built.defect) {
+      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
+    }
     surface_ = std::move(built.mesh);
     if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
     check_vertices();
     check_triangles();
-    check_covering_degree();
-    compare_counts();
+    if (!built.defect) {
+      check_covering_degree();
+      compare_counts();
+    }
     out_.is_homeomorphic = out_.reason.empty();
-    if (out_.violations_L + out_.violations_U > 0) {
-      fail(std::to_string(out_.violations_L) + " edges break [L], " +
-           std::to_string(out_.violations_U) + " triangles break [U]");
+    if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {
+      out_.reason = std::to_string(out_.violations_L) + " edges break [L], " +
+                    std::to_string(out_.violations_U) + " triangles break [U]";
     }
     out_.certified = out_.reason.empty();
   }
 
-  void fail(const std::string& reason) {
+  void fail(Claim claim, const std::string& reason) {
+    std::string& first = out_.broken[static_cast<std::size_t>(claim)];
+    if (first.empty()) first = reason;
     if (out_.reason.empty()) out_.reason = reason;
+  }
+  /// The first element that breaks [L] or [U]; no reason against the homeomorphism.
+  void note(Claim claim, const std::string& element, double ratio) {
+    out_.broken[static_cast<std::size_t>(claim)] =
+        element + " has " + number(ratio) + " times its bound";
   }
   const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
 
@@ -166,8 +131,8 @@ void Certifier::check_vertices() {
     // A hundred times what the mesher leaves: room for another program's last digits, far below
     // what the theorem needs.
     if (!(g <= 100 * skin_.residual_bound(rho))) {
-      fail("vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
-           " Angstrom off the skin");
+      fail(Claim::OnSkin, "vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
+                              " Angstrom off the skin");
     }
   }
 }
@@ -183,7 +148,9 @@ void Certifier::check_triangles() {
     const double u = sizing_.triangle_ratio(circle.radius, rho);
     out_.worst_U = std::max(out_.worst_U, u);
     largest_share_ = std::max(largest_share_, circle.radius / rho);
-    out_.violations_U += !(u < 1);
+    if (!(u < 1) && out_.violations_U++ == 0) {
+      note(Claim::U, "triangle " + std::to_string(t), u);
+    }
     std::array<double, 3> side;  // opposite corner k
     for (std::size_t k = 0; k < 3; ++k) {
       const SurfacePoint &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
@@ -191,18 +158,25 @@ void Certifier::check_triangles() {
       if (corner[(k + 1) % 3] > corner[(k + 2) % 3]) continue;  // each edge from one side
       const double l = sizing_.edge_ratio(a, b);
       out_.worst_L = std::min(out_.worst_L, l);
-      out_.violations_L += !(l > 1);
+      if (!(l > 1) && out_.violations_L++ == 0) {
+        note(Claim::L,
+             "edge " + std::to_string(corner[(k + 1) % 3]) + "-" +
+                 std::to_string(corner[(k + 2) % 3]),
+             l);
+      }
     }
     const std::size_t k =
         static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
     const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
     const double upright =
         p[k]->length_scale * p[k]->normal.dot(circle.doubled_area) / area2;  // N(a) . n_t
-    if (!(upright > reach))
-      fail("triangle " + std::to_string(t) + " does not face the way the skin does");
+    if (!(upright > reach)) {
+      fail(Claim::Upright,
+           "triangle " + std::to_string(t) + " does not face the way the skin does");
+    }
     if (!(circle.radius < rho / 2)) {
-      fail("triangle " + std::to_string(t) +
-           " is too big for its length scale to be proved near the skin");
+      fail(Claim::Tube, "triangle " + std::to_string(t) +
+                            " is too big for its length scale to be proved near the skin");
     }
   }
 }
@@ -292,7 +266,8 @@ void Certifier::check_covering_degree() {
                                    [&](VertexId v) { return is_free[v.index()] != 0; });
     if (shown) continue;
     out_.covering_degree_ok = false;
-    fail("component " + std::to_string(i) + " could not be shown to cover the skin once");
+    fail(Claim::Degree,
+         "component " + std::to_string(i) + " could not be shown to cover the skin once");
   }
 }
 
@@ -300,16 +275,18 @@ void Certifier::compare_counts() {
   const long v = static_cast<long>(out_.vertices), t = static_cast<long>(out_.triangles);
   out_.euler_characteristic = v - t / 2;
   out_.genus = static_cast<long>(out_.components) - out_.euler_characteristic / 2;
+  std::string differences;
   const auto compare = [&](const char* what, long is, long should) {
     if (is == should) return;
-    fail(std::string(what) + " is " + std::to_string(is) + ", the skin's is " +
-         std::to_string(should));
+    differences += (differences.empty() ? "" : "; ") + std::string(what) + " is " +
+                   std::to_string(is) + ", the skin's is " + std::to_string(should);
   };
   compare("the number of components", static_cast<long>(out_.components),
           static_cast<long>(out_.expected_components));
   compare("the Euler characteristic", out_.euler_characteristic,
           out_.expected_euler_characteristic);
   compare("the genus", out_.genus, out_.expected_genus);
+  if (!differences.empty()) fail(Claim::Counts, differences);
 }
 
 }  // namespace

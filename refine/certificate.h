@@ -11,6 +11,7 @@
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
 ///   counts      components, Euler characteristic and genus equal the dual complex's.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,10 @@
 #include "skin/skin_surface.h"
 
 namespace morskin::refine {
+
+/// What is proved, one after the other, and what is asked beyond: [L] and [U].
+enum class Claim { Manifold, OnSkin, Upright, Tube, Degree, Counts, L, U };
+inline constexpr std::size_t claim_count = 8;
 
 struct Certificate {
   std::size_t vertices = 0;
@@ -51,6 +56,13 @@ struct Certificate {
   bool certified = false;
   /// Why not, naming the first element that breaks it; empty when certified.
   std::string reason;
+  /// By Claim, the first element that breaks it in words; empty where it holds. Without a manifold
+  /// degree and counts cannot be looked at and stay empty.
+  std::array<std::string, claim_count> broken;
+
+  const std::string& broken_by(Claim claim) const {
+    return broken[static_cast<std::size_t>(claim)];
+  }
 };
 
 /// @param expected  the dual complex of the skin's weighted points
