@@ -12,6 +12,7 @@
 #include "geometry/mesh_shape.h"
 #include "refine/candidate_grid.h"
 #include "refine/located_vertices.h"
+#include "refine/restricted_delaunay.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -64,6 +65,8 @@ class Certifier {
     if (!built.defect) {
       check_covering_degree();
       compare_counts();
+      out_.restricted_delaunay_violations =
+          local_delaunay_violations(mesh_, surface_, skin_, points_);
     }
     out_.is_homeomorphic = out_.reason.empty();
     if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {

@@ -49,6 +49,9 @@ struct Certificate {
   double area = 0;                           ///< Angstrom^2
   double volume = 0;                         ///< Angstrom^3, voids taken off
   bool covering_degree_ok = false;
+  /// Triangles with the far corner of a neighbour in their surface ball; of a mesh that is not
+  /// closed, none were looked at. No part of the proof (restricted_delaunay.h).
+  std::size_t restricted_delaunay_violations = 0;
 
   /// Homeomorphic to the skin: none of the points above is broken.
   bool is_homeomorphic = false;

@@ -33,17 +33,19 @@ struct Pencil {
 /// so G changes its sign on |s| <= m - sqrt(m^2 - |G(o)|) if m^2 > |G(o)|, and once, since N.n > 0
 /// as long as |s| < m. The corner whose normal is nearest to n gives the best bound.
 /// @return nothing where the bound does not hold.
-std::optional<Pencil> pencil(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& at) {
-  Pencil result{circumcircle(at[0].position, at[1].position, at[2].position), {}, 0};
+std::optional<Pencil> pencil(const skin::SkinSurface& skin,
+                             const std::array<const SurfacePoint*, 3>& at,
+                             const Circumcircle& circle) {
+  Pencil result{circle, {}, 0};
   const double R = result.circle.radius;
   result.normal = result.circle.doubled_area / result.circle.doubled_area.norm();
-  const SurfacePoint* a = &at[0];
+  const SurfacePoint* a = at[0];
   double upright = -1;
-  for (const SurfacePoint& p : at) {
-    const double cosine = p.normal.dot(result.normal);
+  for (const SurfacePoint* p : at) {
+    const double cosine = p->normal.dot(result.normal);
     if (!(cosine > upright)) continue;
     upright = cosine;
-    a = &p;
+    a = p;
   }
   const double rho = a->length_scale;
   const double g = std::abs(skin.complex().patch(a->cell).value(a->position));
@@ -55,17 +57,34 @@ std::optional<Pencil> pencil(const skin::SkinSurface& skin, const std::array<Sur
   return result;
 }
 
+/// Whether the bound leaves it open that a vertex at d from the circumcentre lies in the ball.
+bool may_contain(const Pencil& pencil, const Vector& d) {
+  const double R = pencil.circle.radius;
+  return R * R - d.squaredNorm() > -2 * pencil.reach * std::abs(d.dot(pencil.normal));
+}
+
+/// A squared distance of about r^2 between points with coordinates up to L is off by a few times
+/// 2 r u L: a corner's, which defines the ball, and the vertex's. This is 16 u L, Angstrom.
+double rounding_of(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (const Point& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return 16 * std::ldexp(largest, -53);
+}
+
+/// How deep p lies in the ball, over its squared radius, if that is beyond rounding.
+std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double rounding) {
+  const double intrusion = ball.intrusion(p);
+  const double margin =
+      least_intrusion * ball.squared_radius + rounding * std::sqrt(ball.squared_radius);
+  if (!(intrusion > margin)) return std::nullopt;
+  return intrusion / ball.squared_radius;
+}
+
 class DelaunayCheck {
  public:
   DelaunayCheck(const IndexedMesh& mesh, const skin::SkinSurface& skin,
                 std::span<const SurfacePoint> points, const geometry::PointTree& tree)
-      : mesh_(mesh), skin_(skin), points_(points), tree_(tree) {
-    double largest = 0;
-    for (const Point& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    // A squared distance of about r^2 between points with coordinates up to L is off by a few
-    // times 2 r u L: a corner's, which defines the ball, and the vertex's.
-    rounding_ = 16 * std::ldexp(largest, -53);
-  }
+      : mesh_(mesh), skin_(skin), points_(points), tree_(tree), rounding_(rounding_of(mesh)) {}
 
   /// Looks at triangles [begin, end).
   RestrictedDelaunay run(std::size_t begin, std::size_t end, std::size_t listed) const {
@@ -91,15 +110,6 @@ class DelaunayCheck {
 
  private:
   std::optional<DelaunayViolation> check(std::uint32_t t, RestrictedDelaunay& result) const;
-  /// How deep p lies in the ball, over its squared radius, if that is beyond rounding.
-  std::optional<double> depth(const SurfaceBall& ball, std::uint32_t v) const {
-    const double intrusion = ball.intrusion(mesh_.positions[v]);
-    const double margin =
-        least_intrusion * ball.squared_radius + rounding_ * std::sqrt(ball.squared_radius);
-    if (!(intrusion > margin)) return std::nullopt;
-    return intrusion / ball.squared_radius;
-  }
-
   const IndexedMesh& mesh_;
   const skin::SkinSurface& skin_;
   std::span<const SurfacePoint> points_;
@@ -111,27 +121,26 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
                                                       RestrictedDelaunay& result) const {
   const auto [a, b, c] = mesh_.triangles[t];
   const auto is_corner = [&](std::uint32_t v) { return v == a || v == b || v == c; };
-  const std::array at{points_[a], points_[b], points_[c]};
+  const std::array at{&points_[a], &points_[b], &points_[c]};
+  const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
   std::optional<SurfaceBall> ball;
   const auto find_ball = [&] {
-    ball = exact_surface_ball(skin_, at[0], at[1].position, at[2].position);
+    ball = exact_surface_ball(skin_, *at[0], at[1]->position, at[2]->position);
     ++result.exact_balls;
   };
   std::optional<DelaunayViolation> worst;
   const auto ask = [&](std::uint32_t v) {
     if (!ball) find_ball();
-    const std::optional<double> d = depth(*ball, v);
+    const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
     if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
   };
-  if (const std::optional<Pencil> p = pencil(skin_, at)) {
+  if (const std::optional<Pencil> p = pencil(skin_, at, circle)) {
     // The ball about o that holds every ball of the pencil.
     const double R = p->circle.radius;
     const double most = p->reach + std::sqrt(R * R + p->reach * p->reach);
     tree_.for_each_in_ball(p->circle.centre, most * most, [&](std::uint32_t v) {
-      if (is_corner(v)) return;
-      const Vector d = mesh_.positions[v] - p->circle.centre;
-      const double doubt = 2 * p->reach * std::abs(d.dot(p->normal));
-      if (R * R - d.squaredNorm() > -doubt) ask(v);
+      if (is_corner(v) || !may_contain(*p, mesh_.positions[v] - p->circle.centre)) return;
+      ask(v);
     });
     if (!ball || ball->is_exact) return worst;
   } else {
@@ -178,6 +187,37 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const skin::Skin
   }
   DelaunayCheck::keep_deepest(whole, listed);
   return whole;
+}
+
+std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::SurfaceMesh& surface,
+                                      const skin::SkinSurface& skin,
+                                      std::span<const SurfacePoint> points) {
+  // In shares of R^2. The ball lies within sqrt(R^2 + s^2) + |s| of the circumcentre, less than
+  // sqrt(2.25) R as long as |s| <= 0.4 R; where R <= 0.15 rho, |s| is about R^2 / 2 rho < 0.1 R.
+  constexpr double far = 2.25, largest_reach = 0.4;
+  const double rounding = rounding_of(mesh);
+  std::size_t violations = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    const std::array at{&points[a], &points[b], &points[c]};
+    const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+    std::optional<Pencil> bound;
+    std::optional<SurfaceBall> ball;
+    bool is_entered = false;
+    for (std::uint32_t k = 0; k < 3 && !is_entered; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
+      const Point& p = mesh.positions[surface.apex(surface.twin(h)).index()];
+      const Vector d = p - circle.centre;
+      if (d.squaredNorm() > far * circle.radius * circle.radius) continue;
+      if (!bound) bound = pencil(skin, at, circle);
+      if (bound && bound->reach <= largest_reach * circle.radius && !may_contain(*bound, d))
+        continue;
+      if (!ball) ball = exact_surface_ball(skin, *at[0], at[1]->position, at[2]->position);
+      is_entered = ball->is_exact && depth_in(*ball, p, rounding);
+    }
+    violations += is_entered;
+  }
+  return violations;
 }
 
 }  // namespace morskin::refine

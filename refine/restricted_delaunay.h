@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/indexed_mesh.h"
+#include "geometry/surface_mesh.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -40,5 +41,20 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
                                        const skin::SkinSurface& skin,
                                        std::span<const SurfacePoint> points,
                                        std::size_t listed = 10, unsigned threads = 1);
+
+/// How many triangles have the far corner of a neighbour in their surface ball, by the same rule.
+///
+/// Law: none, in a certified mesh with the default sizing, exactly if restricted_delaunay() finds
+/// none. The argument, without its constants: let p lie in the ball of t, and let H be the plane
+/// through an edge of t orthogonal to the line of centres of the two balls there. Beyond H p lies
+/// deeper in the neighbour's ball, the two apexes being on their own sides of H; so from neighbour
+/// to neighbour it gets deeper until it is beyond none of the three planes. There it lies over the
+/// triangle, or beside it by what the planes lean, some 0.04 R, over a neighbour; but the mesh is a
+/// graph over the skin (certificate.h), and a vertex lies over no triangle but its own.
+/// @param surface  the mesh's connectivity, closed
+std::size_t local_delaunay_violations(const geometry::IndexedMesh& mesh,
+                                      const geometry::SurfaceMesh& surface,
+                                      const skin::SkinSurface& skin,
+                                      std::span<const SurfacePoint> points);
 
 }  // namespace morskin::refine

@@ -290,9 +290,42 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
     CHECK(found.deepest[0].depth > 0);
     CHECK(good.delaunay(bad, 3).violations == expected);
     CHECK(good.delaunay(bad, 3).deepest[0].triangle == found.deepest[0].triangle);
+    std::size_t local = 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = bad.triangles[t];
+      const auto ball = refine::exact_surface_ball(good.skin.surface, located[a], bad.positions[b],
+                                                   bad.positions[c]);
+      bool is_entered = false;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const auto h = geometry::SurfaceMesh::half_edge(geometry::TriangleId{t}, k);
+        const Point& apex = bad.positions[mesh.apex(mesh.twin(h)).index()];
+        is_entered = is_entered || ball.intrusion(apex) > 1e-8 * ball.squared_radius;
+      }
+      local += ball.is_exact && is_entered;
+    }
+    CHECK(refine::local_delaunay_violations(bad, mesh, good.skin.surface, located) == local);
+    CHECK(good.certify(good.mesh).restricted_delaunay_violations == 0);
+    CHECK(local > 0);
+    CHECK(local <= expected);
     ++seen;
   }
   CHECK(seen >= 3);
+}
+
+TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both counts") {
+  const Good good = vdw("caffeine.xyz");
+  const auto located = refine::locate_vertices(good.mesh, good.skin.surface);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
+    const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
+    if (mesh.has_edge(mesh.apex(h), mesh.apex(mesh.twin(h)))) continue;
+    mesh.flip(h);
+    const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
+    CHECK(refine::local_delaunay_violations(bad, mesh, good.skin.surface, located) == 2);
+    CHECK(good.delaunay(bad).violations == 2);
+  }
 }
 
 TEST_CASE("a vertex of another sheet in a surface ball counts, though no neighbour is") {

@@ -18,7 +18,7 @@ MORSKIN = "build/morskin"
 REPORT_KEYS = """input model probe atoms_used atoms_skipped patch_radius_min patch_radius_max C Q
     vertices triangles components euler_characteristic genus expected_euler_characteristic
     expected_components expected_genus min_angle_deg max_angle_deg worst_L worst_U
-    max_distance_to_skin covering_degree_ok certified minima saddles maxima operations seconds
+    max_distance_to_skin covering_degree_ok restricted_delaunay_violations certified minima saddles maxima operations seconds
     floor_ratio peak_memory_bytes""".split()
 OPERATION_KEYS = """creation creep wing bridge seal guard_inside_protecting
     guard_outside_protecting flip contract insert""".split()
