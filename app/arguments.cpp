@@ -89,6 +89,16 @@ void add_progress_option(CLI::App& command, Typed& typed) {
       ->capture_default_str();
 }
 
+void add_threads_option(CLI::App& command, unsigned& threads) {
+  threads = std::max(1U, std::thread::hardware_concurrency());
+  command
+      .add_option(
+          "--threads", threads,
+          "Threads at most (all cores); most of the work is done by two, and what is written "
+          "is the same for any number")
+      ->check(CLI::Range(1U, 1024U));
+}
+
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
@@ -115,13 +125,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
-  mesh.threads = std::max(1U, std::thread::hardware_concurrency());
-  command
-      .add_option(
-          "--threads", mesh.threads,
-          "Threads at most (all cores); most of the work is done by two, and the bytes written "
-          "are the same for any number")
-      ->check(CLI::Range(1U, 1024U));
+  add_threads_option(command, mesh.threads);
   add_progress_option(command, typed);
   command.footer(
       "The mesh takes its name only when the bytes written have been read back and certified:\n"
@@ -173,13 +177,20 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
 void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
   CLI::App& command = *app.add_subcommand(
       "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
-  command.add_option("MESH", check.mesh, "PLY, OFF, OBJ or STL, of any tool")->required();
+  command
+      .add_option("MESH", check.mesh,
+                  "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
+      ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_molecule_options(command, against, typed);
   add_sizing_options(command, check.sizing);
-  command.add_flag("--json", check.json, "Print JSON");
+  command.add_flag("!--no-self-intersections", check.self_intersections,
+                   "Do not search for self-intersections");
+  command.add_flag("--json", check.json, "Print all that was found as JSON");
+  add_threads_option(command, check.threads);
   command.footer(
-      "Exit code 0: certified, or without --against a closed oriented 2-manifold; 5: not.");
+      "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
+      "triangles and, with --against, certified; 5: not, and the reason names the first element.");
 }
 
 // --height and --function, of which at most one may be given.

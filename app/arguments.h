@@ -73,7 +73,9 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::optional<MoleculeArguments> against;
   refine::Sizing sizing;
+  bool self_intersections = true;  ///< search for them
   bool json = false;
+  unsigned threads = 1;  ///< at most; the result is the same for any number
 };
 
 /// Nothing is left to do: help or the version was printed, or a complaint.

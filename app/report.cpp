@@ -107,6 +107,7 @@ ordered_json certificate_json(const Certificate& c) {
                        {"area", rounded(c.area, 12)},
                        {"volume", rounded(c.volume, 12)},
                        {"covering_degree_ok", c.covering_degree_ok},
+                       {"restricted_delaunay_violations", c.restricted_delaunay_violations},
                        {"homeomorphic", c.is_homeomorphic},
                        {"certified", c.certified}};
   if (!c.certified) json["reason"] = c.reason;

@@ -8,6 +8,7 @@
 
 #include "geometry/atomic_file.h"
 #include "geometry/error.h"
+#include "geometry/gzip.h"
 #include "geometry/mesh_formats.h"
 #include "geometry/text_lines.h"
 
@@ -50,6 +51,8 @@ Point take_position(std::string_view& fields, const TextLines& lines) {
 
 namespace {
 
+constexpr std::size_t most_unpacked_bytes = 1ULL << 34;
+
 constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
     {".ply", MeshFormat::PlyBinary},
     {".off", MeshFormat::Off},
@@ -57,6 +60,13 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
     {".stl", MeshFormat::Stl},
     {".vtu", MeshFormat::Vtu},
 }};
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  return text;
+}
 
 // The first line that is neither blank nor a comment.
 std::string_view first_line(std::string_view bytes) {
@@ -82,10 +92,7 @@ std::optional<MeshFormat> format_by_content(std::string_view bytes) {
 }  // namespace
 
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
+  const std::string ending = lower_case(path.extension().string());
   for (const auto& [known, format] : endings) {
     if (ending == known) return format;
   }
@@ -124,17 +131,73 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   write_mesh(path, mesh, *format);
 }
 
+namespace {
+
+// Bytes as they are, or what gzip packed in them.
+std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& room) {
+  if (!is_gzip(bytes)) return bytes;
+  room = unpack_gzip(bytes, source, most_unpacked_bytes);
+  return room;
+}
+
+// The name without its .gz, if it has one.
+std::filesystem::path unpacked_name(std::filesystem::path path) {
+  if (lower_case(path.extension().string()) == ".gz") path.replace_extension();
+  return path;
+}
+
+bool is_msms(const std::filesystem::path& path, std::string_view ending) {
+  return lower_case(unpacked_name(path).extension().string()) == ending;
+}
+
+// The other file of an MSMS pair: the same name with the other ending, as it is or gzipped.
+std::filesystem::path msms_partner(const std::filesystem::path& path) {
+  std::filesystem::path name = unpacked_name(path);
+  const bool is_upper = name.extension() == ".VERT" || name.extension() == ".FACE";
+  const char* const ending =
+      is_msms(path, ".vert") ? (is_upper ? ".FACE" : ".face") : (is_upper ? ".VERT" : ".vert");
+  name.replace_extension(ending);
+  std::filesystem::path packed = name;
+  packed += ".gz";
+  std::error_code ignored;
+  for (const std::filesystem::path& candidate : {name, packed}) {
+    if (std::filesystem::exists(candidate, ignored)) return candidate;
+  }
+  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " +
+                        name.filename().string() + " beside it");
+}
+
+IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
+  const std::filesystem::path partner = msms_partner(path);
+  const FileBytes other = read_file(partner);
+  std::string room;
+  const mesh_formats::MsmsFile named{bytes, path.string()};
+  const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), room),
+                                     partner.string()};
+  return is_msms(path, ".vert") ? mesh_formats::parse_msms(named, found)
+                                : mesh_formats::parse_msms(found, named);
+}
+
+}  // namespace
+
 IndexedMesh read_mesh(const std::filesystem::path& path) {
-  const FileBytes bytes = read_file(path);
-  return parse_mesh(bytes.view(), path.string());
+  const FileBytes file = read_file(path);
+  if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
+    return parse_mesh(file.view(), path.string());
+  }
+  std::string room;
+  return read_msms(path, unpacked(file.view(), path.string(), room));
 }
 
 IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
+  std::string room;
+  bytes = unpacked(bytes, source, room);
   if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
   std::optional<MeshFormat> format = format_by_content(bytes);
-  if (!format) format = mesh_format_of(source);
+  if (!format) format = mesh_format_of(unpacked_name(source));
   if (!format) {
-    throw UnreadableInput(source + ": is no mesh that can be recognised; use PLY, OFF, OBJ or STL");
+    throw UnreadableInput(source +
+                          ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL or MSMS");
   }
   switch (*format) {
     case MeshFormat::PlyBinary:

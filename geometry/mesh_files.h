@@ -6,6 +6,9 @@
 //   PLY (binary or ASCII), OFF, OBJ   everything, every coordinate to the last bit
 //   VTU                               the same; written only
 //   STL                               single precision coordinates, no sharing of vertices
+//   MSMS (.vert and .face)            three decimals as that program writes them; read only
+//
+// Any of them may be gzipped, whatever its name.
 
 #include <filesystem>
 #include <optional>
@@ -39,7 +42,8 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, Mesh
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
 /// Reads a mesh written by any program, of any format above but VTU. The content decides the
-/// format; the ending is asked where the content leaves it open.
+/// format; the ending is asked where the content leaves it open. Of an MSMS pair either file may be
+/// named; the other is looked for beside it.
 ///
 /// Polygons become fans about their first corner. Normals, colours, texture and other elements are
 /// passed over. STL corners whose three coordinates have equal bits become one vertex.
@@ -48,7 +52,7 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 ///                          file, a coordinate that is not finite, a corner that does not exist
 IndexedMesh read_mesh(const std::filesystem::path& path);
 
-/// The mesh that `bytes` hold.
+/// The mesh that `bytes` hold, gzipped or not; not MSMS, which takes two files.
 ///
 /// @param source  the name to use in messages and, for its ending, to choose the format.
 /// @throws UnreadableInput  as above

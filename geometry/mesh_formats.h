@@ -17,6 +17,12 @@ IndexedMesh parse_ply(std::string_view bytes, const std::string& source);
 IndexedMesh parse_off(std::string_view bytes, const std::string& source);
 IndexedMesh parse_obj(std::string_view bytes, const std::string& source);
 IndexedMesh parse_stl(std::string_view bytes, const std::string& source);
+/// The two files of an MSMS mesh, each by its bytes and its name.
+struct MsmsFile {
+  std::string_view bytes;
+  std::string source;
+};
+IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces);
 
 std::string ply_binary(const IndexedMesh& mesh);
 std::string ply_ascii(const IndexedMesh& mesh);

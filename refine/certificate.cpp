@@ -5,9 +5,14 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
+#include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
+#include "refine/candidate_grid.h"
+#include "refine/located_vertices.h"
+#include "refine/restricted_delaunay.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -23,59 +28,12 @@ std::string number(double x) {
   return text;
 }
 
-/// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
-/// all around it, so that a question looks into one cell only. Cells follow the length scale in
-/// octaves; rho being 1-Lipschitz, places within `reach` < 0.5 of it are at most one octave apart.
-class CandidateGrid {
- public:
-  /// @param reach  how far from a place, in units of the length scale, a vertex is to be found
-  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
-
-  void add(const Point& p, double length_scale, VertexId v) {
-    for (int octave = std::ilogb(length_scale) - 1; octave <= std::ilogb(length_scale) + 1;
-         ++octave) {
-      const auto home = cell(p, octave);
-      for (std::int64_t i = -1; i <= 1; ++i) {
-        for (std::int64_t j = -1; j <= 1; ++j) {
-          for (std::int64_t k = -1; k <= 1; ++k) {
-            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
-            if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
-          }
-        }
-      }
-    }
-  }
-  template <class Visit>
-  void for_each_near(const Point& p, double length_scale, Visit visit) const {
-    const int octave = std::ilogb(length_scale);
-    for (const VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
-  }
-
- private:
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell(const Point& p, int octave) const {
-    const double scale = std::ldexp(1 / reach_, -(octave + 1));
-    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale)); };
-    return {whole(p.x()), whole(p.y()), whole(p.z())};
-  }
-  static std::size_t hash(const Cell& c, int octave) {
-    const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
-                            static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
-                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL +
-                            static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
-    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
-  }
-
-  double reach_;
-  std::vector<std::vector<VertexId>> buckets_;
-};
-
 /// The work of certify(), one claim after the other; the first that breaks is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, const skin::SkinSurface& skin, const Sizing& sizing,
-            Certificate& certificate)
-      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate) {}
+  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+            const skin::SkinSurface& skin, const Sizing& sizing, Certificate& certificate)
+      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate), points_(points) {}
 
   void run(const skin::DualComplex& expected, unsigned threads) {
     out_.vertices = mesh_.positions.size();
@@ -88,11 +46,12 @@ class Certifier {
 
  private:
   void prove(unsigned threads) {
-    if (mesh_.triangles.empty()) return fail("the mesh has no triangles");
+    if (mesh_.triangles.empty()) return fail(Claim::Manifold, "the mesh has no triangles");
     geometry::MeshOrDefect built;
     // Where the vertices lie needs no connectivity, and the other way round.
     const auto look_at_places = [&] {
-      locate_vertices();
+      if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
+      check_vertices();
       check_triangles();
     };
     const auto look_at_connectivity = [&] {
@@ -101,34 +60,49 @@ class Certifier {
       measure_shape();
     };
     geometry::do_both(threads, look_at_places, look_at_connectivity);
-    if (built.defect) {
-      out_.reason = "not a closed oriented 2-manifold: " + *built.defect;
-      return;
-    }
     surface_ = std::move(built.mesh);
-    check_covering_degree(threads);
-    compare_counts();
+    if (built.defect) {
+      out_.reason.clear();  // the first claim is the first reason
+      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
+    } else {
+      const auto look_at_covering = [&] {
+        check_covering_degree();
+        compare_counts();
+      };
+      const auto look_at_balls = [&] {
+        out_.restricted_delaunay_violations =
+            local_delaunay_violations(mesh_, surface_, skin_, points_);
+      };
+      geometry::do_both(threads, look_at_covering, look_at_balls);
+    }
     out_.is_homeomorphic = out_.reason.empty();
-    if (out_.violations_L + out_.violations_U > 0) {
-      fail(std::to_string(out_.violations_L) + " edges break [L], " +
-           std::to_string(out_.violations_U) + " triangles break [U]");
+    if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {
+      out_.reason = std::to_string(out_.violations_L) + " edges break [L], " +
+                    std::to_string(out_.violations_U) + " triangles break [U]";
     }
     out_.certified = out_.reason.empty();
   }
 
-  void fail(const std::string& reason) {
+  void fail(Claim claim, const std::string& reason) {
+    std::string& first = out_.broken[static_cast<std::size_t>(claim)];
+    if (first.empty()) first = reason;
     if (out_.reason.empty()) out_.reason = reason;
+  }
+  /// The first element that breaks [L] or [U]; no reason against the homeomorphism.
+  void note(Claim claim, const std::string& element, double ratio) {
+    out_.broken[static_cast<std::size_t>(claim)] =
+        element + " has " + number(ratio) + " times its bound";
   }
   const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
 
   /// Angles, area and volume need no connectivity.
   void measure_shape();
-  /// Finds each vertex's cell by walking from a neighbour's, and its distance to the skin.
-  void locate_vertices();
+  /// Each vertex's distance to the skin.
+  void check_vertices();
   /// [L], [U], and the conditions c1 and c2 of the theorem.
   void check_triangles();
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
-  void check_covering_degree(unsigned threads);
+  void check_covering_degree();
   void compare_counts();
 
   bool turns_once(VertexId v) const;
@@ -143,63 +117,33 @@ class Certifier {
   Certificate& out_;
   geometry::SurfaceMesh surface_;
   geometry::Components parts_;
-  std::vector<SurfacePoint> points_;
+  std::vector<SurfacePoint> located_;  ///< unless they were given
+  std::span<const SurfacePoint> points_;
   double largest_share_ = 0;  ///< of R_abc over rho_abc
   double free_share_ = 0;     ///< free_radius() over rho
 };
 
 void Certifier::measure_shape() {
-  // The extreme angles have the extreme cosines; one arc cosine each at the end.
-  double largest_cosine = -1, smallest_cosine = 1, area = 0, volume = 0;
-  for (const auto& [a, b, c] : mesh_.triangles) {
-    const Point &p = position(a), &q = position(b), &r = position(c);
-    const Vector pq = q - p, qr = r - q, rp = p - r;
-    const double x = pq.norm(), y = qr.norm(), z = rp.norm();
-    for (const double cosine :
-         {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)}) {
-      largest_cosine = std::max(largest_cosine, std::isnan(cosine) ? 1.0 : cosine);
-      smallest_cosine = std::min(smallest_cosine, std::isnan(cosine) ? -1.0 : cosine);
-    }
-    area += pq.cross(rp).norm() / 2;
-    volume += p.dot(q.cross(r)) / 6;
-  }
-  out_.area = area;
-  out_.volume = volume;
-  out_.min_angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * 180 / M_PI;
-  out_.max_angle_deg = std::acos(std::clamp(smallest_cosine, -1.0, 1.0)) * 180 / M_PI;
+  const geometry::MeshShape shape = geometry::measure_shape(mesh_);
+  out_.area = shape.area;
+  out_.volume = shape.volume;
+  out_.min_angle_deg = shape.min_angle_deg;
+  out_.max_angle_deg = shape.max_angle_deg;
 }
 
-void Certifier::locate_vertices() {
-  points_.resize(mesh_.positions.size());
-  std::vector<char> is_located(points_.size(), 0);
-  const auto place = [&](std::uint32_t v, CellId start) {
-    const Point& x = position(v);
-    const CellId cell = skin_.locate(x, start);
-    points_[v] = skin_.at(x, cell);
-    is_located[v] = 1;
+void Certifier::check_vertices() {
+  for (std::size_t v = 0; v < points_.size(); ++v) {
     const double rho = points_[v].length_scale;
     // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
-    const double g = std::abs(skin_.complex().patch(cell).value(x));
+    const double g = std::abs(skin_.complex().patch(points_[v].cell).value(mesh_.positions[v]));
     out_.max_distance_to_skin = std::max(out_.max_distance_to_skin, g / (2 * rho));
     out_.max_relative_distance_to_skin =
         std::max(out_.max_relative_distance_to_skin, g / (2 * rho * rho));
     // A hundred times what the mesher leaves: room for another program's last digits, far below
     // what the theorem needs.
     if (!(g <= 100 * skin_.residual_bound(rho))) {
-      fail("vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
-           " Angstrom off the skin");
-    }
-  };
-  // Triangles come in the order they were laid, so a corner's cell is near the last triangle's; a
-  // breadth-first order would be as short and cost a queue.
-  CellId last{};
-  for (const auto& triangle : mesh_.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_located[triangle[k]]) last = points_[triangle[k]].cell;
-    }
-    for (const std::uint32_t v : triangle) {
-      if (!is_located[v]) place(v, last);
-      last = points_[v].cell;
+      fail(Claim::OnSkin, "vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
+                              " Angstrom off the skin");
     }
   }
 }
@@ -215,7 +159,9 @@ void Certifier::check_triangles() {
     const double u = sizing_.triangle_ratio(circle.radius, rho);
     out_.worst_U = std::max(out_.worst_U, u);
     largest_share_ = std::max(largest_share_, circle.radius / rho);
-    out_.violations_U += !(u < 1);
+    if (!(u < 1) && out_.violations_U++ == 0) {
+      note(Claim::U, "triangle " + std::to_string(t), u);
+    }
     std::array<double, 3> side;  // opposite corner k
     for (std::size_t k = 0; k < 3; ++k) {
       const SurfacePoint &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
@@ -223,18 +169,25 @@ void Certifier::check_triangles() {
       if (corner[(k + 1) % 3] > corner[(k + 2) % 3]) continue;  // each edge from one side
       const double l = sizing_.edge_ratio(a, b);
       out_.worst_L = std::min(out_.worst_L, l);
-      out_.violations_L += !(l > 1);
+      if (!(l > 1) && out_.violations_L++ == 0) {
+        note(Claim::L,
+             "edge " + std::to_string(corner[(k + 1) % 3]) + "-" +
+                 std::to_string(corner[(k + 2) % 3]),
+             l);
+      }
     }
     const std::size_t k =
         static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
     const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
     const double upright =
         p[k]->length_scale * p[k]->normal.dot(circle.doubled_area) / area2;  // N(a) . n_t
-    if (!(upright > reach))
-      fail("triangle " + std::to_string(t) + " does not face the way the skin does");
+    if (!(upright > reach)) {
+      fail(Claim::Upright,
+           "triangle " + std::to_string(t) + " does not face the way the skin does");
+    }
     if (!(circle.radius < rho / 2)) {
-      fail("triangle " + std::to_string(t) +
-           " is too big for its length scale to be proved near the skin");
+      fail(Claim::Tube, "triangle " + std::to_string(t) +
+                            " is too big for its length scale to be proved near the skin");
     }
   }
 }
@@ -286,7 +239,7 @@ void Certifier::find_free_share() {
   free_share_ *= 1 + 1e-6;
 }
 
-void Certifier::check_covering_degree(unsigned threads) {
+void Certifier::check_covering_degree() {
   out_.components = parts_.count;
   // A few candidates per component: where the mesh is thin beside its length scale a neighbour's
   // triangle may pass through the ball, and another vertex shows the degree.
@@ -308,22 +261,14 @@ void Certifier::check_covering_degree(unsigned threads) {
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
   }
-  std::vector<std::vector<VertexId>> entered(
-      geometry::chunk_count(threads, mesh_.triangles.size()));
-  geometry::for_each_chunk(threads, mesh_.triangles.size(), [&](auto begin, auto end, auto chunk) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& corner = mesh_.triangles[t];
-      const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
-      grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
-        if (v.value == a || v.value == b || v.value == c) return;
-        const double d2 =
-            squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-        if (d2 <= free_radius(v) * free_radius(v)) entered[chunk].push_back(v);
-      });
-    }
-  });
-  for (const auto& list : entered) {
-    for (const VertexId v : list) is_free[v.index()] = 0;
+  for (const auto& triangle : mesh_.triangles) {
+    const std::uint32_t a = triangle[0], b = triangle[1], c = triangle[2];
+    grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
+      if (v.value == a || v.value == b || v.value == c) return;
+      const double d2 =
+          squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
+      if (d2 <= free_radius(v) * free_radius(v)) is_free[v.index()] = 0;
+    });
   }
   out_.covering_degree_ok = true;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -331,7 +276,8 @@ void Certifier::check_covering_degree(unsigned threads) {
                                    [&](VertexId v) { return is_free[v.index()] != 0; });
     if (shown) continue;
     out_.covering_degree_ok = false;
-    fail("component " + std::to_string(i) + " could not be shown to cover the skin once");
+    fail(Claim::Degree,
+         "component " + std::to_string(i) + " could not be shown to cover the skin once");
   }
 }
 
@@ -339,24 +285,32 @@ void Certifier::compare_counts() {
   const long v = static_cast<long>(out_.vertices), t = static_cast<long>(out_.triangles);
   out_.euler_characteristic = v - t / 2;
   out_.genus = static_cast<long>(out_.components) - out_.euler_characteristic / 2;
+  std::string differences;
   const auto compare = [&](const char* what, long is, long should) {
     if (is == should) return;
-    fail(std::string(what) + " is " + std::to_string(is) + ", the skin's is " +
-         std::to_string(should));
+    differences += (differences.empty() ? "" : "; ") + std::string(what) + " is " +
+                   std::to_string(is) + ", the skin's is " + std::to_string(should);
   };
   compare("the number of components", static_cast<long>(out_.components),
           static_cast<long>(out_.expected_components));
   compare("the Euler characteristic", out_.euler_characteristic,
           out_.expected_euler_characteristic);
   compare("the genus", out_.genus, out_.expected_genus);
+  if (!differences.empty()) fail(Claim::Counts, differences);
 }
 
 }  // namespace
 
 Certificate certify(const IndexedMesh& mesh, const skin::SkinSurface& skin,
                     const skin::DualComplex& expected, const Sizing& sizing, unsigned threads) {
+  return certify(mesh, {}, skin, expected, sizing, threads);
+}
+
+Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+                    const skin::SkinSurface& skin, const skin::DualComplex& expected,
+                    const Sizing& sizing, unsigned threads) {
   Certificate certificate;
-  Certifier(mesh, skin, sizing, certificate).run(expected, threads);
+  Certifier(mesh, points, skin, sizing, certificate).run(expected, threads);
   return certificate;
 }
 

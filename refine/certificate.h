@@ -11,7 +11,9 @@
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
 ///   counts      components, Euler characteristic and genus equal the dual complex's.
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geometry/indexed_mesh.h"
@@ -20,6 +22,10 @@
 #include "skin/skin_surface.h"
 
 namespace morskin::refine {
+
+/// What is proved, one after the other, and what is asked beyond: [L] and [U].
+enum class Claim { Manifold, OnSkin, Upright, Tube, Degree, Counts, L, U };
+inline constexpr std::size_t claim_count = 8;
 
 struct Certificate {
   std::size_t vertices = 0;
@@ -43,6 +49,9 @@ struct Certificate {
   double area = 0;                           ///< Angstrom^2
   double volume = 0;                         ///< Angstrom^3, voids taken off
   bool covering_degree_ok = false;
+  /// Triangles with the far corner of a neighbour in their surface ball; of a mesh that is not
+  /// closed, none were looked at. No part of the proof (restricted_delaunay.h).
+  std::size_t restricted_delaunay_violations = 0;
 
   /// Homeomorphic to the skin: none of the points above is broken.
   bool is_homeomorphic = false;
@@ -50,6 +59,13 @@ struct Certificate {
   bool certified = false;
   /// Why not, naming the first element that breaks it; empty when certified.
   std::string reason;
+  /// By Claim, the first element that breaks it in words; empty where it holds. Without a manifold
+  /// degree and counts cannot be looked at and stay empty.
+  std::array<std::string, claim_count> broken;
+
+  const std::string& broken_by(Claim claim) const {
+    return broken[static_cast<std::size_t>(claim)];
+  }
 };
 
 /// @param expected  the dual complex of the skin's weighted points
@@ -58,5 +74,10 @@ struct Certificate {
 Certificate certify(const geometry::IndexedMesh& mesh, const skin::SkinSurface& skin,
                     const skin::DualComplex& expected, const Sizing& sizing = {},
                     unsigned threads = 1);
+/// The same, when the vertices have been located already.
+/// @param points  locate_vertices() of the mesh; if empty they are located here
+Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
+                    const skin::SkinSurface& skin, const skin::DualComplex& expected,
+                    const Sizing& sizing, unsigned threads);
 
 }  // namespace morskin::refine

@@ -7,8 +7,8 @@
 
 #include "geometry/atomic_file.h"
 #include "geometry/error.h"
+#include "geometry/gzip.h"
 #include "geometry/text_lines.h"
-#include "skin/gzip.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 
@@ -199,8 +199,8 @@ std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& pa
 Molecule parse_molecule(std::string_view bytes, const std::string& source,
                         const ReadOptions& options) {
   std::string unpacked;
-  if (is_gzip(bytes)) {
-    unpacked = unpack_gzip(bytes, source, options.most_bytes);
+  if (geometry::is_gzip(bytes)) {
+    unpacked = geometry::unpack_gzip(bytes, source, options.most_bytes);
     bytes = unpacked;
   }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

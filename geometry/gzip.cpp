@@ -1,4 +1,4 @@
-#include "skin/gzip.h"
+#include "geometry/gzip.h"
 
 #include <zlib.h>
 
@@ -8,14 +8,14 @@
 
 #include "geometry/error.h"
 
-namespace morskin::skin {
+namespace morskin::geometry {
 namespace {
 
 constexpr int gzip_window = 15 + 16;  // the largest window; gzip's own header and checksum
 constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max() / 2;
 
 [[noreturn]] void fail(const std::string& source, const std::string& what) {
-  throw geometry::UnreadableInput(source + ": " + what);
+  throw UnreadableInput(source + ": " + what);
 }
 
 }  // namespace
@@ -63,4 +63,4 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
   }
 }
 
-}  // namespace morskin::skin
+}  // namespace morskin::geometry

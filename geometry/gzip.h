@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace morskin::skin {
+namespace morskin::geometry {
 
 /// Whether the bytes begin as gzip's do.
 bool is_gzip(std::string_view bytes);
@@ -16,4 +16,4 @@ bool is_gzip(std::string_view bytes);
 /// @throws UnreadableInput  if the bytes are damaged or cut short, or hold more than `most_bytes`
 std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t most_bytes);
 
-}  // namespace morskin::skin
+}  // namespace morskin::geometry

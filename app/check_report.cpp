@@ -1,0 +1,262 @@
+#include "app/check_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/report.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::MeshDefect;
+using nlohmann::ordered_json;
+
+const char* name_of(MeshDefect kind) {
+  switch (kind) {
+    case MeshDefect::NoTriangles:
+      return "no_triangles";
+    case MeshDefect::RepeatedCorner:
+      return "triangles_with_repeated_corners";
+    case MeshDefect::Collinear:
+      return "triangles_with_collinear_corners";
+    case MeshDefect::DuplicateTriangle:
+      return "duplicate_triangles";
+    case MeshDefect::BoundaryEdge:
+      return "boundary_edges";
+    case MeshDefect::CrowdedEdge:
+      return "crowded_edges";
+    case MeshDefect::DisagreeingTriangles:
+      return "disagreeing_edges";
+    case MeshDefect::SplitVertex:
+      return "split_vertices";
+    case MeshDefect::UnusedVertex:
+      return "unused_vertices";
+  }
+  return "";
+}
+
+ordered_json verdicts_json(const CheckReport& report) {
+  ordered_json result = ordered_json::array();
+  for (const Verdict& v : report.verdicts()) {
+    ordered_json entry = {{"name", v.name}, {"holds", v.holds}, {"required", v.is_required}};
+    if (!v.holds) entry["reason"] = v.reason;
+    result.push_back(entry);
+  }
+  return result;
+}
+
+ordered_json components_json(const geometry::MeshCheck& topology) {
+  ordered_json result = ordered_json::array();
+  for (const geometry::MeshComponent& c : topology.components) {
+    ordered_json entry = {{"first_triangle", c.first_triangle},
+                          {"triangles", c.triangles},
+                          {"vertices", c.vertices},
+                          {"euler_characteristic", c.euler_characteristic()},
+                          {"closed_and_oriented", c.is_closed_and_oriented},
+                          {"area", rounded(c.area, 12)}};
+    if (c.is_closed_and_oriented) {
+      entry["genus"] = c.genus();
+      entry["volume"] = rounded(c.volume, 12);
+    }
+    result.push_back(entry);
+  }
+  return result;
+}
+
+template <class Bad>
+ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
+  ordered_json result = ordered_json::array();
+  for (const Bad& bad : worst) {
+    if constexpr (std::is_same_v<Bad, refine::BadEdge>) {
+      result.push_back({{"edge", {bad.a, bad.b}}, {value, rounded(bad.value)}});
+    } else if constexpr (std::is_same_v<Bad, refine::BadVertex>) {
+      result.push_back({{"vertex", bad.vertex},
+                        {"distance", rounded(bad.distance)},
+                        {value, rounded(bad.relative)}});
+    } else {
+      result.push_back({{"triangle", bad.triangle}, {value, rounded(bad.value)}});
+    }
+  }
+  return result;
+}
+
+void add_skin_json(ordered_json& json, const AgainstSkin& against) {
+  const refine::Deviations& d = against.deviations;
+  json["max_centroid_distance"] = rounded(d.max_centroid_distance);
+  json["max_centroid_relative_distance"] = rounded(d.max_centroid_relative);
+  json["mean_relative_distance"] = rounded(d.mean_vertex_relative);
+  json["mean_centroid_relative_distance"] = rounded(d.mean_centroid_relative);
+  json["max_normal_deviation_deg"] = rounded(d.max_normal_deg);
+  json["farthest_vertices"] = worst_json(d.farthest_vertices, "relative_distance");
+  json["farthest_centroids"] = worst_json(d.farthest_centroids, "relative_distance");
+  json["worst_edges"] = worst_json(d.shortest_edges, "L");
+  json["worst_triangles"] = worst_json(d.largest_triangles, "U");
+  json["steepest_triangles"] = worst_json(d.steepest_triangles, "normal_deviation_deg");
+  json["restricted_delaunay_violations"] = against.delaunay.violations;
+  json["restricted_delaunay_undecided"] = against.delaunay.undecided;
+  json["restricted_delaunay_deepest"] = ordered_json::array();
+  for (const refine::DelaunayViolation& v : against.delaunay.deepest) {
+    json["restricted_delaunay_deepest"].push_back(
+        {{"triangle", v.triangle}, {"vertex", v.vertex}, {"depth", rounded(v.depth)}});
+  }
+  json["skin_components"] = ordered_json::array();
+  for (const CoveredComponent& component : against.covered) {
+    json["skin_components"].push_back({{"name", component.name}, {"covered_by", component.by}});
+  }
+}
+
+std::string histogram_text(const CheckReport& report) {
+  std::string text;
+  const auto angles = static_cast<double>(3 * report.triangles);
+  for (std::size_t k = 0; k < report.angles.size(); ++k) {
+    if (report.angles[k] == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(10 * k) + "-" +
+            std::to_string(10 * k + 10) + ": " +
+            brief(100 * static_cast<double>(report.angles[k]) / angles, 3) + "%";
+  }
+  return text;
+}
+
+std::string components_text(const geometry::MeshCheck& topology) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, topology.components.size()); ++i) {
+    const geometry::MeshComponent& c = topology.components[i];
+    std::string said = grouped(c.triangles) + " triangles, area " + brief(c.area, 6) + " A^2";
+    if (c.is_closed_and_oriented) {
+      said += ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
+              brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
+    } else {
+      said += ", not closed";
+    }
+    text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + said);
+  }
+  if (topology.components.size() > most) {
+    text += line("", "and " + grouped(topology.components.size() - most) + " more");
+  }
+  return text;
+}
+
+// "triangle 3: 0.98, ..." for the worst few.
+template <class Bad, class Words>
+std::string worst_text(const std::string& label, const std::vector<Bad>& worst, Words words) {
+  std::string text;
+  for (const Bad& bad : worst) text += (text.empty() ? "" : ", ") + words(bad);
+  return worst.empty() ? "" : line(label, text);
+}
+
+std::string skin_text(const CheckReport& report) {
+  const AgainstSkin& against = *report.against;
+  const refine::Deviations& d = against.deviations;
+  std::string text = certificate_text(against.certificate, report.arguments.sizing);
+  text += line("centroids", "no farther than " + brief(d.max_centroid_distance, 2) +
+                                " A from the skin, " + brief(d.max_centroid_relative, 2) +
+                                " of the length scale");
+  text += line("normals", "no more than " + brief(d.max_normal_deg) + " degrees off the skin's");
+  text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
+                               " with a vertex in the surface ball");
+  text += "the worst ten:\n";
+  const auto triangle = [](const refine::BadTriangle& bad) {
+    return std::to_string(bad.triangle) + ": " + brief(bad.value);
+  };
+  text += worst_text("vertices", d.farthest_vertices, [](const refine::BadVertex& bad) {
+    return std::to_string(bad.vertex) + ": " + brief(bad.relative, 2);
+  });
+  text += worst_text("centroids", d.farthest_centroids, triangle);
+  text += worst_text("edges [L]", d.shortest_edges, [](const refine::BadEdge& bad) {
+    return std::to_string(bad.a) + "-" + std::to_string(bad.b) + ": " + brief(bad.value);
+  });
+  text += worst_text("sizes [U]", d.largest_triangles, triangle);
+  text += worst_text("normals", d.steepest_triangles, triangle);
+  text += worst_text("Delaunay", against.delaunay.deepest, [](const refine::DelaunayViolation& v) {
+    return std::to_string(v.triangle) + ": " + brief(v.depth, 2);
+  });
+  return text;
+}
+
+}  // namespace
+
+std::string json_text(const CheckReport& report) {
+  const CheckArguments& arguments = report.arguments;
+  ordered_json json = {{"mesh", arguments.mesh.string()}};
+  if (arguments.against) {
+    json["input"] = arguments.against->input.string();
+    json["model"] = skin::name_of(arguments.against->model);
+    json["probe"] = arguments.against->probe;
+    json["C"] = arguments.sizing.C;
+    json["Q"] = arguments.sizing.Q;
+  }
+  const std::vector<Verdict> verdicts = report.verdicts();
+  const auto broken =
+      std::ranges::find_if(verdicts, [](const Verdict& v) { return !v.holds && v.is_required; });
+  json["passed"] = broken == verdicts.end();
+  if (report.against) json.update(certificate_json(report.against->certificate));
+  json["vertices"] = report.vertices;
+  json["triangles"] = report.triangles;
+  if (broken != verdicts.end() && !json.contains("reason")) json["reason"] = broken->reason;
+  json["verdicts"] = verdicts_json(report);
+  json["closed_oriented_manifold"] = report.topology.is_closed_oriented_manifold();
+  json["components"] = report.topology.components.size();
+  if (report.topology.is_closed_oriented_manifold()) {
+    long genus = 0, euler = 0;
+    for (const geometry::MeshComponent& c : report.topology.components) {
+      genus += c.genus();
+      euler += c.euler_characteristic();
+    }
+    json["euler_characteristic"] = euler;
+    json["genus"] = genus;
+  }
+  json["defects"] = ordered_json::object();
+  for (const geometry::DefectCount& defect : report.topology.defects) {
+    json["defects"][name_of(defect.kind)] = {{"count", defect.count}, {"first", defect.first}};
+  }
+  json["component_list"] = components_json(report.topology);
+  json["min_angle_deg"] = report.shape.min_angle_deg;
+  json["max_angle_deg"] = report.shape.max_angle_deg;
+  json["angle_histogram"] = report.angles;
+  json["area"] = rounded(report.shape.area, 12);
+  json["volume"] = rounded(report.shape.volume, 12);
+  if (report.intersections) {
+    json["self_intersections"] = report.intersections->count;
+    json["self_intersections_complete"] = report.intersections->is_complete;
+    json["self_intersecting_pairs"] = report.intersections->pairs;
+  }
+  if (report.against) add_skin_json(json, *report.against);
+  json["seconds"] = rounded(report.seconds);
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string people_text(const CheckReport& report) {
+  const CheckArguments& arguments = report.arguments;
+  std::string text = arguments.mesh.string();
+  if (arguments.against) text += " against " + arguments.against->input.string();
+  text += "\n";
+  const geometry::MeshCheck& topology = report.topology;
+  text += line("manifold",
+               topology.defects.empty() ? "closed, oriented" : "NO: " + topology.defects[0].first);
+  text += components_text(topology);
+  if (report.against) {
+    text += skin_text(report);
+  } else {
+    text += line("mesh", grouped(report.triangles) + " triangles, " + grouped(report.vertices) +
+                             " vertices");
+    text += line("angles", brief(report.shape.min_angle_deg) + " to " +
+                               brief(report.shape.max_angle_deg) + " degrees");
+    text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
+                               brief(report.shape.volume, 6) + " A^3");
+  }
+  if (report.triangles > 0) text += line("", histogram_text(report));
+  if (!report.intersections) text += line("crossings", "not searched");
+  for (const Verdict& v : report.verdicts()) {
+    text += (v.holds         ? "  yes  "
+             : v.is_required ? "  NO   "
+                             : "  no   ") +
+            v.name + (v.holds ? "" : ": " + v.reason) + "\n";
+  }
+  if (!report.against) {
+    text += "nothing was said about the surface; --against INPUT runs the certificate\n";
+  }
+  return text;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,60 @@
+#pragma once
+
+/// What `morskin check` tells about a mesh, for people and for programs.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/molecule_input.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_shape.h"
+#include "geometry/self_intersections.h"
+#include "refine/certificate.h"
+#include "refine/deviations.h"
+#include "refine/restricted_delaunay.h"
+#include "skin/skin_components.h"
+
+namespace morskin::app {
+
+/// One thing that was looked at. The reason names the first element that breaks it.
+struct Verdict {
+  std::string name;
+  bool holds = true;
+  std::string reason;
+  bool is_required = true;  ///< whether the mesh fails with it
+};
+
+/// A component of the skin and the mesh's components that lie on it: one, if all is well.
+struct CoveredComponent {
+  std::string name;  ///< "outer surface of the body with atom CA of ALA 12"
+  std::vector<std::uint32_t> by;
+};
+
+/// What only the molecule can tell.
+struct AgainstSkin {
+  refine::Certificate certificate;
+  refine::Deviations deviations;
+  refine::RestrictedDelaunay delaunay;
+  std::vector<CoveredComponent> covered;  ///< empty if the components could not be told apart
+};
+
+struct CheckReport {
+  CheckArguments arguments;
+  geometry::MeshShape shape;
+  geometry::AngleHistogram angles{};
+  geometry::MeshCheck topology;
+  std::optional<geometry::SelfIntersections> intersections;  ///< nothing if not searched
+  std::size_t vertices = 0, triangles = 0;
+  std::optional<AgainstSkin> against;
+  double seconds = 0;
+
+  std::vector<Verdict> verdicts() const;
+};
+
+/// One JSON object over several lines, ended by a newline.
+std::string json_text(const CheckReport& report);
+std::string people_text(const CheckReport& report);
+
+}  // namespace morskin::app

@@ -1,0 +1,108 @@
+#include <initializer_list>
+#include <utility>
+
+#include "app/check_report.h"
+#include "app/report.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::MeshDefect;
+
+std::string list(const std::vector<std::uint32_t>& numbers) {
+  std::string text;
+  for (const std::uint32_t n : numbers) text += (text.empty() ? "" : ", ") + std::to_string(n);
+  return text;
+}
+
+// A verdict on a few kinds of defect: the first of them is the reason.
+Verdict on_defects(const geometry::MeshCheck& topology, const std::string& name,
+                   std::initializer_list<MeshDefect> kinds) {
+  Verdict verdict{name, true, "", true};
+  for (const MeshDefect kind : kinds) {
+    const geometry::DefectCount* const defect = topology.find(kind);
+    if (defect == nullptr) continue;
+    verdict.holds = false;
+    verdict.reason += (verdict.reason.empty() ? "" : "; ") + defect->first;
+    if (defect->count > 1) {
+      verdict.reason += " (the first of " + grouped(defect->count) + ")";
+    }
+  }
+  return verdict;
+}
+
+Verdict on_intersections(const geometry::SelfIntersections& found) {
+  Verdict verdict{"without self-intersections", found.count == 0, "", true};
+  if (found.count == 0) return verdict;
+  verdict.reason = "triangles " + std::to_string(found.pairs[0].first) + " and " +
+                   std::to_string(found.pairs[0].second) + " meet where they should not (" +
+                   (found.is_complete ? "" : "more than ") +
+                   counted(found.count, "such pair", "such pairs") + ")";
+  return verdict;
+}
+
+Verdict on_components(const AgainstSkin& against) {
+  Verdict verdict{"every component once", true, "", true};
+  for (const CoveredComponent& component : against.covered) {
+    if (component.by.size() == 1) continue;
+    verdict.holds = false;
+    verdict.reason += verdict.reason.empty() ? "" : "; ";
+    verdict.reason += component.by.empty()
+                          ? component.name + " is missing"
+                          : component.name + " is covered by components " + list(component.by);
+    if (verdict.reason.size() > 400) {
+      verdict.reason += "; and others";
+      break;
+    }
+  }
+  return verdict;
+}
+
+void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdicts) {
+  const refine::Certificate& c = against.certificate;
+  if (!against.covered.empty()) verdicts.push_back(on_components(against));
+  using refine::Claim;
+  for (const auto& [claim, name] :
+       {std::pair(Claim::OnSkin, "vertices on the skin"),
+        std::pair(Claim::Upright, "triangles face the way the skin does"),
+        std::pair(Claim::Tube, "triangles small enough to be proved near the skin"),
+        std::pair(Claim::Counts, "components, Euler characteristic and genus of the skin"),
+        std::pair(Claim::Degree, "covers the skin once"), std::pair(Claim::L, "[L]"),
+        std::pair(Claim::U, "[U]")}) {
+    const bool needs_manifold = claim == Claim::Counts || claim == Claim::Degree;
+    if (needs_manifold && !c.broken_by(Claim::Manifold).empty()) continue;
+    verdicts.push_back({name, c.broken_by(claim).empty(), c.broken_by(claim), true});
+  }
+  verdicts.push_back({"homeomorphic to the skin, proved", c.is_homeomorphic,
+                      c.is_homeomorphic ? "" : c.reason, true});
+  const refine::RestrictedDelaunay& d = against.delaunay;
+  Verdict delaunay{"restricted Delaunay", d.violations + d.undecided == 0, "", false};
+  if (d.violations > 0) {
+    delaunay.reason = "vertex " + std::to_string(d.deepest[0].vertex) +
+                      " lies in the surface ball of triangle " +
+                      std::to_string(d.deepest[0].triangle) + ", " + brief(d.deepest[0].depth, 2) +
+                      " of its squared radius deep (the deepest of " + grouped(d.violations) + ")";
+  } else if (d.undecided > 0) {
+    delaunay.reason = "triangle " + std::to_string(d.first_undecided[0]) +
+                      " has no surface ball (the first of " + grouped(d.undecided) + ")";
+  }
+  verdicts.push_back(delaunay);
+}
+
+}  // namespace
+
+std::vector<Verdict> CheckReport::verdicts() const {
+  std::vector<Verdict> result{
+      on_defects(topology, "without degenerate triangles",
+                 {MeshDefect::RepeatedCorner, MeshDefect::Collinear}),
+      on_defects(topology, "without duplicate triangles", {MeshDefect::DuplicateTriangle}),
+      on_defects(topology, "closed", {MeshDefect::NoTriangles, MeshDefect::BoundaryEdge}),
+      on_defects(topology, "manifold",
+                 {MeshDefect::CrowdedEdge, MeshDefect::SplitVertex, MeshDefect::UnusedVertex}),
+      on_defects(topology, "oriented", {MeshDefect::DisagreeingTriangles})};
+  if (intersections) result.push_back(on_intersections(*intersections));
+  if (against) add_skin_verdicts(*against, result);
+  return result;
+}
+
+}  // namespace morskin::app

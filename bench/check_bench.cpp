@@ -1,0 +1,85 @@
+// What `check` does to a mesh of about a million triangles (gramicidin A, model paper, C = 0.0425),
+// step by step. Run from the project's root.
+
+#include <benchmark/benchmark.h>
+
+#include "front/mesh_skin.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_shape.h"
+#include "geometry/self_intersections.h"
+#include "geometry/surface_mesh.h"
+#include "refine/deviations.h"
+#include "refine/located_vertices.h"
+#include "refine/restricted_delaunay.h"
+#include "skin/model.h"
+#include "skin/molecule_files.h"
+#include "skin/skin_components.h"
+
+namespace {
+
+using namespace morskin;
+
+constexpr refine::Sizing sizing{0.0425, 1.65};
+
+struct Million {
+  front::PreparedSkin skin = front::prepare_skin(skin::weighted_points(
+      skin::read_molecule("bench/molecules/1grm_model1.pdb"), skin::Model::Paper, 1.4));
+  geometry::IndexedMesh mesh = [this] {
+    front::MeshOptions options;
+    options.sizing = sizing;
+    options.certify = false;
+    return front::mesh_skin(skin, options).mesh;
+  }();
+  geometry::SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
+  std::vector<skin::SurfacePoint> points = refine::locate_vertices(mesh, skin.surface);
+};
+
+const Million& million() {
+  static const Million made;
+  return made;
+}
+
+template <class Step>
+void step(benchmark::State& state, Step do_it) {
+  const Million& m = million();
+  for (auto _ : state) benchmark::DoNotOptimize(do_it(m));
+  const auto triangles = static_cast<double>(m.mesh.triangles.size());
+  state.counters["triangles"] = triangles;
+  state.counters["triangles/s"] =
+      benchmark::Counter(triangles, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+const auto kernel = [](const char* name, auto do_it) {
+  benchmark::RegisterBenchmark(name, [do_it](benchmark::State& state) {
+    step(state, do_it);
+  })->Unit(benchmark::kMillisecond);
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+  kernel("check/shape", [](const Million& m) { return geometry::measure_shape(m.mesh); });
+  kernel("check/angle_histogram",
+         [](const Million& m) { return geometry::angle_histogram(m.mesh); });
+  kernel("check/topology", [](const Million& m) { return geometry::check_mesh(m.mesh); });
+  kernel("check/self_intersections",
+         [](const Million& m) { return geometry::self_intersections(m.mesh); });
+  kernel("check/locate",
+         [](const Million& m) { return refine::locate_vertices(m.mesh, m.skin.surface); });
+  kernel("check/certificate", [](const Million& m) {
+    return refine::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing, 1);
+  });
+  kernel("check/deviations", [](const Million& m) {
+    return refine::measure_deviations(m.mesh, m.skin.surface, m.points, sizing);
+  });
+  kernel("check/restricted_delaunay", [](const Million& m) {
+    return refine::restricted_delaunay(m.mesh, m.skin.surface, m.points);
+  });
+  kernel("check/local_delaunay", [](const Million& m) {
+    return refine::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points);
+  });
+  kernel("check/skin_components",
+         [](const Million& m) { return skin::SkinComponents(m.skin.surface).body_count(); });
+  benchmark::Initialize(&count, words);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,253 @@
+#include "geometry/mesh_check.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "geometry/exact_positions.h"
+#include "geometry/mesh_shape.h"
+#include "geometry/predicates.h"
+
+namespace morskin::geometry {
+
+namespace {
+
+std::string edge_text(std::uint32_t a, std::uint32_t b) {
+  return "edge " + std::to_string(a) + "-" + std::to_string(b);
+}
+
+/// Half-edge 3 t + k of triangle t runs from corner k to corner k + 1.
+struct HalfEdge {
+  std::uint32_t other;  ///< the end with the larger id
+  std::uint32_t id;
+};
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// The smaller root wins, so that a set is called by its first member.
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = root(i);
+    j = root(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+class MeshChecker {
+ public:
+  explicit MeshChecker(const IndexedMesh& mesh)
+      : mesh_(mesh), triangles_(mesh.triangles.size()), fans_(3 * mesh.triangles.size()) {}
+
+  MeshCheck run() {
+    if (mesh_.triangles.empty()) note(MeshDefect::NoTriangles, [] { return "no triangles"; });
+    check_triangles();
+    file_half_edges();
+    check_edges();
+    check_vertices();
+    find_components();
+    std::sort(result_.defects.begin(), result_.defects.end(),
+              [](const auto& a, const auto& b) { return a.kind < b.kind; });
+    return std::move(result_);
+  }
+
+ private:
+  template <class Words>
+  void note(MeshDefect kind, Words words) {
+    for (DefectCount& defect : result_.defects) {
+      if (defect.kind != kind) continue;
+      ++defect.count;
+      return;
+    }
+    result_.defects.push_back({kind, 1, words()});
+  }
+
+  void check_triangles();
+  void file_half_edges();
+  void check_edges();
+  void check_edge(std::uint32_t a, std::span<const HalfEdge> around);
+  void check_duplicates(std::span<const HalfEdge> around);
+  void check_vertices();
+  void find_components();
+
+  std::uint32_t corner(std::uint32_t half_edge) const {
+    return mesh_.triangles[half_edge / 3][half_edge % 3];
+  }
+  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  std::uint32_t apex(std::uint32_t h) const { return corner(next(next(h))); }
+  bool repeats_a_corner(std::size_t t) const {
+    const auto [a, b, c] = mesh_.triangles[t];
+    return a == b || b == c || c == a;
+  }
+
+  const IndexedMesh& mesh_;
+  MeshCheck result_;
+  UnionFind triangles_;               ///< joined through edges
+  UnionFind fans_;                    ///< corners, named like half-edges, joined at their vertex
+  std::vector<char> is_loose_;        ///< by triangle: at an edge that is not as it should be
+  std::vector<std::uint32_t> edges_;  ///< by triangle, how many edges were met first from it
+  std::vector<std::uint32_t> first_;  ///< by vertex, where its half-edges begin
+  std::vector<HalfEdge> half_edges_;  ///< by the smaller end, then as sorted
+};
+
+void MeshChecker::check_triangles() {
+  const ExactPositions at(mesh_.positions);
+  is_loose_.assign(mesh_.triangles.size(), 0);
+  edges_.assign(mesh_.triangles.size(), 0);
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh_.triangles[t];
+    if (repeats_a_corner(t)) {
+      is_loose_[t] = 1;
+      note(MeshDefect::RepeatedCorner,
+           [t] { return "triangle " + std::to_string(t) + " repeats a corner"; });
+    } else if (are_collinear(at[a], at[b], at[c])) {
+      note(MeshDefect::Collinear,
+           [t] { return "triangle " + std::to_string(t) + " has its corners on one line"; });
+    }
+  }
+}
+
+void MeshChecker::file_half_edges() {
+  first_.assign(mesh_.positions.size() + 2, 0);
+  const auto for_each = [&](auto visit) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (repeats_a_corner(t)) continue;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = corner(3 * t + k), b = corner(next(3 * t + k));
+        visit(std::min(a, b), HalfEdge{std::max(a, b), 3 * t + k});
+      }
+    }
+  };
+  for_each([&](std::uint32_t a, HalfEdge) { ++first_[a + 2]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  half_edges_.resize(first_.back());
+  for_each([&](std::uint32_t a, HalfEdge h) { half_edges_[first_[a + 1]++] = h; });
+  first_.pop_back();
+}
+
+void MeshChecker::check_edges() {
+  for (std::uint32_t a = 0; a < mesh_.positions.size(); ++a) {
+    const auto begin = half_edges_.begin() + first_[a], end = half_edges_.begin() + first_[a + 1];
+    std::sort(begin, end, [](const HalfEdge& g, const HalfEdge& h) {
+      return g.other != h.other ? g.other < h.other : g.id < h.id;
+    });
+    for (auto from = begin; from != end;) {
+      auto to = from + 1;
+      while (to != end && to->other == from->other) ++to;
+      check_edge(a, {from, to});
+      from = to;
+    }
+  }
+}
+
+void MeshChecker::check_edge(std::uint32_t a, std::span<const HalfEdge> around) {
+  const std::uint32_t first = around[0].id;
+  const std::uint32_t b = around[0].other;
+  ++edges_[first / 3];
+  for (const HalfEdge& h : around.subspan(1)) {
+    triangles_.join(first / 3, h.id / 3);
+    // The corner at a half-edge's origin bears its name; against it runs the twin's far end.
+    const bool is_same_way = corner(h.id) == corner(first);
+    fans_.join(first, is_same_way ? h.id : next(h.id));
+    fans_.join(next(first), is_same_way ? next(h.id) : h.id);
+  }
+  const bool is_good = around.size() == 2 && corner(around[1].id) != corner(first);
+  if (is_good) {
+    check_duplicates(around);
+    return;
+  }
+  for (const HalfEdge& h : around) is_loose_[h.id / 3] = 1;
+  if (around.size() == 1) {
+    note(MeshDefect::BoundaryEdge, [&] { return edge_text(a, b) + " has only one triangle"; });
+  } else if (around.size() == 2) {
+    note(MeshDefect::DisagreeingTriangles,
+         [&] { return edge_text(a, b) + ": its triangles disagree on orientation"; });
+  } else {
+    note(MeshDefect::CrowdedEdge,
+         [&] { return edge_text(a, b) + " has " + std::to_string(around.size()) + " triangles"; });
+  }
+  check_duplicates(around);
+}
+
+/// Duplicates share all edges; they are counted at the edge without the largest corner.
+void MeshChecker::check_duplicates(std::span<const HalfEdge> around) {
+  for (std::size_t i = 1; i < around.size(); ++i) {
+    const std::uint32_t third = apex(around[i].id);
+    if (third < around[i].other) continue;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (apex(around[j].id) != third) continue;
+      note(MeshDefect::DuplicateTriangle, [&] {
+        return "triangles " + std::to_string(around[j].id / 3) + " and " +
+               std::to_string(around[i].id / 3) + " have the same corners";
+      });
+      break;
+    }
+  }
+}
+
+void MeshChecker::check_vertices() {
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  std::vector<std::uint32_t> fan(mesh_.positions.size(), none);
+  std::vector<char> is_split(mesh_.positions.size(), 0);
+  for (std::uint32_t h = 0; h < 3 * mesh_.triangles.size(); ++h) {
+    const std::uint32_t v = corner(h);
+    const std::uint32_t root = fans_.root(h);
+    if (repeats_a_corner(h / 3)) {
+      if (fan[v] == none) fan[v] = root;
+      continue;
+    }
+    if (fan[v] == none) fan[v] = root;
+    is_split[v] = is_split[v] != 0 || fan[v] != root;
+  }
+  for (std::uint32_t v = 0; v < fan.size(); ++v) {
+    if (fan[v] == none) {
+      note(MeshDefect::UnusedVertex,
+           [v] { return "vertex " + std::to_string(v) + " belongs to no triangle"; });
+    } else if (is_split[v] != 0) {
+      note(MeshDefect::SplitVertex,
+           [v] { return "vertex " + std::to_string(v) + " is where two sheets touch"; });
+    }
+  }
+}
+
+void MeshChecker::find_components() {
+  std::vector<std::uint32_t>& of = result_.component_of_triangle;
+  of.resize(mesh_.triangles.size());
+  for (std::uint32_t t = 0; t < of.size(); ++t) {
+    const std::uint32_t root = triangles_.root(t);
+    if (root == t) {
+      of[t] = static_cast<std::uint32_t>(result_.components.size());
+      result_.components.emplace_back().first_triangle = t;
+    } else {
+      of[t] = of[root];
+    }
+    MeshComponent& component = result_.components[of[t]];
+    ++component.triangles;
+    component.edges += edges_[t];
+    component.is_closed_and_oriented = component.is_closed_and_oriented && is_loose_[t] == 0;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) component.vertices += fans_.root(h) == h;
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const TriangleShape shape =
+        triangle_shape(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c],
+                       mesh_.positions[mesh_.triangles[component.first_triangle][0]]);
+    component.area += shape.area;
+    component.volume += shape.volume;
+  }
+}
+
+}  // namespace
+
+const DefectCount* MeshCheck::find(MeshDefect kind) const {
+  const auto found = std::ranges::find(defects, kind, &DefectCount::kind);
+  return found == defects.end() ? nullptr : &*found;
+}
+
+MeshCheck check_mesh(const IndexedMesh& mesh) { return MeshChecker(mesh).run(); }
+
+}  // namespace morskin::geometry

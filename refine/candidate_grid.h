@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/id.h"
+#include "geometry/point.h"
+
+namespace morskin::refine {
+
+/// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
+/// all around it, so that a question looks into one cell only. Cells follow the length scale in
+/// octaves; rho being 1-Lipschitz, places within `reach` < 0.5 of it are at most one octave apart.
+class CandidateGrid {
+ public:
+  /// @param reach  how far from a place, in units of the length scale, a vertex is to be found
+  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
+
+  void add(const geometry::Point& p, double length_scale, geometry::VertexId v) {
+    for (int octave = std::ilogb(length_scale) - 1; octave <= std::ilogb(length_scale) + 1;
+         ++octave) {
+      const auto home = cell(p, octave);
+      for (std::int64_t i = -1; i <= 1; ++i) {
+        for (std::int64_t j = -1; j <= 1; ++j) {
+          for (std::int64_t k = -1; k <= 1; ++k) {
+            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
+            if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
+          }
+        }
+      }
+    }
+  }
+  template <class Visit>
+  void for_each_near(const geometry::Point& p, double length_scale, Visit visit) const {
+    const int octave = std::ilogb(length_scale);
+    for (const geometry::VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  Cell cell(const geometry::Point& p, int octave) const {
+    const double scale = std::ldexp(1 / reach_, -(octave + 1));
+    const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale)); };
+    return {whole(p.x()), whole(p.y()), whole(p.z())};
+  }
+  static std::size_t hash(const Cell& c, int octave) {
+    const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
+                            static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
+                            static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL +
+                            static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
+    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
+  }
+
+  double reach_;
+  std::vector<std::vector<geometry::VertexId>> buckets_;
+};
+
+}  // namespace morskin::refine

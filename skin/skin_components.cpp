@@ -1,0 +1,161 @@
+#include "skin/skin_components.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace morskin::skin {
+
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = root(i);
+    j = root(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The walls of a cell to cells of one dimension.
+template <class Visit>
+void for_each_wall_to(const MixedComplex& complex, CellId cell, int dimension, Visit visit) {
+  for (const Wall& wall : complex.walls(cell)) {
+    if (complex.dimension(wall.beyond) == dimension) visit(wall);
+  }
+}
+
+/// Whether the cell's orthocentre lies between those of its neighbours of that dimension: on the
+/// simplex if they are facets, on the dual cell if they are cofaces.
+bool is_centre_between(const MixedComplex& complex, CellId cell, int dimension) {
+  const Point& centre = complex.patch(cell).centre;
+  bool is_between = true;
+  for_each_wall_to(complex, cell, dimension, [&](const Wall& wall) {
+    is_between = is_between && wall.normal.dot(complex.patch(wall.beyond).centre - centre) >= 0;
+  });
+  return is_between;
+}
+
+}  // namespace
+
+SkinComponents::SkinComponents(const SkinSurface& skin) : skin_(skin) {
+  find_bodies();
+  find_voids();
+}
+
+/// Atoms of positive weight, joined along edges on which the weight stays positive. Its least value
+/// on the edge is that of the orthocentre, or of an end.
+void SkinComponents::find_bodies() {
+  const geometry::RegularTriangulation& t = skin_.triangulation();
+  const MixedComplex& complex = skin_.complex();
+  UnionFind sets(t.vertices.size());
+  const auto is_body = [&](std::uint32_t v) {
+    return complex.patch(complex.cell(0, v)).half_weight > 0;
+  };
+  for (std::size_t e = 0; e < t.edges.size(); ++e) {
+    const CellId cell = complex.cell(1, e);
+    std::vector<std::uint32_t> ends;
+    for_each_wall_to(complex, cell, 0, [&](const Wall& wall) {
+      ends.push_back(static_cast<std::uint32_t>(complex.place(wall.beyond)));
+    });
+    if (!is_body(ends[0]) || !is_body(ends[1])) continue;
+    if (complex.patch(cell).half_weight > 0 || !is_centre_between(complex, cell, 0)) {
+      sets.join(ends[0], ends[1]);
+    }
+  }
+  body_of_vertex_.resize(t.vertices.size());
+  for (std::uint32_t v = 0; v < t.vertices.size(); ++v) {
+    const std::uint32_t root = sets.root(v);
+    body_of_vertex_[v] = body_of_vertex_[root];
+    if (root != v || !is_body(v)) continue;
+    body_of_vertex_[v] = static_cast<std::uint32_t>(bodies_.size());
+    bodies_.push_back(t.vertices[v]);
+  }
+}
+
+/// The same upside down: tetrahedra of negative weight, joined through triangles on whose dual
+/// segment it stays negative; one place more for the outside.
+void SkinComponents::find_voids() {
+  const geometry::RegularTriangulation& t = skin_.triangulation();
+  const MixedComplex& complex = skin_.complex();
+  const auto outside = static_cast<std::uint32_t>(t.tetrahedra.size());
+  UnionFind sets(t.tetrahedra.size() + 1);
+  const auto is_void = [&](std::uint32_t v) {
+    return v == outside || complex.patch(complex.cell(3, v)).half_weight < 0;
+  };
+  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
+    const CellId cell = complex.cell(2, f);
+    std::array ends{outside, outside};
+    std::size_t count = 0;
+    for_each_wall_to(complex, cell, 3, [&](const Wall& wall) {
+      ends[count++] = static_cast<std::uint32_t>(complex.place(wall.beyond));
+    });
+    if (!is_void(ends[0]) || !is_void(ends[1])) continue;
+    if (complex.patch(cell).half_weight < 0 || !is_centre_between(complex, cell, 3)) {
+      sets.join(ends[0], ends[1]);
+    }
+  }
+  void_of_tetrahedron_.resize(t.tetrahedra.size());
+  for (std::uint32_t v = 0; v < t.tetrahedra.size(); ++v) {
+    const std::uint32_t root = sets.root(v);
+    if (root == sets.root(outside)) continue;
+    void_of_tetrahedron_[v] = void_of_tetrahedron_[root];
+    if (root != v || !is_void(v)) continue;
+    void_of_tetrahedron_[v] = static_cast<std::uint32_t>(voids_.size());
+    voids_.push_back(complex.patch(complex.cell(3, v)).centre);
+  }
+}
+
+/// From cell to cell to one of the last dimension, 0 or 3, away from the orthocentres.
+std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint& x,
+                                                              int last_dimension) const {
+  const MixedComplex& complex = skin_.complex();
+  const bool is_down = last_dimension == 0;
+  Point at = x.position;
+  CellId cell = x.cell;
+  for (int d = complex.dimension(cell); d != last_dimension; d += is_down ? -1 : 1) {
+    const Patch& patch = complex.patch(cell);
+    const Vector u = at - patch.centre;
+    // Half of u is moved twice as far: c or q alone.
+    Vector line = is_down ? Vector(u - patch.reflect(u)) : Vector(u + patch.reflect(u));
+    const Wall* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for_each_wall_to(complex, cell, is_down ? d - 1 : d + 1, [&](const Wall& wall) {
+      if (line.isZero(0)) line = wall.normal;  // from the orthocentre any way leads away
+      const double slope = wall.normal.dot(line);
+      if (!(slope > 0)) return;
+      const double reach = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
+      if (reach >= least) return;
+      least = reach;
+      nearest = &wall;
+    });
+    if (nearest == nullptr) {
+      if (is_down) return std::nullopt;  // a simplex is bounded: only rounding leads here
+      return End{cell, true};
+    }
+    at += least * line;
+    cell = nearest->beyond;
+  }
+  return End{cell, false};
+}
+
+std::optional<SkinComponents::Sides> SkinComponents::sides(const SurfacePoint& x) const {
+  const MixedComplex& complex = skin_.complex();
+  const std::optional<End> down = end_of_way(x, 0), up = end_of_way(x, 3);
+  if (!down || !up || !(complex.patch(down->cell).half_weight > 0)) return std::nullopt;
+  Sides sides{body_of_vertex_[complex.place(down->cell)], std::nullopt};
+  if (up->is_at_infinity) return sides;
+  if (!(complex.patch(up->cell).half_weight < 0)) return std::nullopt;
+  sides.cavity = void_of_tetrahedron_[complex.place(up->cell)];
+  return sides;
+}
+
+}  // namespace morskin::skin

@@ -1,0 +1,348 @@
+// Every way in which a mesh was seen to be wrong, made from a good one, and the reason given.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "geometry/mesh_check.h"
+#include "geometry/self_intersections.h"
+#include "refine/certificate.h"
+#include "refine/deviations.h"
+#include "refine/located_vertices.h"
+#include "refine/restricted_delaunay.h"
+#include "skin/skin_components.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::IndexedMesh;
+using geometry::Point;
+using refine::Certificate;
+using refine::Claim;
+using support::ball;
+using support::Random;
+
+namespace {
+
+/// A skin and a good mesh of it.
+struct Good {
+  explicit Good(const support::WeightedPoints& points)
+      : skin(front::prepare_skin(points)),
+        mesh(front::mesh_skin(skin, support::uncertified()).mesh) {}
+
+  Certificate certify(const IndexedMesh& other) const {
+    return refine::certify(other, skin.surface, skin.topology);
+  }
+  refine::RestrictedDelaunay delaunay(const IndexedMesh& other, unsigned threads = 1) const {
+    const auto points = refine::locate_vertices(other, skin.surface);
+    return refine::restricted_delaunay(other, skin.surface, points, 10, threads);
+  }
+
+  front::PreparedSkin skin;
+  IndexedMesh mesh;
+};
+
+Good vdw(const char* file) { return Good(support::molecule(file, skin::Model::Vdw)); }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The triangles of some components of a mesh, with their vertices alone.
+template <class Keep>
+IndexedMesh part(const IndexedMesh& mesh, Keep keep) {
+  const geometry::MeshCheck check = geometry::check_mesh(mesh);
+  IndexedMesh result;
+  std::vector<std::optional<std::uint32_t>> name(mesh.positions.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!keep(check.component_of_triangle[t])) continue;
+    auto triangle = mesh.triangles[t];
+    for (std::uint32_t& v : triangle) {
+      if (!name[v]) {
+        name[v] = static_cast<std::uint32_t>(result.positions.size());
+        result.positions.push_back(mesh.positions[v]);
+      }
+      v = *name[v];
+    }
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+/// By component of the mesh, the component of the skin that its first vertex lies on.
+std::vector<skin::SkinComponents::Sides> sides_of(const Good& good, const IndexedMesh& mesh) {
+  const skin::SkinComponents parts(good.skin.surface);
+  const auto points = refine::locate_vertices(mesh, good.skin.surface);
+  std::vector<skin::SkinComponents::Sides> result;
+  for (const geometry::MeshComponent& c : geometry::check_mesh(mesh).components) {
+    const auto sides = parts.sides(points[mesh.triangles[c.first_triangle][0]]);
+    REQUIRE(sides.has_value());
+    result.push_back(*sides);
+  }
+  return result;
+}
+
+/// A ring's mesh cut through on one side, both ends closed by fans about one of their vertices.
+IndexedMesh without_handle(const IndexedMesh& ring) {
+  IndexedMesh cut = ring;
+  // The half with x > 0 of the tube between y = -0.5 and 0.5 goes.
+  std::erase_if(cut.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) {
+      return ring.positions[v].x() > 0 && std::abs(ring.positions[v].y()) < 0.5;
+    });
+  });
+  std::vector<std::optional<std::uint32_t>> next(ring.positions.size());
+  std::set<std::pair<std::uint32_t, std::uint32_t>> half_edges;
+  for (const auto& t : cut.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) half_edges.emplace(t[k], t[(k + 1) % 3]);
+  }
+  for (const auto& [a, b] : half_edges) {
+    if (!half_edges.contains({b, a})) next[b] = a;
+  }
+  for (std::uint32_t v = 0; v < next.size(); ++v) {
+    if (!next[v]) continue;
+    std::vector<std::uint32_t> loop;
+    for (std::uint32_t w = v; next[w];) {
+      loop.push_back(w);
+      w = *std::exchange(next[w], std::nullopt);
+    }
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      cut.triangles.push_back({loop[0], loop[i - 1], loop[i]});
+    }
+  }
+  return part(cut, [](std::uint32_t) { return true; });
+}
+
+}  // namespace
+
+TEST_CASE("right meshes pass every check there is") {
+  for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "caffeine.xyz"}) {
+    CAPTURE(file);
+    const Good good = vdw(file);
+    CHECK(geometry::check_mesh(good.mesh).is_closed_oriented_manifold());
+    CHECK(geometry::self_intersections(good.mesh).count == 0);
+    const Certificate certificate = good.certify(good.mesh);
+    CHECK(certificate.certified);
+    for (const std::string& reason : certificate.broken) CHECK(reason == "");
+    CHECK(good.delaunay(good.mesh).violations == 0);
+    CHECK(good.delaunay(good.mesh).undecided == 0);
+  }
+}
+
+TEST_CASE("a flipped triangle and a hole break the manifold claim, and nothing else is blamed") {
+  const Good good = vdw("two_balls.xyzr");
+  IndexedMesh flipped = good.mesh, open = good.mesh;
+  std::swap(flipped.triangles[40][1], flipped.triangles[40][2]);
+  open.triangles.erase(open.triangles.begin() + 40);
+  CHECK(contains(good.certify(flipped).broken_by(Claim::Manifold), "disagree on orientation"));
+  CHECK(contains(good.certify(flipped).broken_by(Claim::Upright), "triangle 40 does not face"));
+  CHECK(contains(good.certify(open).broken_by(Claim::Manifold), "has only one triangle"));
+  for (const Claim claim : {Claim::OnSkin, Claim::Tube, Claim::L, Claim::U, Claim::Counts}) {
+    CHECK(good.certify(flipped).broken_by(claim) == "");
+    CHECK(good.certify(open).broken_by(claim) == "");
+  }
+  CHECK(good.certify(open).broken_by(Claim::Upright) == "");
+}
+
+TEST_CASE("a handle that is dropped shows in the genus") {
+  const Good good = vdw("ring12.xyzr");
+  const IndexedMesh bad = without_handle(good.mesh);
+  REQUIRE(geometry::check_mesh(bad).defects.empty());
+  CHECK(geometry::check_mesh(bad).components[0].genus() == 0);
+  const Certificate certificate = good.certify(bad);
+  CHECK_FALSE(certificate.is_homeomorphic);
+  CHECK(certificate.broken_by(Claim::OnSkin) == "");
+  CHECK(contains(certificate.broken_by(Claim::Counts), "the genus is 0, the skin's is 1"));
+}
+
+TEST_CASE("a vertex off the surface is named, and first in the list of the farthest") {
+  const Good good = vdw("caffeine.xyz");
+  IndexedMesh bad = good.mesh;
+  const auto points = refine::locate_vertices(good.mesh, good.skin.surface);
+  bad.positions[77] += 1e-5 * points[77].normal;
+  const Certificate certificate = good.certify(bad);
+  CHECK(contains(certificate.broken_by(Claim::OnSkin), "vertex 77 lies 1e-05 Angstrom off"));
+  const auto deviations = refine::measure_deviations(
+      bad, good.skin.surface, refine::locate_vertices(bad, good.skin.surface), {});
+  REQUIRE(deviations.farthest_vertices.size() == 10);
+  CHECK(deviations.farthest_vertices[0].vertex == 77);
+  CHECK(deviations.farthest_vertices[0].distance == doctest::Approx(1e-5).epsilon(1e-3));
+  CHECK(deviations.max_vertex_distance == deviations.farthest_vertices[0].distance);
+}
+
+TEST_CASE("a vertex pushed through the body crosses the far side") {
+  const Good good({ball(0, 0, 0, 1)});
+  IndexedMesh bad = good.mesh;
+  bad.positions[3] *= -1.5;
+  const geometry::SelfIntersections found = geometry::self_intersections(bad);
+  CHECK(found.count > 0);
+  CHECK(std::ranges::is_sorted(found.pairs));
+  CHECK(geometry::check_mesh(bad).is_closed_oriented_manifold());
+}
+
+TEST_CASE("the deviations' extremes are the certificate's and lead their lists") {
+  const Good good = vdw("caffeine.xyz");
+  const refine::Sizing finer{0.07, 1.6};
+  const Certificate certificate =
+      refine::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
+  const auto d = refine::measure_deviations(
+      good.mesh, good.skin.surface, refine::locate_vertices(good.mesh, good.skin.surface), finer);
+  CHECK(d.shortest_edges[0].value == certificate.worst_L);
+  CHECK(d.largest_triangles[0].value == certificate.worst_U);
+  CHECK(d.max_vertex_relative == doctest::Approx(certificate.max_relative_distance_to_skin));
+  CHECK(std::ranges::is_sorted(d.largest_triangles, std::greater{}, &refine::BadTriangle::value));
+  CHECK(std::ranges::is_sorted(d.shortest_edges, {}, &refine::BadEdge::value));
+  CHECK(certificate.violations_U > 0);
+  CHECK(contains(certificate.broken_by(Claim::U), "triangle "));
+  CHECK(d.steepest_triangles[0].value == doctest::Approx(d.max_normal_deg));
+  // R < C Q rho bounds the height of a centroid, R^2 / 2 rho to first order, and the tilt.
+  CHECK(d.max_centroid_relative < 0.132 * 0.132 / 2 * 1.1);
+  CHECK(d.max_normal_deg < 15);
+}
+
+TEST_CASE("components of the mesh are found on the components of the skin, each on its own") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    if (!support::prepared(support::ball_set(seed))) continue;
+    const Good good(support::ball_set(seed));
+    const skin::SkinComponents parts(good.skin.surface);
+    CHECK(parts.body_count() == good.skin.topology.betti[0]);
+    CHECK(parts.void_count() == good.skin.topology.betti[2]);
+    auto sides = sides_of(good, good.mesh);
+    CHECK(sides.size() == good.skin.topology.skin_components());
+    std::ranges::sort(sides);
+    CHECK(std::ranges::adjacent_find(sides) == sides.end());
+  }
+}
+
+TEST_CASE("every vertex of a component lies on the same component of the skin") {
+  for (const char* file : {"shell_hollow.xyzr", "c60.xyz"}) {
+    CAPTURE(file);
+    const Good good = vdw(file);
+    const skin::SkinComponents parts(good.skin.surface);
+    const auto points = refine::locate_vertices(good.mesh, good.skin.surface);
+    const geometry::MeshCheck check = geometry::check_mesh(good.mesh);
+    const auto first = sides_of(good, good.mesh);
+    REQUIRE(first.size() > 1);
+    std::size_t wrong = 0;
+    for (std::size_t t = 0; t < good.mesh.triangles.size(); ++t) {
+      const auto sides = parts.sides(points[good.mesh.triangles[t][1]]);
+      wrong += !sides || *sides != first[check.component_of_triangle[t]];
+    }
+    CHECK(wrong == 0);
+    // A void's wall has its volume negative and a void on its far side; the outer surface neither.
+    for (std::size_t c = 0; c < first.size(); ++c) {
+      CHECK(first[c].cavity.has_value() == (check.components[c].volume < 0));
+    }
+  }
+}
+
+TEST_CASE("a missing inner void and a doubled component are told by the skin's components") {
+  const Good good = vdw("shell_hollow.xyzr");
+  REQUIRE(geometry::check_mesh(good.mesh).components.size() == 2);
+  const IndexedMesh outer = part(good.mesh, [](std::uint32_t c) { return c == 0; });
+  CHECK(contains(good.certify(outer).broken_by(Claim::Counts), "components is 1, the skin's is 2"));
+  CHECK_FALSE(sides_of(good, outer)[0].cavity.has_value());
+  IndexedMesh doubled = outer;
+  const auto shift = static_cast<std::uint32_t>(outer.positions.size());
+  doubled.positions.insert(doubled.positions.end(), outer.positions.begin(), outer.positions.end());
+  for (const auto& [a, b, c] : outer.triangles) {
+    doubled.triangles.push_back({a + shift, b + shift, c + shift});
+  }
+  const auto sides = sides_of(good, doubled);
+  CHECK(sides[0] == sides[1]);
+  CHECK(good.certify(doubled).broken_by(Claim::Counts).find("components") == std::string::npos);
+  CHECK(contains(good.certify(doubled).broken_by(Claim::Degree), "could not be shown to cover"));
+  CHECK(geometry::self_intersections(doubled).count > 0);
+}
+
+TEST_CASE("restricted Delaunay violations are those that asking all vertices finds") {
+  std::size_t seen = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const auto points = support::ball_set(seed);
+    if (points.size() > 8 || !support::prepared(points)) continue;
+    const Good good(points);
+    // Flipped edges and displaced vertices make violations, also far from the triangles flipped.
+    auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
+    Random random(seed);
+    for (int flips = 0; flips < 30; ++flips) {
+      const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
+      const auto c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
+      if (c != d && !mesh.has_edge(c, d)) mesh.flip(h);
+    }
+    const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
+    const auto located = refine::locate_vertices(bad, good.skin.surface);
+    std::size_t expected = 0;
+    for (const auto& t : bad.triangles) {
+      const auto ball = refine::exact_surface_ball(good.skin.surface, located[t[0]],
+                                                   bad.positions[t[1]], bad.positions[t[2]]);
+      if (!ball.is_exact) continue;
+      expected += std::ranges::any_of(bad.positions, [&](const Point& p) {
+        return ball.intrusion(p) > 1e-8 * ball.squared_radius;
+      });
+    }
+    const refine::RestrictedDelaunay found = good.delaunay(bad);
+    CHECK(found.violations == expected);
+    CHECK(found.violations > 0);
+    CHECK(found.deepest[0].depth > 0);
+    CHECK(good.delaunay(bad, 3).violations == expected);
+    CHECK(good.delaunay(bad, 3).deepest[0].triangle == found.deepest[0].triangle);
+    std::size_t local = 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = bad.triangles[t];
+      const auto ball = refine::exact_surface_ball(good.skin.surface, located[a], bad.positions[b],
+                                                   bad.positions[c]);
+      bool is_entered = false;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const auto h = geometry::SurfaceMesh::half_edge(geometry::TriangleId{t}, k);
+        const Point& apex = bad.positions[mesh.apex(mesh.twin(h)).index()];
+        is_entered = is_entered || ball.intrusion(apex) > 1e-8 * ball.squared_radius;
+      }
+      local += ball.is_exact && is_entered;
+    }
+    CHECK(refine::local_delaunay_violations(bad, mesh, good.skin.surface, located) == local);
+    CHECK(good.certify(good.mesh).restricted_delaunay_violations == 0);
+    CHECK(local > 0);
+    CHECK(local <= expected);
+    ++seen;
+  }
+  CHECK(seen >= 3);
+}
+
+TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both counts") {
+  const Good good = vdw("caffeine.xyz");
+  const auto located = refine::locate_vertices(good.mesh, good.skin.surface);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
+    const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
+    if (mesh.has_edge(mesh.apex(h), mesh.apex(mesh.twin(h)))) continue;
+    mesh.flip(h);
+    const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
+    CHECK(refine::local_delaunay_violations(bad, mesh, good.skin.surface, located) == 2);
+    CHECK(good.delaunay(bad).violations == 2);
+  }
+}
+
+TEST_CASE("a vertex of another sheet in a surface ball counts, though no neighbour is") {
+  const Good good({ball(0, 0, 0, 1), ball(9, 0, 0, 1.2)});
+  IndexedMesh bad = good.mesh;
+  // A lone vertex right over the middle of triangle 0, that no triangle knows.
+  const auto& [a, b, c] = bad.triangles[0];
+  bad.positions.push_back((bad.positions[a] + bad.positions[b] + bad.positions[c]) / 3);
+  const refine::RestrictedDelaunay found = good.delaunay(bad);
+  CHECK(found.violations >= 1);
+  CHECK(std::ranges::any_of(found.deepest, [](const auto& v) { return v.triangle == 0; }));
+  CHECK(found.deepest[0].vertex == bad.positions.size() - 1);
+}
+
+TEST_CASE("hardly any triangle needs its surface ball computed") {
+  const Good good = vdw("caffeine.xyz");
+  const refine::RestrictedDelaunay found = good.delaunay(good.mesh);
+  CHECK(found.violations == 0);
+  CHECK(found.exact_balls < good.mesh.triangles.size() / 10);
+}
