@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "app/limits.h"
 #include "app/version.h"
 #include "geometry/mesh_files.h"
 #include "geometry/text_lines.h"
@@ -41,7 +42,7 @@ constexpr const char* closing =
     "\n"
     "Exit codes:\n"
     "  0  meshed and certified           5  not certified: see OUT.unverified\n"
-    "  2  wrong arguments                6  out of memory\n"
+    "  2  wrong arguments                6  a limit of memory or time was reached\n"
     "  3  input unreadable               7  output not writable\n"
     "  4  input refused (names atoms)   70  internal error\n";
 
@@ -51,6 +52,7 @@ struct Typed {
   std::string height;
   std::string progress = "auto";
   std::string method = "sweep";
+  std::string max_memory;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -99,6 +101,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
           "Threads at most (all cores); the certificate uses two, and the bytes written are "
           "the same for any number")
       ->check(CLI::Range(1U, 1024U));
+  command.add_option("--timeout", mesh.timeout, "Seconds after which to give up, with exit code 6");
+  command.add_option("--max-memory", typed.max_memory,
+                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
+                     "2 GiB (default: what the machine has)");
   command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
@@ -154,6 +160,26 @@ geometry::Vector parsed_height(std::string text) {
     throw UsageError("--height needs a direction; its length must not be zero or infinite");
   }
   return height / length;
+}
+
+// "1500000", "200K", "1.5G": K, M, G and T stand for powers of 1024.
+std::uint64_t parsed_bytes(std::string_view text) {
+  constexpr std::string_view units = "KMGT";
+  constexpr double most = 0x1p62;  // far beyond any machine, far from overflow
+  std::string_view digits = text;
+  double factor = 1;
+  if (!text.empty()) {
+    const std::size_t unit = units.find(static_cast<char>(text.back() & ~0x20));
+    if (unit != std::string_view::npos) {
+      factor = std::ldexp(1.0, 10 * static_cast<int>(unit + 1));
+      digits.remove_suffix(1);
+    }
+  }
+  const std::optional<double> value = geometry::parse_double(digits);
+  if (!value || !(*value * factor >= 1 && *value * factor <= most)) {
+    throw UsageError("--max-memory needs a number of bytes, or one with K, M, G or T, as in 2G");
+  }
+  return static_cast<std::uint64_t>(*value * factor);
 }
 
 void check_sizing(const refine::Sizing& sizing) {
@@ -252,6 +278,10 @@ Arguments parse_arguments(int count, const char* const* words) {
     }
     if (!typed.height.empty()) mesh.height = parsed_height(typed.height);
     mesh.progress = parsed_progress(typed.progress);
+    if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
+      throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
+    }
+    if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
     check_outputs(mesh);
     return mesh;
   } catch (const CLI::ParseError& error) {
