@@ -3,10 +3,13 @@
 JOBS ?= $(shell nproc)
 MOLECULES ?= ../shared/molecules
 PREFIX ?= /usr/local
+SETS ?= 2000
+SECONDS ?= 60
+FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow bench corpus morse-corpus lint tidy format sanitize install clean help
+.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -28,6 +31,23 @@ test-slow: build  ## run the slow tests
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command
 	python3 tests/same_bytes.py build/morskin build/dev/morskin
+
+stress: deps  ## mesh SETS random sets of balls (default 2000), the nasty kinds in turn
+	cmake --preset release
+	cmake --build build --parallel $(JOBS) --target morskin_stress
+	build/tests/morskin_stress $(SETS)
+
+# Needs clang and its libFuzzer, which nothing else does. What was found lands in build/fuzz/findings.
+fuzz:  ## run each fuzz target for SECONDS (default 60)
+	@cmake/install_packages.sh cmake/fuzz_packages.txt
+	cmake --preset fuzz
+	cmake --build build/fuzz --parallel $(JOBS) --target $(FUZZERS)
+	@mkdir -p build/fuzz/findings
+	@for target in $(FUZZERS); do \
+	  name=$${target%_fuzz}; mkdir -p build/fuzz/corpus/$$name; echo "$$target, $(SECONDS) s"; \
+	  build/fuzz/tests/fuzz/$$target -max_total_time=$(SECONDS) -timeout=60 -verbosity=0 \
+	    -print_final_stats=1 -artifact_prefix=build/fuzz/findings/$$name- \
+	    build/fuzz/corpus/$$name tests/fuzz/seeds/$$name || exit 1; done
 
 bench: deps  ## build and run the benchmarks
 	cmake --preset bench

@@ -9,8 +9,10 @@
 
 #include "app/complex_files.h"
 #include "app/function_argument.h"
+#include "app/limits.h"
 #include "app/version.h"
 #include "geometry/mesh_files.h"
+#include "geometry/text_lines.h"
 
 namespace morskin::app {
 namespace {
@@ -43,7 +45,7 @@ constexpr const char* closing =
     "\n"
     "Exit codes:\n"
     "  0  meshed and certified           5  not certified: see OUT.unverified\n"
-    "  2  wrong arguments                6  out of memory\n"
+    "  2  wrong arguments                6  a limit of memory or time was reached\n"
     "  3  input unreadable               7  output not writable\n"
     "  4  input refused (names atoms)   70  internal error\n";
 
@@ -55,6 +57,7 @@ struct Typed {
   bool is_raw = false;
   std::string progress = "auto";
   std::string method = "sweep";
+  std::string max_memory;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -126,6 +129,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
   add_threads_option(command, mesh.threads);
+  command.add_option("--timeout", mesh.timeout, "Seconds after which to give up, with exit code 6");
+  command.add_option("--max-memory", typed.max_memory,
+                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
+                     "2 GiB (default: what the machine has)");
   add_progress_option(command, typed);
   command.footer(
       "The mesh takes its name only when the bytes written have been read back and certified:\n"
@@ -201,6 +208,26 @@ std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   if (typed.height) return parsed_height(*typed.height);
   if (typed.function) return parsed_function(*typed.function);
   return std::nullopt;
+}
+
+// "1500000", "200K", "1.5G": K, M, G and T stand for powers of 1024.
+std::uint64_t parsed_bytes(std::string_view text) {
+  constexpr std::string_view units = "KMGT";
+  constexpr double most = 0x1p62;  // far beyond any machine, far from overflow
+  std::string_view digits = text;
+  double factor = 1;
+  if (!text.empty()) {
+    const std::size_t unit = units.find(static_cast<char>(text.back() & ~0x20));
+    if (unit != std::string_view::npos) {
+      factor = std::ldexp(1.0, 10 * static_cast<int>(unit + 1));
+      digits.remove_suffix(1);
+    }
+  }
+  const std::optional<double> value = geometry::parse_double(digits);
+  if (!value || !(*value * factor >= 1 && *value * factor <= most)) {
+    throw UsageError("--max-memory needs a number of bytes, or one with K, M, G or T, as in 2G");
+  }
+  return static_cast<std::uint64_t>(*value * factor);
 }
 
 void check_sizing(const refine::Sizing& sizing) {
@@ -333,6 +360,10 @@ Arguments parse_arguments(int count, const char* const* words) {
       finish(morse, typed);
       return morse;
     }
+    if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
+      throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
+    }
+    if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
     finish(mesh, typed);
     return mesh;
   } catch (const CLI::ParseError& error) {

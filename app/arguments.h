@@ -2,6 +2,7 @@
 
 /// The command line as values: parsed, checked, with the defaults filled in.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -41,7 +42,9 @@ struct MeshArguments {
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
   int fronts = 2;        ///< front::MeshOptions::fronts
-  unsigned threads = 1;  ///< at most; the result is the same for any number
+  unsigned threads = 1;                     ///< at most; the result is the same for any number
+  std::optional<double> timeout;            ///< seconds of real time
+  std::optional<std::uint64_t> max_memory;  ///< bytes
 };
 
 /// What becomes of critical points whose protecting spheres overlap.

@@ -114,7 +114,11 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                               ", probe " + brief(arguments.molecule.probe) + " A");
   text += line("duplicates", grouped(counts.duplicates));
   text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
-  text += line("triangles", "about " + grouped(std::llround(rounded(info.triangles, 2))) +
+  constexpr double most_in_digits = 1e15;
+  const double triangles = rounded(info.triangles, 2);
+  text += line("triangles", "about " +
+                                (triangles < most_in_digits ? grouped(std::llround(triangles))
+                                                            : brief(triangles, 2)) +
                                 ": a guess from the heavy atoms and C, by what proteins had");
   return text;
 }

@@ -11,15 +11,14 @@ namespace morskin::app {
 namespace {
 
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+constexpr int time_limit_signal = SIGALRM;  // app/limits.cpp handles it
 
 // What the handler removes; a lock-free atomic is all that it may read.
 std::atomic<const char* const*> watched = nullptr;
 static_assert(std::atomic<const char* const*>::is_always_lock_free);
 
 extern "C" void remove_and_end(int number) {
-  for (const char* const* name = watched.load(); name != nullptr && *name != nullptr; ++name) {
-    ::unlink(*name);
-  }
+  remove_watched_files();
   ::signal(number, SIG_DFL);
   ::raise(number);
 }
@@ -28,10 +27,17 @@ sigset_t signal_set() {
   sigset_t set;
   ::sigemptyset(&set);
   for (const int number : signals) ::sigaddset(&set, number);
+  ::sigaddset(&set, time_limit_signal);
   return set;
 }
 
 }  // namespace
+
+void remove_watched_files() {
+  for (const char* const* name = watched.load(); name != nullptr && *name != nullptr; ++name) {
+    ::unlink(*name);
+  }
+}
 
 RemovedOnInterrupt::RemovedOnInterrupt() {
   // A full file or a closed pipe then is an error of the write, with its own message and exit code.

@@ -7,6 +7,9 @@
 
 namespace morskin::app {
 
+/// Removes what the living RemovedOnInterrupt watches. Fit for a signal handler.
+void remove_watched_files();
+
 /// While this exists SIGINT, SIGTERM and SIGHUP remove the named files before they end the program.
 /// @pre only one exists at a time.
 class RemovedOnInterrupt {
@@ -19,9 +22,15 @@ class RemovedOnInterrupt {
   /// Files that `create` makes and names are never left behind: no signal comes in between.
   template <class Create>
   void guard(Create create) {
+    undisturbed([&] { watch(create()); });
+  }
+
+  /// Does some quick work that must not be left half done: signals wait until it is over.
+  template <class Work>
+  void undisturbed(Work work) {
     hold_signals();
     try {
-      watch(create());
+      work();
     } catch (...) {
       release_signals();
       throw;

@@ -1,8 +1,14 @@
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
+#include <system_error>
+#include <variant>
 
 #include "app/commands.h"
+#include "app/interruption.h"
+#include "app/limits.h"
 #include "geometry/error.h"
 
 namespace morskin::app {
@@ -22,9 +28,17 @@ ExitCode fail(ExitCode code, const char* what) {
   return code;
 }
 
+ExitCode fail_inside(const char* what) {
+  std::cerr << "morskin: internal error: " << what << "; please report it with the input\n";
+  return ExitCode::InternalError;
+}
+
 ExitCode run(int count, const char* const* words) {
   try {
-    const ExitCode code = std::visit(Run{}, parse_arguments(count, words));
+    const Arguments arguments = parse_arguments(count, words);
+    const auto* mesh = std::get_if<MeshArguments>(&arguments);
+    limit_memory(mesh != nullptr ? mesh->max_memory : std::nullopt);
+    const ExitCode code = std::visit(Run{}, arguments);
     if (!std::cout.flush()) {
       return fail(ExitCode::UnwritableOutput,
                   "standard output: cannot write; the report was not printed");
@@ -38,18 +52,42 @@ ExitCode run(int count, const char* const* words) {
     return fail(ExitCode::RefusedInput, error.what());
   } catch (const geometry::UnwritableOutput& error) {
     return fail(ExitCode::UnwritableOutput, error.what());
+  } catch (const geometry::LimitReached& error) {
+    return fail(ExitCode::LimitReached, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(
-        ExitCode::LimitReached,
-        "out of memory: the mesh is too big for this machine; a larger -C makes it smaller");
+    return fail(ExitCode::LimitReached, out_of_memory_text());
+  } catch (const std::system_error& error) {
+    // A thread needs memory of its own, and so do other services of the system.
+    const bool is_lack = error.code() == std::errc::resource_unavailable_try_again ||
+                         error.code() == std::errc::not_enough_memory;
+    if (is_lack) return fail(ExitCode::LimitReached, out_of_memory_text());
+    return fail_inside(error.what());
   } catch (const std::exception& error) {
-    std::cerr << "morskin: internal error: " << error.what()
-              << "; please report it with the input\n";
-    return ExitCode::InternalError;
+    return fail_inside(error.what());
   }
+}
+
+// An exception that leaves a thread ends up here; nothing may be allocated.
+[[noreturn]] void end_without_traces() {
+  remove_watched_files();
+  ExitCode code = ExitCode::InternalError;
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    fail_inside("terminated");
+  } catch (const std::bad_alloc&) {
+    code = fail(ExitCode::LimitReached, out_of_memory_text());
+  } catch (const std::exception& error) {
+    fail_inside(error.what());
+  } catch (...) {
+    fail_inside("terminated");
+  }
+  std::_Exit(static_cast<int>(code));
 }
 
 }  // namespace
 }  // namespace morskin::app
 
-int main(int count, char** words) { return static_cast<int>(morskin::app::run(count, words)); }
+int main(int count, char** words) {
+  std::set_terminate(morskin::app::end_without_traces);
+  return static_cast<int>(morskin::app::run(count, words));
+}

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/limits.h"
 #include "app/molecule_input.h"
 #include "app/progress.h"
 #include "app/report.h"
@@ -107,17 +108,22 @@ refine::Certificate certify(std::span<const PendingFile> files, const geometry::
   return certificate;
 }
 
-// Gives the files their names and feeds what is no regular file, which gets certified meshes only.
-std::vector<std::filesystem::path> deliver(std::span<PendingFile> files,
-                                           const MeshArguments& arguments,
-                                           const geometry::IndexedMesh& mesh, bool is_certified) {
+// Feeds what is no regular file, which gets certified meshes only.
+std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
+                                        const geometry::IndexedMesh& mesh, bool is_certified) {
   std::vector<std::filesystem::path> names;
-  for (PendingFile& file : files) names.push_back(file.commit(is_certified ? "" : ".unverified"));
   for (const std::filesystem::path& path : arguments.outputs) {
     if (!is_certified || !geometry::is_written_directly(path)) continue;
     geometry::write_file_atomically(path, geometry::serialized(mesh, format_of(path)));
     names.push_back(path);
   }
+  return names;
+}
+
+// Gives the files their names.
+std::vector<std::filesystem::path> named(std::span<PendingFile> files, bool is_certified) {
+  std::vector<std::filesystem::path> names;
+  for (PendingFile& file : files) names.push_back(file.commit(is_certified ? "" : ".unverified"));
   return names;
 }
 
@@ -172,6 +178,7 @@ void publish(const MeshReport& report, const MeshArguments& arguments, PendingFi
 
 ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
+  TimeLimit time_limit(arguments.timeout, arguments.molecule.input);
   MeshReport report;
   if (!is_in_proven_range(arguments.sizing) && !arguments.quiet) {
     std::cerr << "morskin: note: the theory asks for Q^2 > 2 + 4 C Q and C Q <= 0.215; with these "
@@ -207,7 +214,14 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
   report.seconds.certify = certifying.seconds();
   const Stopwatch delivering;
-  report.outputs = deliver(files, arguments, result.mesh, report.certificate.certified);
+  // First what may fail: then no file has its name yet.
+  const std::vector<std::filesystem::path> fed =
+      feed(arguments, result.mesh, report.certificate.certified);
+  outputs.undisturbed([&] {
+    time_limit.cancel();
+    report.outputs = named(files, report.certificate.certified);
+  });
+  report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
   report.seconds.write += delivering.seconds();
   report.seconds.total = total.seconds();
 

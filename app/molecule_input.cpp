@@ -21,11 +21,12 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   input.molecule = skin::read_molecule(arguments.input, options);
   input.points = skin::weighted_points(input.molecule, arguments.model, arguments.probe);
   for (std::size_t i = 0; i < input.points.size(); ++i) {
-    if (input.points[i].weight > largest_weight) {
-      throw geometry::RefusedInput(input.molecule.source + ": " +
-                                   describe(input.molecule, geometry::AtomId{i}) +
-                                   " has too big a radius; give lengths in Angstrom");
-    }
+    const double weight = input.points[i].weight;
+    if (weight > 0 && weight <= largest_weight) continue;
+    throw geometry::RefusedInput(
+        input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
+        (weight > 0 ? " has too big a radius; give lengths in Angstrom"
+                    : " has so small a radius that its weight rounds to 0; remove it"));
   }
   return input;
 }

@@ -22,6 +22,12 @@ class StagedOutputs {
   /// The rest: standard output, devices, pipes.
   const std::vector<std::filesystem::path>& direct() const { return direct_; }
 
+  /// Gives the files their names, or does other quick work, without a signal in between.
+  template <class Work>
+  void undisturbed(Work work) {
+    interruption_.undisturbed(work);
+  }
+
  private:
   RemovedOnInterrupt interruption_;  // goes last: until then the files are watched
   std::vector<geometry::PendingFile> files_;

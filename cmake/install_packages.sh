@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of cmake/packages.txt that are missing; silent when none is.
+# Installs the Debian packages of cmake/packages.txt that are missing, and those of the lists named;
+# silent when none is.
 set -eu
-cd "$(dirname "$0")"
+lists=("$(dirname "$0")/packages.txt" "$@")
 
 if ! command -v dpkg-query > /dev/null; then
   echo "not a Debian system: make sure that what cmake/packages.txt names is installed"
@@ -14,7 +15,7 @@ while read -r package; do
   then
     missing+=("$package")
   fi
-done < packages.txt
+done < <(cat "${lists[@]}")
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 if [ "$(id -u)" -ne 0 ]; then

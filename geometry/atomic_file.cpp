@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -100,7 +101,7 @@ std::string create_beside(const std::filesystem::path& target, int& number) {
 
 }  // namespace
 
-FileBytes read_file(const std::filesystem::path& path) {
+FileBytes read_file(const std::filesystem::path& path, std::size_t most_bytes) {
   const bool is_standard_input = path == "-";
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
@@ -114,14 +115,19 @@ FileBytes read_file(const std::filesystem::path& path) {
   // One byte more than the size, so that a file that does not grow is read in one piece.
   std::size_t capacity = 1 << 16;
   if (S_ISREG(status.st_mode)) capacity = static_cast<std::size_t>(status.st_size) + 1;
+  capacity = std::min(capacity, most_bytes + 1);
   auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
   std::size_t size = read_up_to(file, bytes.get(), capacity, path);
-  while (size == capacity) {
-    auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
+  while (size == capacity && size <= most_bytes) {
+    capacity = std::min(2 * capacity, most_bytes + 1);
+    auto larger = std::make_unique_for_overwrite<char[]>(capacity);
     std::memcpy(larger.get(), bytes.get(), size);
     bytes = std::move(larger);
-    size += read_up_to(file, bytes.get() + size, capacity, path);
-    capacity *= 2;
+    size += read_up_to(file, bytes.get() + size, capacity - size, path);
+  }
+  if (size > most_bytes) {
+    fail_to_read(path,
+                 "holds more than " + std::to_string(most_bytes) + " bytes; name another file");
   }
   return {std::move(bytes), size};
 }

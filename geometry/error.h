@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -24,5 +26,20 @@ class UnwritableOutput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// A limit was reached: of memory, of time, of what 32-bit ids can tell apart. The text names it
+/// and tells what to do. The command's exit code is 6.
+class LimitReached : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] void fail_for_lack_of_ids(std::size_t most, const char* things);
+
+/// Keeps 32-bit ids from running over: to be asked before another of `things` is added.
+/// @throws LimitReached  when there are `most` of them
+inline void require_room(std::size_t count, std::size_t most, const char* things) {
+  if (count >= most) fail_for_lack_of_ids(most, things);
+}
 
 }  // namespace morskin::geometry

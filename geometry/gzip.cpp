@@ -27,16 +27,17 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
   if (inflateInit2(&stream, gzip_window) != Z_OK) fail(source, "zlib does not start; try again");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
 
+  const std::size_t most = std::min(most_bytes, std::max(bomb_bytes, bomb_ratio * bytes.size()));
   std::string text;
   std::size_t taken = 0;  // of bytes
   std::size_t made = 0;   // of text, the rest is room
   for (;;) {
     if (made == text.size()) {
-      if (made > most_bytes) {
+      if (made > most) {
         fail(source, "unpacks from " + std::to_string(bytes.size()) + " to more than " +
-                         std::to_string(most_bytes) + " bytes; unpack it by hand if that is meant");
+                         std::to_string(most) + " bytes; unpack it by hand if that is meant");
       }
-      text.resize(std::min(most_bytes + 1, std::max(2 * made, 4 * bytes.size() + 4096)));
+      text.resize(std::min(most + 1, std::max(2 * made, 4 * bytes.size() + 4096)));
     }
     const std::size_t input = std::min(most_at_once, bytes.size() - taken);
     const std::size_t room = std::min(most_at_once, text.size() - made);

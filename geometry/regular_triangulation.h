@@ -32,7 +32,8 @@ struct RegularTriangulation {
 
 /// The regular triangulation of weighted points: any number, in any position.
 ///
-/// @pre    in the range of predicates.h; fewer than 2^27 points and 2^30 tetrahedra.
+/// @pre    in the range of predicates.h
+/// @throws LimitReached  for 2^27 points or more than 2^30 tetrahedra
 /// Source: Edelsbrunner & Shah 1996, Incremental topological flipping works for regular
 ///         triangulations (definition); mechanism in triangulator.h.
 RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points);

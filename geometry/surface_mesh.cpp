@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/error.h"
+
 namespace morskin::geometry {
 
 void SurfaceMesh::reserve(std::size_t vertices) {
@@ -29,6 +31,7 @@ VertexId SurfaceMesh::add_vertex() {
 
 TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
+  require_room(origin_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{origin_.size()};
   origin_.resize(origin_.size() + 3);
   twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});

@@ -47,6 +47,8 @@ class SurfaceMesh {
 
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
+  /// @throws LimitReached  when there are most_triangles already: half-edges have 32-bit ids, of
+  ///                       which the last means "none".
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
   /// Makes two boundary half-edges each other's twin. @pre they run between the same vertices,
   /// oppositely.
@@ -86,6 +88,8 @@ class SurfaceMesh {
 
   /// The triangles as a file holds them.
   std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
+
+  static constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;
 
  private:
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;

@@ -96,8 +96,8 @@ std::string quoted(std::string_view field) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";
   for (const char c : field.substr(0, longest)) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    result += control ? '?' : c;
+    const bool is_printable = c >= 0x20 && c < 0x7f;  // nothing that a terminal obeys or chokes on
+    result += is_printable ? c : '?';
   }
   result += field.size() > longest ? "...\"" : "\"";
   return result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/error.h"
 #include "geometry/predicates_internal.h"
 #include "geometry/spatial_order.h"
 
@@ -35,7 +36,7 @@ inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, con
 }  // namespace
 
 Triangulator::Triangulator(std::span<const WeightedPoint> points) : atom_count_(points.size()) {
-  assert(points.size() < (std::size_t{1} << 27));
+  if (points.size() > most_points) fail_for_lack_of_ids(most_points, "atoms");
   if (points.empty()) return;
   std::vector<AtomId> order = spatial_order(points);
   find_first_tetrahedron(points, order);
@@ -306,6 +307,7 @@ Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const
 
 std::uint32_t Triangulator::allocate() {
   if (free_.empty()) {
+    require_room(tetrahedra_.size(), most_tetrahedra, "tetrahedra of the triangulated atoms");
     tetrahedra_.emplace_back();
     states_.push_back(State::Live);
     return static_cast<std::uint32_t>(tetrahedra_.size() - 1);

@@ -34,6 +34,10 @@ class Triangulator {
   static constexpr std::uint32_t tetrahedron_of(Facet facet) { return facet >> 2; }
   static constexpr std::size_t place_of(Facet facet) { return facet & 3; }
 
+  static constexpr std::size_t most_points = (std::size_t{1} << 27) - 1;
+  static constexpr std::size_t most_tetrahedra = std::size_t{1}
+                                                 << 30;  ///< a Facet has two bits less
+
   struct alignas(32) Tetrahedron {
     std::array<Corner, 4> corners;
     std::array<Facet, 4> neighbours;  ///< behind the facet opposite each corner, seen from there
@@ -41,7 +45,8 @@ class Triangulator {
 
   /// Triangulates the points.
   ///
-  /// @pre in the range of predicates.h; fewer than 2^27 points and 2^30 tetrahedra.
+  /// @pre in the range of predicates.h
+  /// @throws LimitReached  for more than most_points or most_tetrahedra
   explicit Triangulator(std::span<const WeightedPoint> points);
 
   /// Of the points' span: -1 (no points) to 3.

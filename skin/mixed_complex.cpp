@@ -6,13 +6,22 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/error.h"
+#include "skin/exact_vectors.h"
+
 namespace morskin::skin {
 
 namespace {
 
 using geometry::RegularTriangulation;
-/// Orthocentres of flat simplices lie far away; the longer mantissa keeps them right.
-using Wide = Eigen::Matrix<long double, 3, 1>;
+
+constexpr std::size_t most_walls = 0xFFFFFFFFU;  // places in them have 32 bits
+
+/// A product of vectors that is this much smaller than the product of their lengths has lost too
+/// many bits to cancellation, and is computed again exactly. Doubles keep 53 - 6 bits above it,
+/// long doubles 64 - 10; a few more go into rounding each factor.
+constexpr double flat_for_double = 0x1p-6;
+constexpr long double flat_for_wide = 0x1p-10L;
 
 Wide wide(const Vector& v) { return v.cast<long double>(); }
 
@@ -38,9 +47,33 @@ Patch edge_patch(const WeightedPoint& a, const WeightedPoint& b) {
   return patch_about(a, e * (edge_load(a, b) / e.squaredNorm()), e.normalized().cast<double>(), +1);
 }
 
+/// Twice edge_load.
+Expansion exact_load(const WeightedPoint& a, const WeightedPoint& b) {
+  const ExactVector e(a.position, b.position);
+  return e.dot(e) + Expansion::difference(a.weight, b.weight);
+}
+
+Patch flat_triangle_patch(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c) {
+  const ExactVector e(a.position, b.position), f(a.position, c.position);
+  const ExactVector n = e.cross(f);
+  const ExactVector sum = exact_load(a, b) * f.cross(n) + exact_load(a, c) * n.cross(e);
+  const Wide offset = sum.rounded() / (2 * rounded(n.dot(n)));
+  return patch_about(a, offset, n.rounded().normalized().cast<double>(), -1);
+}
+
+Patch flat_tetrahedron_patch(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+                             const WeightedPoint& d) {
+  const ExactVector e(a.position, b.position), f(a.position, c.position), g(a.position, d.position);
+  const ExactVector sum =
+      exact_load(a, b) * f.cross(g) + exact_load(a, c) * g.cross(e) + exact_load(a, d) * e.cross(f);
+  const Wide offset = sum.rounded() / (2 * rounded(e.dot(f.cross(g))));
+  return patch_about(a, offset, Vector::Zero(), -1);
+}
+
 Patch triangle_patch(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c) {
   const Wide e = wide(b.position) - wide(a.position), f = wide(c.position) - wide(a.position);
   const Wide n = e.cross(f);
+  if (n.norm() < flat_for_wide * e.norm() * f.norm()) return flat_triangle_patch(a, b, c);
   const long double p = edge_load(a, b), q = edge_load(a, c);
   const Wide offset = (p * f.cross(n) + q * n.cross(e)) / n.squaredNorm();
   return patch_about(a, offset, n.normalized().cast<double>(), -1);
@@ -50,9 +83,13 @@ Patch tetrahedron_patch(const WeightedPoint& a, const WeightedPoint& b, const We
                         const WeightedPoint& d) {
   const Wide e = wide(b.position) - wide(a.position), f = wide(c.position) - wide(a.position),
              g = wide(d.position) - wide(a.position);
+  const long double volume = e.dot(f.cross(g));
+  if (std::abs(volume) < flat_for_wide * e.norm() * f.norm() * g.norm()) {
+    return flat_tetrahedron_patch(a, b, c, d);
+  }
   const Wide offset =
       (edge_load(a, b) * f.cross(g) + edge_load(a, c) * g.cross(e) + edge_load(a, d) * e.cross(f)) /
-      e.dot(f.cross(g));
+      volume;
   return patch_about(a, offset, Vector::Zero(), -1);
 }
 
@@ -69,10 +106,26 @@ Vector direction_off_facet(std::span<const WeightedPoint> points,
   } else if constexpr (N == 3) {
     const Vector e = (p[1] - p[0]).normalized();
     const Vector n = e.cross(apex - p[0]);
+    if (n.norm() < flat_for_double * (apex - p[0]).norm()) {
+      const ExactVector exact_e(p[0], p[1]);
+      const Wide exact_n = exact_e.cross(ExactVector(p[0], apex)).rounded();
+      return exact_n.cross(exact_e.rounded()).normalized().template cast<double>();
+    }
     return n.cross(e).normalized();
   } else {
-    const Vector n = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-    return n.dot(apex - p[0]) < 0 ? Vector(-n) : n;
+    const Vector e = p[1] - p[0], f = p[2] - p[0];
+    const Vector n = e.cross(f);
+    const double height = n.dot(apex - p[0]);
+    const bool is_flat = n.norm() < flat_for_double * e.norm() * f.norm() ||
+                         std::abs(height) < flat_for_double * n.norm() * (apex - p[0]).norm();
+    if (is_flat) {
+      const ExactVector exact_n = ExactVector(p[0], p[1]).cross(ExactVector(p[0], p[2]));
+      const Vector unit = exact_n.rounded().normalized().template cast<double>();
+      const bool is_behind =
+          exact_n.dot(ExactVector(p[0], apex)).sign() == geometry::Sign::Negative;
+      return is_behind ? Vector(-unit) : unit;
+    }
+    return height < 0 ? Vector(-n.normalized()) : Vector(n.normalized());
   }
 }
 
@@ -82,6 +135,9 @@ MixedComplex::MixedComplex(std::span<const WeightedPoint> points,
                            const RegularTriangulation& triangulation) {
   const std::array sizes{triangulation.vertices.size(), triangulation.edges.size(),
                          triangulation.triangles.size(), triangulation.tetrahedra.size()};
+  // A wall of either cell for each simplex and facet of it; there are always more walls than cells.
+  const std::size_t walls = 2 * (2 * sizes[1] + 3 * sizes[2] + 4 * sizes[3]);
+  geometry::require_room(walls, most_walls, "walls of the mixed complex");
   for (std::size_t d = 0; d < 4; ++d) {
     first_cell_[d + 1] = first_cell_[d] + static_cast<std::uint32_t>(sizes[d]);
   }

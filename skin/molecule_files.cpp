@@ -218,7 +218,7 @@ Molecule parse_molecule(std::string_view bytes, const std::string& source,
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {
-  const geometry::FileBytes bytes = geometry::read_file(path);
+  const geometry::FileBytes bytes = geometry::read_file(path, options.most_bytes);
   return parse_molecule(bytes.view(), path.string(), options);
 }
 

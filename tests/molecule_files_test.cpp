@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "skin/gzip.h"
 #include "skin/radii.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,6 +20,7 @@ using morskin::geometry::Point;
 using morskin::geometry::RefusedInput;
 using morskin::geometry::UnreadableInput;
 using morskin::skin::Atom;
+using morskin::skin::bomb_bytes;
 using morskin::skin::describe;
 using morskin::skin::Molecule;
 using morskin::skin::molecule_format_of;
@@ -296,6 +298,30 @@ TEST_CASE("a gzipped file that is cut short, damaged or too large is turned down
                        doctest::Contains("more than 1000 bytes"), UnreadableInput);
   small.most_bytes = small_pdb().size();
   CHECK(parse_molecule(packed, "a.pdb", small).atoms.size() == 3);
+}
+
+TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {
+  const std::string ball = "0 0 0 1\n";
+  const auto packed = [&](std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes) text += ball;
+    return gzipped(text);
+  };
+  CHECK_THROWS_WITH_AS(parse_molecule(packed(bomb_bytes + 4096), "a.xyzr"),
+                       doctest::Contains("unpacks from"), UnreadableInput);
+  CHECK(parse_molecule(packed(1 << 16), "a.xyzr").atoms.size() == (1 << 16) / ball.size());
+}
+
+TEST_CASE("a file that holds more than it may is turned down before all of it is read") {
+  const TemporaryFolder folder;
+  ReadOptions options;
+  options.most_bytes = 15;
+  const auto path = folder.file("a.xyzr", "0 0 0 1\n1 0 0 1\n");
+  CHECK_THROWS_WITH_AS(read_molecule(path, options), doctest::Contains("more than 15 bytes"),
+                       UnreadableInput);
+  CHECK_THROWS_AS(read_molecule("/dev/zero", options), UnreadableInput);
+  options.most_bytes = 16;
+  CHECK(read_molecule(path, options).atoms.size() == 2);
 }
 
 TEST_CASE("bad input is turned down with its line, the atom and what to do") {

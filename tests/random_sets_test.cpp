@@ -1,18 +1,20 @@
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "front/mesh_skin.h"
 #include "tests/support/meshes.h"
+#include "tests/support/nasty_sets.h"
+#include "tests/support/outcome.h"
 
 using namespace morskin;
 
 namespace {
 
-void check_certified(const front::MeshResult& result) {
-  CHECK(result.certificate.reason == "");
-  CHECK(result.certificate.certified);
-  CHECK(result.certificate.min_angle_deg > 21.54);
-  CHECK(result.certificate.euler_characteristic ==
-        static_cast<long>(result.minima + result.maxima) - static_cast<long>(result.saddles));
+void check_promise(const std::vector<geometry::WeightedPoint>& points,
+                   const front::MeshOptions& options = {}) {
+  const support::Outcome outcome = support::outcome_of(points, options);
+  CHECK_MESSAGE(outcome.kind != support::Outcome::Kind::Failed, outcome.why);
 }
 
 }  // namespace
@@ -21,20 +23,26 @@ TEST_SUITE("slow") {
   TEST_CASE("2,000 random ball sets are certified or refused as singular") {
     for (unsigned seed = 0; seed < 2000; ++seed) {
       CAPTURE(seed);
-      const auto skin = support::prepared(support::ball_set(seed));
-      if (skin) check_certified(front::mesh_skin(*skin));
+      check_promise(support::ball_set(seed));
+    }
+  }
+
+  TEST_CASE("1,200 nasty ball sets of all kinds are certified or refused as singular") {
+    for (unsigned seed = 0; seed < 1200; ++seed) {
+      CAPTURE(seed);
+      CAPTURE(std::string(support::nasty_names[seed % support::nasty_kinds]));
+      check_promise(support::nasty_set(seed));
     }
   }
 
   TEST_CASE("100 random ball sets are certified in five random directions each") {
     for (unsigned seed = 0; seed < 100; ++seed) {
       CAPTURE(seed);
-      const auto skin = support::prepared(support::ball_set(seed));
-      if (!skin) continue;
+      const auto points = support::ball_set(seed);
       support::Random random(seed + 5000);
       for (int i = 0; i < 5; ++i) {
         CAPTURE(i);
-        check_certified(front::mesh_skin(*skin, support::along(random.direction())));
+        check_promise(points, support::along(random.direction()));
       }
     }
   }

@@ -3,11 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "front/mesh_skin.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
+#include "tests/support/outcome.h"
 
 using namespace morskin;
 
@@ -98,5 +100,31 @@ TEST_CASE("an edge flipped for a vertex that then stays is flipped back") {
     CAPTURE(seed);
     const auto result = front::mesh_skin(support::ball_set(seed));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+  }
+}
+
+TEST_CASE("balls that are collinear or coplanar but for rounding have the skin they seem to have") {
+  // Normals and orthocentres of simplices as flat as a rounding error came out of cancellation:
+  // walls of cells were without a direction or the wrong way round, and critical points were lost.
+  support::WeightedPoints line, plane;
+  for (int i = 0; i < 9; ++i) line.push_back(support::ball(1.1 * i, 2.2 * i, 3.3 * i, 1.7));
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      plane.push_back(
+          support::ball(1.2 * i + 0.2 * j + 700.1, 0.6 * j - 1e4, 1.6 * i - 1.4 * j, 1.25));
+    }
+  }
+  for (support::WeightedPoints* points : {&line, &plane}) {
+    for (geometry::WeightedPoint& p : *points) {
+      p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+    }
+    const skin::SkinSurface surface(*points);
+    for (std::size_t cell = 0; cell < surface.complex().size(); ++cell) {
+      for (const skin::Wall& wall : surface.complex().walls(geometry::CellId{cell})) {
+        CHECK(std::abs(wall.normal.norm() - 1) < 1e-14);
+      }
+    }
+    const support::Outcome outcome = support::outcome_of(*points);
+    CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
   }
 }

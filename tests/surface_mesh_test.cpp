@@ -5,6 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "geometry/error.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -324,4 +325,13 @@ TEST_CASE("components are those that a search from triangle to triangle finds") 
       }
     }
   }
+}
+
+TEST_CASE("32-bit ids never run over: the last thing that has one is the last that may be added") {
+  constexpr std::size_t most = SurfaceMesh::most_triangles;
+  CHECK(3 * most <= 0xFFFFFFFFU);  // the last half-edge is below the mark for a boundary
+  CHECK(3 * (most + 1) > 0xFFFFFFFFU);
+  CHECK_NOTHROW(geometry::require_room(most - 1, most, "triangles"));
+  CHECK_THROWS_WITH_AS(geometry::require_room(most, most, "triangles"),
+                       doctest::Contains("more than 1431655765 triangles"), geometry::LimitReached);
 }

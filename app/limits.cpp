@@ -1,0 +1,104 @@
+#include "app/limits.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "app/exit_codes.h"
+#include "app/interruption.h"
+#include "app/report.h"
+
+namespace morskin::app {
+namespace {
+
+// Texts for when nothing may be allocated.
+char memory_text[256] =
+    "out of memory: the mesh is too big for this machine; a larger -C makes it smaller";
+char time_text[512];
+
+extern "C" void end_for_lack_of_time(int) {
+  remove_watched_files();
+  // Nothing can be done about an error of the message itself.
+  [[maybe_unused]] const ssize_t written =
+      ::write(STDERR_FILENO, time_text, std::strlen(time_text));
+  ::_exit(static_cast<int>(ExitCode::LimitReached));
+}
+
+// The first number in a file, if there is one.
+std::optional<std::uint64_t> number_in(const char* path, int field = 0) {
+  std::ifstream file(path);
+  std::uint64_t number = 0;
+  for (int i = 0; i <= field; ++i) file >> number;
+  return file ? std::optional(number) : std::nullopt;
+}
+
+std::uint64_t page_bytes() { return static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)); }
+
+std::uint64_t machine_bytes() {
+  std::uint64_t bytes = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * page_bytes();
+  for (const char* path :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    bytes = std::min(bytes, number_in(path).value_or(bytes));
+  }
+  return bytes;
+}
+
+// What the program holds before it starts to work; with a sanitizer that is terabytes.
+std::uint64_t held_bytes() {
+  constexpr int data_field = 5;  // proc(5), statm: data and stack, in pages
+  return number_in("/proc/self/statm", data_field).value_or(0) * page_bytes();
+}
+
+}  // namespace
+
+void limit_memory(std::optional<std::uint64_t> bytes) {
+  const std::uint64_t most = bytes.value_or(machine_bytes());
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, held_bytes() + most);
+  ::setrlimit(RLIMIT_DATA, &limit);
+  if (bytes) {
+    std::snprintf(
+        memory_text, sizeof memory_text,
+        "the memory limit of %llu bytes (--max-memory) was reached; allow more, or make a "
+        "coarser mesh with a larger -C",
+        static_cast<unsigned long long>(*bytes));
+  }
+}
+
+const char* out_of_memory_text() { return memory_text; }
+
+TimeLimit::TimeLimit(std::optional<double> seconds, const std::filesystem::path& input) {
+  if (!seconds) return;
+  // On a terminal the line of progress is wiped first.
+  const std::string wipe = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
+  std::snprintf(time_text, sizeof time_text,
+                "%smorskin: %.300s: the time limit of %s s (--timeout) was reached; allow more, or "
+                "make a coarser mesh with a larger -C\n",
+                wipe.c_str(), input.c_str(), brief(*seconds).c_str());
+  struct sigaction action {};
+  action.sa_handler = end_for_lack_of_time;
+  ::sigfillset(&action.sa_mask);
+  ::sigaction(SIGALRM, &action, nullptr);
+  constexpr double least = 1e-6;  // the timer's unit; 0 would stop it
+  const double rounded_up = std::max(*seconds, least);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(rounded_up);
+  timer.it_value.tv_usec = static_cast<suseconds_t>((rounded_up - std::floor(rounded_up)) * 1e6);
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void TimeLimit::cancel() {
+  const itimerval none{};
+  ::setitimer(ITIMER_REAL, &none, nullptr);
+}
+
+}  // namespace morskin::app

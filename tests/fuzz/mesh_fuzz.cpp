@@ -1,0 +1,48 @@
+// Any bytes as a mesh file: read, with corners that exist and finite coordinates, or turned down.
+// What was read is looked at as `check` does, written in the exact formats and read again alike.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "geometry/error.h"
+#include "geometry/mesh_files.h"
+#include "geometry/surface_mesh.h"
+#include "tests/fuzz/require.h"
+
+using namespace morskin;
+using geometry::MeshFormat;
+
+namespace {
+
+void look_at(const geometry::IndexedMesh& mesh) {
+  for (const geometry::Point& p : mesh.positions) fuzz::require(p.allFinite());
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) fuzz::require(corner < mesh.positions.size());
+  }
+  const auto closed = geometry::closed_mesh(mesh.positions.size(), mesh.triangles);
+  if (!closed.defect) {
+    fuzz::require(!geometry::validate(closed.mesh));
+    geometry::components(closed.mesh);
+  }
+  if (mesh.positions.empty()) return;
+  for (const MeshFormat format : {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off}) {
+    const auto again = geometry::parse_mesh(geometry::serialized(mesh, format), "again");
+    fuzz::require(again.triangles == mesh.triangles && again.positions == mesh.positions);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::array names = {"a.ply", "a.off", "a.obj", "a.stl", "a"};
+  if (size == 0) return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  try {
+    look_at(geometry::parse_mesh(bytes, names[data[0] % names.size()]));
+  } catch (const geometry::UnreadableInput&) {
+  }
+  return 0;
+}

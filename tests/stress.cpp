@@ -1,0 +1,121 @@
+// Meshes many seeded sets of balls and counts how they came out. Each has a process of its own, so
+// that a crash or an endless loop is one failure among the others.
+//
+//   morskin_stress SETS [FIRST_SEED]     all of them, with a line now and then and a total
+//   morskin_stress --balls SEED          one set's balls as XYZR, for the command (--model vdw)
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "skin/model.h"
+#include "tests/support/nasty_sets.h"
+#include "tests/support/outcome.h"
+
+using namespace morskin;
+using support::Outcome;
+
+namespace {
+
+constexpr unsigned most_seconds = 120;  // for one set, on a busy machine
+
+// What the child tells its parent; short enough for one write to a pipe.
+struct Message {
+  Outcome::Kind kind;
+  std::size_t triangles;
+  std::array<char, 400> why;
+};
+
+[[noreturn]] void run_child(unsigned seed, int pipe) {
+  ::alarm(most_seconds);
+  const Outcome outcome = support::outcome_of(support::nasty_set(seed));
+  Message message{outcome.kind, outcome.triangles, {}};
+  outcome.why.copy(message.why.data(), message.why.size() - 1);
+  const bool is_told = ::write(pipe, &message, sizeof message) == sizeof message;
+  ::_exit(is_told ? 0 : 1);
+}
+
+Outcome run_set(unsigned seed) {
+  int ends[2];
+  if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
+  const pid_t child = ::fork();
+  if (child == 0) run_child(seed, ends[1]);
+  ::close(ends[1]);
+  Message message{};
+  const bool is_told = ::read(ends[0], &message, sizeof message) == sizeof message;
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (is_told) return {message.kind, message.why.data(), message.triangles};
+  if (!WIFSIGNALED(status)) return {Outcome::Kind::Failed, "ended without a word", 0};
+  const int signal = WTERMSIG(status);
+  return {Outcome::Kind::Failed,
+          signal == SIGALRM ? "took more than " + std::to_string(most_seconds) + " s"
+                            : "crashed: " + std::string(::strsignal(signal)),
+          0};
+}
+
+struct Tally {
+  std::size_t certified = 0, singular = 0, failed = 0, triangles = 0;
+
+  void add(const Outcome& outcome) {
+    certified += outcome.kind == Outcome::Kind::Certified;
+    singular += outcome.kind == Outcome::Kind::Singular;
+    failed += outcome.kind == Outcome::Kind::Failed;
+    triangles += outcome.triangles;
+  }
+};
+
+void print(const char* name, const Tally& tally) {
+  std::printf("  %-18s %7zu certified, %6zu singular, %4zu failed, %12zu triangles\n", name,
+              tally.certified, tally.singular, tally.failed, tally.triangles);
+}
+
+int run_all(unsigned sets, unsigned first) {
+  const auto start = std::chrono::steady_clock::now();
+  std::array<Tally, support::nasty_kinds> by_kind;
+  Tally total;
+  for (unsigned i = 0; i < sets; ++i) {
+    const unsigned seed = first + i;
+    const Outcome outcome = run_set(seed);
+    total.add(outcome);
+    by_kind[seed % support::nasty_kinds].add(outcome);
+    if (outcome.kind == Outcome::Kind::Failed) {
+      std::printf("FAILED seed %u, %s: %s\n", seed,
+                  support::nasty_names[seed % support::nasty_kinds].data(), outcome.why.c_str());
+    }
+    if ((i + 1) % 1000 == 0 && i + 1 < sets) {
+      std::printf("%u of %u sets, %zu failed\n", i + 1, sets, total.failed);
+    }
+    std::fflush(stdout);
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::printf("%u sets from seed %u in %.0f s\n", sets, first, seconds.count());
+  for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
+    print(support::nasty_names[kind].data(), by_kind[kind]);
+  }
+  print("total", total);
+  return total.failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+unsigned number(const char* word) { return static_cast<unsigned>(std::strtoul(word, nullptr, 10)); }
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count == 3 && std::string_view(words[1]) == "--balls") {
+    std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
+    return EXIT_SUCCESS;
+  }
+  if (count < 2 || count > 3 || number(words[1]) == 0) {
+    std::fputs("usage: morskin_stress SETS [FIRST_SEED] | --balls SEED\n", stderr);
+    return 2;
+  }
+  return run_all(number(words[1]), count == 3 ? number(words[2]) : 0);
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "front/mesh_skin.h"
+#include "skin/singular_skin.h"
+
+namespace morskin::support {
+
+/// How a set of balls came out: certified or refused as singular is as it should be.
+struct Outcome {
+  enum class Kind { Certified, Singular, Failed } kind = Kind::Failed;
+  std::string why;            ///< of a failure
+  std::size_t triangles = 0;  ///< of a certified mesh
+};
+
+/// Meshes and certifies; what the promise of the program forbids is a failure: no certificate, an
+/// angle below the bound, critical points that do not add up, a refusal for another reason.
+inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
+                          const front::MeshOptions& options = {}) {
+  using Kind = Outcome::Kind;
+  try {
+    const front::MeshResult result = front::mesh_skin(points, options);
+    const refine::Certificate& certificate = result.certificate;
+    if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
+    if (!(certificate.min_angle_deg > options.sizing.least_angle_deg())) {
+      return {Kind::Failed, "an angle below the bound", certificate.triangles};
+    }
+    if (certificate.euler_characteristic !=
+        static_cast<long>(result.minima + result.maxima) - static_cast<long>(result.saddles)) {
+      return {Kind::Failed, "critical points that do not add up", certificate.triangles};
+    }
+    return {Kind::Certified, {}, certificate.triangles};
+  } catch (const skin::SingularSkin&) {
+    return {Kind::Singular, {}, 0};
+  } catch (const std::exception& error) {
+    return {Kind::Failed, error.what(), 0};
+  }
+}
+
+}  // namespace morskin::support
