@@ -38,11 +38,6 @@ void timed(double& seconds, Work work) {
   seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-morse::ChosenFunction choose_height(const PreparedSkin& skin, const MeshOptions& options) {
-  return morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
-                                options.function);
-}
-
 }  // namespace
 
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
@@ -72,26 +67,26 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.expected = skin.topology;
 
   progress("critical points", 0);
-  morse::ChosenFunction choice;
-  std::optional<morse::ProtectingSpheres> spheres;
+  morse::Guide guide;
   timed(result.seconds.critical_points, [&] {
-    choice = choose_height(skin, options);
-    spheres.emplace(skin.surface, choice.critical.points, options.sizing.tangent_disk_share());
+    guide = morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(),
+                              options.function, options.sizing.tangent_disk_share());
   });
-  result.minima = choice.critical.count(0);
-  result.saddles = choice.critical.count(1);
-  result.maxima = choice.critical.count(2);
-  result.function = choice.function;
+  result.minima = guide.found[0];
+  result.saddles = guide.found[1];
+  result.maxima = guide.found[2];
+  result.surviving_minima = guide.count(0);
+  result.surviving_saddles = guide.count(1);
+  result.surviving_maxima = guide.count(2);
+  result.function = guide.function;
 
   skin::SkinMesh mesh;
   timed(result.seconds.sweep, [&] {
     const auto report = [&](double share) { progress("sweep", share); };
-    const auto& points = choice.critical.points;
-    SweepResult swept =
-        options.fronts == 1
-            ? sweep_once(skin.surface, choice.function, points, *spheres, options.sizing, report)
-            : sweep_from_both_ends(skin.surface, choice.function, points, *spheres, options.sizing,
-                                   options.threads, report);
+    SweepResult swept = options.fronts == 1
+                            ? sweep_once(skin.surface, guide, options.sizing, report)
+                            : sweep_from_both_ends(skin.surface, guide, options.sizing,
+                                                   options.threads, report);
     mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;

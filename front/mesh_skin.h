@@ -47,6 +47,8 @@ struct MeshResult {
   refine::Certificate certificate;  ///< empty unless asked for
   skin::DualComplex expected;
   std::size_t minima = 0, saddles = 0, maxima = 0;
+  /// What the simplification left of them.
+  std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
   morse::MorseFunction function;  ///< the one used
   Operations operations;
   refine::RefinementCounts refinement;

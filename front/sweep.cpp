@@ -36,40 +36,36 @@ Operations& Operations::operator+=(const Operations& other) {
   return *this;
 }
 
-Sweep::Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-             std::span<const morse::CriticalPoint> critical_points,
-             const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh,
-             double last)
+Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide,
+             const refine::Sizing& sizing, SkinMesh& mesh, double last)
     : skin_(skin),
-      function_(function),
-      critical_points_(critical_points),
-      spheres_(spheres),
+      guide_(guide),
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
       disk_share_(spacing_.disk_share * sizing.tangent_disk_share()),
       mesh_(mesh),
       front_(mesh, std::min(spacing_.view * disk_share_, largest_view)),
       near_(mesh, front_),
-      marked_(critical_points.size()),
+      marked_(guide.points.size()),
       last_(last),
       laid_(skin.complex().size(), 0),
       most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {}
 
 void Sweep::run(const std::function<void(double)>& progress) {
-  if (critical_points_.empty()) return;
+  if (guide_.points.empty()) return;
   progress_ = progress;
   const auto [lowest, highest] =
-      std::minmax_element(critical_points_.begin(), critical_points_.end(),
+      std::minmax_element(guide_.points.begin(), guide_.points.end(),
                           [](const auto& p, const auto& q) { return p.value < q.value; });
   lowest_ = lowest->value;
   highest_ = std::min(highest->value, last_);
   std::vector<std::uint32_t> minima;
-  for (std::uint32_t i = 0; i < critical_points_.size(); ++i) {
-    if (critical_points_[i].index == 0 && critical_points_[i].value <= last_) minima.push_back(i);
+  for (std::uint32_t i = 0; i < guide_.points.size(); ++i) {
+    if (guide_.points[i].index == 0 && guide_.points[i].value <= last_) minima.push_back(i);
   }
   std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(critical_points_[a].value, a) < std::pair(critical_points_[b].value, b);
+    return std::pair(guide_.points[a].value, a) < std::pair(guide_.points[b].value, b);
   });
-  for (const std::uint32_t i : minima) create(critical_points_[i]);
+  for (const std::uint32_t i : minima) create(guide_.points[i]);
   finish();
 }
 
@@ -77,7 +73,7 @@ void Sweep::finish() {
   creep_triangles();
   release_red_marks();
   creep_triangles();
-  for (std::size_t c = 0; c < critical_points_.size(); ++c) seal(CriticalId{c});
+  for (std::size_t c = 0; c < guide_.points.size(); ++c) seal(CriticalId{c});
   creep_triangles();
   // What was refused while the front stood differently may go now.
   for (std::size_t before = 0; !stuck_.empty() && before != mesh_.surface.triangle_count();) {
@@ -99,8 +95,8 @@ void Sweep::join(const Sweep& above) {
     }
   }
   for (std::size_t c = 0; c < marked_.size(); ++c) {
-    if (critical_points_[c].index == 1) marked_[c].is_done |= above.marked_[c].is_done;
-    if (critical_points_[c].index == 2) marked_[c].is_done = false;
+    if (guide_.points[c].index == 1) marked_[c].is_done |= above.marked_[c].is_done;
+    if (guide_.points[c].index == 2) marked_[c].is_done = false;
   }
   for (std::size_t cell = 0; cell < laid_.size(); ++cell) laid_[cell] += above.laid_[cell];
   is_overlapping_ |= above.is_overlapping_;
@@ -125,8 +121,8 @@ void Sweep::creep_triangles() {
       continue;
     }
     const VertexId t = front_[departure.corner].origin;
-    const auto c = spheres_.containing(mesh_.at(t));
-    const int index = c && !marked_[c->index()].is_done ? critical_points_[c->index()].index : 0;
+    const auto c = guide_.spheres.containing(mesh_.at(t));
+    const int index = c && !marked_[c->index()].is_done ? guide_.points[c->index()].index : 0;
     if (index == 1) {  // 3: t falls in the protecting sphere of a saddle point c
       mark_red(*c, departure);
       const auto& sides = marked_[c->index()].sides;
@@ -148,7 +144,7 @@ bool Sweep::is_current(const Departure& d) const {
 bool Sweep::may_depart(const Departure& d) const {
   const SurfacePoint& t = mesh_.at(front_[d.corner].origin);
   const double reach = 2 * disk_share_ * t.length_scale;
-  return d.value + function_.most_change(t.position, reach) <= last_;
+  return d.value + guide_.function.most_change(t.position, reach) <= last_;
 }
 
 /// Puts those departures back into the queue whose corners are still there.
@@ -160,7 +156,7 @@ void Sweep::push_current(std::vector<Departure>& departures) {
 
 void Sweep::push(FrontEdgeId corner) {
   queue_.push(
-      {function_(mesh_.position(front_[corner].origin)), corner, front_[corner].generation});
+      {guide_.function(mesh_.position(front_[corner].origin)), corner, front_[corner].generation});
 }
 
 /// The disk's radius in one direction: for the smaller of the length scales at both ends, which is
@@ -351,13 +347,13 @@ void Sweep::wing() {
 }
 
 int Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
-  const morse::CriticalPoint& s = critical_points_[saddle.index()];
+  const morse::CriticalPoint& s = guide_.points[saddle.index()];
   return s.descending.dot(mesh_.position(v) - s.point.position) > 0 ? 1 : 0;
 }
 
 bool Sweep::is_protected(VertexId v) const {
-  const auto c = spheres_.containing(mesh_.at(v));
-  return c && critical_points_[c->index()].index != 0;
+  const auto c = guide_.spheres.containing(mesh_.at(v));
+  return c && guide_.points[c->index()].index != 0;
 }
 
 void Sweep::mark_red(CriticalId saddle, const Departure& departure) {
@@ -381,7 +377,7 @@ void Sweep::bridge(CriticalId saddle) {
         const auto apex = near_.delaunay_apex(e);
         if (!apex) continue;
         const VertexId v = front_[*apex].origin;
-        const bool across = spheres_.containing(mesh_.at(v)) == saddle &&
+        const bool across = guide_.spheres.containing(mesh_.at(v)) == saddle &&
                             side_of_saddle(saddle, v) != static_cast<int>(side);
         if (!across) continue;
         fresh_.assign({front_[e].next});
@@ -398,7 +394,7 @@ void Sweep::bridge(CriticalId saddle) {
 
 void Sweep::release_red_marks() {
   for (std::size_t c = 0; c < marked_.size(); ++c) {
-    if (critical_points_[c].index != 1) continue;
+    if (guide_.points[c].index != 1) continue;
     marked_[c].is_done = true;
     for (auto& side : marked_[c].sides) push_current(side);
   }
@@ -408,7 +404,7 @@ void Sweep::release_red_marks() {
 /// are left to the refinement, as in section 4.3.
 void Sweep::seal(CriticalId maximum) {
   Marked& marked = marked_[maximum.index()];
-  if (critical_points_[maximum.index()].index != 2) return;
+  if (guide_.points[maximum.index()].index != 2) return;
   marked.is_done = true;
   bool is_sealed = false;
   for (const Departure& d : std::exchange(marked.sides[0], {})) {

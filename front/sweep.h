@@ -7,13 +7,11 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <span>
 #include <vector>
 
 #include "front/front.h"
 #include "front/neighbourhood.h"
-#include "morse/critical_points.h"
-#include "morse/protecting_spheres.h"
+#include "morse/guide.h"
 #include "refine/sizing.h"
 #include "refine/triangle_geometry.h"
 
@@ -53,11 +51,9 @@ class Sweep {
  public:
   /// @param last  the sweep stays below this value of the Morse function, by a disk's radius or
   ///              more where it moves on, by next to nothing where a bowl is laid
-  /// @pre the spheres are those of the critical points; the mesh is empty.
-  Sweep(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-        std::span<const morse::CriticalPoint> critical_points,
-        const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing, SkinMesh& mesh,
-        double last = std::numeric_limits<double>::infinity());
+  /// @pre the mesh is empty. Guide and mesh must outlive the sweep.
+  Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const refine::Sizing& sizing,
+        SkinMesh& mesh, double last = std::numeric_limits<double>::infinity());
 
   /// Sweeps until no bare surface is left that the front can reach.
   /// `progress` is told now and then what share of the way from the lowest critical point to the
@@ -117,9 +113,7 @@ class Sweep {
   bool is_protected(VertexId v) const;
 
   const skin::SkinSurface& skin_;
-  const morse::MorseFunction function_;
-  std::span<const morse::CriticalPoint> critical_points_;
-  const morse::ProtectingSpheres& spheres_;
+  const morse::Guide& guide_;
   Spacing spacing_;
   double wing_cosine_;
   double disk_share_;  ///< r_a over rho

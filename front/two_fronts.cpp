@@ -16,7 +16,7 @@ struct Interval {
 };
 
 /// The values between a minimum and a higher maximum that lie within a length scale of each other.
-std::vector<Interval> close_pairs(std::span<const morse::CriticalPoint> points) {
+std::vector<Interval> close_pairs(const std::vector<morse::CriticalPoint>& points) {
   std::vector<const morse::CriticalPoint*> extrema;
   double largest = 0;
   for (const morse::CriticalPoint& p : points) {
@@ -48,48 +48,40 @@ std::vector<Interval> close_pairs(std::span<const morse::CriticalPoint> points) 
 
 }  // namespace
 
-double middle_level(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-                    std::span<const morse::CriticalPoint> critical_points) {
+double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
   std::vector<double> values;
   for (const geometry::AtomId atom : skin.triangulation().vertices) {
-    values.push_back(function(skin.points()[atom.index()].position));
+    values.push_back(guide.function(skin.points()[atom.index()].position));
   }
   const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), median, values.end());
   double level = *median;
-  for (const Interval& pair : close_pairs(critical_points)) {
+  for (const Interval& pair : close_pairs(guide.points)) {
     if (pair.low <= level && level <= pair.high) level = std::nextafter(pair.high, INFINITY);
   }
   return level;
 }
 
-SweepResult sweep_once(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-                       std::span<const morse::CriticalPoint> critical_points,
-                       const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing,
-                       const std::function<void(double)>& progress) {
+SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
+                       const refine::Sizing& sizing, const std::function<void(double)>& progress) {
   SweepResult result;
-  Sweep sweep(skin, function, critical_points, spheres, sizing, result.mesh);
+  Sweep sweep(skin, guide, sizing, result.mesh);
   sweep.run(progress);
   result.operations = sweep.operations();
   result.open_edges = sweep.open_edges();
   return result;
 }
 
-SweepResult sweep_from_both_ends(const skin::SkinSurface& skin,
-                                 const morse::MorseFunction& function,
-                                 std::span<const morse::CriticalPoint> critical_points,
-                                 const morse::ProtectingSpheres& spheres,
+SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
                                  const refine::Sizing& sizing, unsigned threads,
                                  const std::function<void(double)>& progress) {
-  const double middle = middle_level(skin, function, critical_points);
-  std::vector<morse::CriticalPoint> reversed_points;
-  for (const auto& p : critical_points) reversed_points.push_back(p.reversed());
+  const double middle = middle_level(skin, guide);
+  const morse::Guide reversed = guide.reversed();
   SweepResult result;
   skin::SkinMesh upper_mesh;
-  Sweep below(skin, function, critical_points, spheres, sizing, result.mesh, middle);
-  Sweep above(skin, function.reversed(), reversed_points, spheres, sizing, upper_mesh, -middle);
-  geometry::do_both(
-      threads, [&] { below.run(progress); }, [&] { above.run(); });
+  Sweep below(skin, guide, sizing, result.mesh, middle);
+  Sweep above(skin, reversed, sizing, upper_mesh, -middle);
+  geometry::do_both(threads, [&] { below.run(progress); }, [&] { above.run(); });
   below.join(above);
   result.operations = below.operations();
   result.open_edges = below.open_edges();

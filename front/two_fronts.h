@@ -10,7 +10,6 @@
 /// number of threads.
 
 #include <functional>
-#include <span>
 
 #include "front/sweep.h"
 
@@ -23,25 +22,19 @@ struct SweepResult {
 };
 
 /// One sweep from below, Algorithm 1 as printed.
-/// @pre the spheres are those of the critical points.
-SweepResult sweep_once(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-                       std::span<const morse::CriticalPoint> critical_points,
-                       const morse::ProtectingSpheres& spheres, const refine::Sizing& sizing,
+SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
+                       const refine::Sizing& sizing,
                        const std::function<void(double)>& progress = {});
 
 /// From both ends.
 /// @param threads  with one, the two sweeps run one after the other
-SweepResult sweep_from_both_ends(const skin::SkinSurface& skin,
-                                 const morse::MorseFunction& function,
-                                 std::span<const morse::CriticalPoint> critical_points,
-                                 const morse::ProtectingSpheres& spheres,
+SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
                                  const refine::Sizing& sizing, unsigned threads,
                                  const std::function<void(double)>& progress = {});
 
 /// The level where they meet: as near as can be to the median value over the atoms, so that both
 /// have about as much to do, but never between a minimum below and a maximum above that are so
 /// close to each other that their bowls might overlap.
-double middle_level(const skin::SkinSurface& skin, const morse::MorseFunction& function,
-                    std::span<const morse::CriticalPoint> critical_points);
+double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide);
 
 }  // namespace morskin::front

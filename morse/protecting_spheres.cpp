@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "geometry/kd_tree.h"
 
@@ -31,23 +32,34 @@ std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point&
   return reached;
 }
 
-}  // namespace
-
-ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
-                                     std::span<const CriticalPoint> points, double radius_share)
-    : points_(points), radius_(points.size()) {
+std::vector<double> disjoint_radii(std::span<const CriticalPoint> points, double radius_share) {
   std::vector<Point> places;
   places.reserve(points.size());
   for (const CriticalPoint& p : points) places.push_back(p.point.position);
   const geometry::KdTree<CriticalId> tree(places);
+  std::vector<double> radii;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double full = radius_share * points[i].point.length_scale;
     // Farther than 2 full is of no matter; the look goes a little beyond, so that only the minimum
     // below decides.
     const auto other =
         tree.nearest(places[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
-    radius_[i] = other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full;
+    radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
   }
+  return radii;
+}
+
+}  // namespace
+
+ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
+                                     std::span<const CriticalPoint> points, double radius_share)
+    : ProtectingSpheres(surface, points, disjoint_radii(points, radius_share)) {}
+
+ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
+                                     std::span<const CriticalPoint> points,
+                                     std::vector<double> radii)
+    : radius_(std::move(radii)) {
+  for (const CriticalPoint& p : points) centres_.push_back(p.point.position);
   std::vector<std::pair<CellId, CriticalId>> pairs;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const skin::SurfacePoint& p = points[i].point;
@@ -68,7 +80,7 @@ std::optional<CriticalId> ProtectingSpheres::containing(const skin::SurfacePoint
   for (std::uint32_t i = first_[p.cell.index()]; i < first_[p.cell.index() + 1]; ++i) {
     const CriticalId id = reaching_[i];
     const double r = radius_[id.index()];
-    if ((points_[id.index()].point.position - p.position).squaredNorm() < r * r) return id;
+    if ((centres_[id.index()] - p.position).squaredNorm() < r * r) return id;
   }
   return std::nullopt;
 }

@@ -15,16 +15,13 @@ using support::ball;
 
 namespace {
 
-/// What the sweep leaves for the refinement, in a direction that is not degenerate; nothing if the
-/// default is.
-std::optional<SkinMesh> swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  const morse::MorseFunction height;
-  const auto critical = morse::critical_points(skin.surface, height);
-  if (!critical.degeneracies.empty()) return std::nullopt;
-  const morse::ProtectingSpheres spheres(skin.surface, critical.points,
-                                         sizing.tangent_disk_share());
+/// What the sweep leaves for the refinement.
+SkinMesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
+  const morse::Guide guide =
+      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
+                        sizing.tangent_disk_share());
   SkinMesh mesh;
-  front::Sweep sweep(skin.surface, height, critical.points, spheres, sizing, mesh);
+  front::Sweep sweep(skin.surface, guide, sizing, mesh);
   sweep.run();
   REQUIRE(sweep.open_edges() == 0);
   return mesh;
@@ -155,12 +152,11 @@ TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps t
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
-    auto mesh = swept_mesh(*skin);
-    if (!mesh) continue;
-    const std::size_t components = geometry::components(mesh->surface).count;
+    SkinMesh mesh = swept_mesh(*skin);
+    const std::size_t components = geometry::components(mesh.surface).count;
     CHECK(components == skin->topology.skin_components());
-    refine_mesh(*skin, *mesh);
-    check_refined(*skin, *mesh);
+    refine_mesh(*skin, mesh);
+    check_refined(*skin, mesh);
   }
 }
 

@@ -14,21 +14,19 @@ using namespace morskin::front;
 
 namespace {
 
-/// A skin with the critical points of a height along it.
+/// A skin with the guide of a sweep over it.
 struct Swept {
   explicit Swept(unsigned seed) : skin(support::prepared(support::ball_set(seed))) {
     if (!skin) return;
-    critical = morse::critical_points(skin->surface, function).points;
-    spheres.emplace(skin->surface, critical, refine::Sizing{}.tangent_disk_share());
+    guide = morse::make_guide(skin->surface, skin->topology.skin_euler_characteristic(), {},
+                              refine::Sizing{}.tangent_disk_share());
   }
   SweepResult sweep(unsigned threads) const {
-    return sweep_from_both_ends(skin->surface, function, critical, *spheres, {}, threads);
+    return sweep_from_both_ends(skin->surface, guide, {}, threads);
   }
 
-  morse::MorseFunction function;
   std::optional<PreparedSkin> skin;
-  std::vector<morse::CriticalPoint> critical;
-  std::optional<morse::ProtectingSpheres> spheres;
+  morse::Guide guide;
 };
 
 }  // namespace
@@ -63,9 +61,9 @@ TEST_CASE("the middle level keeps out of the interval between a close minimum an
     CAPTURE(seed);
     const Swept swept(seed);
     if (!swept.skin) continue;
-    const double level = middle_level(swept.skin->surface, swept.function, swept.critical);
-    for (const auto& p : swept.critical) {
-      for (const auto& q : swept.critical) {
+    const double level = middle_level(swept.skin->surface, swept.guide);
+    for (const auto& p : swept.guide.points) {
+      for (const auto& q : swept.guide.points) {
         if (p.index != 0 || q.index != 2) continue;
         const double reach = std::min(p.point.length_scale, q.point.length_scale);
         if ((p.point.position - q.point.position).norm() > reach) continue;
@@ -81,9 +79,8 @@ TEST_CASE("a reversed Morse function has the same critical points with minima an
     const Swept swept(seed);
     if (!swept.skin) continue;
     const auto reversed =
-        morse::critical_points(swept.skin->surface, swept.function.reversed()).points;
-    REQUIRE(reversed.size() == swept.critical.size());
-    for (const auto& p : swept.critical) {
+        morse::critical_points(swept.skin->surface, swept.guide.function.reversed()).points;
+    for (const auto& p : swept.guide.points) {
       const auto same = std::find_if(reversed.begin(), reversed.end(), [&](const auto& q) {
         return (p.point.position - q.point.position).norm() < 1e-9 * p.point.length_scale &&
                p.reversed().index == q.index;
