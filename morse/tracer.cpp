@@ -100,6 +100,7 @@ void Tracer::start(const Point& x, CellId cell) {
 // the meridian is an arc of the hyperbola r^2 - s^2 = k. On the line across, r and s are even
 // functions of b by symmetry; the first coefficient of s + s1 b^2 follows from ds/db = s'/b'.
 void Tracer::start(CriticalId saddle, const Vector& tangent, double share) {
+  origin_ = saddle;
   const skin::SurfacePoint& at = lines_.points_[saddle.index()].point;
   const Patch& patch = lines_.skin_.complex().patch(at.cell);
   const Vector u = at.position - patch.centre;
@@ -179,17 +180,14 @@ std::optional<std::size_t> Tracer::wall_passed() const {
   return passed;
 }
 
-bool Tracer::run() {
+void Tracer::run() {
   for (int piece = 0; piece < most_pieces; ++piece) {
     if (const auto wall = wall_passed()) {
       leave_through(walls_[*wall]);
       continue;
     }
-    if (!(flow_.is_sphere() ? follow_great_circle() : step())) {
-      return arrival_.has_value() || at_level_;
-    }
+    if (!(flow_.is_sphere() ? follow_great_circle() : step())) return;
   }
-  return false;
 }
 
 // u = rho (cos t pole + sin t side), the pole being where the line runs to: t falls to 0.
@@ -261,7 +259,7 @@ void Tracer::lay_circle(const Vector& pole, const Vector& side, double from, dou
 
 void Tracer::arrive(CriticalId id, const Vector& from) {
   const CaptureDisc& disc = lines_.discs_[id.index()];
-  arrival_ = {id, std::atan2(from.dot(disc.second), from.dot(disc.first)), from.norm()};
+  course_.arrival = {id, std::atan2(from.dot(disc.second), from.dot(disc.first)), from.norm()};
   if (points_ == nullptr) return;
   points_->push_back(lines_.points_[id.index()].point.position);
   cells_->push_back(cell_);
@@ -349,7 +347,7 @@ bool Tracer::step() {
   for (std::size_t i = 0; i <= walls_.size() && end_at_wall(time, exit); ++i) {
   }
   if (stop_ && look_for_stop(time)) return false;
-  if (!exit && capture(time)) return false;
+  if (!exit && (capture(time) || is_at_saddle())) return false;
   u_ = end_;
   velocity_ = flow_(u_);
   note();
@@ -375,6 +373,16 @@ bool Tracer::look_for_stop(double time) {
   velocity_ = flow_(u_);
   at_level_ = true;
   return true;
+}
+
+bool Tracer::is_at_saddle() {
+  for (const CriticalId id : lines_.within(cell_)) {
+    const CriticalPoint& p = lines_.points_[id.index()];
+    if (p.index != 1 || id == origin_) continue;
+    const Vector d = centre_ + flow_.to_space(end_) - p.point.position;
+    if (d.norm() < lines_.merge_distance(p.point.length_scale)) course_.saddle = id;
+  }
+  return course_.saddle.has_value();
 }
 
 bool Tracer::capture(double time) {
