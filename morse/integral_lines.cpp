@@ -81,7 +81,7 @@ void IntegralLines::build_disc(CriticalId id) {
     const double level = rho * rho * x * x * g(x);
     if (level > disc.level) {
       disc.level = level;
-      disc.radius = rho * x;
+      disc.radius = std::min(rho * x, wall_distance(id));
     }
   }
   disc.first *= std::sqrt(first);

@@ -65,7 +65,7 @@ struct LineNodes {
 class IntegralLines {
  public:
   /// Step over the length scale.
-  static constexpr double usual_step = 0.2;
+  static constexpr double usual_step = 0.18;
   /// How far a line may lie from the true one, over the length scale, with the usual step: what is
   /// left of truncation after the flow has spread it on the way. Measured against finer steps; one
   /// place in 500 has a larger error (tests/integral_lines_test.cpp).
