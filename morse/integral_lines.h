@@ -9,7 +9,7 @@
 /// on its patch and ended where a cell wall is crossed, so that every step has one smooth flow.
 ///
 /// A line ends only in the capture disc of an extremum, from which the flow cannot escape.
-/// Derivations: papers/3.2-simplification.md.
+/// Derivations: papers/3.2-morse-smale-complex.md.
 
 #include <algorithm>
 #include <cmath>
