@@ -203,7 +203,8 @@ class Builder {
 
   void find_regions() {
     const std::vector<std::uint32_t> next = successors();
-    // Every region has just one dart from a minimum to a saddle... and is found from there.
+    // A quadrangle has one dart from its minimum to a saddle, and each such dart one face; so the
+    // faces found from those darts are all, if every one closes after four.
     std::size_t odd = 0;
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       if (departures_[a].way == Way::Up) continue;
