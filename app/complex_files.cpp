@@ -235,6 +235,7 @@ std::string complex_vtu(const ComplexReport& report) {
   }
   grid.points = points;
   std::vector<double> value_there;
+  value_there.reserve(points.size());
   for (const Point& point : points) value_there.push_back(report.function(point));
   grid.point_numbers = {{"value", std::move(value_there)}};
   grid.cell_integers = {

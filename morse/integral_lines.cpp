@@ -81,33 +81,31 @@ void IntegralLines::build_disc(CriticalId id) {
     const double level = rho * rho * x * x * g(x);
     if (level > disc.level) {
       disc.level = level;
-      disc.radius = rho * x;
+      disc.radius = std::min(rho * x, wall_distance(id));
     }
   }
   disc.first *= std::sqrt(first);
   disc.second *= std::sqrt(second);
 }
 
-std::optional<Arrival> IntegralLines::trace(CriticalId saddle, const Vector& tangent, Way way,
-                                            std::vector<Point>& points,
-                                            std::vector<CellId>& cells) const {
+Course IntegralLines::trace(CriticalId saddle, const Vector& tangent, Way way,
+                            std::vector<Point>& points, std::vector<CellId>& cells) const {
   const skin::SurfacePoint& at = points_[saddle.index()].point;
   points.push_back(at.position);
   cells.push_back(at.cell);
   Tracer tracer(*this, way, &points, &cells);
   tracer.start(saddle, tangent, 1);
   tracer.follow_meridian(saddle, tangent);
-  if (!tracer.run()) return std::nullopt;
-  return tracer.arrival();
+  tracer.run();
+  return tracer.course();
 }
 
-std::optional<Arrival> IntegralLines::trace(const skin::SurfacePoint& start, Way way,
-                                            std::vector<Point>& points,
-                                            std::vector<CellId>& cells) const {
+Course IntegralLines::trace(const skin::SurfacePoint& start, Way way, std::vector<Point>& points,
+                            std::vector<CellId>& cells) const {
   Tracer tracer(*this, way, &points, &cells);
   tracer.start(start.position, start.cell);
-  if (!tracer.run()) return std::nullopt;
-  return tracer.arrival();
+  tracer.run();
+  return tracer.course();
 }
 
 IntegralLines::Passage IntegralLines::passage_at(const LineNodes& line, std::size_t node) const {
@@ -136,7 +134,8 @@ std::optional<IntegralLines::Passage> IntegralLines::passage(const LineNodes& li
   }
   tracer.start(line.points[before], line.cells[before]);
   tracer.stop_at(level);
-  if (!tracer.run() || !tracer.is_at_level()) return std::nullopt;
+  tracer.run();
+  if (!tracer.is_at_level()) return std::nullopt;
   return tracer.passage();
 }
 

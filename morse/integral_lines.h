@@ -9,7 +9,7 @@
 /// on its patch and ended where a cell wall is crossed, so that every step has one smooth flow.
 ///
 /// A line ends only in the capture disc of an extremum, from which the flow cannot escape.
-/// Derivations: papers/3.2-simplification.md.
+/// Derivations: papers/3.2-morse-smale-complex.md.
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,15 @@ struct Arrival {
   double radius;  ///< Angstrom: how far from the extremum the angle was taken
 };
 
-/// A line from a saddle, or a piece of one, by its nodes.
+/// What became of a line: it has arrived at an extremum, or it has run into a saddle to within the
+/// merge distance, so that nobody knows on which side it passes, or, both empty, it was lost. The
+/// last does not happen but where a critical point is missing.
+struct Course {
+  std::optional<Arrival> arrival;
+  std::optional<CriticalId> saddle;
+};
+
+/// A line from a saddle by its nodes.
 struct LineNodes {
   CriticalId saddle;
   Vector tangent;  ///< the unit vector along which the line leaves the saddle
@@ -57,7 +65,7 @@ struct LineNodes {
 class IntegralLines {
  public:
   /// Step over the length scale.
-  static constexpr double usual_step = 0.2;
+  static constexpr double usual_step = 0.18;
   /// How far a line may lie from the true one, over the length scale, with the usual step: what is
   /// left of truncation after the flow has spread it on the way. Measured against finer steps; one
   /// place in 500 has a larger error (tests/integral_lines_test.cpp).
@@ -70,12 +78,11 @@ class IntegralLines {
   /// Appends the nodes of the line that leaves a saddle along `tangent`.
   ///
   /// @param tangent  the saddle's `descending` or `ascending`, or its opposite.
-  /// @return  nothing when the line was lost; it never is unless f is degenerate.
-  std::optional<Arrival> trace(CriticalId saddle, const Vector& tangent, Way way,
-                               std::vector<Point>& points, std::vector<skin::CellId>& cells) const;
+  Course trace(CriticalId saddle, const Vector& tangent, Way way, std::vector<Point>& points,
+               std::vector<skin::CellId>& cells) const;
   /// The same from any point of the skin that is not critical.
-  std::optional<Arrival> trace(const skin::SurfacePoint& start, Way way, std::vector<Point>& points,
-                               std::vector<skin::CellId>& cells) const;
+  Course trace(const skin::SurfacePoint& start, Way way, std::vector<Point>& points,
+               std::vector<skin::CellId>& cells) const;
 
   /// Where a line passes a level, with the velocity (of no fixed length) there.
   struct Passage {
@@ -88,15 +95,19 @@ class IntegralLines {
   /// The same at one of its nodes but the first and the last.
   Passage passage_at(const LineNodes& line, std::size_t node) const;
 
-  /// The accuracy with this object's step: the method is of order 8. Rounding ends it.
+  /// Below this rounding, spread by the flow, outdoes truncation.
+  static constexpr double best_accuracy = 1e-11;
+  /// The accuracy with this object's step: the method is of order 8.
   double accuracy() const {
-    return std::max(usual_accuracy * std::pow(step_ / usual_step, 8), 1e-13);
+    return std::max(usual_accuracy * std::pow(step_ / usual_step, 8), best_accuracy);
   }
   /// Two lines of one kind nearer than this cannot be told apart, Angstrom.
   double merge_distance(double length_scale) const {
     return 10 * accuracy() * length_scale + 4 * skin_.complex().wall_tolerance();
   }
 
+  /// Of an extremum that does not lie on a sphere patch; of other points it is empty.
+  const CaptureDisc& disc(CriticalId id) const { return discs_[id.index()]; }
   /// The nearest wall of the cell that contains a critical point, Angstrom.
   double wall_distance(CriticalId id) const;
   std::span<const CriticalPoint> points() const { return points_; }

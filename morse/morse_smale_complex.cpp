@@ -97,17 +97,18 @@ class Builder {
       if (complex_.points[i].index != 1) continue;
       for (const Departure& departure : departures(complex_.points[i])) {
         nodes_.first.push_back(static_cast<std::uint32_t>(nodes_.points.size()));
-        const auto arrival = lines_.trace(CriticalId{i}, departure.tangent, departure.way,
-                                          nodes_.points, nodes_.cells);
-        if (!arrival) {
-          report("an integral line from the saddle at " + place_of(complex_.points[i]) +
-                 " finds no extremum");
+        const Course course = lines_.trace(CriticalId{i}, departure.tangent, departure.way,
+                                           nodes_.points, nodes_.cells);
+        if (!course.arrival) {
+          report("the integral line from the saddle at " + place_of(complex_.points[i]) +
+                 (course.saddle ? " runs into the saddle at " + place_of(point(*course.saddle))
+                                : std::string(" finds no extremum")));
           all = false;
           continue;
         }
-        complex_.arcs.push_back({CriticalId{i}, arrival->extremum});
+        complex_.arcs.push_back({CriticalId{i}, course.arrival->extremum});
         departures_.push_back(departure);
-        arrivals_.push_back(*arrival);
+        arrivals_.push_back(*course.arrival);
       }
     }
     nodes_.first.push_back(static_cast<std::uint32_t>(nodes_.points.size()));
@@ -202,7 +203,8 @@ class Builder {
 
   void find_regions() {
     const std::vector<std::uint32_t> next = successors();
-    // Every region has just one dart from a minimum to a saddle... and is found from there.
+    // A quadrangle has one dart from its minimum to a saddle, and each such dart one face; so the
+    // faces found from those darts are all, if every one closes after four.
     std::size_t odd = 0;
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       if (departures_[a].way == Way::Up) continue;
@@ -250,9 +252,9 @@ class Builder {
     if (!start) return std::nullopt;
     std::vector<Point> points;
     std::vector<CellId> cells;
-    const auto arrival = lines_.trace(*start, Way::Up, points, cells);
-    if (!arrival) return std::nullopt;
-    return arrival->extremum;
+    const Course course = lines_.trace(*start, Way::Up, points, cells);
+    if (!course.arrival) return std::nullopt;
+    return course.arrival->extremum;
   }
 
   const skin::SkinSurface& skin_;

@@ -21,12 +21,12 @@ class Tracer {
   /// Follows the meridian of a saddle's hyperboloid to the wall, if the line runs along it.
   void follow_meridian(CriticalId saddle, const Vector& tangent);
 
-  /// Goes on to an extremum, or to the level at which it stops. @return false when lost.
-  bool run();
+  /// Goes on to an extremum, or to the level at which it stops, as far as it gets.
+  void run();
 
   void stop_at(double level) { stop_ = level; }
   bool is_at_level() const { return at_level_; }
-  const std::optional<Arrival>& arrival() const { return arrival_; }
+  const Course& course() const { return course_; }
   IntegralLines::Passage passage() const;
 
  private:
@@ -54,6 +54,7 @@ class Tracer {
   bool capture(double time);
   void arrive(CriticalId id, const Vector& from);
   bool look_for_stop(double time);
+  bool is_at_saddle();
 
   const IntegralLines& lines_;
   Way way_;
@@ -69,7 +70,8 @@ class Tracer {
   std::vector<LocalWall> walls_;
   std::optional<double> stop_;
   bool at_level_ = false;
-  std::optional<Arrival> arrival_;
+  std::optional<CriticalId> origin_;  ///< the saddle that the line has left
+  Course course_;
 };
 
 }  // namespace morskin::morse
