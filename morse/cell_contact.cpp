@@ -55,7 +55,7 @@ std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, con
     if (!(std::abs(distance) < radius)) continue;
     const Circle cut{centre + distance * wall.normal, wall.normal,
                      std::sqrt((radius - distance) * (radius + distance))};
-    if (const auto place = place_in_cell(complex, cell, cut, doubt)) return place;
+    if (auto place = place_in_cell(complex, cell, cut, doubt)) return place;
   }
   return std::nullopt;
 }

@@ -98,7 +98,7 @@ double meridian_doubt(double lambda, double rho, double error) {
 void add_hyperboloid(const View& v, CriticalPoints& result) {
   const skin::MixedComplex& complex = v.surface.complex();
   const double W = v.patch.sign * v.patch.half_weight;
-  for (const MeridianPoint& p : distance_equation(v.across, v.along, W, v.rounding).all()) {
+  for (const MeridianPoint& p : distance_equation(v.across, v.along, W, v.rounding)) {
     const double rho = std::hypot(p.across, p.along);
     const double wall = wall_doubt * rho + complex.wall_tolerance();
     if (p.is_circle) {

@@ -14,7 +14,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace morskin::morse {
 
@@ -29,7 +28,9 @@ struct MeridianPoint {
 class MeridianPoints {
  public:
   void add(const MeridianPoint& point) { points_[size_++] = point; }
-  std::span<const MeridianPoint> all() const { return {points_.data(), size_}; }
+  std::size_t size() const { return size_; }
+  const MeridianPoint* begin() const { return points_.data(); }
+  const MeridianPoint* end() const { return points_.data() + size_; }
 
  private:
   std::array<MeridianPoint, 4> points_{};

@@ -48,7 +48,7 @@ TEST_CASE("solutions of the distance equation are on the quadric, with the gradi
     const double W = (random.uniform() < 0.5 ? 1 : -1) * length(random);
     const auto points =
         distance_equation(across, along, W, no_rounding * (across + std::abs(along)));
-    for (const MeridianPoint& p : points.all()) {
+    for (const MeridianPoint& p : points) {
       ++solutions;
       const double rho_squared = p.across * p.across + p.along * p.along;
       CHECK(std::abs(p.across * p.across - p.along * p.along - W) <= 1e-14 * rho_squared);
@@ -70,7 +70,7 @@ TEST_CASE("no solution of the distance equation is missed: an eigenvalue solver 
     const double W = (seed % 2 ? 1 : -1) * random.between(0.05, 4);
     const auto points = distance_equation(across, along, W, no_rounding);
     std::vector<double> m;
-    for (const MeridianPoint& p : points.all()) m.push_back(1 - p.one_minus_m);
+    for (const MeridianPoint& p : points) m.push_back(1 - p.one_minus_m);
     std::sort(m.begin(), m.end());
     for (std::size_t i = 1; i < m.size(); ++i) CHECK(m[i] > m[i - 1]);
     const std::vector<double> expected = quartic_roots(across * across, along * along, W);
@@ -92,15 +92,15 @@ TEST_CASE("on the axis a circle, in the plane of symmetry two points stand for t
   for (const double along : {0.5, 3.0, -3.0}) {
     CAPTURE(along);
     const auto neck = distance_equation(0, along, 1, no_rounding);  // one sheet about the axis
-    REQUIRE(neck.all().size() == 1);
-    CHECK(neck.all()[0].is_circle);
-    CHECK(neck.all()[0].across == doctest::Approx(std::sqrt(1 + along * along / 4)));
+    REQUIRE(neck.size() == 1);
+    CHECK(neck.begin()[0].is_circle);
+    CHECK(neck.begin()[0].across == doctest::Approx(std::sqrt(1 + along * along / 4)));
 
     const auto caps = distance_equation(0, along, -1, no_rounding);  // two sheets
     const bool beyond_focus = std::abs(along) > 2;
-    REQUIRE(caps.all().size() == (beyond_focus ? 3U : 2U));
+    REQUIRE(caps.size() == (beyond_focus ? 3U : 2U));
     std::size_t circles = 0;
-    for (const MeridianPoint& p : caps.all()) {
+    for (const MeridianPoint& p : caps) {
       circles += p.is_circle;
       if (!p.is_circle) CHECK(std::abs(p.along) == doctest::Approx(1));
     }
@@ -109,10 +109,10 @@ TEST_CASE("on the axis a circle, in the plane of symmetry two points stand for t
   for (const double across : {0.5, 3.0}) {
     CAPTURE(across);
     const auto neck = distance_equation(across, 0, 1, no_rounding);
-    CHECK(neck.all().size() == (across > 2 ? 4U : 2U));
+    CHECK(neck.size() == (across > 2 ? 4U : 2U));
     const auto caps = distance_equation(across, 0, -1, no_rounding);
-    REQUIRE(caps.all().size() == 2);
-    for (const MeridianPoint& p : caps.all()) {
+    REQUIRE(caps.size() == 2);
+    for (const MeridianPoint& p : caps) {
       CHECK(p.across == across / 2);
       CHECK(std::abs(p.along) == doctest::Approx(std::sqrt(1 + across * across / 4)));
     }
@@ -129,9 +129,9 @@ TEST_CASE(
     if (std::abs(root) < 0.01) continue;
     const double W = root * root * root / 4;
     const auto points = distance_equation(across, along, W, 0x1p-48);
-    REQUIRE(points.all().size() == 3);
+    REQUIRE(points.size() == 3);
     std::size_t flat = 0;
-    for (const MeridianPoint& p : points.all()) {
+    for (const MeridianPoint& p : points) {
       const double lambda = p.one_plus_m * p.across * p.across + p.one_minus_m * p.along * p.along;
       flat += std::abs(lambda) < 1e-9 * (p.across * p.across + p.along * p.along);
     }
