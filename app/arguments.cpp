@@ -77,8 +77,8 @@ void add_threads_option(CLI::App& command, unsigned& threads) {
   command
       .add_option(
           "--threads", threads,
-          "Threads at most (all cores); the certificate uses two, and the bytes written are "
-          "the same for any number")
+          "Threads at most (all cores); the certificate uses two, and the result is the same "
+          "for any number")
       ->check(CLI::Range(1U, 1024U));
 }
 
