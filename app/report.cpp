@@ -104,6 +104,7 @@ ordered_json certificate_json(const Certificate& c) {
                        {"violations_U", c.violations_U},
                        {"max_distance_to_skin", rounded(c.max_distance_to_skin)},
                        {"max_relative_distance_to_skin", rounded(c.max_relative_distance_to_skin)},
+                       {"single_precision", c.is_single_precision},
                        {"area", rounded(c.area, 12)},
                        {"volume", rounded(c.volume, 12)},
                        {"covering_degree_ok", c.covering_degree_ok},
@@ -173,6 +174,7 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
   text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
                                " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
                                " of the length scale");
+  if (c.is_single_precision) text += line("", "(all coordinates are single precision)");
   text +=
       line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3");
   return text;

@@ -1,6 +1,7 @@
 #include "refine/certificate.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -28,6 +29,15 @@ std::string number(double x) {
   return text;
 }
 
+bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
+
+bool is_single_precision(const IndexedMesh& mesh) {
+  return std::ranges::all_of(mesh.positions, [](const Point& p) {
+    return std::abs(p.x()) <= FLT_MAX && std::abs(p.y()) <= FLT_MAX && std::abs(p.z()) <= FLT_MAX &&
+           is_float(p.x()) && is_float(p.y()) && is_float(p.z());
+  });
+}
+
 /// The work of certify(), one claim after the other; the first that breaks is the reason.
 class Certifier {
  public:
@@ -51,6 +61,7 @@ class Certifier {
     // Where the vertices lie needs no connectivity, and the other way round.
     const auto look_at_places = [&] {
       if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
+      out_.is_single_precision = is_single_precision(mesh_);
       check_vertices();
       check_triangles();
     };
@@ -119,8 +130,9 @@ class Certifier {
   geometry::Components parts_;
   std::vector<SurfacePoint> located_;  ///< unless they were given
   std::span<const SurfacePoint> points_;
-  double largest_share_ = 0;  ///< of R_abc over rho_abc
-  double free_share_ = 0;     ///< free_radius() over rho
+  double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
+  double largest_share_ = 0;     ///< of sqrt(R_abc^2 + |G|) over rho_abc
+  double free_share_ = 0;        ///< free_radius() over rho
 };
 
 void Certifier::measure_shape() {
@@ -140,8 +152,11 @@ void Certifier::check_vertices() {
     out_.max_relative_distance_to_skin =
         std::max(out_.max_relative_distance_to_skin, g / (2 * rho * rho));
     // A hundred times what the mesher leaves: room for another program's last digits, far below
-    // what the theorem needs.
-    if (!(g <= 100 * skin_.residual_bound(rho))) {
+    // what the theorem needs. Rounding to floats moves a vertex by at most 2^-24 of its distance d
+    // from the origin, and G by 2 rho d + d^2.
+    const double moved = out_.is_single_precision ? std::ldexp(mesh_.positions[v].norm(), -24) : 0;
+    largest_residual_ = std::max(largest_residual_, g / (rho * rho));
+    if (!(g <= 100 * skin_.residual_bound(rho) + (2 * rho + moved) * moved)) {
       fail(Claim::OnSkin, "vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
                               " Angstrom off the skin");
     }
@@ -158,7 +173,11 @@ void Certifier::check_triangles() {
     const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
     const double u = sizing_.triangle_ratio(circle.radius, rho);
     out_.worst_U = std::max(out_.worst_U, u);
-    largest_share_ = std::max(largest_share_, circle.radius / rho);
+    // The theorem's R^2 with the vertices' |G| added; rho^2 is the largest of the corners'.
+    const double most_rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    const double reach_of_flow =
+        std::sqrt(circle.radius * circle.radius + largest_residual_ * most_rho * most_rho);
+    largest_share_ = std::max(largest_share_, reach_of_flow / rho);
     if (!(u < 1) && out_.violations_U++ == 0) {
       note(Claim::U, "triangle " + std::to_string(t), u);
     }
@@ -185,7 +204,7 @@ void Certifier::check_triangles() {
       fail(Claim::Upright,
            "triangle " + std::to_string(t) + " does not face the way the skin does");
     }
-    if (!(circle.radius < rho / 2)) {
+    if (!(reach_of_flow < rho - circle.radius)) {
       fail(Claim::Tube, "triangle " + std::to_string(t) +
                             " is too big for its length scale to be proved near the skin");
     }

@@ -5,7 +5,8 @@
 ///
 /// Proved when all of these hold:
 ///   manifold    the triangles form a closed oriented 2-manifold without degenerate elements;
-///   on skin     every vertex lies on the skin within residual_bound();
+///   on skin     every vertex lies on the skin within residual_bound(), or, where all coordinates
+///               are floats as STL has them, within the rounding to floats;
 ///   tube        every triangle lies where the flow along grad G reaches the skin (c2), and
 ///   upright     faces the way the skin does there (c1), so that the flow is a covering map;
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
@@ -46,6 +47,7 @@ struct Certificate {
   std::size_t violations_U = 0;
   double max_distance_to_skin = 0;           ///< of a vertex, Angstrom
   double max_relative_distance_to_skin = 0;  ///< the same over the length scale
+  bool is_single_precision = false;          ///< every coordinate is a float
   double area = 0;                           ///< Angstrom^2
   double volume = 0;                         ///< Angstrom^3, voids taken off
   bool covering_degree_ok = false;

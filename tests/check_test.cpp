@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_files.h"
 #include "geometry/self_intersections.h"
 #include "refine/certificate.h"
 #include "refine/deviations.h"
@@ -170,6 +171,25 @@ TEST_CASE("a vertex off the surface is named, and first in the list of the farth
   CHECK(deviations.farthest_vertices[0].vertex == 77);
   CHECK(deviations.farthest_vertices[0].distance == doctest::Approx(1e-5).epsilon(1e-3));
   CHECK(deviations.max_vertex_distance == deviations.farthest_vertices[0].distance);
+}
+
+TEST_CASE(
+    "a mesh rounded to single precision is homeomorphic, and its vertices may be no farther") {
+  const Good good = vdw("ring12.xyzr");
+  const IndexedMesh rounded = geometry::parse_mesh(
+      geometry::serialized(good.mesh, geometry::MeshFormat::Stl), "rounded.stl");
+  const Certificate certificate = good.certify(rounded);
+  CHECK(certificate.is_single_precision);
+  CHECK(certificate.is_homeomorphic);
+  CHECK(certificate.max_distance_to_skin > 1e-9);
+  CHECK(certificate.max_distance_to_skin < 1e-6);
+  CHECK_FALSE(good.certify(good.mesh).is_single_precision);
+  IndexedMesh mixed = rounded;  // one vertex in double precision: the others have no excuse
+  mixed.positions[0].x() = std::nextafter(mixed.positions[0].x(), 100);
+  CHECK(contains(good.certify(mixed).broken_by(Claim::OnSkin), "off the skin"));
+  IndexedMesh far = rounded;
+  far.positions[9].x() += 0x1p-12;  // exact in a float below 2^11
+  CHECK(contains(good.certify(far).broken_by(Claim::OnSkin), "vertex 9 lies"));
 }
 
 TEST_CASE("a vertex pushed through the body crosses the far side") {

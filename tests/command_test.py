@@ -22,7 +22,8 @@ MORSKIN = "build/morskin"
 REPORT_KEYS = """input model probe atoms_used atoms_skipped patch_radius_min patch_radius_max C Q
     vertices triangles components euler_characteristic genus expected_euler_characteristic
     expected_components expected_genus min_angle_deg max_angle_deg worst_L worst_U
-    max_distance_to_skin covering_degree_ok restricted_delaunay_violations certified minima saddles maxima operations seconds
+    max_distance_to_skin covering_degree_ok restricted_delaunay_violations certified
+    minima saddles maxima operations seconds
     floor_ratio peak_memory_bytes""".split()
 OPERATION_KEYS = """creation creep wing bridge seal guard_inside_protecting
     guard_outside_protecting flip contract insert""".split()
@@ -495,8 +496,8 @@ class Check(CommandTest):
         self.write(vertices, triangles)
         broken = self.broken(*self.words)
         self.assertIn("vertex 20 lies ", broken["vertices on the skin"])
-        self.assertEqual(self.check("bad.off", *self.words, code=5)["farthest_vertices"][0]["vertex"],
-                         20)
+        report = self.check("bad.off", *self.words, code=5)
+        self.assertEqual(report["farthest_vertices"][0]["vertex"], 20)
 
     def test_a_self_intersection(self):
         vertices, triangles = self.good_mesh(MOLECULES / "two_balls.xyzr")
@@ -544,6 +545,13 @@ class OtherCommands(CommandTest):
         self.assertAlmostEqual(shape["volume"], 1 / 6)
         self.assertIn(b"manifold    NO", self.run_morskin("check", "open.obj", code=5).stdout)
 
+    def test_an_stl_file_passes_as_far_as_single_precision_goes(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.stl", "-o", "ring.ply", "-q")
+        report = self.check("ring.stl", "--against", self.ring)
+        self.assertTrue(report["single_precision"])
+        self.assertGreater(report["max_distance_to_skin"], 1e-9)
+        self.assertFalse(self.check("ring.ply", "--against", self.ring)["single_precision"])
+
     def test_check_reads_gzipped_meshes_and_msms_pairs_by_either_name(self):
         self.run_morskin("mesh", self.ring, "-o", "ring.off", "-q")
         off = (self.folder / "ring.off").read_bytes()
@@ -578,8 +586,8 @@ class OtherCommands(CommandTest):
                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\n" \
                  "end_header\n"
         for name, content, code, words in [
-                ("empty.ply", "", 3, b"empty"), ("nan.ply", header + "0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n",
-                                               3, b"not finite"),
+                ("empty.ply", "", 3, b"empty"),
+                ("nan.ply", header + "0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", 3, b"not finite"),
                 ("inf.off", "OFF\n3 1 0\n0 0 inf\n1 0 0\n0 1 0\n3 0 1 2\n", 3, b"not finite"),
                 ("none.off", "OFF\n0 0 0\n", 5, b"no triangles"),
                 ("points.off", "OFF\n1 0 0\n1 2 3\n", 5, b"no triangles"),
