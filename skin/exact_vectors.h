@@ -1,19 +1,17 @@
 #pragma once
 
-// Inside mixed_complex: vectors whose coordinates are held exactly, for simplices so flat that
+// Inside orthocentre: vectors whose coordinates are held exactly, for simplices so flat that
 // rounding would turn their normals and orthocentres anywhere.
 
-#include <Eigen/Core>
 #include <array>
 
 #include "geometry/expansion.h"
 #include "geometry/point.h"
+#include "skin/orthocentre.h"
 
 namespace morskin::skin {
 
 using geometry::Expansion;
-using Wide = Eigen::Matrix<long double, 3, 1>;
-
 /// The nearest number of the type but for its last bit or two.
 inline long double rounded(const Expansion& x) {
   long double sum = 0;

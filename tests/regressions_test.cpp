@@ -9,6 +9,7 @@
 #include "front/mesh_skin.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
+#include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
 
 using namespace morskin;
@@ -127,4 +128,13 @@ TEST_CASE("balls that are collinear or coplanar but for rounding have the skin t
     const support::Outcome outcome = support::outcome_of(*points);
     CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
   }
+}
+
+TEST_CASE(
+    "a neck of a hundred-millionth of an Angstrom has one weight in all cells that meet there") {
+  // A turned lattice whose balls touch but for rounding. The orthocentres of an edge, a triangle
+  // and a tetrahedron fall together in the neck; their weights, of 1e-16, differed by what is left
+  // when 4.5 is taken from 4.5, and vertices lay off the skin by a thousandth of its length scale.
+  const support::Outcome outcome = support::outcome_of(support::nasty_set(1387));
+  CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
 }

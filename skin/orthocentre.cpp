@@ -1,0 +1,147 @@
+#include "skin/orthocentre.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "skin/exact_vectors.h"
+
+namespace morskin::skin {
+
+namespace {
+
+using geometry::Point;
+using geometry::Vector;
+using geometry::WeightedPoint;
+using Simplex = std::span<const WeightedPoint>;
+
+/// A product of vectors this much smaller than the product of their lengths has lost too many bits
+/// to cancellation, and is computed again exactly. Doubles keep 53 - 10 bits above it, about as
+/// many as the walls' tolerance takes for granted, long doubles 64 - 10.
+constexpr double flat = 0x1p-10;
+/// A product whose sign alone matters is right above this: rounding spoils 2^-50.
+constexpr double doubtful = 0x1p-40;
+/// The same for a weight against its two terms; 64 - 20 bits are left, and a few go into rounding.
+constexpr long double thin = 0x1p-20L;
+
+Wide wide(const Vector& v) { return v.cast<long double>(); }
+
+/// With arms e, f, g from the first point and the loads p, q, r of each (by how much the power of
+/// its end exceeds that of the first point, there), the orthocentre lies at numerator / (2
+/// denominator) from the first point. Vec and Number are long doubles or exact.
+template <class Vec, class Number>
+struct Fraction {
+  Vec numerator;
+  Number denominator;
+  Vec normal;
+};
+
+template <class Vec, class Number>
+Fraction<Vec, Number> fraction(const std::array<Vec, 3>& arms, const std::array<Number, 3>& loads,
+                               std::size_t points) {
+  const auto& [e, f, g] = arms;
+  const auto& [p, q, r] = loads;
+  if (points == 2) return {p * e, e.dot(e), e};
+  if (points == 3) {
+    const Vec n = e.cross(f);
+    return {p * f.cross(n) + q * n.cross(e), n.dot(n), n};
+  }
+  const Vec f_g = f.cross(g);
+  return {p * f_g + q * g.cross(e) + r * e.cross(f), e.dot(f_g), Vec()};
+}
+
+Fraction<Wide, long double> wide_fraction(Simplex simplex) {
+  std::array<Wide, 3> arms;
+  std::array<long double, 3> loads{};
+  for (std::size_t i = 1; i < simplex.size(); ++i) {
+    arms[i - 1] = wide(simplex[i].position) - wide(simplex[0].position);
+    loads[i - 1] =
+        arms[i - 1].squaredNorm() + static_cast<long double>(simplex[0].weight) - simplex[i].weight;
+  }
+  return fraction(arms, loads, simplex.size());
+}
+
+Fraction<ExactVector, Expansion> exact_fraction(Simplex simplex) {
+  std::array<ExactVector, 3> arms;
+  std::array<Expansion, 3> loads;
+  for (std::size_t i = 1; i < simplex.size(); ++i) {
+    arms[i - 1] = ExactVector(simplex[0].position, simplex[i].position);
+    loads[i - 1] =
+        arms[i - 1].dot(arms[i - 1]) + Expansion::difference(simplex[0].weight, simplex[i].weight);
+  }
+  return fraction(arms, loads, simplex.size());
+}
+
+/// Whether the arms' product, whose square is the denominator of a triangle, has cancelled.
+bool is_flat(Simplex simplex, long double denominator) {
+  if (simplex.size() < 3) return false;
+  long double squares = static_cast<long double>(flat) * flat;
+  for (std::size_t i = 1; i < simplex.size(); ++i) {
+    squares *= (wide(simplex[i].position) - wide(simplex[0].position)).squaredNorm();
+  }
+  return !((simplex.size() == 3 ? denominator : denominator * denominator) >= squares);
+}
+
+/// w - |numerator / (2 denominator)|^2 on one fraction line.
+long double exact_weight(double weight, const Fraction<ExactVector, Expansion>& at) {
+  const Expansion square = Expansion(4.0) * (at.denominator * at.denominator);
+  return rounded(Expansion(weight) * square - at.numerator.dot(at.numerator)) / rounded(square);
+}
+
+}  // namespace
+
+Orthocentre orthocentre(Simplex simplex) {
+  assert(simplex.size() >= 1 && simplex.size() <= 4);
+  const Wide first = wide(simplex[0].position);
+  const double first_weight = simplex[0].weight;
+  if (simplex.size() == 1) return {first, first_weight, Wide::Zero()};
+
+  const auto quick = wide_fraction(simplex);
+  Wide offset = quick.numerator / (2 * quick.denominator);
+  Wide normal = quick.normal;
+  std::optional<Fraction<ExactVector, Expansion>> exact;
+  if (is_flat(simplex, quick.denominator)) {
+    exact = exact_fraction(simplex);
+    offset = exact->numerator.rounded() / (2 * rounded(exact->denominator));
+    normal = exact->normal.rounded();
+  }
+  const long double square = offset.squaredNorm();
+  long double weight = first_weight - square;
+  if (std::abs(weight) < thin * (std::abs(first_weight) + square)) {
+    if (!exact) exact = exact_fraction(simplex);
+    weight = exact_weight(first_weight, *exact);
+  }
+  return {first + offset, weight,
+          simplex.size() == 4 ? Wide(Wide::Zero()) : Wide(normal.normalized())};
+}
+
+Vector direction_off_facet(std::span<const Point> points) {
+  const Point &origin = points.front(), &apex = points.back();
+  const Vector to_apex = apex - origin;
+  if (points.size() == 2) return to_apex.normalized();
+  const Vector e = points[1] - origin;
+  if (points.size() == 3) {
+    const Vector unit_e = e.normalized();
+    const Vector n = unit_e.cross(to_apex);
+    if (n.norm() >= flat * to_apex.norm()) return n.cross(unit_e).normalized();
+    const ExactVector exact_e(origin, points[1]);
+    const Wide exact_n = exact_e.cross(ExactVector(origin, apex)).rounded();
+    return exact_n.cross(exact_e.rounded()).normalized().cast<double>();
+  }
+  const Vector f = points[2] - origin;
+  const Vector n = e.cross(f);
+  const double height = n.dot(to_apex);
+  const bool is_facet_flat = n.norm() < flat * e.norm() * f.norm();
+  if (!is_facet_flat && std::abs(height) >= doubtful * n.norm() * to_apex.norm()) {
+    const Vector unit = n.normalized();
+    return height < 0 ? Vector(-unit) : unit;
+  }
+  const ExactVector exact_n = ExactVector(origin, points[1]).cross(ExactVector(origin, points[2]));
+  const Vector unit = exact_n.rounded().normalized().cast<double>();
+  const geometry::Sign side = exact_n.dot(ExactVector(origin, apex)).sign();
+  return side == geometry::Sign::Negative ? Vector(-unit) : unit;
+}
+
+}  // namespace morskin::skin

@@ -1,0 +1,114 @@
+#include "skin/orthocentre.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/orthosphere.h"
+#include "tests/support/nasty_sets.h"
+
+using namespace morskin;
+using geometry::Point;
+using geometry::WeightedPoint;
+
+namespace {
+
+constexpr double promised = 0x1p-40;
+
+double power(const WeightedPoint& p, const skin::Wide& x) {
+  const skin::Wide centre = p.position.cast<long double>();
+  return static_cast<double>((x - centre).squaredNorm() - p.weight);
+}
+
+/// Lattice points, turned so that what was flat or right-angled is so but for rounding: simplices
+/// of all shapes, weights that cancel among them.
+std::vector<WeightedPoint> some_simplex(unsigned seed, std::size_t size) {
+  support::Random random(seed);
+  const double whole = std::pow(10.0, -static_cast<double>(random.below(3)));
+  support::Balls balls;
+  while (balls.size() < size) {
+    const Point at = whole * support::whole_point(random, 2);
+    if (std::ranges::none_of(balls, [&](const support::Ball& b) { return b.centre == at; })) {
+      balls.push_back({at, whole * 0.5 * static_cast<double>(1 + random.below(3))});
+    }
+  }
+  support::turn_and_move(random, balls);
+  return support::weighted(balls);
+}
+
+bool is_independent(const std::vector<WeightedPoint>& s) {
+  if (s.size() == 3) return !geometry::are_collinear(s[0].position, s[1].position, s[2].position);
+  return s.size() < 4 || geometry::orientation(s[0].position, s[1].position, s[2].position,
+                                               s[3].position) != geometry::Sign::Zero;
+}
+
+}  // namespace
+
+TEST_CASE("the orthocentre does not depend on the order of the simplex, however flat or thin") {
+  for (unsigned seed = 0; seed < 6000; ++seed) {
+    CAPTURE(seed);
+    std::vector<WeightedPoint> simplex = some_simplex(seed, 2 + seed % 3);
+    if (!is_independent(simplex)) continue;
+    const skin::Orthocentre z = skin::orthocentre(simplex);
+    std::rotate(simplex.begin(), simplex.begin() + 1, simplex.end());
+    std::swap(simplex[0], simplex[1]);
+    const skin::Orthocentre again = skin::orthocentre(simplex);
+    long double reach = 0;
+    for (const WeightedPoint& p : simplex) {
+      reach = std::max(reach, (z.position - p.position.cast<long double>()).norm());
+    }
+    CHECK((z.position - again.position).norm() <= 2 * promised * reach);
+    CHECK(std::abs(z.weight - again.weight) <= 2 * promised * std::abs(z.weight));
+  }
+}
+
+TEST_CASE("the sign of an orthocentre's weight is the exact one") {
+  std::size_t thin = 0;
+  for (unsigned seed = 0; seed < 6000; ++seed) {
+    CAPTURE(seed);
+    const auto simplex = some_simplex(seed, 2 + seed % 3);
+    if (!is_independent(simplex)) continue;
+    const skin::Orthocentre z = skin::orthocentre(simplex);
+    thin += std::abs(z.weight) < 1e-12L * simplex[0].weight;
+    CHECK(geometry::sign_of(z.weight) == geometry::orthosphere_weight_sign(simplex));
+  }
+  CHECK(thin > 10);  // the test is of some use
+}
+
+TEST_CASE("the orthocentre has equal power to all weighted points, as near as they can tell") {
+  for (unsigned seed = 0; seed < 3000; ++seed) {
+    CAPTURE(seed);
+    const auto simplex = some_simplex(seed, 2 + seed % 3);
+    if (!is_independent(simplex)) continue;
+    const skin::Orthocentre z = skin::orthocentre(simplex);
+    const double distance =
+        static_cast<double>((z.position - simplex[0].position.cast<long double>()).norm());
+    for (const WeightedPoint& p : simplex) {
+      const double scale = distance * distance + p.weight + p.position.squaredNorm();
+      CHECK(std::abs(power(p, z.position) - power(simplex[0], z.position)) <= promised * scale);
+    }
+  }
+}
+
+TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards the other vertex") {
+  for (unsigned seed = 0; seed < 6000; ++seed) {
+    CAPTURE(seed);
+    const auto simplex = some_simplex(seed, 2 + seed % 3);
+    if (!is_independent(simplex)) continue;
+    std::vector<Point> points;
+    for (const WeightedPoint& p : simplex) points.push_back(p.position);
+    const geometry::Vector d = skin::direction_off_facet(points);
+    CHECK(std::abs(d.norm() - 1) < 1e-14);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const geometry::Vector along = points[i] - points[0];
+      CHECK(std::abs(d.dot(along)) <= promised * along.norm());
+    }
+    if (points.size() < 4) continue;
+    const auto side = geometry::orientation(points[0], points[1], points[2], points[3]);
+    const Point far = points[0] + d;
+    CHECK(geometry::orientation(points[0], points[1], points[2], far) == side);
+  }
+}
