@@ -58,6 +58,8 @@ struct Typed {
   std::string progress = "auto";
   std::string method = "sweep";
   std::string max_memory;
+  std::string guard = "everywhere";
+  std::optional<int> fronts;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -120,11 +122,26 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->check(CLI::IsMember({"sweep"}))
       ->capture_default_str();
   command
-      .add_option("--fronts", mesh.fronts,
+      .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
                   "Algorithm 1 as the paper prints it")
       ->check(CLI::IsMember({1, 2}))
+      ->default_str("2");
+  command
+      .add_option("--guard", typed.guard,
+                  "Where the front looks for collisions: everywhere; adjacent or\n"
+                  "spheres are experiments that fail on most molecules")
+      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
       ->capture_default_str();
+  command.add_option("--snapshots", mesh.snapshots,
+                     "Write so many states of the growing mesh and its front, at even steps of\n"
+                     "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
+  command
+      .add_option("--snapshot-at", mesh.snapshot_values,
+                  "Also, or instead, at these values: v,v,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
@@ -317,6 +334,16 @@ void finish(MorseArguments& morse, const Typed& typed) {
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
+  if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
+  if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
+  const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();
+  mesh.fronts = typed.fronts.value_or(has_snapshots ? 1 : 2);
+  if (has_snapshots && mesh.fronts != 1) {
+    throw UsageError("snapshots are of a sweep from below only: leave out --fronts 2");
+  }
+  for (const double value : mesh.snapshot_values) {
+    if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
+  }
   check_outputs(mesh);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/exit_codes.h"
+#include "front/sweep.h"
 #include "morse/morse_function.h"
 #include "refine/sizing.h"
 #include "skin/model.h"
@@ -41,7 +42,11 @@ struct MeshArguments {
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
-  int fronts = 2;        ///< front::MeshOptions::fronts
+  front::Guard guard = front::Guard::Everywhere;
+  std::size_t snapshots = 0;            ///< at even steps of the Morse function
+  std::vector<double> snapshot_values;  ///< and at these
+  std::filesystem::path snapshot_folder = ".";
+  int fronts = 2;                           ///< front::MeshOptions::fronts
   unsigned threads = 1;                     ///< at most; the result is the same for any number
   std::optional<double> timeout;            ///< seconds of real time
   std::optional<std::uint64_t> max_memory;  ///< bytes

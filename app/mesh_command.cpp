@@ -10,6 +10,7 @@
 #include "app/molecule_input.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/snapshots.h"
 #include "app/staged_outputs.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
@@ -50,6 +51,13 @@ front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arg
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
+  options.guard = arguments.guard;
+  options.snapshots = arguments.snapshots;
+  options.snapshot_values = arguments.snapshot_values;
+  std::size_t number = 0;
+  options.snapshot = [&](const front::Snapshot& snapshot) {
+    write_snapshot(arguments.snapshot_folder, ++number, snapshot);
+  };
   options.certify = false;
   options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
   try {
@@ -145,6 +153,9 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
 }
 
 void describe_run(MeshReport& report, const front::MeshResult& result) {
+  report.surviving_minima = result.surviving_minima;
+  report.surviving_saddles = result.surviving_saddles;
+  report.surviving_maxima = result.surviving_maxima;
   report.minima = result.minima;
   report.saddles = result.saddles;
   report.maxima = result.maxima;
@@ -206,6 +217,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const front::MeshResult result = mesh(skin, arguments);
   describe_run(report, result);
+  report.fronts = arguments.fronts;
 
   const Stopwatch writing;
   write(files, result.mesh);

@@ -22,6 +22,8 @@ ordered_json operations_json(const MeshReport& report) {
           {"seal", done.seal},
           {"guard_inside_protecting", done.guard_inside_protecting},
           {"guard_outside_protecting", done.guard_outside_protecting},
+          {"vain_inside_protecting", done.vain_inside_protecting},
+          {"vain_outside_protecting", done.vain_outside_protecting},
           {"flip", report.refinement.flip},
           {"contract", report.refinement.contract},
           {"insert", report.refinement.insert},
@@ -142,6 +144,10 @@ std::string json_text(const MeshReport& report) {
   json["saddles"] = report.saddles;
   json["maxima"] = report.maxima;
   json["open_edges"] = report.open_edges;
+  json["surviving"] = {{"minima", report.surviving_minima},
+                       {"saddles", report.surviving_saddles},
+                       {"maxima", report.surviving_maxima}};
+  json["fronts"] = report.fronts;
   json["operations"] = operations_json(report);
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
@@ -200,12 +206,17 @@ std::string people_text(const MeshReport& report) {
   text += line("function", in_words(report.function));
   text += line("critical", counted(report.minima, "minimum", "minima") + " - " +
                                counted(report.saddles, "saddle", "saddles") + " + " +
-                               counted(report.maxima, "maximum", "maxima"));
+                               counted(report.maxima, "maximum", "maxima") + "; " +
+                               grouped(report.surviving_minima) + " - " +
+                               grouped(report.surviving_saddles) + " + " +
+                               grouped(report.surviving_maxima) + " survive");
   text += line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
                             grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
                             grouped(done.seal) + " sealed");
   text += line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
-                              grouped(done.guard_outside_protecting) + " outside");
+                              grouped(done.guard_outside_protecting) + " outside, of which " +
+                              grouped(done.vain_inside_protecting) + " and " +
+                              grouped(done.vain_outside_protecting) + " in vain");
   text +=
       line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
                              counted(report.refinement.contract, "contraction", "contractions") +

@@ -33,6 +33,8 @@ struct MeshReport {
   std::string certified_file;
   refine::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
+  std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
+  int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;
   refine::RefinementCounts refinement;

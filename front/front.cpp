@@ -1,5 +1,6 @@
 #include "front/front.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace morskin::front {
@@ -18,6 +19,7 @@ FrontEdgeId Front::open_edge(VertexId origin, HalfEdgeId half_edge) {
   edge.origin = origin;
   edge.half_edge = half_edge;
   edge.is_open = true;
+  edge.loop = 0;
   ++edge.generation;
   ++open_;
   const SurfacePoint& p = mesh_.at(origin);
@@ -45,9 +47,12 @@ std::vector<FrontEdgeId> Front::open_polygon(std::span<const HalfEdgeId> half_ed
 
 std::uint32_t Front::append(const Front& other, std::uint32_t vertices, std::uint32_t half_edges) {
   const auto edges = static_cast<std::uint32_t>(edges_.size());
+  const auto loops = static_cast<std::uint32_t>(loops_.size() - 1);
+  loops_.insert(loops_.end(), other.loops_.begin() + 1, other.loops_.end());
   for (FrontEdge edge : other.edges_) {
     edge.origin.value += vertices;
     edge.half_edge.value += half_edges;
+    edge.loop += edge.loop == 0 ? 0 : loops;
     edge.next.value += edges;
     edge.previous.value += edges;
     const FrontEdgeId e{edges_.size()};
@@ -71,6 +76,7 @@ FrontEdgeId Front::attach(FrontEdgeId e, const SurfacePoint& x) {
   const auto t = add_triangle(e, apex);
   const FrontEdgeId after = edges_[e.index()].next;
   const FrontEdgeId added = open_edge(apex, SurfaceMesh::half_edge(t, 2));
+  edges_[added.index()].loop = edges_[e.index()].loop;
   edges_[e.index()].half_edge = SurfaceMesh::half_edge(t, 1);
   link(e, added);
   link(added, after);
@@ -83,6 +89,7 @@ FrontEdgeId Front::attach(FrontEdgeId e, FrontEdgeId corner) {
   const FrontEdgeId after = edges_[e.index()].next;
   const FrontEdgeId before_v = edges_[corner.index()].previous;
   const FrontEdgeId added = open_edge(v, SurfaceMesh::half_edge(t, 2));
+  edges_[added.index()].loop = edges_[corner.index()].loop;
   edges_[e.index()].half_edge = SurfaceMesh::half_edge(t, 1);
   link(e, corner);
   link(before_v, added);
@@ -101,10 +108,38 @@ void Front::close_corner(FrontEdgeId corner) {
   if (edges_[after.index()].next == before) zip(before);
 }
 
+void Front::watch_touch(FrontEdgeId e, FrontEdgeId added, bool is_predicted) {
+  for (const FrontEdgeId side : {e, edges_[e.index()].next, added}) {
+    loops_[edges_[side.index()].loop].met_another = true;
+  }
+  // From both edges on at once: the polygon was split if one comes round without meeting the other.
+  FrontEdgeId a = e, b = added;
+  do {
+    a = edges_[a.index()].next;
+    b = edges_[b.index()].next;
+    if (a == added || b == e) return;
+  } while (a != e && b != added);
+  const FrontEdgeId first = a == e ? e : added;
+  const auto loop = static_cast<std::uint32_t>(loops_.size());
+  loops_.push_back({.is_predicted = is_predicted});
+  FrontEdgeId edge = first;
+  do {
+    edges_[edge.index()].loop = loop;
+    edge = edges_[edge.index()].next;
+  } while (edge != first);
+}
+
+std::size_t Front::vain_loops(bool is_predicted) const {
+  return static_cast<std::size_t>(std::count_if(
+      loops_.begin() + 1, loops_.end(),
+      [&](const Loop& loop) { return loop.is_predicted == is_predicted && loop.is_vain(); }));
+}
+
 /// Glues the last two edges of a polygon, which run to and fro between the same two vertices.
 void Front::zip(FrontEdgeId e) {
   const FrontEdgeId f = edges_[e.index()].next;
   mesh_.surface.glue(edges_[e.index()].half_edge, edges_[f.index()].half_edge);
+  loops_[edges_[e.index()].loop].is_closed = true;
   close_edge(e);
   close_edge(f);
 }

@@ -28,7 +28,19 @@ struct FrontEdge {
   FrontEdgeId next, previous;
   HalfEdgeId half_edge;
   std::uint32_t generation = 0;
+  std::uint32_t loop = 0;  ///< the watched loop it belongs to; 0 for none
   bool is_open = false;
+};
+
+/// A polygon that a touch split off, watched until it closes.
+struct Loop {
+  bool is_predicted = false;  ///< the touch was inside a protecting sphere
+  bool met_another = false;   ///< it touched the front again
+  bool has_maximum = false;   ///< it came into the protecting sphere of a maximum
+  bool is_closed = false;
+
+  /// Nothing came of it: a spot left out that was filled later.
+  bool is_vain() const { return is_closed && !met_another && !has_maximum; }
 };
 
 class Front {
@@ -69,6 +81,15 @@ class Front {
   /// @return the new edge, from the corner's vertex to e's old target.
   FrontEdgeId attach(FrontEdgeId e, FrontEdgeId corner);
 
+  /// Tells what attach(e, corner) did: when it split a polygon, the smaller part is watched from
+  /// now on. Takes as long as that part has edges.
+  /// @param added  what attach() returned
+  void watch_touch(FrontEdgeId e, FrontEdgeId added, bool is_predicted);
+  /// Notes that an edge's polygon has come to a maximum.
+  void note_maximum(FrontEdgeId e) { loops_[edges_[e.index()].loop].has_maximum = true; }
+  /// How many of the touches with this prediction split off a loop of which nothing came.
+  std::size_t vain_loops(bool is_predicted) const;
+
  private:
   geometry::TriangleId add_triangle(FrontEdgeId e, VertexId apex);
   FrontEdgeId open_edge(VertexId origin, HalfEdgeId half_edge);
@@ -83,6 +104,7 @@ class Front {
   std::vector<FrontEdge> edges_;
   std::vector<FrontEdgeId> free_;
   FrontGrid grid_;
+  std::vector<Loop> loops_{Loop{}};  ///< the first stands for all that are not watched
   std::size_t open_ = 0;
 };
 

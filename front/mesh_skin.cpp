@@ -82,11 +82,15 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
 
   skin::SkinMesh mesh;
   timed(result.seconds.sweep, [&] {
-    const auto report = [&](double share) { progress("sweep", share); };
+    SweepOptions sweeping{.sizing = options.sizing,
+                          .guard = options.guard,
+                          .progress = [&](double share) { progress("sweep", share); },
+                          .snapshot_values = options.snapshot_values,
+                          .snapshots = options.snapshots,
+                          .snapshot = options.snapshot};
     SweepResult swept = options.fronts == 1
-                            ? sweep_once(skin.surface, guide, options.sizing, report)
-                            : sweep_from_both_ends(skin.surface, guide, options.sizing,
-                                                   options.threads, report);
+                            ? sweep_once(skin.surface, guide, sweeping)
+                            : sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);
     mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;

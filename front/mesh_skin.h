@@ -28,6 +28,11 @@ struct MeshOptions {
   std::optional<morse::MorseFunction> function;
   /// 2: swept from both ends at once; 1: from below only, Algorithm 1 as printed.
   int fronts = 2;
+  Guard guard = Guard::Everywhere;
+  /// With one front: see SweepOptions.
+  std::vector<double> snapshot_values;
+  std::size_t snapshots = 0;
+  std::function<void(const Snapshot&)> snapshot;
   unsigned threads = 2;  ///< at most; the mesh is the same for any number
   /// Certify the mesh in memory. The command does without: it certifies the bytes it wrote.
   bool certify = true;

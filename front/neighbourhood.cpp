@@ -48,7 +48,7 @@ class CirclesOver {
 
 }  // namespace
 
-void Neighbourhood::gather(const SurfacePoint& centre) {
+void Neighbourhood::stand_at(const SurfacePoint& centre) {
   origin_ = centre.position;
   normal_ = centre.normal;
   // The axis that is farthest from the normal, made orthogonal to it.
@@ -59,12 +59,27 @@ void Neighbourhood::gather(const SurfacePoint& centre) {
   corners_.clear();
   if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
   reach_ = front_.grid().reach() * centre.length_scale;
+}
+
+void Neighbourhood::gather(const SurfacePoint& centre) {
+  stand_at(centre);
   front_.grid().for_each_within(origin_, centre.length_scale, reach_, [&](FrontEdgeId e) {
     if ((front_[e].position - origin_).squaredNorm() <= reach_ * reach_) list(e);
   });
   // Edges that come into reach from a vertex out of reach.
   const std::size_t within = corners_.size();
   for (std::size_t i = 0; i < within; ++i) list(front_[corners_[i].edge].previous);
+}
+
+void Neighbourhood::gather_along(const SurfacePoint& centre, FrontEdgeId corner, bool far) {
+  stand_at(centre);
+  list(corner);
+  const auto goes_on = [&](FrontEdgeId e) {
+    return far && e != corner && (front_[e].position - origin_).squaredNorm() <= reach_ * reach_;
+  };
+  FrontEdgeId after = front_[corner].next, before = front_[corner].previous;
+  for (list(after); goes_on(after); list(after)) after = front_[after].next;
+  for (list(before); goes_on(before); list(before)) before = front_[before].previous;
 }
 
 /// Notes an edge, once.

@@ -40,6 +40,10 @@ class Neighbourhood {
   /// scale, and the edges on both sides of each.
   void gather(const SurfacePoint& centre);
 
+  /// Looks along the polygon only: at a corner, the one before and the one after, and, if `far`, on
+  /// both ways as far as the grid's reach.
+  void gather_along(const SurfacePoint& centre, FrontEdgeId corner, bool far);
+
   LocalPoint local(const Point& x) const {
     const Vector d = x - origin_;
     return {Vector2(first_axis_.dot(d), second_axis_.dot(d)), normal_.dot(d)};
@@ -85,6 +89,7 @@ class Neighbourhood {
   bool sees(FrontEdgeId e, FrontEdgeId corner) const;
 
  private:
+  void stand_at(const SurfacePoint& centre);
   struct Corner {
     FrontEdgeId edge;
     VertexId vertex, target;

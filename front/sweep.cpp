@@ -15,6 +15,9 @@ constexpr double sixty_degrees = M_PI / 3;
 /// less than asin(0.6) = 37 degrees.
 constexpr double largest_view = 0.6;
 
+/// Of protecting spheres, for the guards that look no farther.
+constexpr double enlargement = 3;
+
 /// Twice as many as a whole sphere takes when its vertices stand 0.85 disk radii apart, which is
 /// denser than any sweep lays them: with more, the front has passed itself unseen.
 std::uint32_t most_vertices_on_a_sphere(double disk_share) {
@@ -36,28 +39,40 @@ Operations& Operations::operator+=(const Operations& other) {
   return *this;
 }
 
-Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide,
-             const refine::Sizing& sizing, SkinMesh& mesh, double last)
+Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const SweepOptions& options,
+             SkinMesh& mesh, double last)
     : skin_(skin),
       guide_(guide),
+      options_(options),
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
-      disk_share_(spacing_.disk_share * sizing.tangent_disk_share()),
+      disk_share_(spacing_.disk_share * options.sizing.tangent_disk_share()),
       mesh_(mesh),
       front_(mesh, std::min(spacing_.view * disk_share_, largest_view)),
       near_(mesh, front_),
       marked_(guide.points.size()),
       last_(last),
       laid_(skin.complex().size(), 0),
-      most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {}
+      most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {
+  if (options_.guard == Guard::Everywhere) return;
+  std::vector<double> radii;
+  for (std::size_t c = 0; c < guide.points.size(); ++c) {
+    radii.push_back(enlargement * guide.spheres.radius(CriticalId{c}));
+  }
+  enlarged_.emplace(skin, guide.points, std::move(radii));
+}
 
-void Sweep::run(const std::function<void(double)>& progress) {
+void Sweep::run() {
   if (guide_.points.empty()) return;
-  progress_ = progress;
   const auto [lowest, highest] =
       std::minmax_element(guide_.points.begin(), guide_.points.end(),
                           [](const auto& p, const auto& q) { return p.value < q.value; });
   lowest_ = lowest->value;
   highest_ = std::min(highest->value, last_);
+  for (std::size_t k = 1; k <= options_.snapshots; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(options_.snapshots);
+    options_.snapshot_values.push_back(lowest_ + share * (highest_ - lowest_));
+  }
+  std::sort(options_.snapshot_values.begin(), options_.snapshot_values.end());
   std::vector<std::uint32_t> minima;
   for (std::uint32_t i = 0; i < guide_.points.size(); ++i) {
     if (guide_.points[i].index == 0 && guide_.points[i].value <= last_) minima.push_back(i);
@@ -67,6 +82,7 @@ void Sweep::run(const std::function<void(double)>& progress) {
   });
   for (const std::uint32_t i : minima) create(guide_.points[i]);
   finish();
+  show_up_to(std::numeric_limits<double>::infinity());
 }
 
 void Sweep::finish() {
@@ -107,15 +123,11 @@ void Sweep::join(const Sweep& above) {
 
 // Algorithm 1, with its line numbers.
 void Sweep::creep_triangles() {
-  constexpr std::size_t steps_between_reports = 4096;
-  std::size_t steps = 0;
   while (!queue_.empty() && !is_overlapping_) {  // 1
     const Departure departure = queue_.top();    // 2
     queue_.pop();
     if (!is_current(departure)) continue;
-    if (progress_ && ++steps % steps_between_reports == 0) {
-      progress_(std::clamp((departure.value - lowest_) / (highest_ - lowest_), 0.0, 1.0));
-    }
+    report(departure);
     if (!may_depart(departure)) {
       beyond_.push_back(departure);
       continue;
@@ -129,10 +141,45 @@ void Sweep::creep_triangles() {
       if (!sides[0].empty() && !sides[1].empty()) bridge(*c);  // 4, 5
     } else if (index == 2) {                                   // 9: ... of a maximum point c
       marked_[c->index()].sides[0].push_back(departure);       // 10: mark with green
-    } else if (!creep(departure.corner)) {                     // 12
+      front_.note_maximum(departure.corner);
+    } else if (!creep(departure.corner)) {  // 12
       stuck_.push_back(departure);
     }
   }  // 15
+}
+
+/// Tells of progress, and of the values that the front has come to.
+void Sweep::report(const Departure& departure) {
+  constexpr std::size_t steps_between_reports = 4096;
+  if (options_.progress && ++steps_ % steps_between_reports == 0) {
+    options_.progress(std::clamp((departure.value - lowest_) / (highest_ - lowest_), 0.0, 1.0));
+  }
+  show_up_to(departure.value);
+}
+
+void Sweep::show_up_to(double value) {
+  for (; snapshots_ < options_.snapshot_values.size() &&
+         options_.snapshot_values[snapshots_] <= value;
+       ++snapshots_) {
+    options_.snapshot({guide_.function, options_.snapshot_values[snapshots_], mesh_, front_});
+  }
+}
+
+/// Gathers what the guard is to see round a departure vertex.
+void Sweep::look_round(FrontEdgeId corner) {
+  const SurfacePoint& centre = mesh_.at(front_[corner].origin);
+  if (!enlarged_ || enlarged_->containing(centre)) {
+    near_.gather(centre);
+  } else {
+    near_.gather_along(centre, corner, options_.guard == Guard::Adjacent);
+  }
+}
+
+Operations Sweep::operations() const {
+  Operations operations = operations_;
+  operations.vain_inside_protecting = front_.vain_loops(true);
+  operations.vain_outside_protecting = front_.vain_loops(false);
+  return operations;
 }
 
 bool Sweep::is_current(const Departure& d) const {
@@ -218,9 +265,10 @@ void Sweep::attach(FrontEdgeId e, FrontEdgeId corner) {
     close_corner(after);
   } else {
     const VertexId p = front_[e].origin, v = front_[corner].origin;
-    ++(is_protected(p) || is_protected(v) ? operations_.guard_inside_protecting
-                                          : operations_.guard_outside_protecting);
+    const bool is_predicted = is_protected(p) || is_protected(v);
+    ++(is_predicted ? operations_.guard_inside_protecting : operations_.guard_outside_protecting);
     const FrontEdgeId added = front_.attach(e, corner);
+    front_.watch_touch(e, added, is_predicted);
     near_.refresh(e);
     near_.refresh(added);
     push(added);
@@ -244,7 +292,7 @@ void Sweep::close_corner(FrontEdgeId corner) {
 bool Sweep::creep(FrontEdgeId e) {
   const SurfacePoint centre = mesh_.at(front_[e].origin);
   const std::uint32_t generation = front_[e].generation;
-  near_.gather(centre);
+  look_round(e);
   fresh_.assign({front_[e].next});
   if (!is_triangle(e)) {
     break_long_edge(e);
@@ -372,7 +420,7 @@ void Sweep::bridge(CriticalId saddle) {
       if (!is_current(d)) continue;
       queue_.push(d);
       if (is_bridged) continue;
-      near_.gather(mesh_.at(front_[d.corner].origin));
+      look_round(d.corner);
       for (const FrontEdgeId e : {d.corner, front_[d.corner].previous}) {
         const auto apex = near_.delaunay_apex(e);
         if (!apex) continue;
@@ -409,7 +457,7 @@ void Sweep::seal(CriticalId maximum) {
   bool is_sealed = false;
   for (const Departure& d : std::exchange(marked.sides[0], {})) {
     while (is_current(d)) {
-      near_.gather(mesh_.at(front_[d.corner].origin));
+      look_round(d.corner);
       const auto apex = last_apex(d.corner);
       if (!apex) {
         stuck_.push_back(d);

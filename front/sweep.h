@@ -27,6 +27,10 @@ struct Operations {
   /// Touches of the front found by the collision guard, in and out of protecting spheres.
   std::size_t guard_inside_protecting = 0;
   std::size_t guard_outside_protecting = 0;
+  /// Those of them that only split off a loop, which closed again without meeting the front or
+  /// coming to a maximum.
+  std::size_t vain_inside_protecting = 0;
+  std::size_t vain_outside_protecting = 0;
 
   Operations& operator+=(const Operations& other);
 };
@@ -47,24 +51,52 @@ struct Spacing {
   double long_edge_height = 0.7;
 };
 
+/// Where the front looks for collisions. Only `Everywhere` is safe; the others show what Morse
+/// theory alone would do (papers/3.1-morse-functions.md).
+enum class Guard {
+  Everywhere,
+  Adjacent,  ///< along the front's own polygon, and everywhere within enlarged protecting spheres
+  Spheres,   ///< within enlarged protecting spheres only
+};
+
+/// A sweep on its way.
+struct Snapshot {
+  const morse::MorseFunction& function;
+  double value;  ///< of the function at the departure vertex
+  const SkinMesh& mesh;
+  const Front& front;
+};
+
+struct SweepOptions {
+  refine::Sizing sizing;
+  Guard guard = Guard::Everywhere;
+  /// Told now and then what share of the way from the lowest critical point to the highest the
+  /// front has come.
+  std::function<void(double)> progress;
+  /// What to call when the front gets to some values of the Morse function, and how many values at
+  /// even steps up to the highest critical one there are to be beside the given. A value that the
+  /// front never comes to shows what there is in the end. From one front only.
+  std::vector<double> snapshot_values;
+  std::size_t snapshots = 0;
+  std::function<void(const Snapshot&)> snapshot;
+};
+
 class Sweep {
  public:
   /// @param last  the sweep stays below this value of the Morse function, by a disk's radius or
   ///              more where it moves on, by next to nothing where a bowl is laid
   /// @pre the mesh is empty. Guide and mesh must outlive the sweep.
-  Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const refine::Sizing& sizing,
+  Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const SweepOptions& options,
         SkinMesh& mesh, double last = std::numeric_limits<double>::infinity());
 
   /// Sweeps until no bare surface is left that the front can reach.
-  /// `progress` is told now and then what share of the way from the lowest critical point to the
-  /// highest the front has come.
-  void run(const std::function<void(double)>& progress = {});
+  void run();
 
   /// Takes over the mesh and the front of a sweep of the reversed function that has run, and sweeps
   /// on without a last value.
   void join(const Sweep& above);
 
-  const Operations& operations() const { return operations_; }
+  Operations operations() const;
   /// Front edges left open: 0 when the mesh is closed.
   std::size_t open_edges() const { return front_.open_edges(); }
 
@@ -85,6 +117,9 @@ class Sweep {
   };
 
   void finish();
+  void report(const Departure& departure);
+  void show_up_to(double value);
+  void look_round(FrontEdgeId corner);
   void create(const morse::CriticalPoint& minimum);
   void creep_triangles();
   bool creep(FrontEdgeId e);
@@ -114,6 +149,8 @@ class Sweep {
 
   const skin::SkinSurface& skin_;
   const morse::Guide& guide_;
+  SweepOptions options_;
+  std::optional<morse::ProtectingSpheres> enlarged_;  ///< for the guards that go by them
   Spacing spacing_;
   double wing_cosine_;
   double disk_share_;  ///< r_a over rho
@@ -123,8 +160,8 @@ class Sweep {
   std::priority_queue<Departure, std::vector<Departure>, std::greater<>> queue_;
   std::vector<Marked> marked_;  ///< by critical point
   double last_;
-  std::function<void(double)> progress_;
   double lowest_ = 0, highest_ = 1;  ///< critical values
+  std::size_t steps_ = 0, snapshots_ = 0;
   std::vector<Departure> stuck_;
   std::vector<Departure> beyond_;    ///< too near the last value
   std::vector<FrontEdgeId> fresh_;   ///< corners that the current operation made or changed

@@ -63,25 +63,27 @@ double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
 }
 
 SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
-                       const refine::Sizing& sizing, const std::function<void(double)>& progress) {
+                       const SweepOptions& options) {
   SweepResult result;
-  Sweep sweep(skin, guide, sizing, result.mesh);
-  sweep.run(progress);
+  Sweep sweep(skin, guide, options, result.mesh);
+  sweep.run();
   result.operations = sweep.operations();
   result.open_edges = sweep.open_edges();
   return result;
 }
 
 SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
-                                 const refine::Sizing& sizing, unsigned threads,
-                                 const std::function<void(double)>& progress) {
+                                 const SweepOptions& options, unsigned threads) {
   const double middle = middle_level(skin, guide);
   const morse::Guide reversed = guide.reversed();
   SweepResult result;
   skin::SkinMesh upper_mesh;
-  Sweep below(skin, guide, sizing, result.mesh, middle);
-  Sweep above(skin, reversed, sizing, upper_mesh, -middle);
-  geometry::do_both(threads, [&] { below.run(progress); }, [&] { above.run(); });
+  SweepOptions silent = options;
+  silent.progress = {};
+  Sweep below(skin, guide, options, result.mesh, middle);
+  Sweep above(skin, reversed, silent, upper_mesh, -middle);
+  geometry::do_both(
+      threads, [&] { below.run(); }, [&] { above.run(); });
   below.join(above);
   result.operations = below.operations();
   result.open_edges = below.open_edges();

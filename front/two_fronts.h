@@ -9,8 +9,6 @@
 /// touches what the other has laid before they are joined, so the mesh does not depend on the
 /// number of threads.
 
-#include <functional>
-
 #include "front/sweep.h"
 
 namespace morskin::front {
@@ -23,14 +21,12 @@ struct SweepResult {
 
 /// One sweep from below, Algorithm 1 as printed.
 SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
-                       const refine::Sizing& sizing,
-                       const std::function<void(double)>& progress = {});
+                       const SweepOptions& options = {});
 
 /// From both ends.
 /// @param threads  with one, the two sweeps run one after the other
 SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
-                                 const refine::Sizing& sizing, unsigned threads,
-                                 const std::function<void(double)>& progress = {});
+                                 const SweepOptions& options = {}, unsigned threads = 2);
 
 /// The level where they meet: as near as can be to the median value over the atoms, so that both
 /// have about as much to do, but never between a minimum below and a maximum above that are so

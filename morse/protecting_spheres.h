@@ -14,7 +14,8 @@ namespace morskin::morse {
 class ProtectingSpheres {
  public:
   ProtectingSpheres() = default;  ///< none
-  /// @param radius_share  radius of a sphere over the length scale at its centre; it shrinks to half
+  /// @param radius_share  radius of a sphere over the length scale at its centre; it shrinks to
+  /// half
   ///                      the distance to the nearest other critical point, so that no two overlap.
   ///                      Erratum: papers/README.md, E15.
   ProtectingSpheres(const skin::SkinSurface& skin, std::span<const CriticalPoint> points,

@@ -6,6 +6,7 @@ import collections
 import gzip
 import json
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -85,6 +86,33 @@ class Mesh(CommandTest):
         printed = self.mesh_json(self.ring, "-o", "ring.off", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text()), printed)
         self.assertEqual(self.names(), ["report.json", "ring.off"])
+
+    def test_snapshots_grow_from_nothing_to_the_whole_sweep(self):
+        (self.folder / "steps").mkdir()
+        report = self.mesh_json(self.ring, "-o", "ring.ply", "--snapshots", "4",
+                                "--snapshot-at", "-1e9", "--snapshot-dir", "steps")
+        self.assertTrue(report["certified"])
+        names = sorted(path.name for path in (self.folder / "steps").iterdir())
+        self.assertEqual(names, sorted(f"snapshot-{k}.{ending}" for k in range(1, 6)
+                                       for ending in ("ply", "vtu")))
+        open_edges, triangles = [], []
+        for k in range(1, 6):
+            grid = xml.etree.ElementTree.parse(self.folder / "steps" / f"snapshot-{k}.vtu")
+            front = next(a for a in grid.iter("DataArray") if a.get("Name") == "front")
+            self.assertIsNotNone(front)
+            cells = int(grid.find(".//Piece").get("NumberOfCells"))
+            mesh = (self.folder / "steps" / f"snapshot-{k}.ply").read_bytes()
+            faces = int(re.search(rb"element face (\d+)", mesh).group(1))
+            triangles.append(faces)
+            open_edges.append(cells - faces)
+        self.assertEqual(triangles, sorted(triangles))
+        self.assertGreater(min(open_edges[1:4]), 0)
+        self.assertEqual(open_edges[4], 0)
+
+    def test_snapshots_want_one_front(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--snapshots", "2",
+                                "--fronts", "2", code=2)
+        self.assertIn(b"--fronts 2", done.stderr)
 
     def test_quiet_prints_nothing(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q")

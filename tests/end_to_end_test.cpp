@@ -165,7 +165,8 @@ TEST_CASE("other constants give meshes that keep their own bounds, finer for sma
 }
 
 TEST_CASE(
-    "operations and stages are counted: one bowl for each surviving minimum, progress from stage to stage") {
+    "operations and stages are counted: one bowl for each surviving minimum, progress from stage "
+    "to stage") {
   const PreparedSkin skin = front::prepare_skin(support::molecule("ring12.xyzr", skin::Model::Vdw));
   std::vector<std::string> stages;
   MeshOptions options;

@@ -264,6 +264,32 @@ TEST_CASE("a front that splits and joins again closes to a torus") {
   }
 }
 
+TEST_CASE(
+    "a loop that a touch split off is vain if it closes alone, and not if it meets the front") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const bool meets = seed % 2 == 1, has_maximum = seed % 3 == 0;
+    Plane plane;
+    const auto polygon = plane.fan(0, 0, 0.2, 0, 14);
+    // Five edges are split off; the other part has eight and a new one.
+    const FrontEdgeId added = plane.front.attach(polygon[0], polygon[6]);
+    plane.front.watch_touch(polygon[0], added, true);
+    const FrontEdgeId in_loop = polygon[1];
+    REQUIRE(plane.front[in_loop].loop == 1);
+    REQUIRE(plane.front[added].loop == 1);
+    REQUIRE(plane.front[polygon[0]].loop == 0);
+    if (has_maximum) plane.front.note_maximum(in_loop);
+    if (meets) {
+      const FrontEdgeId again = plane.front.attach(polygon[9], polygon[3]);
+      plane.front.watch_touch(polygon[9], again, false);
+    }
+    Walk walk(plane, seed);
+    walk.finish();
+    CHECK(plane.front.vain_loops(true) == (meets || has_maximum ? 0U : 1U));
+    CHECK(plane.front.vain_loops(false) == 0);
+  }
+}
+
 TEST_CASE("a reused front edge has a new generation") {
   Plane plane;
   const auto polygon = plane.fan(0, 0, 0.2, 0);

@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "skin/gzip.h"
+#include "geometry/gzip.h"
 #include "skin/radii.h"
 #include "tests/support/temporary_folder.h"
 
 using morskin::geometry::AtomId;
+using morskin::geometry::bomb_bytes;
 using morskin::geometry::Point;
 using morskin::geometry::RefusedInput;
 using morskin::geometry::UnreadableInput;
 using morskin::skin::Atom;
-using morskin::skin::bomb_bytes;
 using morskin::skin::describe;
 using morskin::skin::Molecule;
 using morskin::skin::molecule_format_of;

@@ -17,11 +17,10 @@ namespace {
 
 /// What the sweep leaves for the refinement.
 SkinMesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  const morse::Guide guide =
-      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                        sizing.tangent_disk_share());
+  const morse::Guide guide = morse::make_guide(
+      skin.surface, skin.topology.skin_euler_characteristic(), {}, sizing.tangent_disk_share());
   SkinMesh mesh;
-  front::Sweep sweep(skin.surface, guide, sizing, mesh);
+  front::Sweep sweep(skin.surface, guide, {.sizing = sizing}, mesh);
   sweep.run();
   REQUIRE(sweep.open_edges() == 0);
   return mesh;

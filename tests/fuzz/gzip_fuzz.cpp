@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "geometry/error.h"
-#include "skin/gzip.h"
+#include "geometry/gzip.h"
 #include "tests/fuzz/require.h"
 
 using namespace morskin;
@@ -17,7 +17,7 @@ namespace {
 void unpack(std::string_view bytes) {
   constexpr std::size_t most = std::size_t{1} << 20;
   try {
-    fuzz::require(skin::unpack_gzip(bytes, "a.gz", most).size() <= most);
+    fuzz::require(geometry::unpack_gzip(bytes, "a.gz", most).size() <= most);
   } catch (const geometry::UnreadableInput&) {
   }
 }

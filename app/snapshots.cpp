@@ -1,0 +1,55 @@
+#include "app/snapshots.h"
+
+#include <string>
+
+#include "geometry/atomic_file.h"
+#include "geometry/mesh_files.h"
+#include "geometry/vtu_grid.h"
+
+namespace morskin::app {
+namespace {
+
+std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& front,
+                      const morse::MorseFunction& function) {
+  geometry::VtuGrid grid;
+  grid.points = mesh.positions;
+  std::vector<std::int64_t> is_front;
+  const auto close_cell = [&](geometry::VtuCell kind) {
+    grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
+    grid.kinds.push_back(kind);
+    is_front.push_back(kind == geometry::VtuCell::Polyline);
+  };
+  for (const auto& triangle : mesh.triangles) {
+    grid.corners.insert(grid.corners.end(), triangle.begin(), triangle.end());
+    close_cell(geometry::VtuCell::Triangle);
+  }
+  for (std::size_t i = 0; i < front.capacity(); ++i) {
+    const front::FrontEdgeId e{i};
+    if (!front[e].is_open) continue;
+    grid.corners.push_back(front[e].origin.value);
+    grid.corners.push_back(front.target(e).value);
+    close_cell(geometry::VtuCell::Polyline);
+  }
+  std::vector<double> values;
+  for (const geometry::Point& p : mesh.positions) values.push_back(function(p));
+  grid.point_numbers.emplace_back("value", std::move(values));
+  grid.cell_integers.emplace_back("front", std::move(is_front));
+  return geometry::vtu(grid);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
+                                                  std::size_t number,
+                                                  const front::Snapshot& snapshot) {
+  geometry::IndexedMesh mesh;
+  for (const skin::SurfacePoint& p : snapshot.mesh.points) mesh.positions.push_back(p.position);
+  mesh.triangles = snapshot.mesh.surface.triangle_list();
+  const std::string stem = "snapshot-" + std::to_string(number);
+  const std::filesystem::path ply = folder / (stem + ".ply"), vtu = folder / (stem + ".vtu");
+  geometry::write_file_atomically(ply, geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));
+  geometry::write_file_atomically(vtu, grid_text(mesh, snapshot.front, snapshot.function));
+  return {ply, vtu};
+}
+
+}  // namespace morskin::app

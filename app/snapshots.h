@@ -1,0 +1,20 @@
+#pragma once
+
+/// Pictures of a sweep on its way, as mesh files (the paper's Figure 4).
+
+#include <filesystem>
+#include <vector>
+
+#include "front/sweep.h"
+
+namespace morskin::app {
+
+/// Writes snapshot-K.ply, the mesh laid so far, and snapshot-K.vtu, the same with the edges of the
+/// front, told apart by the integer `front`, and the Morse function's value at every vertex.
+/// @return the two names
+/// @throws geometry::UnwritableOutput
+std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
+                                                  std::size_t number,
+                                                  const front::Snapshot& snapshot);
+
+}  // namespace morskin::app
