@@ -41,7 +41,8 @@ struct MorseSmaleComplex {
   std::size_t merged_lines = 0;
   /// Why this is not safely the complex, or nothing: those of the critical points, and lines that
   /// rounding cannot tell from one between two saddles. Where they leave the complex undecided,
-  /// `arcs` or `regions` is empty.
+  /// `regions` is empty, and `arcs` and `components` are if a line has no end. Regions that are
+  /// given are quadrangles always.
   std::vector<std::string> degeneracies;
 
   /// The arc's polyline from the saddle to the extremum, both included.
