@@ -20,17 +20,16 @@ void do_both(unsigned threads, First first, Second second) {
   other.get();
 }
 
-/// How many chunks for_each_chunk() makes of a count: one for each thread, none too small to be
-/// worth one.
-inline std::size_t chunk_count(unsigned threads, std::size_t count) {
-  constexpr std::size_t least = 4096;
+/// How many chunks for_each_chunk() makes of a count: one for each thread, none below `least`, so
+/// that each is worth a thread.
+inline std::size_t chunk_count(unsigned threads, std::size_t count, std::size_t least = 4096) {
   return std::clamp<std::size_t>(count / least, 1, std::max(threads, 1U));
 }
 
 /// Calls work(begin, end, chunk) for consecutive parts of [0, count), each in its own thread.
 template <class Work>
-void for_each_chunk(unsigned threads, std::size_t count, Work work) {
-  const std::size_t chunks = chunk_count(threads, count);
+void for_each_chunk(unsigned threads, std::size_t count, Work work, std::size_t least = 4096) {
+  const std::size_t chunks = chunk_count(threads, count, least);
   std::vector<std::future<void>> others;
   for (std::size_t c = 1; c < chunks; ++c) {
     others.push_back(std::async(std::launch::async, [&work, c, count, chunks] {

@@ -33,7 +33,8 @@ std::size_t Guide::count(int index) const {
 }
 
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
-                 const std::optional<MorseFunction>& asked, double radius_share) {
+                 const std::optional<MorseFunction>& asked, double radius_share,
+                 unsigned threads) {
   ChosenFunction chosen = choose_function(skin, euler_characteristic, asked);
   Guide guide;
   guide.function = chosen.function;
@@ -46,7 +47,7 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     return guide;
   }
   const MorseSmaleComplex complex =
-      morse_smale_complex(skin, chosen.function, std::move(chosen.critical));
+      morse_smale_complex(skin, chosen.function, std::move(chosen.critical), threads);
   guide.is_simplified = complex.degeneracies.empty();
   if (!guide.is_simplified) {
     guide.spheres = ProtectingSpheres(skin, guide.points, radius_share);

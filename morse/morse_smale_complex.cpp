@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "morse/integral_lines.h"
 #include "morse/line_order.h"
+#include "morse/saddle_lines.h"
 
 namespace morskin::morse {
 
@@ -41,89 +41,66 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// The nodes of all lines, by arc.
-struct Nodes {
-  std::vector<Point> points;
-  std::vector<CellId> cells;
-  std::vector<std::uint32_t> first;
-};
-
 class Builder {
  public:
   Builder(const skin::SkinSurface& skin, const MorseFunction& f, const CriticalPoints& critical,
-          double step)
-      : skin_(skin), f_(f), lines_(skin, f, critical.points, step) {
+          unsigned threads)
+      : skin_(skin), f_(f), lines_(skin, f, critical.points, threads) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
   }
 
   MorseSmaleComplex build() {
-    if (!trace_lines()) {
-      complex_.arcs.clear();
-      return std::move(complex_);
-    }
-    order_arcs();
+    if (!take_arcs()) return undecided();
+    orders_.resize(complex_.points.size());
+    is_stale_.assign(complex_.points.size(), true);
+    // Lines that their accuracy leaves in doubt are traced finer until all is clear or no finer
+    // step is left.
+    do {
+      order_arcs();
+      find_regions();
+    } while (refine_doubtful());
+    if (complex_.arcs.size() < lines_.size()) return undecided();
+    report_doubts();
     lay_lines();
-    find_regions();
     count_components();
     return std::move(complex_);
   }
 
  private:
   const CriticalPoint& point(CriticalId id) const { return complex_.points[id.index()]; }
-
-  struct Departure {
-    Vector tangent;
-    Way way;
-  };
-  /// The tangents of a saddle's four arcs, counter-clockwise seen from outside.
-  static std::array<Departure, 4> departures(const CriticalPoint& saddle) {
-    const Vector& down = saddle.descending;
-    const bool turns = saddle.point.normal.cross(down).dot(saddle.ascending) > 0;
-    const Vector up = turns ? saddle.ascending : Vector(-saddle.ascending);
-    return {{{down, Way::Down}, {up, Way::Up}, {-down, Way::Down}, {-up, Way::Up}}};
-  }
-
   void report(std::string what) { complex_.degeneracies.push_back(std::move(what)); }
 
-  bool trace_lines() {
+  /// The points and why there is no more.
+  MorseSmaleComplex undecided() {
+    MorseSmaleComplex empty;
+    empty.points = std::move(complex_.points);
+    empty.degeneracies = std::move(complex_.degeneracies);
+    empty.first_end.assign(empty.points.size() + 1, 0);
+    empty.first_point.assign(1, 0);
+    return empty;
+  }
+
+  /// @return whether every line has arrived; if not, there are no arcs.
+  bool take_arcs() {
+    complex_.arcs.clear();
     bool all = true;
-    std::size_t arcs = 0;
-    for (const CriticalPoint& p : complex_.points) arcs += p.index == 1 ? 4 : 0;
-    constexpr std::size_t usual_nodes = 90;  // of a line, on average
-    nodes_.points.reserve(usual_nodes * arcs);
-    nodes_.cells.reserve(usual_nodes * arcs);
-    for (std::size_t i = 0; i < complex_.points.size(); ++i) {
-      if (complex_.points[i].index != 1) continue;
-      for (const Departure& departure : departures(complex_.points[i])) {
-        nodes_.first.push_back(static_cast<std::uint32_t>(nodes_.points.size()));
-        const Course course = lines_.trace(CriticalId{i}, departure.tangent, departure.way,
-                                           nodes_.points, nodes_.cells);
-        if (!course.arrival) {
-          report("the integral line from the saddle at " + place_of(complex_.points[i]) +
-                 (course.saddle ? " runs into the saddle at " + place_of(point(*course.saddle))
-                                : std::string(" finds no extremum")));
-          all = false;
-          continue;
-        }
-        complex_.arcs.push_back({CriticalId{i}, course.arrival->extremum});
-        departures_.push_back(departure);
-        arrivals_.push_back(*course.arrival);
+    for (std::uint32_t a = 0; a < lines_.size(); ++a) {
+      const Course& course = lines_.course(a);
+      if (course.arrival) {
+        complex_.arcs.push_back({lines_.saddle(a), course.arrival->extremum});
+        continue;
       }
+      all = false;
+      report("the integral line from the saddle at " + place_of(point(lines_.saddle(a))) +
+             (course.saddle ? " runs into the saddle at " + place_of(point(*course.saddle))
+                            : std::string(" finds no extremum")));
     }
-    nodes_.first.push_back(static_cast<std::uint32_t>(nodes_.points.size()));
+    if (!all) complex_.arcs.clear();
     return all;
   }
 
-  LineNodes nodes_of(std::uint32_t arc) const {
-    const std::size_t first = nodes_.first[arc], count = nodes_.first[arc + 1] - first;
-    return {complex_.arcs[arc].saddle,
-            departures_[arc].tangent,
-            departures_[arc].way,
-            {nodes_.points.data() + first, count},
-            {nodes_.cells.data() + first, count}};
-  }
-
+  /// The arcs that end at each extremum, put in order where they are not.
   void order_arcs() {
     const std::size_t n = complex_.points.size();
     std::vector<std::uint32_t>& first = complex_.first_end;
@@ -135,40 +112,77 @@ class Builder {
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       complex_.ends[filled[complex_.arcs[a].extremum.index()]++] = ArcId{a};
     }
-    std::vector<ArrivingLine> arriving;
     for (std::size_t i = 0; i < n; ++i) {
-      arriving.clear();
-      for (std::uint32_t e = first[i]; e < first[i + 1]; ++e) {
-        const std::uint32_t a = complex_.ends[e].value;
-        arriving.push_back({a, nodes_of(a), arrivals_[a]});
-      }
-      const LineOrder order = order_of(lines_, arriving);
-      for (std::size_t k = 0; k < order.ids.size(); ++k) {
-        complex_.ends[first[i] + k] = ArcId{order.ids[k]};
-      }
-      merges_.insert(merges_.end(), order.merges.begin(), order.merges.end());
-      if (!order.is_certain) {
-        report("integral lines to the extremum at " + place_of(complex_.points[i]) +
-               " are too near to each other to be told apart");
-      }
+      const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
+      if (is_stale_[i]) orders_[i] = order_at(ends);
+      is_stale_[i] = false;
+      std::transform(orders_[i].ids.begin(), orders_[i].ids.end(), ends.begin(),
+                     [](std::uint32_t a) { return ArcId{a}; });
     }
-    complex_.merged_lines = merges_.size();
+  }
+
+  LineOrder order_at(std::span<const ArcId> ends) const {
+    std::vector<ArrivingLine> arriving;
+    int fineness = SaddleLines::finest;  // all are as accurate as the least accurate
+    for (const ArcId a : ends) {
+      arriving.push_back({a.value, lines_.nodes(a.value), *lines_.course(a.value).arrival});
+      fineness = std::min(fineness, lines_.fineness(a.value));
+    }
+    return order_of(lines_.tracer(fineness), std::move(arriving));
+  }
+
+  /// Traces the lines finer that end at an extremum where the order is uncertain, or that bound a
+  /// face that is no quadrangle. @return whether there were any.
+  bool refine_doubtful() {
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      if (orders_[i].is_certain) continue;
+      doubtful_.insert(doubtful_.end(), orders_[i].ids.begin(), orders_[i].ids.end());
+    }
+    std::sort(doubtful_.begin(), doubtful_.end());
+    doubtful_.erase(std::unique(doubtful_.begin(), doubtful_.end()), doubtful_.end());
+    bool any = false;
+    for (const std::uint32_t a : doubtful_) {
+      const Course before = lines_.course(a);
+      if (!lines_.refine(a)) continue;
+      any = true;
+      is_stale_[before.arrival->extremum.index()] = true;
+      const auto& arrival = lines_.course(a).arrival;
+      if (arrival) is_stale_[arrival->extremum.index()] = true;
+    }
+    return any && take_arcs();
+  }
+
+  void report_doubts() {
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      if (orders_[i].is_certain) continue;
+      report("integral lines to the extremum at " + place_of(complex_.points[i]) +
+             " are too near to each other to be told apart");
+    }
+    if (odd_faces_ > 0) {
+      report(std::to_string(odd_faces_) + " regions are not quadrangles");
+      complex_.regions.clear();
+    }
   }
 
   /// The polylines, children's with the ends of their parents'.
   void lay_lines() {
-    std::sort(merges_.begin(), merges_.end(),
+    std::vector<Merge> merges;
+    for (const LineOrder& order : orders_) {
+      merges.insert(merges.end(), order.merges.begin(), order.merges.end());
+    }
+    std::sort(merges.begin(), merges.end(),
               [](const Merge& a, const Merge& b) { return a.child < b.child; });
-    auto merge = merges_.begin();
-    complex_.line_points.reserve(nodes_.points.size());
+    complex_.merged_lines = merges.size();
+    auto merge = merges.begin();
+    complex_.line_points.reserve(lines_.node_count());
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       complex_.first_point.push_back(static_cast<std::uint32_t>(complex_.line_points.size()));
-      const std::span<const Point> own = nodes_of(a).points;
-      if (merge == merges_.end() || merge->child != a) {
+      const std::span<const Point> own = lines_.nodes(a).points;
+      if (merge == merges.end() || merge->child != a) {
         complex_.line_points.insert(complex_.line_points.end(), own.begin(), own.end());
         continue;
       }
-      const double way = departures_[a].way == Way::Up ? 1 : -1;
+      const double way = lines_.way(a) == Way::Up ? 1 : -1;
       for (const Point& x : own) {
         if (way * (f_(x) - merge->level) < 0) complex_.line_points.push_back(x);
       }
@@ -202,26 +216,27 @@ class Builder {
   }
 
   void find_regions() {
+    complex_.regions.clear();
+    odd_faces_ = 0;
+    doubtful_.clear();
     const std::vector<std::uint32_t> next = successors();
     // A quadrangle has one dart from its minimum to a saddle, and each such dart one face; so the
     // faces found from those darts are all, if every one closes after four.
-    std::size_t odd = 0;
-    for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
-      if (departures_[a].way == Way::Up) continue;
+    for (std::uint32_t a = 0; a < complex_.arcs.size(); a += 2) {
       const std::uint32_t start = 2 * a + 1, second = next[start], third = next[second],
                           last = next[third];
-      const bool is_quadrangle = next[last] == start && departures_[second / 2].way == Way::Up;
-      if (!is_quadrangle) {
-        ++odd;
+      if (next[last] == start && lines_.way(second / 2) == Way::Up) {
+        complex_.regions.push_back({complex_.arcs[a].extremum, complex_.arcs[a].saddle,
+                                    complex_.arcs[second / 2].extremum,
+                                    complex_.arcs[third / 2].saddle});
         continue;
       }
-      complex_.regions.push_back({complex_.arcs[a].extremum, complex_.arcs[a].saddle,
-                                  complex_.arcs[second / 2].extremum,
-                                  complex_.arcs[third / 2].saddle});
-    }
-    if (odd > 0) {
-      report(std::to_string(odd) + " regions are not quadrangles");
-      complex_.regions.clear();
+      ++odd_faces_;
+      std::uint32_t dart = start;
+      do {
+        doubtful_.push_back(dart / 2);
+        dart = next[dart];
+      } while (dart != start);
     }
   }
 
@@ -246,13 +261,14 @@ class Builder {
   std::optional<CriticalId> maximum_above(CriticalId minimum) const {
     const skin::SurfacePoint& at = point(minimum).point;
     constexpr double beside = 0.1;  // of rho, or half of the way to the nearest wall
-    const double away = std::min(beside * at.length_scale, lines_.wall_distance(minimum) / 2);
+    const double away =
+        std::min(beside * at.length_scale, lines_.tracer(0).wall_distance(minimum) / 2);
     const Point x = at.position + away * at.normal.unitOrthogonal();
     const auto start = skin_.project(x, at.cell);
     if (!start) return std::nullopt;
     std::vector<Point> points;
     std::vector<CellId> cells;
-    const Course course = lines_.trace(*start, Way::Up, points, cells);
+    const Course course = lines_.tracer(0).trace(*start, Way::Up, points, cells);
     if (!course.arrival) return std::nullopt;
     return course.arrival->extremum;
   }
@@ -260,24 +276,18 @@ class Builder {
   const skin::SkinSurface& skin_;
   MorseFunction f_;
   MorseSmaleComplex complex_;
-  IntegralLines lines_;
-  Nodes nodes_;
-  std::vector<Departure> departures_;  ///< by arc
-  std::vector<Arrival> arrivals_;      ///< by arc
-  std::vector<Merge> merges_;
+  SaddleLines lines_;
+  std::vector<LineOrder> orders_;  ///< by point
+  std::vector<bool> is_stale_;     ///< by point: whether its order must be found anew
+  std::size_t odd_faces_ = 0;
+  std::vector<std::uint32_t> doubtful_;
 };
 
 }  // namespace
 
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical) {
-  MorseSmaleComplex complex;
-  // Should a line pass a saddle on the wrong side for its error, half the step has 1/256 of it.
-  for (const double share : {1.0, 0.5, 0.25}) {
-    complex = Builder(skin, f, critical, share * IntegralLines::usual_step).build();
-    if (complex.degeneracies.size() == critical.degeneracies.size()) break;
-  }
-  return complex;
+                                      CriticalPoints critical, unsigned threads) {
+  return Builder(skin, f, critical, threads).build();
 }
 
 }  // namespace morskin::morse

@@ -41,7 +41,8 @@ struct MorseSmaleComplex {
   std::size_t merged_lines = 0;
   /// Why this is not safely the complex, or nothing: those of the critical points, and lines that
   /// rounding cannot tell from one between two saddles. Where they leave the complex undecided,
-  /// `arcs` or `regions` is empty.
+  /// `regions` is empty, and `arcs` and `components` are if a line has no end. Regions that are
+  /// given are quadrangles always.
   std::vector<std::string> degeneracies;
 
   /// The arc's polyline from the saddle to the extremum, both included.
@@ -53,11 +54,12 @@ struct MorseSmaleComplex {
   std::vector<std::uint32_t> first_point;  ///< by arc, into line_points
 };
 
+/// @param threads  at most; the complex is the same for any number
 /// @pre  critical = critical_points(skin, f).
 /// The regions are traced from the cyclic order of the arcs at all points; that each has four sides
 /// is the witness of that order.
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical);
+                                      CriticalPoints critical, unsigned threads = 1);
 
 }  // namespace morskin::morse

@@ -1,0 +1,61 @@
+#pragma once
+
+/// The four integral lines of every saddle, each traced as finely as it turns out to need.
+
+#include <array>
+#include <vector>
+
+#include "morse/integral_lines.h"
+
+namespace morskin::morse {
+
+class SaddleLines {
+ public:
+  /// Traces all lines: to each saddle four, together, counter-clockwise about it seen from outside,
+  /// the first along `descending`. A line that runs into a saddle is traced again, finer.
+  /// @param threads  at most; the lines are the same for any number
+  SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
+              std::span<const CriticalPoint> points, unsigned threads = 1);
+
+  std::size_t size() const { return lines_.size(); }
+  CriticalId saddle(std::uint32_t line) const { return lines_[line].saddle; }
+  Way way(std::uint32_t line) const { return line % 2 == 0 ? Way::Down : Way::Up; }
+  /// What became of it with the finest step tried.
+  const Course& course(std::uint32_t line) const { return lines_[line].course; }
+  LineNodes nodes(std::uint32_t line) const;
+  std::size_t node_count() const { return nodes_.points.size(); }
+
+  /// 0 with the usual step, `finest` with a quarter of it, where rounding outdoes truncation: a
+  /// doubt that is left then is left to doubles.
+  int fineness(std::uint32_t line) const { return lines_[line].fineness; }
+  static constexpr int finest = 1;
+  /// The tracer of a fineness.
+  const IntegralLines& tracer(int fineness) const {
+    return tracers_[static_cast<std::size_t>(fineness)];
+  }
+  /// Traces a line again with the finer step. @return false when that was done already.
+  bool refine(std::uint32_t line);
+
+ private:
+  struct Line {
+    CriticalId saddle;
+    Vector tangent;
+    Course course;
+    std::size_t first = 0, end = 0;  ///< of its nodes
+    int fineness = 0;
+  };
+
+  struct Nodes {
+    std::vector<Point> points;
+    std::vector<skin::CellId> cells;
+  };
+
+  void trace_all(unsigned threads);
+  void trace(Line& line, Way way, Nodes& nodes) const;
+
+  std::array<IntegralLines, finest + 1> tracers_;
+  std::vector<Line> lines_;
+  Nodes nodes_;
+};
+
+}  // namespace morskin::morse
