@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "geometry/error.h"
 
@@ -54,23 +55,57 @@ std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
 }
 
 CellId SkinSurface::locate(const Point& x, CellId start) const {
-  CellId current = start, previous = start;
+  CellId current = start;
   const double tolerance = complex_.wall_tolerance();
-  for (std::size_t steps = 0; steps <= complex_.size(); ++steps) {
+  // To notice a round: a cell on the way, later and later ones as the way grows (Brent 1980).
+  CellId passed = start;
+  std::size_t steps = 0, next_mark = 8;
+  for (;;) {
     double farthest = tolerance;
     CellId beyond = current;
     for (const Wall& wall : complex_.walls(current)) {
       const double distance = wall.normal.dot(x) - wall.offset;
-      if (distance > farthest && wall.beyond != previous) {
+      if (distance > farthest) {
         farthest = distance;
         beyond = wall.beyond;
       }
     }
-    if (beyond == current) break;
-    previous = current;
+    if (beyond == current) return current;
     current = beyond;
+    if (current == passed) return search(x, current);
+    if (++steps == next_mark) {
+      passed = current;
+      next_mark *= 2;
+    }
   }
-  return current;
+}
+
+/// Tries every way over walls that x lies beyond, until it is in a cell; should there be none,
+/// takes the one whose walls it is least beyond.
+CellId SkinSurface::search(const Point& x, CellId start) const {
+  std::vector<CellId> waiting{start}, seen{start};  // seen: ascending
+  CellId best = start;
+  double least = std::numeric_limits<double>::infinity();
+  while (!waiting.empty()) {
+    const CellId cell = waiting.back();
+    waiting.pop_back();
+    double farthest = 0;
+    for (const Wall& wall : complex_.walls(cell)) {
+      const double distance = wall.normal.dot(x) - wall.offset;
+      farthest = std::max(farthest, distance);
+      if (distance <= complex_.wall_tolerance()) continue;
+      const auto place = std::ranges::lower_bound(seen, wall.beyond);
+      if (place != seen.end() && *place == wall.beyond) continue;
+      seen.insert(place, wall.beyond);
+      waiting.push_back(wall.beyond);
+    }
+    if (farthest <= complex_.wall_tolerance()) return cell;
+    if (farthest < least) {
+      least = farthest;
+      best = cell;
+    }
+  }
+  return best;
 }
 
 std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) const {

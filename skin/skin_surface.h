@@ -39,7 +39,8 @@ class SkinSurface {
   ///
   /// @param start  where the walk begins; the nearer, the shorter.
   /// The mixed complex is a regular subdivision, so a walk that always crosses a wall which x lies
-  /// beyond cannot cycle; against rounding it never steps back over the wall it just crossed.
+  /// beyond cannot go round. With rounded walls it can, where several cells are flatter than
+  /// rounding; when it does, every way is tried.
   CellId locate(const Point& x, CellId start) const;
 
   /// G(x), and the cell it was taken in.
@@ -64,6 +65,8 @@ class SkinSurface {
   }
 
  private:
+  CellId search(const Point& x, CellId start) const;
+
   std::vector<WeightedPoint> points_;
   double triangulate_seconds_ = 0;
   double mixed_complex_seconds_ = 0;

@@ -138,3 +138,27 @@ TEST_CASE(
   const support::Outcome outcome = support::outcome_of(support::nasty_set(1387));
   CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
 }
+
+TEST_CASE(
+    "the walk ends in a cell that holds the point, even where cells are flatter than rounding") {
+  // Turned cospherical sets: tetrahedra whose four walls fall together. Walks went round among
+  // them and stopped wherever their steps ran out; the certificate then took vertices for ones off
+  // the skin.
+  for (const unsigned seed : {20612U, 21884U, 22256U}) {
+    CAPTURE(seed);
+    const auto points = support::nasty_set(seed);
+    const skin::SkinSurface surface(points);
+    const auto& complex = surface.complex();
+    const support::Box box = support::box_of(points);
+    support::Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+      const geometry::Point x = box.sample(random);
+      const geometry::CellId start{random.below(complex.size())};
+      for (const skin::Wall& wall : complex.walls(surface.locate(x, start))) {
+        CHECK(wall.normal.dot(x) - wall.offset <= complex.wall_tolerance());
+      }
+    }
+    const support::Outcome outcome = support::outcome_of(points);
+    CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
+  }
+}

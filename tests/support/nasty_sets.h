@@ -235,7 +235,9 @@ inline Nasty nasty_kind(unsigned seed) { return static_cast<Nasty>(seed % nasty_
 
 /// The same balls for the same seed, with every standard library; every other set is turned.
 inline std::vector<geometry::WeightedPoint> nasty_set(unsigned seed) {
-  if (nasty_kind(seed) == Nasty::Loose) return ball_set(seed / nasty_kinds);
+  if (nasty_kind(seed) == Nasty::Loose) {
+    return ball_set(seed / static_cast<unsigned>(nasty_kinds));
+  }
   Random random(seed);
   Balls balls = nasty_balls(nasty_kind(seed), random);
   if (random.uniform() < 0.5) turn_and_move(random, balls);
