@@ -69,8 +69,9 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   progress("critical points", 0);
   morse::Guide guide;
   timed(result.seconds.critical_points, [&] {
-    guide = morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(),
-                              options.function, options.sizing.tangent_disk_share(), options.threads);
+    guide =
+        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
+                          options.sizing.tangent_disk_share(), options.threads);
   });
   result.minima = guide.found[0];
   result.saddles = guide.found[1];

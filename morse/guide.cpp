@@ -33,8 +33,7 @@ std::size_t Guide::count(int index) const {
 }
 
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
-                 const std::optional<MorseFunction>& asked, double radius_share,
-                 unsigned threads) {
+                 const std::optional<MorseFunction>& asked, double radius_share, unsigned threads) {
   ChosenFunction chosen = choose_function(skin, euler_characteristic, asked);
   Guide guide;
   guide.function = chosen.function;
