@@ -68,17 +68,17 @@ struct Snapshot {
 };
 
 struct SweepOptions {
-  refine::Sizing sizing;
+  refine::Sizing sizing = {};
   Guard guard = Guard::Everywhere;
   /// Told now and then what share of the way from the lowest critical point to the highest the
   /// front has come.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress = {};
   /// What to call when the front gets to some values of the Morse function, and how many values at
   /// even steps up to the highest critical one there are to be beside the given. A value that the
   /// front never comes to shows what there is in the end. From one front only.
-  std::vector<double> snapshot_values;
+  std::vector<double> snapshot_values = {};
   std::size_t snapshots = 0;
-  std::function<void(const Snapshot&)> snapshot;
+  std::function<void(const Snapshot&)> snapshot = {};
 };
 
 class Sweep {

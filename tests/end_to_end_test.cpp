@@ -138,6 +138,24 @@ TEST_CASE("every direction gives a certified mesh of the same surface") {
   }
 }
 
+TEST_CASE(
+    "every squared distance gives a certified mesh of the same surface, with one front or two") {
+  const PreparedSkin skin =
+      front::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
+  support::Random random(2);
+  const double area = front::mesh_skin(skin).certificate.area;
+  for (int i = 0; i < 6; ++i) {
+    CAPTURE(i);
+    MeshOptions options;
+    options.function =
+        morse::MorseFunction::squared_distance(random.between(0, 12) * random.direction());
+    options.fronts = 1 + i % 2;
+    const MeshResult result = front::mesh_skin(skin, options);
+    check_result(result);
+    CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
+  }
+}
+
 TEST_CASE("a degenerate direction that the user gives is refused, the default finds its way") {
   for (const skin::Model model : all_models) {
     const PreparedSkin skin = front::prepare_skin(support::molecule("cube8.xyzr", model));

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""How far Morse theory predicts where the front touches itself, and what that is worth.
+
+Two tables, as text on standard output and as Markdown in results/prediction.md:
+
+  touches   every molecule and model, swept once from below with the guard looking everywhere: the
+            saddles, those that survive the simplification, the touches of the front inside
+            protecting spheres and outside, how many of each were in vain (split off a loop that
+            closed again without meeting the front or a maximum), and the share inside
+  guards    the same runs with the guard looking everywhere, along the front's own polygon and in
+            enlarged protecting spheres, and in those spheres only: how many are certified, and
+            the seconds of those that all three have certified
+
+With --functions instead: every molecule along 10 random directions and 3 squared distances from
+random points, with both fronts; all must be certified with the same Euler characteristic.
+"""
+
+import argparse
+import json
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import corpus  # noqa: E402  (the script beside this one)
+
+GUARDS = ["everywhere", "adjacent", "spheres"]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
+                        help="folder to search (default %(default)s, else bench/molecules)")
+    parser.add_argument("--largest", type=int, default=2000, metavar="N",
+                        help="no molecule of more atoms (%(default)s)")
+    parser.add_argument("--models", default="paper,sas,vdw", help="default %(default)s")
+    parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
+    parser.add_argument("--timeout", type=float, default=120, help="seconds for one run")
+    parser.add_argument("--functions", action="store_true", help="directions and distances")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--results", type=Path,
+                        default=corpus.ROOT / "results" / "prediction.md")
+    return parser.parse_args()
+
+
+def mesh(path, model, timeout, *options):
+    """The report of a run, or None if there is none: refused, degenerate or out of time."""
+    with tempfile.TemporaryDirectory() as temporary:
+        command = [corpus.MORSKIN, "mesh", path, "--model", model, "--json", "--progress", "never",
+                   "-o", Path(temporary) / "mesh.ply", *options]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=timeout)
+        except subprocess.TimeoutExpired:
+            return None
+    return json.loads(done.stdout) if done.returncode in (0, 5) else None
+
+
+def table(columns, rows):
+    lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def touches_row(name, model, report):
+    operations = report["operations"]
+    inside = operations["guard_inside_protecting"]
+    outside = operations["guard_outside_protecting"]
+    share = f"{100 * inside / (inside + outside):.0f} %" if inside + outside else "-"
+    return [name, model, report["saddles"], report["surviving"]["saddles"], inside, outside,
+            operations["vain_inside_protecting"], operations["vain_outside_protecting"], share]
+
+
+def compare_guards(options, folder, runs):
+    touches, outcomes = [], []
+    for path, model in runs:
+        name = str(path.relative_to(folder))
+        reports = [mesh(path, model, options.timeout, "--fronts", "1", "--guard", guard)
+                   for guard in GUARDS]
+        outcomes.append([r["seconds"]["sweep"] if r and r["certified"] else None for r in reports])
+        if reports[0]:
+            touches.append(touches_row(name, model, reports[0]))
+        print(name, model, *("failed" if s is None else f"{s:.3f}" for s in outcomes[-1]),
+              touches[-1][2:] if reports[0] else "", flush=True)
+    total = [sum(row[k] for row in touches) for k in range(2, 8)]
+    share = f"{100 * total[2] / max(total[2] + total[3], 1):.0f} %"
+    touches.append(["all", "", *total, share])
+    common = [o for o in outcomes if None not in o]
+    guards = [[guard, len(outcomes), sum(o[i] is not None for o in outcomes),
+               sum(o[i] is None for o in outcomes), f"{sum(o[i] for o in common):.2f}"]
+              for i, guard in enumerate(GUARDS)]
+    first = table(["molecule", "model", "saddles", "surviving", "inside", "outside",
+                   "in vain inside", "in vain outside", "share inside"], touches)
+    second = table(["guard", "runs", "certified", "failed",
+                    f"seconds of sweep, {len(common)} runs"], guards)
+    return first + "\n" + second, sum(o[0] is None for o in outcomes)
+
+
+def functions(path, generator):
+    """Ten directions and three points in and about the molecule."""
+    balls = subprocess.run([corpus.MORSKIN, "balls", path, "-o", "-", "-q"], capture_output=True,
+                           text=True, check=True).stdout.splitlines()
+    centres = [list(map(float, line.split()[:3])) for line in balls if line and line[0] != "#"]
+    for _ in range(10):
+        direction = [generator.gauss(0, 1) for _ in range(3)]
+        yield "height:" + ",".join(f"{x:.6f}" for x in direction)
+    for _ in range(3):
+        centre = generator.choice(centres)
+        yield "distance:" + ",".join(f"{x + generator.gauss(0, 5):.6f}" for x in centre)
+
+
+def try_functions(options, folder, runs):
+    rows, failures = [], 0
+    generator = random.Random(options.seed)
+    for path, model in runs:
+        name = str(path.relative_to(folder))
+        reports = [mesh(path, model, options.timeout, "--function", f)
+                   for f in functions(path, generator)]
+        good = [r for r in reports if r and r["certified"]]
+        chi = {r["euler_characteristic"] for r in good}
+        bad = len(reports) - len(good) + (len(chi) > 1)
+        failures += bad
+        rows.append([name, model, len(reports), len(good), *(sorted(chi) if chi else ["-"]),
+                     f"{min((r['min_angle_deg'] for r in good), default=0):.2f}"])
+        print(*rows[-1], flush=True)
+    return table(["molecule", "model", "functions", "certified", "chi", "smallest angle"],
+                 rows), failures
+
+
+def main():
+    options = arguments()
+    folder = options.molecules if options.molecules.is_absolute() else corpus.ROOT / options.molecules
+    if not folder.is_dir():
+        print(f"{folder} is not there; using {corpus.BUNDLED}")
+        folder = corpus.BUNDLED
+    folder = folder.resolve()
+    runs, _ = corpus.plan(options, folder)
+    study = try_functions if options.functions else compare_guards
+    text, failures = study(options, folder, runs)
+    options.results.parent.mkdir(parents=True, exist_ok=True)
+    options.results.write_text(text, encoding="utf-8")
+    print("\n" + text)
+    print(f"{len(runs)} molecules and models, {failures} failures of the default guard"
+          if not options.functions else f"{failures} failures")
+    sys.exit(1 if failures or not runs else 0)
+
+
+if __name__ == "__main__":
+    main()

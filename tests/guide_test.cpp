@@ -1,0 +1,71 @@
+#include "morse/guide.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "refine/sizing.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::morse;
+
+namespace {
+
+const double share = refine::Sizing{}.tangent_disk_share();
+
+Guide guide_of(const front::PreparedSkin& skin, unsigned threads = 1) {
+  return make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share, threads);
+}
+
+}  // namespace
+
+TEST_CASE("what survives for the front still adds up to the skin's Euler characteristic") {
+  std::size_t cancelled = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    const Guide guide = guide_of(*skin);
+    const auto n = [&](int index) { return static_cast<long>(guide.count(index)); };
+    CHECK(n(0) - n(1) + n(2) == skin->topology.skin_euler_characteristic());
+    CHECK(guide.count(0) >= skin->topology.skin_components());
+    CHECK(guide.count(2) >= skin->topology.skin_components());
+    cancelled += guide.found[0] + guide.found[1] + guide.found[2] - guide.points.size();
+  }
+  CHECK(cancelled > 20);
+}
+
+TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than asked") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    const Guide guide = guide_of(*skin);
+    for (std::size_t i = 0; i < guide.points.size(); ++i) {
+      const double r = guide.spheres.radius(CriticalId{i});
+      CHECK(r > 0);
+      CHECK(r <= share * guide.points[i].point.length_scale * (1 + 1e-15));
+      for (std::size_t j = 0; j < i; ++j) {
+        const double apart =
+            (guide.points[i].point.position - guide.points[j].point.position).norm();
+        CHECK(r + guide.spheres.radius(CriticalId{j}) <= apart * (1 + 1e-12));
+      }
+    }
+  }
+}
+
+TEST_CASE("a guide is the same made by one thread as by two, and its reverse's reverse") {
+  const front::PreparedSkin skin =
+      front::prepare_skin(support::molecule("1grm_model1.pdb", skin::Model::Paper));
+  const Guide one = guide_of(skin, 1), two = guide_of(skin, 2);
+  REQUIRE(one.points.size() == two.points.size());
+  const Guide back = one.reversed().reversed();
+  CHECK(one.reversed().count(0) == one.count(2));
+  for (std::size_t i = 0; i < one.points.size(); ++i) {
+    CHECK(one.points[i].point.position == two.points[i].point.position);
+    CHECK(one.spheres.radius(CriticalId{i}) == two.spheres.radius(CriticalId{i}));
+    CHECK(back.points[i].index == one.points[i].index);
+    CHECK(back.points[i].value == one.points[i].value);
+  }
+}
