@@ -131,7 +131,9 @@ def try_functions(options, folder, runs):
 
 def main():
     options = arguments()
-    folder = options.molecules if options.molecules.is_absolute() else corpus.ROOT / options.molecules
+    folder = options.molecules
+    if not folder.is_absolute():
+        folder = corpus.ROOT / folder
     if not folder.is_dir():
         print(f"{folder} is not there; using {corpus.BUNDLED}")
         folder = corpus.BUNDLED

@@ -20,10 +20,6 @@ std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
   return h.value == kBoundary ? std::nullopt : std::optional(h);
 }
 
-std::array<VertexId, 3> SurfaceMesh::corners(TriangleId t) const {
-  return {origin_[3 * t.index()], origin_[3 * t.index() + 1], origin_[3 * t.index() + 2]};
-}
-
 VertexId SurfaceMesh::add_vertex() {
   outgoing_.emplace_back(kBoundary);
   return VertexId{outgoing_.size() - 1};

@@ -41,7 +41,9 @@ class SurfaceMesh {
   HalfEdgeId twin(HalfEdgeId h) const { return twin_[h.index()]; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
-  std::array<VertexId, 3> corners(TriangleId t) const;
+  std::array<VertexId, 3> corners(TriangleId t) const {
+    return {origin_[3 * t.index()], origin_[3 * t.index() + 1], origin_[3 * t.index() + 2]};
+  }
   /// A removed triangle keeps its place until compact(); every other one is alive.
   bool is_removed(TriangleId t) const { return origin_[3 * t.index()].value == kBoundary; }
 
