@@ -9,7 +9,7 @@ FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus lint tidy format sanitize install clean help
+.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus prediction lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -59,6 +59,9 @@ corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/cor
 
 morse-corpus: build  ## trace Morse-Smale complexes of MOLECULES (see bench/morse_corpus.py --help)
 	python3 bench/morse_corpus.py --molecules $(MOLECULES) $(CORPUS)
+
+prediction: build  ## count which touches of the front theory foretells (see bench/prediction.py --help)
+	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py

@@ -100,6 +100,16 @@ def frame(rows, x0, y0, side):
                 rows[y][x] = 0
 
 
+def in_rows(panels, columns=3):
+    rows = []
+    for i in range(0, len(panels), columns):
+        line = panels[i:i + columns]
+        blank = [bytearray(b"\xff") * len(line[0])] * len(line[0])
+        line += [blank] * (columns - len(line))
+        rows += [b"\xff" * 16 + (b"\xff" * 16).join(parts) for parts in zip(*line)]
+    return rows
+
+
 def write_png(path, rows):
     """Indexed colour: a shade is its own index into the palette that RAMP spans."""
     palette = bytearray()
@@ -120,19 +130,28 @@ def main():
     numbers = lambda text: [float(x) for x in text.split(",")]
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mesh", help="binary PLY, written by morskin")
+    parser.add_argument("mesh", nargs="+", help="binary PLY, written by morskin; of several, each "
+                        "gets a panel, three in a row, framed as the last")
     parser.add_argument("-o", "--output", required=True, help="the PNG")
     parser.add_argument("--size", type=int, default=640, help="pixels of a panel (default 640)")
     parser.add_argument("--zoom", type=numbers, metavar="X,Y,FACTOR", help="a second panel: "
                         "a place of the first, 0 to 1 from the top left, and how many times larger")
     arguments = parser.parse_args()
     size = arguments.size
-    points, triangles = read_ply(arguments.mesh)
+    points, triangles = read_ply(arguments.mesh[-1])
     middle = [(min(axis) + max(axis)) / 2 for axis in zip(*points)]
-    points = [tuple(p[k] - middle[k] for k in range(3)) for p in points]
+    centred = lambda some: [tuple(p[k] - middle[k] for k in range(3)) for p in some]
+    points = centred(points)
     light = shades(points, triangles)
     scale = 0.48 * size / max(max(abs(p[0]), abs(p[1])) for p in points)
     rows = draw(points, triangles, light, size, scale, (0, 0))
+    if len(arguments.mesh) > 1:
+        panels = []
+        for path in arguments.mesh[:-1]:
+            part, faces = read_ply(path)
+            part = centred(part)
+            panels.append(draw(part, faces, shades(part, faces), size, scale, (0, 0)))
+        rows = in_rows([*panels, rows])
     if arguments.zoom:
         x, y, factor = arguments.zoom
         centre = ((x - 0.5) * size / scale, (0.5 - y) * size / scale)
