@@ -25,6 +25,7 @@ std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Mo
 /// The whole run: file in, mesh written in binary PLY form, read back and certified.
 void whole_run(benchmark::State& state, const std::string& file, skin::Model model) {
   double floor = 0, seconds = 0;
+  double morse = 0;  // critical points, integral lines, simplification
   refine::Certificate certificate;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
@@ -33,8 +34,10 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
     options.certify = false;
     const front::MeshResult result = front::mesh_skin(skin, options);
     const std::string bytes = geometry::serialized(result.mesh, geometry::MeshFormat::PlyBinary);
-    certificate = refine::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology);
+    certificate = refine::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology,
+                                  {}, options.threads);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    morse += result.seconds.critical_points;
     state.PauseTiming();
     floor += front::floor_seconds(skin.surface, result);
     state.ResumeTiming();
@@ -48,6 +51,7 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
   state.counters["worst_L"] = certificate.worst_L;
   state.counters["worst_U"] = certificate.worst_U;
   state.counters["floor_ratio"] = seconds / floor;
+  state.counters["morse_share"] = morse / seconds;
 }
 
 /// Locating and projecting every vertex of gramicidin's mesh once, from its own cell.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <thread>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 
 namespace morskin::refine {
 
@@ -83,7 +83,7 @@ std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double r
 class DelaunayCheck {
  public:
   DelaunayCheck(const IndexedMesh& mesh, const skin::SkinSurface& skin,
-                std::span<const SurfacePoint> points, const geometry::PointTree& tree)
+                std::span<const SurfacePoint> points, const geometry::KdTree<VertexId>& tree)
       : mesh_(mesh), skin_(skin), points_(points), tree_(tree), rounding_(rounding_of(mesh)) {}
 
   /// Looks at triangles [begin, end).
@@ -113,7 +113,7 @@ class DelaunayCheck {
   const IndexedMesh& mesh_;
   const skin::SkinSurface& skin_;
   std::span<const SurfacePoint> points_;
-  const geometry::PointTree& tree_;
+  const geometry::KdTree<VertexId>& tree_;
   double rounding_;  ///< Angstrom
 };
 
@@ -138,7 +138,8 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
     // The ball about o that holds every ball of the pencil.
     const double R = p->circle.radius;
     const double most = p->reach + std::sqrt(R * R + p->reach * p->reach);
-    tree_.for_each_in_ball(p->circle.centre, most * most, [&](std::uint32_t v) {
+    tree_.for_each_within(p->circle.centre, most, [&](const auto& near) {
+      const std::uint32_t v = near.id.value;
       if (is_corner(v) || !may_contain(*p, mesh_.positions[v] - p->circle.centre)) return;
       ask(v);
     });
@@ -146,8 +147,8 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
   } else {
     find_ball();
     if (ball->is_exact) {
-      tree_.for_each_in_ball(ball->centre, ball->squared_radius, [&](std::uint32_t v) {
-        if (!is_corner(v)) ask(v);
+      tree_.for_each_within(ball->centre, std::sqrt(ball->squared_radius), [&](const auto& near) {
+        if (!is_corner(near.id.value)) ask(near.id.value);
       });
       return worst;
     }
@@ -162,7 +163,7 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
 RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const skin::SkinSurface& skin,
                                        std::span<const SurfacePoint> points, std::size_t listed,
                                        unsigned threads) {
-  const geometry::PointTree tree(mesh.positions);
+  const geometry::KdTree<VertexId> tree(mesh.positions);
   const DelaunayCheck check(mesh, skin, points, tree);
   const std::size_t parts = std::max(1U, threads);
   std::vector<RestrictedDelaunay> results(parts);

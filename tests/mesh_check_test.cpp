@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "geometry/mesh_shape.h"
-#include "geometry/point_tree.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -231,28 +230,4 @@ TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees
   CHECK(counts[9] == 1);   // the right angle
   CHECK(counts[4] == 2);   // 45 degrees twice
   CHECK(counts[17] == 1);  // the flat one
-}
-
-TEST_CASE("the point tree finds the points of a ball that asking all points finds") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    std::vector<Point> points(random.below(400));
-    for (Point& p : points) {
-      p = Point(random.between(-3, 3), random.between(-3, 3), random.between(-1, 1));
-      if (seed % 2 == 0) p = p.array().round().matrix();  // many at one place
-    }
-    const geometry::PointTree tree(points);
-    for (int ball = 0; ball < 20; ++ball) {
-      const Point centre(random.between(-4, 4), random.between(-4, 4), random.between(-2, 2));
-      const double squared_radius = std::pow(random.between(0, 3), 2);
-      std::vector<std::uint32_t> found, expected;
-      tree.for_each_in_ball(centre, squared_radius, [&](std::uint32_t i) { found.push_back(i); });
-      for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if ((points[i] - centre).squaredNorm() < squared_radius) expected.push_back(i);
-      }
-      std::ranges::sort(found);
-      CHECK(found == expected);
-    }
-  }
 }
