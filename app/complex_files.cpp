@@ -207,9 +207,11 @@ std::string complex_vtu(const ComplexReport& report) {
   const morse::MorseSmaleComplex& complex = left.complex;
   std::vector<Point> points;
   geometry::VtuGrid grid;
-  std::vector<std::int64_t> index, id, survives;
+  std::vector<std::int64_t> index, id, arc, survives;
   std::vector<double> value;
-  const auto end_cell = [&](VtuCell kind, CriticalId named, CriticalId described) {
+  const auto end_cell = [&](VtuCell kind, CriticalId named, CriticalId described,
+                            std::int64_t of_arc = -1) {
+    arc.push_back(of_arc);
     grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
     grid.kinds.push_back(kind);
     index.push_back(complex.points[described.index()].index);
@@ -225,21 +227,26 @@ std::string complex_vtu(const ComplexReport& report) {
   for (std::size_t i = 0; i < complex.arcs.size(); ++i) {
     const auto [saddle, extremum] = complex.arcs[i];
     const std::span<const Point> line = complex.line(ArcId{i});
-    grid.corners.push_back(saddle.value);
-    for (std::size_t k = 1; k + 1 < line.size(); ++k) {
-      grid.corners.push_back(static_cast<std::int64_t>(points.size()));
-      points.push_back(line[k]);
+    std::int64_t from = saddle.value;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const bool is_end = k + 1 == line.size();
+      const std::int64_t to =
+          is_end ? std::int64_t{extremum.value} : static_cast<std::int64_t>(points.size());
+      if (!is_end) points.push_back(line[k]);
+      grid.corners.insert(grid.corners.end(), {from, to});
+      end_cell(VtuCell::Line, saddle, extremum, static_cast<std::int64_t>(i));
+      from = to;
     }
-    grid.corners.push_back(extremum.value);
-    end_cell(VtuCell::Polyline, saddle, extremum);
   }
   grid.points = points;
   std::vector<double> value_there;
   value_there.reserve(points.size());
   for (const Point& point : points) value_there.push_back(report.function(point));
   grid.point_numbers = {{"value", std::move(value_there)}};
-  grid.cell_integers = {
-      {"index", std::move(index)}, {"id", std::move(id)}, {"survives", std::move(survives)}};
+  grid.cell_integers = {{"index", std::move(index)},
+                        {"id", std::move(id)},
+                        {"arc", std::move(arc)},
+                        {"survives", std::move(survives)}};
   grid.cell_numbers = {{"value", std::move(value)}};
   return geometry::vtu(grid);
 }

@@ -46,10 +46,10 @@ CriticalCounts counts_after(const ComplexReport& report);
 /// bit. Ids are places in `critical_points`, which lists all of them.
 std::string complex_json(const ComplexReport& report);
 
-/// Arcs as polylines and critical points as vertices: first all critical points in order of their
-/// ids, then the arcs. Numbers on points: `value`, of the function. On cells: `index`, `value` (of
-/// the critical point, or of the extremum at the arc's end), `id` (of the critical point or the
-/// saddle) and `survives`, 0 or 1.
+/// Critical points as vertices, in order of their ids, then the arcs as lines from node to node.
+/// Numbers on points: `value`, of the function. On cells: `index`, `value` (of the critical point,
+/// or of the extremum at the arc's end), `id` (of the critical point or the saddle), `arc` (its
+/// place among the arcs; -1 for a critical point) and `survives`, 0 or 1.
 std::string complex_vtu(const ComplexReport& report);
 
 }  // namespace morskin::app

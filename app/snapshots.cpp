@@ -17,7 +17,7 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
   const auto close_cell = [&](geometry::VtuCell kind) {
     grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
     grid.kinds.push_back(kind);
-    is_front.push_back(kind == geometry::VtuCell::Polyline);
+    is_front.push_back(kind == geometry::VtuCell::Line);
   };
   for (const auto& triangle : mesh.triangles) {
     grid.corners.insert(grid.corners.end(), triangle.begin(), triangle.end());
@@ -28,7 +28,7 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
     if (!front[e].is_open) continue;
     grid.corners.push_back(front[e].origin.value);
     grid.corners.push_back(front.target(e).value);
-    close_cell(geometry::VtuCell::Polyline);
+    close_cell(geometry::VtuCell::Line);
   }
   std::vector<double> values;
   for (const geometry::Point& p : mesh.positions) values.push_back(function(p));

@@ -13,8 +13,9 @@
 
 namespace morskin::geometry {
 
-/// VTK's numbers for kinds of cells.
-enum class VtuCell : unsigned char { Vertex = 1, Polyline = 4, Triangle = 5 };
+/// VTK's numbers for kinds of cells. A line has two corners: polylines of more are in VTK, but not
+/// every reader knows them.
+enum class VtuCell : unsigned char { Vertex = 1, Line = 3, Triangle = 5 };
 
 struct VtuGrid {
   std::span<const Point> points;

@@ -263,7 +263,7 @@ class Morse(CommandTest):
         self.assertEqual((left[0], left[1], left[2]),
                          (raw["components"], 2 * genus, raw["components"]))
 
-    def test_the_vtu_holds_critical_points_as_vertices_and_arcs_as_polylines(self):
+    def test_the_vtu_holds_critical_points_as_vertices_and_arcs_as_lines(self):
         complex_ = self.morse_json(self.ring)
         self.run_morskin("morse", self.ring, "-o", "complex.vtu", "-q")
         piece = xml.etree.ElementTree.parse(self.folder / "complex.vtu").getroot()[0][0]
@@ -277,19 +277,27 @@ class Morse(CommandTest):
                 arrays[group.tag, array.get("Name")] = list(
                     value for value, in struct.iter_unpack("<" + letter, data[8:]))
         points, arcs = complex_["critical_points"], complex_["arcs"]
-        cells = len(points) + len(arcs)
+        lines = sum(len(arc["points"]) - 1 for arc in arcs)
+        cells = len(points) + lines
         self.assertEqual(int(piece.get("NumberOfCells")), cells)
-        self.assertEqual(arrays["Cells", "types"], [1] * len(points) + [4] * len(arcs))
+        self.assertEqual(arrays["Cells", "types"], [1] * len(points) + [3] * lines)
         self.assertEqual(len(arrays["PointData", "value"]), int(piece.get("NumberOfPoints")))
-        for name in ("index", "value", "id", "survives"):
+        for name in ("index", "value", "id", "arc", "survives"):
             self.assertEqual(len(arrays["CellData", name]), cells)
         self.assertEqual(arrays["CellData", "index"][:len(points)], [p["index"] for p in points])
         self.assertEqual(arrays["CellData", "value"][:len(points)], [p["value"] for p in points])
         positions = arrays["Points", "Points"]
         ends = [0, *arrays["Cells", "offsets"]]
-        for cell, arc in enumerate(arcs, start=len(points)):
-            corners = arrays["Cells", "connectivity"][ends[cell]:ends[cell + 1]]
+        cell = len(points)
+        for number, arc in enumerate(arcs):
+            walked = []
+            while cell < cells and arrays["CellData", "arc"][cell] == number:
+                walked.append(arrays["Cells", "connectivity"][ends[cell]:ends[cell + 1]])
+                cell += 1
+            self.assertTrue(all(a[1] == b[0] for a, b in zip(walked, walked[1:])))
+            corners = [walked[0][0], *(segment[1] for segment in walked)]
             self.assertEqual([positions[3 * c:3 * c + 3] for c in corners], arc["points"])
+        self.assertEqual(cell, cells)
 
     def test_distances_are_functions_too(self):
         ball = self.input("ball.xyzr", "1 2 3 1.5\n")
