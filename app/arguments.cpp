@@ -99,8 +99,8 @@ void add_threads_option(CLI::App& command, unsigned& threads) {
   command
       .add_option(
           "--threads", threads,
-          "Threads at most (all cores); most of the work is done by two, and what is written "
-          "is the same for any number")
+          "Threads at most (all cores); two do most of the work, and\n"
+          "what is written is the same for any number")
       ->check(CLI::Range(1U, 1024U));
 }
 
