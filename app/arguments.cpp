@@ -97,10 +97,9 @@ void add_progress_option(CLI::App& command, Typed& typed) {
 void add_threads_option(CLI::App& command, unsigned& threads) {
   threads = std::max(1U, std::thread::hardware_concurrency());
   command
-      .add_option(
-          "--threads", threads,
-          "Threads at most (all cores); two do most of the work, and\n"
-          "what is written is the same for any number")
+      .add_option("--threads", threads,
+                  "Threads at most (all cores); two do most of the work, and\n"
+                  "what is written is the same for any number")
       ->check(CLI::Range(1U, 1024U));
 }
 

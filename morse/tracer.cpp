@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace morskin::morse {
 
@@ -18,7 +19,7 @@ constexpr double usual_take_off = 3e-3;
 /// Nodes on arcs in closed form are at most this angle apart, radians (or rho, on a hyperbola).
 constexpr double node_spacing = 0.3;
 /// Pieces after which a line counts as lost. The longest in the corpus have some thousands.
-constexpr int most_pieces = 200000;
+constexpr int most_pieces = 20000;
 
 /// tan(t/2) of the point (cos t, sin t), 0 < t < pi, without cancellation at either pole.
 double half_tangent(double cosine, double sine) {
@@ -59,10 +60,33 @@ void Tracer::enter(CellId cell, const Vector& u) {
   }
 }
 
+// Ties of the triangulation give cells without width, whose patch need not pass through the point
+// at all: a flat tetrahedron's orthocentre may lie anywhere on a line. The gradient is continuous,
+// so they are crossed with the velocity of the cell that the line comes from.
 void Tracer::leave_through(LocalWall wall) {
-  const Vector u =
-      flow_.to_space(u_) + (centre_ - lines_.skin_.complex().patch(wall.beyond).centre);
-  enter(wall.beyond, u);
+  const skin::MixedComplex& complex = lines_.skin_.complex();
+  const Point x = centre_ + flow_.to_space(u_);
+  const Vector velocity = flow_.to_space(velocity_);
+  CellId cell = wall.beyond, before = cell_;
+  constexpr int most_crossed = 64;
+  // A cell counts as without width when the line would leave it again within this; the walls of
+  // flat simplices were seen to be 17 tolerances off.
+  const double no_width = 64 * tolerance_;
+  for (int crossed = 0; crossed < most_crossed; ++crossed) {
+    const skin::Wall* passed = nullptr;
+    double farthest = -no_width;
+    for (const skin::Wall& other : complex.walls(cell)) {
+      const double distance = other.normal.dot(x) - other.offset;
+      const bool is_far_beyond = distance > no_width;
+      const bool may_pass = is_far_beyond || other.normal.dot(velocity) > 0;
+      if (other.beyond == before || distance < farthest || !may_pass) continue;
+      farthest = distance;
+      passed = &other;
+    }
+    if (passed == nullptr) break;
+    before = std::exchange(cell, passed->beyond);
+  }
+  enter(cell, x - complex.patch(cell).centre);
   if (cells_ != nullptr) cells_->back() = cell_;
 }
 
