@@ -117,8 +117,11 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_sizing_options(command, mesh.sizing);
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
-  command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
-      ->check(CLI::IsMember({"sweep"}))
+  command
+      .add_option("--method", typed.method,
+                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
+                  "Delaunay refinement; dynamic, growth from nothing")
+      ->check(CLI::IsMember({"sweep", "static", "dynamic"}))
       ->capture_default_str();
   command
       .add_option("--fronts", typed.fronts,
@@ -333,6 +336,10 @@ void finish(MorseArguments& morse, const Typed& typed) {
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
+  mesh.method = *front::parse_method(typed.method);
+  if (mesh.method != front::Method::Sweep) {
+    throw UsageError("--method " + typed.method + " is not built in yet");
+  }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();

@@ -48,6 +48,7 @@ front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arg
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   front::MeshOptions options;
   options.sizing = arguments.sizing;
+  options.method = arguments.method;
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
@@ -217,6 +218,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const front::MeshResult result = mesh(skin, arguments);
   describe_run(report, result);
+  report.method = arguments.method;
   report.fronts = arguments.fronts;
 
   const Stopwatch writing;

@@ -128,6 +128,7 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_hidden", report.atoms_hidden},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
+                       {"method", front::name_of(report.method)},
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q}};
   json.update(certificate_json(report.certificate));

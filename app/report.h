@@ -34,6 +34,7 @@ struct MeshReport {
   refine::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
   std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
+  front::Method method = front::Method::Sweep;
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;
