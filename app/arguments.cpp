@@ -120,9 +120,13 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--method", typed.method,
                   "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement; dynamic, growth from nothing")
-      ->check(CLI::IsMember({"sweep", "static", "dynamic"}))
+                  "Delaunay refinement; dynamic, growth from nothing; marching-cubes,\n"
+                  "for comparison: without quality, so as a rule not certified")
+      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
       ->capture_default_str();
+  command.add_option("--grid", mesh.grid_step,
+                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
+                     "triangles as the sweep makes)");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
@@ -337,7 +341,13 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *front::parse_method(typed.method);
-  if (mesh.method != front::Method::Sweep) {
+  if (mesh.grid_step && mesh.method != front::Method::MarchingCubes) {
+    throw UsageError("--grid is for --method marching-cubes");
+  }
+  if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
+    throw UsageError("--grid must be above 0");
+  }
+  if (mesh.method == front::Method::Static || mesh.method == front::Method::Dynamic) {
     throw UsageError("--method " + typed.method + " is not built in yet");
   }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;

@@ -43,6 +43,7 @@ struct MeshArguments {
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
   front::Method method = front::Method::Sweep;
+  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   front::Guard guard = front::Guard::Everywhere;
   std::size_t snapshots = 0;            ///< at even steps of the Morse function
   std::vector<double> snapshot_values;  ///< and at these

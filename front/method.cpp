@@ -7,8 +7,11 @@ namespace morskin::front {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 3> methods{
-    {{"sweep", Method::Sweep}, {"static", Method::Static}, {"dynamic", Method::Dynamic}}};
+constexpr std::array<std::pair<std::string_view, Method>, 4> methods{
+    {{"sweep", Method::Sweep},
+     {"static", Method::Static},
+     {"dynamic", Method::Dynamic},
+     {"marching-cubes", Method::MarchingCubes}}};
 
 }  // namespace
 

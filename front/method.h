@@ -17,12 +17,13 @@ namespace morskin::front {
 
 /// How a skin is meshed.
 enum class Method {
-  Sweep,    ///< Algorithm 1 of the paper: an advancing front along a Morse function
-  Static,   ///< restricted Delaunay refinement (papers/5-static.md)
-  Dynamic,  ///< growth from nothing; lives outside the library, see MeshOptions::mesher
+  Sweep,          ///< Algorithm 1 of the paper: an advancing front along a Morse function
+  Static,         ///< restricted Delaunay refinement (papers/5-static.md)
+  Dynamic,        ///< growth from nothing; lives outside the library, see MeshOptions::mesher
+  MarchingCubes,  ///< of G on a grid, without any quality; outside the library as well
 };
 
-/// The method called "sweep", "static" or "dynamic"; nothing for other words.
+/// The method called "sweep", "static", "dynamic" or "marching-cubes"; nothing for other words.
 std::optional<Method> parse_method(std::string_view name);
 std::string_view name_of(Method method);
 

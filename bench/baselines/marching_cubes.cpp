@@ -10,6 +10,7 @@
 
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
+#include "front/stopwatch.h"
 #include "geometry/error.h"
 
 namespace morskin::baselines {
@@ -192,6 +193,22 @@ double step_like_sweep(const skin::SkinSurface& skin, const refine::Sizing& sizi
   constexpr double grid_share = 3, sweep_share = 1.4;
   const double triangles = sweep_share * integral / std::pow(sizing.C * sizing.Q, 2);
   return std::sqrt(grid_share * area / triangles);
+}
+
+front::Mesher marching_cubes_mesher(double step) {
+  return [step](const front::PreparedSkin& skin, const front::MeshOptions& options) {
+    if (options.progress) options.progress("marching cubes", 0);
+    front::MethodResult result;
+    front::timed(result.seconds.sweep, [&] {
+      const GridMesh made = marching_cubes(skin.surface, step);
+      result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;
+      result.mesh.points.reserve(made.cells.size());
+      for (std::size_t v = 0; v < made.cells.size(); ++v) {
+        result.mesh.points.push_back(skin.surface.at(made.mesh.positions[v], made.cells[v]));
+      }
+    });
+    return result;
+  };
 }
 
 }  // namespace morskin::baselines

@@ -6,10 +6,10 @@
 /// when the grid is too coarse, and nothing bounds its angles; the certificate says what came out.
 
 #include <cstddef>
+#include <vector>
 
+#include "front/method.h"
 #include "geometry/indexed_mesh.h"
-#include "refine/sizing.h"
-#include "skin/skin_surface.h"
 
 namespace morskin::baselines {
 
@@ -29,5 +29,8 @@ GridMesh marching_cubes(const skin::SkinSurface& skin, double step);
 /// The grid step, Angstrom, with which marching cubes makes about as many triangles as the sweep
 /// with these constants. From the skin's area and its integral of 1 / rho^2, on a coarse grid.
 double step_like_sweep(const skin::SkinSurface& skin, const refine::Sizing& sizing = {});
+
+/// The same as a method of the mesher.
+front::Mesher marching_cubes_mesher(double step);
 
 }  // namespace morskin::baselines
