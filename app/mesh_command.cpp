@@ -1,8 +1,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "app/commands.h"
@@ -139,7 +142,13 @@ std::vector<std::filesystem::path> named(std::span<PendingFile> files, bool is_c
   return names;
 }
 
+// The high-water mark of this program alone; that of getrusage starts with what its parent held.
 long long peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    long long kibibytes = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %lld kB", &kibibytes) == 1) return kibibytes * 1024;
+  }
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024LL;

@@ -205,14 +205,16 @@ TEST_CASE("marching cubes gives closed oriented manifolds with every vertex on t
   }
 }
 
-TEST_CASE("a fine grid gives the skin's topology, proved, with angles of no quality") {
-  const front::PreparedSkin skin = skin_of("two_balls.xyzr", skin::Model::Paper);
-  const GridMesh made = marching_cubes(skin.surface, 0.05);
-  const refine::Certificate c = certificate(skin, made);
-  CHECK(c.is_homeomorphic);
-  CHECK_FALSE(c.certified);
-  CHECK(c.violations_L > 0);
-  CHECK(c.min_angle_deg < 5);
+TEST_CASE("a fine grid gives the skin's topology, but no quality and no certificate") {
+  for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "caffeine.xyz"}) {
+    CAPTURE(file);
+    const front::PreparedSkin skin = skin_of(file, skin::Model::Paper);
+    const refine::Certificate c = certificate(skin, marching_cubes(skin.surface, 0.12));
+    CHECK(c.broken_by(refine::Claim::Counts) == "");
+    CHECK_FALSE(c.certified);
+    CHECK(c.violations_L > 0);
+    CHECK(c.min_angle_deg < 5);
+  }
 }
 
 TEST_CASE("area and volume of a ball come nearer with the square of the step") {
