@@ -337,7 +337,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *front::parse_method(typed.method);
-  if (mesh.method != front::Method::Sweep) {
+  if (mesh.method == front::Method::Dynamic) {
     throw UsageError("--method " + typed.method + " is not built in yet");
   }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
