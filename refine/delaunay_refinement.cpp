@@ -18,8 +18,8 @@ using geometry::WeightedPoint;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Buckets of work, four to an octave of the ball's ratio.
-constexpr std::size_t buckets = 24;
+/// Buckets of work, one to an octave of the ball's ratio.
+constexpr std::size_t buckets = 8;
 
 WeightedPoint unweighted(const Point& p) { return {p, 0}; }
 
@@ -122,12 +122,19 @@ void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   dual.root = std::copysign(std::sqrt(std::abs(g)), g);
 }
 
+/// A cell near the circumcentre of a new tetrahedron: a neighbour's that is known, else a corner's.
+geometry::CellId DelaunayRefinement::near_dual(std::uint32_t t) const {
+  const Triangulator::Tetrahedron& tetrahedron = delaunay_.tetrahedra()[t];
+  for (const Facet f : tetrahedron.neighbours) {
+    const Dual& neighbour = duals_[Triangulator::tetrahedron_of(f)];
+    if (neighbour.born != 0 && neighbour.root < infinity) return neighbour.cell;
+  }
+  return samples_[tetrahedron.corners[0]].cell;
+}
+
 void DelaunayRefinement::look_at_new(std::span<const std::uint32_t> tetrahedra) {
   counts_.tetrahedra += tetrahedra.size();
-  for (const std::uint32_t t : tetrahedra) {
-    const auto& corners = delaunay_.tetrahedra()[t].corners;
-    find_dual(t, samples_[std::min(corners[0], corners[1])].cell);
-  }
+  for (const std::uint32_t t : tetrahedra) find_dual(t, near_dual(t));
   for (const std::uint32_t t : tetrahedra) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
@@ -148,7 +155,7 @@ void DelaunayRefinement::look_at(Facet f) {
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {
   const double octaves = std::log2(ball.ratio);
-  const auto bucket = static_cast<std::size_t>(std::clamp(4 * octaves, 0.0, buckets - 1.0));
+  const auto bucket = static_cast<std::size_t>(std::clamp(octaves - 1, 0.0, buckets - 1.0));
   work_[bucket].push_back({ball, facet, duals_[facet >> 2].born, duals_[behind(facet) >> 2].born});
 }
 

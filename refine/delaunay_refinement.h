@@ -103,6 +103,7 @@ class DelaunayRefinement {
   FacetGeometry geometry_of(Facet f) const;
   Facet behind(Facet f) const { return delaunay_.tetrahedra()[f >> 2].neighbours[f & 3]; }
   bool is_ghost(std::uint32_t t) const { return delaunay_.is_ghost(delaunay_.tetrahedra()[t]); }
+  CellId near_dual(std::uint32_t t) const;
   void find_dual(std::uint32_t t, CellId start);
   void look_at_new(std::span<const std::uint32_t> tetrahedra);
   void look_at(Facet f);
