@@ -347,7 +347,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
     throw UsageError("--grid must be above 0");
   }
-  if (mesh.method == front::Method::Static || mesh.method == front::Method::Dynamic) {
+  if (mesh.method == front::Method::Dynamic) {
     throw UsageError("--method " + typed.method + " is not built in yet");
   }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;

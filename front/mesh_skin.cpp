@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "front/static_method.h"
 #include "front/stopwatch.h"
 #include "geometry/predicates.h"
 
@@ -34,6 +35,7 @@ void check(const MeshOptions& options) {
 Mesher mesher_of(const MeshOptions& options) {
   if (options.mesher) return options.mesher;
   if (options.method == Method::Sweep) return sweep_method;
+  if (options.method == Method::Static) return static_method;
   throw geometry::RefusedInput("the method " + std::string(name_of(options.method)) +
                                " needs a mesher");
 }
