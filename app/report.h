@@ -42,6 +42,7 @@ struct MeshReport {
   front::Operations operations;
   refine::RefinementCounts refinement;
   std::size_t open_edges = 0;
+  std::vector<front::Fallback> fallbacks;
   RunSeconds seconds;
   double floor_seconds = 0;
   long long peak_memory_bytes = 0;

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "front/static_method.h"
+#include "front/safety_net.h"
 #include "front/stopwatch.h"
 #include "geometry/predicates.h"
 
@@ -29,15 +29,6 @@ void check(const MeshOptions& options) {
   if (f.is_height() && !(f.direction.norm() > 0)) {
     throw geometry::RefusedInput("the height direction must be a vector that is not zero");
   }
-}
-
-/// The mesher of a method.
-Mesher mesher_of(const MeshOptions& options) {
-  if (options.mesher) return options.mesher;
-  if (options.method == Method::Sweep) return sweep_method;
-  if (options.method == Method::Static) return static_method;
-  throw geometry::RefusedInput("the method " + std::string(name_of(options.method)) +
-                               " needs a mesher");
 }
 
 }  // namespace
@@ -75,13 +66,18 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
       result.cells.push_back(p.cell);
     }
   });
-  if (options.certify) {
-    if (options.progress) options.progress("certify", 0);
-    timed(result.seconds.certify, [&] {
-      result.certificate = refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
-                                           options.threads);
-    });
-  }
+  if (!options.certify) return result;
+  if (options.progress) options.progress("certify", 0);
+  timed(result.seconds.certify, [&] {
+    const auto certified = [&] {
+      return refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
+                             options.threads);
+    };
+    result.certificate = certified();
+    if (!result.certificate.certified && mend(skin, options, result)) {
+      result.certificate = certified();
+    }
+  });
   return result;
 }
 

@@ -1,7 +1,11 @@
 #include "front/method.h"
 
 #include <array>
+#include <string>
 #include <utility>
+
+#include "front/static_method.h"
+#include "geometry/error.h"
 
 namespace morskin::front {
 
@@ -20,6 +24,14 @@ std::optional<Method> parse_method(std::string_view name) {
     if (word == name) return method;
   }
   return std::nullopt;
+}
+
+Mesher mesher_of(const MeshOptions& options) {
+  if (options.mesher) return options.mesher;
+  if (options.method == Method::Sweep) return sweep_method;
+  if (options.method == Method::Static) return static_method;
+  throw geometry::RefusedInput("the method " + std::string(name_of(options.method)) +
+                               " needs a mesher");
 }
 
 std::string_view name_of(Method method) { return methods[static_cast<std::size_t>(method)].first; }

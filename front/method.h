@@ -85,6 +85,10 @@ struct MeshOptions {
   Progress progress;  ///< may be empty
 };
 
+/// What runs for these options.
+/// @throws geometry::RefusedInput for a method without a mesher
+Mesher mesher_of(const MeshOptions& options);
+
 /// The sweep, then refinement.
 /// @throws morse::DegenerateFunction
 MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options);
