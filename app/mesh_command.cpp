@@ -53,6 +53,7 @@ front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arg
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   front::MeshOptions options;
   options.sizing = arguments.sizing;
+  options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
   if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
@@ -158,6 +159,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
                     const MoleculeInput& input) {
   report.molecule = arguments.molecule;
   report.sizing = arguments.sizing;
+  report.angle_goal_deg = arguments.angle_goal_deg;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
   const RadiusRange radii = patch_radii(input.points);
@@ -175,6 +177,7 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.function = result.function;
   report.operations = result.operations;
   report.refinement = result.refinement;
+  report.smoothing = result.smoothing;
   report.open_edges = result.open_edges;
   report.seconds.stages = result.seconds;
 }
