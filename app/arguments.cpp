@@ -115,6 +115,11 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
   add_sizing_options(command, mesh.sizing);
+  command
+      .add_option("--angle-goal", mesh.angle_goal_deg,
+                  "Degrees: vertices are moved along the skin until no angle is smaller,\n"
+                  "as far as -C and -Q allow it; 0 for not at all")
+      ->capture_default_str();
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
   command
@@ -341,6 +346,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *front::parse_method(typed.method);
+  if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
+    throw UsageError("--angle-goal must be from 0 to 60");
+  }
   if (mesh.grid_step && mesh.method != front::Method::MarchingCubes) {
     throw UsageError("--grid is for --method marching-cubes");
   }

@@ -37,6 +37,7 @@ struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
   refine::Sizing sizing;
+  double angle_goal_deg = 30;  ///< of the smoothing, degrees; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   bool json = false;

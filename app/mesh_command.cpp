@@ -52,6 +52,7 @@ bool is_in_proven_range(const refine::Sizing& sizing) {
 front::MeshOptions options_of(const MeshArguments& arguments, std::optional<double> grid_step) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
+  options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
   if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
@@ -165,6 +166,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
                     const MoleculeInput& input) {
   report.molecule = arguments.molecule;
   report.sizing = arguments.sizing;
+  report.angle_goal_deg = arguments.angle_goal_deg;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
   const RadiusRange radii = patch_radii(input.points);
@@ -182,6 +184,7 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.function = result.function;
   report.operations = result.operations;
   report.refinement = result.refinement;
+  report.smoothing = result.smoothing;
   report.open_edges = result.open_edges;
   report.fallbacks = result.fallbacks;
   report.seconds.stages = result.seconds;

@@ -38,6 +38,7 @@ ordered_json seconds_json(const RunSeconds& seconds) {
           {"critical_points", rounded(seconds.stages.critical_points)},
           {"sweep", rounded(seconds.stages.sweep)},
           {"refine", rounded(seconds.stages.refine)},
+          {"smooth", rounded(seconds.stages.smooth)},
           {"certify", rounded(seconds.certify)},
           {"write", rounded(seconds.write)},
           {"total", rounded(seconds.total)}};
@@ -160,6 +161,10 @@ std::string json_text(const MeshReport& report) {
   json["fronts"] = report.fronts;
   json["fallbacks"] = fallbacks_json(report.fallbacks);
   json["operations"] = operations_json(report);
+  json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
+                       {"below", report.smoothing.below},
+                       {"moved", report.smoothing.moved},
+                       {"left", report.smoothing.left}};
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
@@ -227,10 +232,12 @@ std::string method_text(const MeshReport& report) {
   const bool is_sweep = report.method == front::Method::Sweep;
   return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
-         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
-                                counted(report.refinement.contract, "contraction", "contractions") +
-                                ", " +
-                                counted(report.refinement.insert, "insertion", "insertions"));
+         line("refinement",
+              counted(report.refinement.flip, "flip", "flips") + ", " +
+                  counted(report.refinement.contract, "contraction", "contractions") + ", " +
+                  counted(report.refinement.insert, "insertion", "insertions") + "; " +
+                  counted(report.smoothing.moved, "vertex", "vertices") + " moved for angles of " +
+                  brief(report.angle_goal_deg) + " degrees");
 }
 
 }  // namespace
@@ -258,9 +265,10 @@ std::string people_text(const MeshReport& report) {
   }
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
-                           ", refine " + brief(s.stages.refine, 2) + ", certify " +
-                           brief(s.certify, 2) + ", write " + brief(s.write, 2) + "; " +
-                           brief(floor_ratio(report), 3) + " times the floor");
+                           ", refine " + brief(s.stages.refine, 2) + ", smooth " +
+                           brief(s.stages.smooth, 2) + ", certify " + brief(s.certify, 2) +
+                           ", write " + brief(s.write, 2) + "; " + brief(floor_ratio(report), 3) +
+                           " times the floor");
   text += line("memory", grouped(report.peak_memory_bytes / (1 << 20)) + " MiB at most");
   text += report.certificate.certified ? "certified: homeomorphic to the skin, [L] and [U] hold (" +
                                              report.certified_file + " read back)\n"

@@ -41,6 +41,8 @@ struct MeshReport {
   morse::MorseFunction function;
   front::Operations operations;
   refine::RefinementCounts refinement;
+  double angle_goal_deg = 0;
+  refine::SmoothingCounts smoothing;
   std::size_t open_edges = 0;
   std::vector<front::Fallback> fallbacks;
   RunSeconds seconds;

@@ -35,7 +35,7 @@ from reproduce_tables import STAGES
 
 METHODS = {
     "sweep": ["--method", "sweep"],
-    "sweep-one-front": ["--method", "sweep", "--fronts", "1"],
+    "sweep-as-printed": ["--method", "sweep", "--fronts", "1", "--angle-goal", "0"],
     "static": ["--method", "static"],
     "dynamic": ["--method", "dynamic"],
     "marching-cubes": ["--method", "marching-cubes"],

@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from reproduce_tables import PAPER, fit  # noqa: E402
 
-COLOURS = {"sweep": "#1f4e79", "sweep-one-front": "#6fa8dc", "static": "#b45f06",
+COLOURS = {"sweep": "#1f4e79", "sweep-as-printed": "#6fa8dc", "static": "#b45f06",
            "dynamic": "#990000", "marching-cubes": "#7f7f7f"}
 MARKERS = {"corpus": "o", "finer": "s"}
 # The same data give the same bytes.

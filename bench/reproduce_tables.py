@@ -8,7 +8,7 @@ import statistics
 from render import read_ply
 
 STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "critical_points", "sweep",
-          "refine", "certify", "write"]
+          "refine", "smooth", "certify", "write"]
 
 # Table 1 as printed: name, triangles, smallest angle, seconds of the sweep, of the dynamic method.
 PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),

@@ -21,6 +21,9 @@ void check(const MeshOptions& options) {
   if (!(C > 0 && Q > 1 && 2 * C < Q && std::isfinite(C) && std::isfinite(Q))) {
     throw geometry::RefusedInput("C and Q must satisfy 0 < 2 C < Q and Q > 1");
   }
+  if (!(options.angle_goal_deg >= 0 && options.angle_goal_deg <= 60)) {
+    throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
+  }
   if (!options.function) return;
   const morse::MorseFunction& f = *options.function;
   if (!f.direction.allFinite() || !f.origin.allFinite()) {
@@ -29,6 +32,11 @@ void check(const MeshOptions& options) {
   if (f.is_height() && !(f.direction.norm() > 0)) {
     throw geometry::RefusedInput("the height direction must be a vector that is not zero");
   }
+}
+
+/// Finished meshes of the two methods that meet [L] and [U] by themselves.
+bool is_smoothed(const MethodResult& made, const MeshOptions& options) {
+  return made.open_edges == 0 && !options.mesher;
 }
 
 }  // namespace
@@ -52,6 +60,13 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   check(options);
   MethodResult made = mesher_of(options)(skin, options);
+  if (options.angle_goal_deg > 0 && is_smoothed(made, options)) {
+    if (options.progress) options.progress("smooth", 0);
+    timed(made.seconds.smooth, [&] {
+      made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh,
+                                      options.angle_goal_deg, options.threads);
+    });
+  }
   MeshResult result;
   static_cast<RunCounts&>(result) = made;
   result.seconds.triangulate = skin.surface.triangulate_seconds();

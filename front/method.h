@@ -11,6 +11,7 @@
 #include "front/sweep.h"
 #include "morse/choose_function.h"
 #include "refine/refinement.h"
+#include "refine/smoothing.h"
 #include "skin/dual_complex.h"
 
 namespace morskin::front {
@@ -40,7 +41,7 @@ struct PreparedSkin {
 struct StageSeconds {
   double triangulate = 0, mixed_complex = 0, critical_points = 0;
   double sweep = 0;  ///< or what another method does in its place
-  double refine = 0, certify = 0;
+  double refine = 0, smooth = 0, certify = 0;
 };
 
 /// What a method tells of its run.
@@ -51,6 +52,7 @@ struct RunCounts {
   morse::MorseFunction function;  ///< the one used
   Operations operations;          ///< of the sweep
   refine::RefinementCounts refinement;
+  refine::SmoothingCounts smoothing;
   std::size_t open_edges = 0;  ///< of a front that could not be closed; 0 in a good mesh
   StageSeconds seconds;
 };
@@ -66,6 +68,9 @@ using Mesher = std::function<MethodResult(const PreparedSkin&, const MeshOptions
 
 struct MeshOptions {
   refine::Sizing sizing;
+  /// Degrees. Meshes of the sweep and of the static method are smoothed until no angle is smaller,
+  /// as far as that can be done under [L] and [U]; 0 leaves them as they are.
+  double angle_goal_deg = 30;
   Method method = Method::Sweep;
   /// What to run in place of `method`'s own; must be given for a method outside the library.
   Mesher mesher;
