@@ -2,28 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+
+#include "geometry/union_find.h"
 
 namespace morskin::skin {
 
 namespace {
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = root(i);
-    j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+using geometry::UnionFind;
 
 /// The walls of a cell to cells of one dimension.
 template <class Visit>
