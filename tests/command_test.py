@@ -340,7 +340,7 @@ class Failures(CommandTest):
                       (*good, "-C", "inf"), (*good, "-Q", "1"), (*good, "-C", "1"),
                       (*good, "--height", "0,0,0"), (*good, "--height", "1,2"),
                       (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
-                      (*good, "--method", "static"), (*good, "--progress", "often"),
+                      (*good, "--method", "dynamic"), (*good, "--progress", "often"),
                       (*good, "-o", "ring.ply"), (*good, "-o", "ring.txt"), (*good, "--threads"),
                       ("mesh", self.ring, "-o", "-", "--json"),
                       (*good, "--function", "height"), (*good, "--function", "height:1,2"),
