@@ -2,8 +2,9 @@
 """Meshes every molecule of a folder in every model, one line each, and fails on any failure.
 
 Each mesh goes to a temporary folder and is removed after its run. A run is good when the mesh is
-certified, without a violation and with every angle above the bound, or when the molecule is refused
-as singular (exit code 4). The lines also go to results/corpus.tsv, each at once.
+certified, without a violation, with every angle above the bound and without a fallback to another
+run or method, or when the molecule is refused as singular (exit code 4). The lines also go to
+results/corpus.tsv, each at once.
 """
 
 import argparse
@@ -34,6 +35,7 @@ def arguments():
                         help="folder to search (default %(default)s, else bench/molecules)")
     parser.add_argument("--largest", type=int, metavar="N", help="no molecule of more atoms")
     parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
+    parser.add_argument("--method", default="sweep", help="default %(default)s")
     parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     parser.add_argument("--timeout", type=float, default=900, help="seconds for one run")
@@ -69,16 +71,19 @@ def verdict_of(code, report, complaint):
     if code == 0:
         bound = math.degrees(math.asin(1 / report["Q"] ** 2))
         violations = report["violations_L"] + report["violations_U"]
+        for fallback in report["fallbacks"]:
+            return (f"FAILED: fell back to {fallback['to']} at component {fallback['component']}: "
+                    f"{fallback['why']}")
         if report["certified"] and violations == 0 and report["min_angle_deg"] > bound:
             return "certified"
         return "FAILED: exit code 0, but the report disagrees"
     return f"FAILED: exit code {code}: {report.get('reason') or complaint}"
 
 
-def run(path, model, folder, timeout):
+def run(path, model, folder, method, timeout):
     with tempfile.TemporaryDirectory() as temporary:
-        command = [MORSKIN, "mesh", path, "--model", model, "--json", "--progress", "never",
-                   "-o", Path(temporary) / "mesh.ply"]
+        command = [MORSKIN, "mesh", path, "--model", model, "--method", method, "--json",
+                   "--progress", "never", "-o", Path(temporary) / "mesh.ply"]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=timeout)
             code, output, complaint = done.returncode, done.stdout, done.stderr
@@ -140,7 +145,7 @@ def main():
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         table.write("\t".join(COLUMNS) + "\n")
         print_row(COLUMNS)
-        for row in pool.map(lambda r: run(*r, folder, options.timeout), runs):
+        for row in pool.map(lambda r: run(*r, folder, options.method, options.timeout), runs):
             values = [row[c] for c in COLUMNS]
             table.write("\t".join(map(str, values)) + "\n")
             table.flush()
