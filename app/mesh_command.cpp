@@ -16,6 +16,7 @@
 #include "app/snapshots.h"
 #include "app/staged_outputs.h"
 #include "bench/baselines/marching_cubes.h"
+#include "front/safety_net.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
 
@@ -48,25 +49,30 @@ bool is_in_proven_range(const refine::Sizing& sizing) {
   return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
 }
 
-front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       std::optional<double> grid_step) {
-  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+front::MeshOptions options_of(const MeshArguments& arguments) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
-  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
   options.guard = arguments.guard;
   options.snapshots = arguments.snapshots;
   options.snapshot_values = arguments.snapshot_values;
+  options.certify = false;
+  return options;
+}
+
+front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                       std::optional<double> grid_step) {
+  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  front::MeshOptions options = options_of(arguments);
+  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     write_snapshot(arguments.snapshot_folder, ++number, snapshot);
   };
-  options.certify = false;
   options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
   try {
     return front::mesh_skin(skin, options);
@@ -95,6 +101,7 @@ geometry::IndexedMesh read_back(const PendingFile& file) {
 refine::Certificate certify(std::span<const PendingFile> files, const geometry::IndexedMesh& mesh,
                             const front::PreparedSkin& skin, const MeshArguments& arguments,
                             std::string& certified_file) {
+  certified_file.clear();
   geometry::IndexedMesh copy;
   std::string defect;
   try {
@@ -179,6 +186,7 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.refinement = result.refinement;
   report.smoothing = result.smoothing;
   report.open_edges = result.open_edges;
+  report.fallbacks = result.fallbacks;
   report.seconds.stages = result.seconds;
 }
 
@@ -236,8 +244,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  const front::MeshResult result = mesh(skin, arguments, report.grid_step);
-  describe_run(report, result);
+  front::MeshResult result = mesh(skin, arguments, report.grid_step);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
 
@@ -246,6 +253,11 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+  if (!report.certificate.certified && front::mend(skin, options_of(arguments), result)) {
+    write(files, result.mesh);
+    report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+  }
+  describe_run(report, result);
   report.seconds.certify = certifying.seconds();
   const Stopwatch delivering;
   // First what may fail: then no file has its name yet.

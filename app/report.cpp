@@ -51,6 +51,14 @@ ordered_json skipped_json(const skin::ReadingCounts& counts) {
           {"unknown_elements", counts.unknown}};
 }
 
+ordered_json fallbacks_json(const std::vector<front::Fallback>& fallbacks) {
+  ordered_json json = ordered_json::array();
+  for (const front::Fallback& f : fallbacks) {
+    json.push_back({{"component", f.component}, {"from", f.from}, {"to", f.to}, {"why", f.why}});
+  }
+  return json;
+}
+
 double floor_ratio(const MeshReport& report) {
   return report.floor_seconds > 0 ? report.seconds.total / report.floor_seconds : 0;
 }
@@ -151,6 +159,7 @@ std::string json_text(const MeshReport& report) {
                        {"saddles", report.surviving_saddles},
                        {"maxima", report.surviving_maxima}};
   json["fronts"] = report.fronts;
+  json["fallbacks"] = fallbacks_json(report.fallbacks);
   json["operations"] = operations_json(report);
   json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
                        {"below", report.smoothing.below},
@@ -241,6 +250,10 @@ std::string people_text(const MeshReport& report) {
   text += certificate_text(report.certificate, report.sizing);
   text += report.grid_step ? line("grid", "marching cubes, step " + brief(*report.grid_step) + " A")
                            : sweep_text(report);
+  for (const front::Fallback& f : report.fallbacks) {
+    text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
+                                 " to " + f.to + ": " + f.why);
+  }
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
                            ", refine " + brief(s.stages.refine, 2) + ", smooth " +

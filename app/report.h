@@ -44,6 +44,7 @@ struct MeshReport {
   double angle_goal_deg = 0;
   refine::SmoothingCounts smoothing;
   std::size_t open_edges = 0;
+  std::vector<front::Fallback> fallbacks;
   RunSeconds seconds;
   double floor_seconds = 0;
   long long peak_memory_bytes = 0;

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "front/static_method.h"
+#include "front/safety_net.h"
 #include "front/stopwatch.h"
 #include "geometry/predicates.h"
 
@@ -34,20 +34,6 @@ void check(const MeshOptions& options) {
   }
 }
 
-/// The mesher of a method.
-Mesher mesher_of(const MeshOptions& options) {
-  if (options.mesher) return options.mesher;
-  if (options.method == Method::Sweep) return sweep_method;
-  if (options.method == Method::Static) return static_method;
-  throw geometry::RefusedInput("the method " + std::string(name_of(options.method)) +
-                               " needs a mesher");
-}
-
-/// Finished meshes of the two methods that meet [L] and [U] by themselves.
-bool is_smoothed(const MethodResult& made, const MeshOptions& options) {
-  return made.open_edges == 0 && !options.mesher;
-}
-
 }  // namespace
 
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
@@ -68,14 +54,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
 
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   check(options);
-  MethodResult made = mesher_of(options)(skin, options);
-  if (options.angle_goal_deg > 0 && is_smoothed(made, options)) {
-    if (options.progress) options.progress("smooth", 0);
-    timed(made.seconds.smooth, [&] {
-      made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh,
-                                      options.angle_goal_deg, options.threads);
-    });
-  }
+  const MethodResult made = run_method(skin, options);
   MeshResult result;
   static_cast<RunCounts&>(result) = made;
   result.seconds.triangulate = skin.surface.triangulate_seconds();
@@ -90,13 +69,18 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
       result.cells.push_back(p.cell);
     }
   });
-  if (options.certify) {
-    if (options.progress) options.progress("certify", 0);
-    timed(result.seconds.certify, [&] {
-      result.certificate = refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
-                                           options.threads);
-    });
-  }
+  if (!options.certify) return result;
+  if (options.progress) options.progress("certify", 0);
+  timed(result.seconds.certify, [&] {
+    const auto certified = [&] {
+      return refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
+                             options.threads);
+    };
+    result.certificate = certified();
+    if (!result.certificate.certified && mend(skin, options, result)) {
+      result.certificate = certified();
+    }
+  });
   return result;
 }
 

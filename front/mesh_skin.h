@@ -3,6 +3,7 @@
 /// The one public call of the library: weighted points in; mesh, certificate and counts out.
 /// It never prints and never exits.
 
+#include <string>
 #include <vector>
 
 #include "front/method.h"
@@ -12,12 +13,21 @@
 
 namespace morskin::front {
 
+/// A component of the skin that did not pass the certificate, and what took its place.
+struct Fallback {
+  std::size_t component;
+  std::string from;  ///< the method whose mesh did not pass
+  std::string to;    ///< the run whose mesh did; "nothing" if none did
+  std::string why;   ///< the certificate's reason
+};
+
 struct MeshResult : RunCounts {
   geometry::IndexedMesh mesh;
   /// By vertex, the mixed cell it lies in.
   std::vector<geometry::CellId> cells;
   refine::Certificate certificate;  ///< empty unless asked for
   skin::DualComplex expected;
+  std::vector<Fallback> fallbacks;  ///< empty in a good run (safety_net.h)
 };
 
 /// @param points  coordinates and weights of at most 2^30, Angstrom and Angstrom^2; they are
