@@ -49,11 +49,12 @@ bool is_in_proven_range(const refine::Sizing& sizing) {
   return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
 }
 
-front::MeshOptions options_of(const MeshArguments& arguments) {
+front::MeshOptions options_of(const MeshArguments& arguments, std::optional<double> grid_step) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
+  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
@@ -67,8 +68,7 @@ front::MeshOptions options_of(const MeshArguments& arguments) {
 front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
                        std::optional<double> grid_step) {
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
-  front::MeshOptions options = options_of(arguments);
-  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
+  front::MeshOptions options = options_of(arguments, grid_step);
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     write_snapshot(arguments.snapshot_folder, ++number, snapshot);
@@ -253,7 +253,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
-  if (!report.certificate.certified && front::mend(skin, options_of(arguments), result)) {
+  if (!report.certificate.certified &&
+      front::mend(skin, options_of(arguments, report.grid_step), result)) {
     write(files, result.mesh);
     report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
   }

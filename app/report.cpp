@@ -204,30 +204,40 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
 
 namespace {
 
-/// What the sweep did.
-std::string sweep_text(const MeshReport& report) {
-  const front::Operations& done = report.operations;
-  std::string text = line("function", in_words(report.function));
-  text += line("critical", counted(report.minima, "minimum", "minima") + " - " +
-                               counted(report.saddles, "saddle", "saddles") + " + " +
-                               counted(report.maxima, "maximum", "maxima") + "; " +
-                               grouped(report.surviving_minima) + " - " +
-                               grouped(report.surviving_saddles) + " + " +
-                               grouped(report.surviving_maxima) + " survive");
-  text += line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
-                            grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
-                            grouped(done.seal) + " sealed");
-  text += line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
-                              grouped(done.guard_outside_protecting) + " outside, of which " +
-                              grouped(done.vain_inside_protecting) + " and " +
-                              grouped(done.vain_outside_protecting) + " in vain");
-  text +=
-      line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
-                             counted(report.refinement.contract, "contraction", "contractions") +
-                             ", " + counted(report.refinement.insert, "insertion", "insertions") +
-                             "; " + counted(report.smoothing.moved, "vertex", "vertices") +
-                             " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
-  return text;
+std::string critical_text(const MeshReport& report) {
+  return line("function", in_words(report.function)) +
+         line("critical", counted(report.minima, "minimum", "minima") + " - " +
+                              counted(report.saddles, "saddle", "saddles") + " + " +
+                              counted(report.maxima, "maximum", "maxima") + "; " +
+                              grouped(report.surviving_minima) + " - " +
+                              grouped(report.surviving_saddles) + " + " +
+                              grouped(report.surviving_maxima) + " survive");
+}
+
+std::string sweep_text(const front::Operations& done) {
+  return line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
+                           grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
+                           grouped(done.seal) + " sealed") +
+         line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
+                             grouped(done.guard_outside_protecting) + " outside, of which " +
+                             grouped(done.vain_inside_protecting) + " and " +
+                             grouped(done.vain_outside_protecting) + " in vain");
+}
+
+/// What the method did.
+std::string method_text(const MeshReport& report) {
+  if (report.grid_step) {
+    return line("grid", "marching cubes, step " + brief(*report.grid_step) + " A");
+  }
+  const bool is_sweep = report.method == front::Method::Sweep;
+  return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
+         critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
+         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
+                                counted(report.refinement.contract, "contraction", "contractions") +
+                                ", " +
+                                counted(report.refinement.insert, "insertion", "insertions")) +
+         line("smoothing", counted(report.smoothing.moved, "vertex", "vertices") +
+                               " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
 }
 
 }  // namespace
@@ -248,8 +258,7 @@ std::string people_text(const MeshReport& report) {
                        brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
                        " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
   text += certificate_text(report.certificate, report.sizing);
-  text += report.grid_step ? line("grid", "marching cubes, step " + brief(*report.grid_step) + " A")
-                           : sweep_text(report);
+  text += method_text(report);
   for (const front::Fallback& f : report.fallbacks) {
     text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
                                  " to " + f.to + ": " + f.why);
