@@ -232,12 +232,12 @@ std::string method_text(const MeshReport& report) {
   const bool is_sweep = report.method == front::Method::Sweep;
   return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
-         line("refinement",
-              counted(report.refinement.flip, "flip", "flips") + ", " +
-                  counted(report.refinement.contract, "contraction", "contractions") + ", " +
-                  counted(report.refinement.insert, "insertion", "insertions") + "; " +
-                  counted(report.smoothing.moved, "vertex", "vertices") + " moved for angles of " +
-                  brief(report.angle_goal_deg) + " degrees");
+         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
+                                counted(report.refinement.contract, "contraction", "contractions") +
+                                ", " +
+                                counted(report.refinement.insert, "insertion", "insertions")) +
+         line("smoothing", counted(report.smoothing.moved, "vertex", "vertices") +
+                               " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
 }
 
 }  // namespace

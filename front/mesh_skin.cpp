@@ -34,11 +34,6 @@ void check(const MeshOptions& options) {
   }
 }
 
-/// Finished meshes of the two methods that meet [L] and [U] by themselves.
-bool is_smoothed(const MethodResult& made, const MeshOptions& options) {
-  return made.open_edges == 0 && !options.mesher;
-}
-
 }  // namespace
 
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
@@ -59,14 +54,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
 
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   check(options);
-  MethodResult made = mesher_of(options)(skin, options);
-  if (options.angle_goal_deg > 0 && is_smoothed(made, options)) {
-    if (options.progress) options.progress("smooth", 0);
-    timed(made.seconds.smooth, [&] {
-      made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh,
-                                      options.angle_goal_deg, options.threads);
-    });
-  }
+  const MethodResult made = run_method(skin, options);
   MeshResult result;
   static_cast<RunCounts&>(result) = made;
   result.seconds.triangulate = skin.surface.triangulate_seconds();

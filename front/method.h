@@ -94,6 +94,9 @@ struct MeshOptions {
 /// @throws geometry::RefusedInput for a method without a mesher
 Mesher mesher_of(const MeshOptions& options);
 
+/// That mesher, and smoothing behind the methods of the library.
+MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options);
+
 /// The sweep, then refinement.
 /// @throws morse::DegenerateFunction
 MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options);

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "front/static_method.h"
 #include "geometry/union_find.h"
 #include "skin/skin_components.h"
 
@@ -233,7 +232,7 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
     if (mending.is_done() || tried == 2) break;
     again.function = function;
     try {
-      const MethodResult made = mesher_of(again)(skin, again);
+      const MethodResult made = run_method(skin, again);
       ++tried;
       if (made.open_edges == 0) mending.take(made.mesh, sweep_along(made.function));
     } catch (const morse::DegenerateFunction&) {
@@ -242,7 +241,9 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
   }
   if (!mending.is_done()) {
     again.function = result.function;
-    mending.take(static_method(skin, again).mesh, "static");
+    again.method = Method::Static;
+    again.mesher = {};
+    mending.take(run_method(skin, again).mesh, "static");
   }
   result.fallbacks = mending.fallbacks();
   std::optional<Piece> whole = mending.joined();
