@@ -1,5 +1,6 @@
 #include "front/mesh_skin.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -40,7 +41,7 @@ void timed(double& seconds, Work work) {
 
 }  // namespace
 
-PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Progress& progress) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     geometry::WeightedPoint& p = points[i];
     if (!p.position.allFinite() || !std::isfinite(p.weight) ||
@@ -51,7 +52,8 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
     p.position = p.position.unaryExpr(&geometry::on_exact_grid);
     p.weight = geometry::on_exact_grid(p.weight);
   }
-  skin::SkinSurface surface(std::move(points));
+  skin::SkinSurface surface(std::move(points), progress);
+  if (progress) progress("dual complex", geometry::unknown_share);
   skin::DualComplex topology = skin::dual_complex(surface);
   return {std::move(surface), topology};
 }
@@ -66,12 +68,11 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.seconds.mixed_complex = skin.surface.mixed_complex_seconds();
   result.expected = skin.topology;
 
-  progress("critical points", 0);
   morse::Guide guide;
   timed(result.seconds.critical_points, [&] {
     guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          options.sizing.tangent_disk_share(), options.threads);
+                          options.sizing.tangent_disk_share(), options.threads, progress);
   });
   result.minima = guide.found[0];
   result.saddles = guide.found[1];
@@ -97,22 +98,23 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
     result.open_edges = swept.open_edges;
   });
   timed(result.seconds.refine, [&] {
-    progress("refine", 0);
     if (result.open_edges == 0) {
       refine::Refinement refinement(skin.surface, options.sizing, mesh, options.threads);
-      refinement.run();
+      refinement.run([&](double share) { progress("refine", share); });
       result.refinement = refinement.counts();
     }
     result.mesh.triangles = mesh.surface.triangle_list();
+    mesh.surface = {};
     result.mesh.positions.reserve(mesh.points.size());
     result.cells.reserve(mesh.points.size());
     for (const SurfacePoint& p : mesh.points) {
       result.mesh.positions.push_back(p.position);
       result.cells.push_back(p.cell);
     }
+    mesh.points = {};
   });
   if (options.certify) {
-    progress("certify", 0);
+    progress("certify", geometry::unknown_share);
     timed(result.seconds.certify, [&] {
       result.certificate = refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
                                            options.threads);
@@ -130,7 +132,8 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
   double checksum = 0;
   double seconds = 0;
   timed(seconds, [&] {
-    for (std::size_t v = 0; v < result.cells.size(); ++v) {
+    const std::size_t count = std::min(result.cells.size(), result.mesh.positions.size());
+    for (std::size_t v = 0; v < count; ++v) {
       const SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
       // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
       Eigen::Index axis = 0;

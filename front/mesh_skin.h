@@ -12,14 +12,15 @@
 #include "front/sweep.h"
 #include "geometry/error.h"
 #include "geometry/indexed_mesh.h"
+#include "geometry/progress.h"
 #include "morse/choose_function.h"
 #include "refine/certificate.h"
 #include "refine/refinement.h"
 
 namespace morskin::front {
 
-/// Where a run stands: the stage's name and how much of it is done, 0 to 1.
-using Progress = std::function<void(std::string_view stage, double share)>;
+/// Called from one thread at a time, not always the same.
+using geometry::Progress;
 
 struct MeshOptions {
   refine::Sizing sizing;
@@ -70,7 +71,8 @@ struct PreparedSkin {
 /// rounded
 ///                to multiples of 2^-64, the grid of the exact predicates
 /// @throws skin::SingularSkin, geometry::RefusedInput
-PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points);
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points,
+                          const Progress& progress = {});
 
 /// @throws morse::DegenerateFunction when options.function is degenerate for this skin.
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options = {});
