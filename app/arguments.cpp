@@ -60,6 +60,7 @@ struct Typed {
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<int> fronts;
+  std::optional<double> Q;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -71,14 +72,15 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
   command.add_flag("--waters", molecule.waters, "Keep the waters");
 }
 
-void add_sizing_options(CLI::App& command, refine::Sizing& sizing) {
+void add_sizing_options(CLI::App& command, refine::Sizing& sizing, Typed& typed) {
   command
       .add_option("-C", sizing.C,
                   "Size of the triangles over the curvature radius;\n"
                   "half of it makes four times as many")
       ->capture_default_str();
-  command.add_option("-Q", sizing.Q, "Quality: every angle exceeds asin(1/Q^2)")
-      ->capture_default_str();
+  command.add_option("-Q", typed.Q,
+                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
+                     "with C above 0.109, the least that C allows)");
 }
 
 void add_function_option(CLI::App& command, Typed& typed) {
@@ -114,7 +116,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->required()
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
-  add_sizing_options(command, mesh.sizing);
+  add_sizing_options(command, mesh.sizing, typed);
   command
       .add_option("--angle-goal", mesh.angle_goal_deg,
                   "Degrees: vertices are moved along the skin until no angle is smaller,\n"
@@ -205,7 +207,7 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
       *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
   command.add_option("INPUT", info.molecule.input, "The molecule")->required();
   add_molecule_options(command, info.molecule, typed);
-  add_sizing_options(command, info.sizing);
+  add_sizing_options(command, info.sizing, typed);
   command.add_flag("--json", info.json, "Print JSON");
 }
 
@@ -218,7 +220,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_molecule_options(command, against, typed);
-  add_sizing_options(command, check.sizing);
+  add_sizing_options(command, check.sizing, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,
                    "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
@@ -399,8 +401,10 @@ Arguments parse_arguments(int count, const char* const* words) {
          {&mesh.molecule, &morse.molecule, &balls.molecule, &info.molecule, &against}) {
       finish(*molecule, typed);
     }
-    for (const refine::Sizing& sizing : {mesh.sizing, info.sizing, check.sizing})
-      check_sizing(sizing);
+    for (refine::Sizing* sizing : {&mesh.sizing, &info.sizing, &check.sizing}) {
+      sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
+      check_sizing(*sizing);
+    }
     if (app.got_subcommand("balls")) return balls;
     if (app.got_subcommand("info")) return info;
     if (app.got_subcommand("check")) {

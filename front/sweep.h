@@ -70,8 +70,7 @@ struct Snapshot {
 struct SweepOptions {
   refine::Sizing sizing = {};
   Guard guard = Guard::Everywhere;
-  /// Told now and then what share of the way from the lowest critical point to the highest the
-  /// front has come.
+  /// Told now and then the value at the departure vertex.
   std::function<void(double)> progress = {};
   /// What to call when the front gets to some values of the Morse function, and how many values at
   /// even steps up to the highest critical one there are to be beside the given. A value that the

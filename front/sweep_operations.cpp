@@ -146,7 +146,8 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   near_.refresh(added);
   push(added);
   fresh_.push_back(added);
-  const bool is_sphere = skin_.complex().patch(x->cell).axis.isZero(0);
+  const bool is_sphere =
+      skin_.complex().is_kept(x->cell) && skin_.complex().kept_patch(x->cell).axis.isZero(0);
   if (is_sphere && ++laid_[x->cell.index()] > most_on_sphere_) is_overlapping_ = true;
   return true;
 }

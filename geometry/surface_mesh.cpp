@@ -29,11 +29,12 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_room(origin_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{origin_.size()};
-  origin_.resize(origin_.size() + 3);
-  twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});
-  set_corner(first, a);
-  set_corner(HalfEdgeId{first.value + 1}, b);
-  set_corner(HalfEdgeId{first.value + 2}, c);
+  std::uint32_t h = first.value;
+  for (const VertexId v : {a, b, c}) {
+    origin_.push_back(v);
+    twin_.emplace_back(kBoundary);
+    outgoing_[v.index()] = HalfEdgeId{h++};
+  }
   return triangle(first);
 }
 
@@ -49,6 +50,13 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   const auto moved = [](auto id, std::uint32_t by) {
     return id.value == kBoundary ? id : decltype(id){id.value + by};
   };
+  if (triangle_count() + other.triangle_count() > most_triangles) {
+    fail_for_lack_of_ids(most_triangles, "triangles");
+  }
+  // A little more than the whole: refinement adds vertices, and growing would double the arrays.
+  constexpr std::size_t share_to_come = 16;
+  const std::size_t vertices_together = vertex_count() + other.vertex_count();
+  reserve(vertices_together + vertices_together / share_to_come);
   for (const VertexId v : other.origin_) origin_.push_back(moved(v, vertices));
   for (const HalfEdgeId h : other.twin_) twin_.push_back(moved(h, half_edges));
   for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));

@@ -24,8 +24,8 @@ std::string place_of(const CriticalPoint& p) {
 class Builder {
  public:
   Builder(const skin::SkinSurface& skin, const MorseFunction& f, const CriticalPoints& critical,
-          unsigned threads)
-      : skin_(skin), f_(f), lines_(skin, f, critical.points, threads) {
+          unsigned threads, Polylines polylines, const geometry::Told& told)
+      : skin_(skin), f_(f), polylines_(polylines), lines_(skin, f, critical.points, threads, told) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
   }
@@ -42,7 +42,7 @@ class Builder {
     } while (refine_doubtful());
     if (complex_.arcs.size() < lines_.size()) return undecided();
     report_doubts();
-    lay_lines();
+    if (polylines_ == Polylines::Keep) lay_lines();
     count_components();
     return std::move(complex_);
   }
@@ -255,6 +255,7 @@ class Builder {
 
   const skin::SkinSurface& skin_;
   MorseFunction f_;
+  Polylines polylines_;
   MorseSmaleComplex complex_;
   SaddleLines lines_;
   std::vector<LineOrder> orders_;  ///< by point
@@ -266,8 +267,9 @@ class Builder {
 }  // namespace
 
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical, unsigned threads) {
-  return Builder(skin, f, critical, threads).build();
+                                      CriticalPoints critical, unsigned threads,
+                                      Polylines polylines, const geometry::Told& told) {
+  return Builder(skin, f, critical, threads, polylines, told).build();
 }
 
 }  // namespace morskin::morse

@@ -112,7 +112,7 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
     const Vector u = at - patch.centre;
     // Half of u is moved twice as far: c or q alone.
     Vector line = is_down ? Vector(u - patch.reflect(u)) : Vector(u + patch.reflect(u));
-    const Wall* nearest = nullptr;
+    std::optional<CellId> nearest;
     double least = std::numeric_limits<double>::infinity();
     for_each_wall_to(complex, cell, is_down ? d - 1 : d + 1, [&](const Wall& wall) {
       if (line.isZero(0)) line = wall.normal;  // from the orthocentre any way leads away
@@ -121,14 +121,14 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
       const double reach = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
       if (reach >= least) return;
       least = reach;
-      nearest = &wall;
+      nearest = wall.beyond;
     });
-    if (nearest == nullptr) {
+    if (!nearest) {
       if (is_down) return std::nullopt;  // a simplex is bounded: only rounding leads here
       return End{cell, true};
     }
     at += least * line;
-    cell = nearest->beyond;
+    cell = *nearest;
   }
   return End{cell, false};
 }
