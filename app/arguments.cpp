@@ -231,6 +231,8 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
       ->required();
   command.add_option("--against", view.against,
                      "The molecule whose skin the mesh is: then all layers but the sweep");
+  command.add_option("--grow", view.growth,
+                     "Meshes of a growing skin, in order, to play through beside");
   add_molecule_options(command, view.molecule, typed);
   add_sizing_options(command, view.sizing);
   add_function_option(command, typed);
@@ -369,6 +371,9 @@ void finish(ViewArguments& view, const Typed& typed) {
     throw UsageError("--against is for a mesh; a molecule is shown with its own skin");
   }
   if (view.against) check_not_input(view.output, {.input = *view.against});
+  for (const std::filesystem::path& frame : view.growth) {
+    check_not_input(view.output, {.input = frame});
+  }
   if (!is_special(view.output) && lower_extension(view.output) != ".html") {
     throw UsageError(view.output.string() + ": the ending must be .html");
   }

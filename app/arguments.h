@@ -90,6 +90,7 @@ struct ViewArguments {
   MoleculeArguments molecule;  ///< its input may be a mesh: see names_a_mesh
   std::filesystem::path output;
   std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
+  std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
   refine::Sizing sizing;
   std::optional<morse::MorseFunction> function;
   bool quiet = false;

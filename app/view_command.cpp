@@ -161,6 +161,18 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   return viewed;
 }
 
+void add_growth(PageData& page, const std::vector<std::filesystem::path>& files) {
+  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : files) {
+    const std::string name = "growth." + std::to_string(frames.size());
+    const geometry::IndexedMesh mesh = geometry::read_mesh(file);
+    add_mesh(page, name, mesh);
+    frames.push_back(
+        {{"name", name}, {"label", file.stem().string()}, {"triangles", mesh.triangles.size()}});
+  }
+  if (!frames.empty()) page.about["growth"]["frames"] = frames;
+}
+
 std::string people_text(const ViewArguments& arguments, const Viewed& viewed, const PageData& page,
                         std::size_t bytes, const std::filesystem::path& name) {
   std::string text = arguments.molecule.input.string() + " -> " + name.string() + "\n";
@@ -188,6 +200,7 @@ ExitCode view_command(const ViewArguments& arguments) {
   const bool is_mesh = names_a_mesh(arguments.molecule.input);
   const Viewed viewed =
       is_mesh ? view_mesh(page, arguments, progress) : view_molecule(page, arguments, progress);
+  add_growth(page, arguments.growth);
   if (viewed.certificate) {
     page.about["certified"] = viewed.certificate->certified;
     page.about["reason"] = viewed.certificate->reason;

@@ -3,17 +3,27 @@
 
 import * as palette from './palette.js';
 
-// paint(t, k): colour of corner k of triangle t.
-const byCorner = (paint) => (colours, count) => {
-  for (let t = 0; t < count; ++t) {
-    for (let k = 0; k < 3; ++k) colours.set(paint(t, k), 9 * t + 3 * k);
+// Each gives a function that paints the corners of triangles in the order they lie in.
+// colourOf(t, k): colour of corner k of triangle t.
+const byCorner = (colourOf) => (colours, order) => {
+  for (let i = 0, at = 0; i < order.length; ++i) {
+    for (let k = 0; k < 3; ++k, at += 3) {
+      const colour = colourOf(order[i], k);
+      colours[at] = colour[0];
+      colours[at + 1] = colour[1];
+      colours[at + 2] = colour[2];
+    }
   }
 };
-// paint(t): one colour for the triangle.
-const byTriangle = (paint) => (colours, count) => {
-  for (let t = 0; t < count; ++t) {
-    const colour = paint(t);
-    for (let k = 0; k < 3; ++k) colours.set(colour, 9 * t + 3 * k);
+// colourOf(t): one colour for the triangle.
+const byTriangle = (colourOf) => (colours, order) => {
+  for (let i = 0, at = 0; i < order.length; ++i) {
+    const colour = colourOf(order[i]);
+    for (let k = 0; k < 3; ++k, at += 3) {
+      colours[at] = colour[0];
+      colours[at + 1] = colour[1];
+      colours[at + 2] = colour[2];
+    }
   }
 };
 
@@ -40,13 +50,17 @@ export function colourings(scene) {
   if (scene.cells) {
     const kindOf = (t) => {
       // The kind that most corners have; the first corner's if all differ.
-      const [a, b, c] = [0, 1, 2].map((k) => complex.dimension(scene.cells[mesh.corners[3 * t + k]]));
-      return b === c ? b : a;
+      const kind = (k) => complex.dimension(scene.cells[mesh.corners[3 * t + k]]);
+      const second = kind(1);
+      return second === kind(2) ? second : kind(0);
     };
     const kindsOf = lazily(() => Uint8Array.from({ length: mesh.triangleCount }, (_, t) => kindOf(t)));
     list.push({
       id: 'kind', label: 'Patch kind',
-      paint: (...to) => byTriangle((t) => palette.kinds[kindsOf()[t]])(...to),
+      paint: (...to) => {
+        const kinds = kindsOf();
+        byTriangle((t) => palette.kinds[kinds[t]])(...to);
+      },
       legend: () => {
         const counts = tally(kindsOf(), 4);
         return { swatches: ['sphere, convex', 'hyperboloid, edge', 'hyperboloid, triangle',
@@ -81,7 +95,10 @@ export function colourings(scene) {
   const angles = lazily(() => mesh.smallestAngles());
   list.push({
     id: 'quality', label: 'Triangle quality',
-    paint: (...to) => byTriangle((t) => onScale((angles()[t] - 20) / 40))(...to),
+    paint: (...to) => {
+      const least = angles();
+      byTriangle((t) => onScale((least[t] - 20) / 40))(...to);
+    },
     legend: () => ({ scale: ['20°', '40°', '60°'],
       unit: 'smallest angle' + (page.about.min_angle_deg
         ? `; least ${page.about.min_angle_deg.toFixed(1)}°` : '') }),
@@ -90,7 +107,11 @@ export function colourings(scene) {
   const components = lazily(() => mesh.components());
   list.push({
     id: 'component', label: 'Component',
-    paint: (...to) => byTriangle((t) => palette.categorical(components()[t]))(...to),
+    paint: (...to) => {
+      const number = components();
+      const colours = tallyAll(number).map((_, i) => palette.categorical(i));
+      byTriangle((t) => colours[number[t]])(...to);
+    },
     legend: () => {
       const counts = tallyAll(components());
       return { swatches: counts.slice(0, 6).map((count, i) =>
@@ -109,7 +130,11 @@ export function colourings(scene) {
     });
     list.push({
       id: 'atom', label: 'Atom',
-      paint: (...to) => byTriangle((t) => atomShade(scene, atoms()[t]))(...to),
+      paint: (...to) => {
+        const nearest = atoms();
+        const shades = complex.atoms.map((_, atom) => atomShade(scene, atom));
+        byTriangle((t) => shades[nearest[t]])(...to);
+      },
       legend: () => ({ swatches: scene.elementsPresent().map(({ name, colour, count }) =>
         ({ name, colour, count })) , more: 'of the nearest atom, each in a shade of its own' }),
     });
@@ -121,7 +146,8 @@ export function colourings(scene) {
       id: 'region', label: 'Morse–Smale region',
       paint: (...to) => {
         const colours = scene.regionColours();
-        byTriangle((t) => colours[region()[t]])(...to);
+        const number = region();
+        byTriangle((t) => colours[number[t]])(...to);
       },
       legend: () => ({ swatches: [], more: `${scene.regionCount().toLocaleString('en')} pairs of a ` +
         'minimum and a maximum, a colour each' }),
@@ -172,7 +198,7 @@ function tallyAll(numbers) {
 }
 
 // The element's colour, a little lighter or darker for each atom.
-export function atomShade(scene, atom) {
+function atomShade(scene, atom) {
   const colour = scene.elementColour(atom);
   const shade = 0.86 + 0.28 * ((atom * 0.618034) % 1);
   return colour.map((x) => Math.min(255, x * shade));

@@ -95,7 +95,7 @@ export function pointLayer(points, pixelRatio) {
         // Before the surface they lie on.
         place.xyz *= 1.0 - 0.12 / max(-place.z, 1.0);
         vColour = tint;
-        gl_PointSize = size * pixelRatio * clamp(340.0 / -place.z, 8.0, 18.0);
+        gl_PointSize = size * pixelRatio * clamp(420.0 / -place.z, 10.0, 20.0);
         gl_Position = projectionMatrix * place;
       }`,
     fragmentShader: /* glsl */ `
@@ -107,7 +107,7 @@ export function pointLayer(points, pixelRatio) {
         if (r > 1.0) discard;
         vec3 n = vec3(d.x, -d.y, sqrt(1.0 - r));
         float light = 0.62 + 0.45 * max(dot(n, normalize(vec3(0.4, 0.6, 0.7))), 0.0);
-        result = vec4(r > 0.72 ? vec3(1.0) : vColour * light, 1.0);
+        result = vec4(r > 0.78 ? vec3(1.0) : vColour * light, 1.0);
       }`,
     uniforms: { pixelRatio: { value: pixelRatio } },
   });
@@ -212,7 +212,7 @@ export class SectionLayer {
     this.group = new THREE.Group();
     this.material = sectionMaterial();
     this.lineMaterial = new THREE.LineBasicMaterial({ color: 0x20242c, transparent: true,
-      opacity: 0.35 });
+      opacity: 0.28 });
     this.counts = [0, 0, 0, 0];
   }
 

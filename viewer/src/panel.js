@@ -17,7 +17,7 @@ function headline(about) {
 function certificateLine(about) {
   if (about.certified === undefined) return null;
   return about.certified
-    ? element('p', { class: 'certified' }, 'Certified: homeomorphic to the skin, [L] and [U] hold')
+    ? element('p', { class: 'certified' }, 'Certified homeomorphic; [L] and [U] hold')
     : element('p', { class: 'uncertified' }, `Not certified: ${about.reason}`);
 }
 
@@ -198,8 +198,8 @@ export class Panel {
       this.rows.lines.count.textContent = number(lines.count);
     }
     const sum = (counts[0] - counts[1] + counts[2]).toString().replace('-', '−');
-    this.pointKey.textContent = `${number(counts[0])} minima − ${number(counts[1])} saddles + ` +
-      `${number(counts[2])} maxima = ${sum}`;
+    this.pointKey.textContent = `${number(counts[0])} min − ${number(counts[1])} saddles + ` +
+      `${number(counts[2])} max = ${sum}`;
   }
 
   #showPlane() {
@@ -228,10 +228,11 @@ export class Panel {
     });
     const { about } = viewer.scene.page;
     const isWhole = state.step === sweep.steps;
+    const level = sweep.level();
     const unit = about.function.unit.replace('A', 'Å');
     this.frontNote.textContent = `${number(sweep.triangles())} triangles, ` + (isWhole
       ? 'closed' : `${number(sweep.frontEdges ?? 0)} edges in the front` +
-        (Number.isFinite(sweep.lowest) ? `, lowest at ${sweep.lowest.toFixed(2)} ${unit}` : ''));
+        (level === level ? ` at ${level.toFixed(2)} ${unit}`.replace('-', '−') : ''));
   }
 
   #showGrowth() {

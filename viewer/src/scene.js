@@ -55,10 +55,12 @@ export class Scene {
   // Triangles by birth.
   order() {
     if (!this.birth) return null;
+    if (this.byBirth) return this.byBirth;
     const steps = this.page.about.sweep.steps;
     const first = this.birthCounts();
     const order = new Uint32Array(this.mesh.triangleCount), next = first.slice(0, steps);
     for (let t = 0; t < order.length; ++t) order[next[this.birth[t]]++] = t;
+    this.byBirth = order;
     return order;
   }
 

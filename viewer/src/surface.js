@@ -53,7 +53,7 @@ void main() {
 #endif
   vec3 toEye = normalize(-vPlace);
   const vec3 key = normalize(vec3(0.45, 0.6, 0.75));
-  float light = 0.34 + 0.5 * max(dot(n, key), 0.0) + 0.22 * max(dot(n, toEye), 0.0);
+  float light = 0.4 + 0.46 * max(dot(n, key), 0.0) + 0.22 * max(dot(n, toEye), 0.0);
   float shine = 0.16 * pow(max(dot(n, normalize(key + toEye)), 0.0), 28.0);
   vec3 base = gl_FrontFacing ? vColour : mix(vColour, inside, 0.75);
 #ifdef WIRE
@@ -70,14 +70,13 @@ export class Surface {
   // order: triangles as they are to lie in the arrays, or nothing for as they come.
   constructor(mesh, normals, order) {
     this.mesh = mesh;
-    this.order = order;
     const count = mesh.triangleCount;
+    this.order = order ?? Uint32Array.from({ length: count }, (_, t) => t);
     const position = new Float32Array(9 * count);
     const normal = new Int8Array(12 * count);
     this.colours = new Uint8Array(9 * count);
-    this.unordered = order ? new Uint8Array(9 * count) : this.colours;
     for (let i = 0; i < count; ++i) {
-      const t = order ? order[i] : i;
+      const t = this.order[i];
       for (let k = 0; k < 3; ++k) {
         const v = 3 * mesh.corners[3 * t + k];
         const at = 9 * i + 3 * k, to = 12 * i + 4 * k;
@@ -141,14 +140,7 @@ export class Surface {
   }
 
   paint(colouring) {
-    colouring.paint(this.unordered, this.mesh.triangleCount);
-    if (this.order) {
-      const { order, unordered, colours } = this;
-      for (let i = 0; i < order.length; ++i) {
-        const from = 9 * order[i], to = 9 * i;
-        for (let k = 0; k < 9; ++k) colours[to + k] = unordered[from + k];
-      }
-    }
+    colouring.paint(this.colours, this.order);
     this.colourAttribute.needsUpdate = true;
   }
 

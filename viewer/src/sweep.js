@@ -60,7 +60,7 @@ export class Sweep {
     this.#prepare();
     const p = this.scene.mesh.positions, { array } = this.front;
     const last = this.firstOf[this.step];
-    let n = 0, lowest = Infinity;
+    let n = 0;
     for (let e = 0; e < last; ++e) {
       if (this.until[e] < this.step) continue;
       for (let k = 0; k < 2; ++k) {
@@ -69,13 +69,23 @@ export class Sweep {
         array[at + 1] = p[v + 1];
         array[at + 2] = p[v + 2];
       }
-      const v = 3 * this.ends[2 * e];
-      lowest = Math.min(lowest, this.scene.functionValue(p[v], p[v + 1], p[v + 2]));
       ++n;
     }
     this.frontEdges = n;
-    this.lowest = lowest;
     this.front.set(n);
+  }
+
+  // How far the sweep has come: the function's value where the last triangle was laid.
+  level() {
+    const { mesh } = this.scene, p = mesh.positions;
+    const t = this.scene.order()[this.triangles() - 1];
+    if (t === undefined) return NaN;
+    let lowest = Infinity;
+    for (let k = 0; k < 3; ++k) {
+      const v = 3 * mesh.corners[3 * t + k];
+      lowest = Math.min(lowest, this.scene.functionValue(p[v], p[v + 1], p[v + 2]));
+    }
+    return lowest;
   }
 
   // How often each operation was done by now, and in all.
