@@ -93,10 +93,12 @@ Grid grid_of(const geometry::IndexedMesh& mesh) {
     }
   }
   const double extent = (high - low).maxCoeff();
-  constexpr double most_steps = (1 << 24) - 2;
-  grid.step = std::clamp(shortest / least_edge, extent / most_steps, extent / 1024);
   // A power of two, so that coordinates of the grid are exact.
-  grid.step = std::exp2(std::ceil(std::log2(grid.step)));
+  constexpr double most_steps = (1 << 24) - 2;
+  const double coarsest = std::exp2(std::floor(std::log2(extent / 1024)));
+  const double finest = std::exp2(std::ceil(std::log2(extent / most_steps)));
+  const double wanted = std::exp2(std::floor(std::log2(shortest / least_edge)));
+  grid.step = std::max(std::min(wanted, coarsest), finest);
   if (!(grid.step > 0)) grid.step = 1;
   grid.origin = (low / grid.step).array().floor().matrix() * grid.step;
   return grid;
