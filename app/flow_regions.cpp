@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "geometry/parallel.h"
 #include "geometry/surface_mesh.h"
@@ -28,7 +30,11 @@ class Ascent {
  public:
   Ascent(const SurfaceMesh& mesh, const std::vector<Point>& positions,
          const std::vector<double>& values)
-      : mesh_(mesh), positions_(positions), values_(values), top_(positions.size(), none) {
+      : mesh_(mesh),
+        positions_(positions),
+        values_(values),
+        top_(positions.size(), none),
+        top_of_triangle_(mesh.triangle_count(), none) {
     rates_.reserve(mesh.triangle_count());
     slope_.reserve(mesh.triangle_count());
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -49,8 +55,21 @@ class Ascent {
     }
   }
 
-  // The vertex where the path from the middle of a triangle ends: one that nothing near is above.
-  VertexId top_from(TriangleId t) { return follow(t, {1.0 / 3, 1.0 / 3, 1.0 / 3}); }
+  // By triangle the vertex where the path from its middle ends: one that nothing near is above.
+  const std::vector<std::uint32_t>& tops() {
+    // From above, so that paths soon come to triangles whose own are known.
+    std::vector<std::pair<double, std::uint32_t>> order;
+    order.reserve(top_of_triangle_.size());
+    for (std::uint32_t t = 0; t < top_of_triangle_.size(); ++t) {
+      const auto [a, b, c] = mesh_.corners(TriangleId{t});
+      order.emplace_back(-(value(a) + value(b) + value(c)), t);
+    }
+    std::ranges::sort(order);
+    for (const auto& [unused, t] : order) {
+      top_of_triangle_[t] = follow(TriangleId{t}, {1.0 / 3, 1.0 / 3, 1.0 / 3}).value;
+    }
+    return top_of_triangle_;
+  }
 
  private:
   using Coordinates = std::array<double, 3>;
@@ -61,6 +80,18 @@ class Ascent {
   VertexId higher_end(HalfEdgeId h) const {
     const VertexId a = mesh_.origin(h), b = mesh_.target(h);
     return value(a) > value(b) ? a : b;
+  }
+
+  // Whether the paths from a triangle and its neighbours all end at one vertex: then so does any
+  // that comes through.
+  bool is_settled(TriangleId t) const {
+    const std::uint32_t top = top_of_triangle_[t.index()];
+    if (top == none) return false;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId beyond = mesh_.twin(SurfaceMesh::half_edge(t, k));
+      if (top_of_triangle_[beyond.index() / 3] != top) return false;
+    }
+    return true;
   }
 
   // From a place in t.
@@ -89,6 +120,7 @@ class Ascent {
       at[(m + 1) % 3] = at_target;
       at[(m + 2) % 3] = at_origin;
       t = SurfaceMesh::triangle(beyond);
+      if (is_settled(t)) return VertexId{top_of_triangle_[t.index()]};
     }
     const auto corners = mesh_.corners(t);
     return top(*std::ranges::max_element(corners, {}, [&](VertexId v) { return value(v); }));
@@ -143,6 +175,7 @@ class Ascent {
   std::vector<Coordinates> rates_;  // by triangle
   std::vector<double> slope_;       // by triangle, the gradient's length
   std::vector<std::uint32_t> top_;  // by vertex, where its path ends, once known
+  std::vector<std::uint32_t> top_of_triangle_;
 };
 
 std::uint32_t nearest_of(const std::vector<morse::CriticalPoint>& points, int index,
@@ -171,31 +204,75 @@ std::vector<std::uint32_t> extrema(const SurfaceMesh& mesh, const geometry::Inde
   std::vector<std::uint32_t> nearest(places.positions.size(), none);  // by top
   std::vector<std::uint32_t> result;
   result.reserve(mesh.triangle_count());
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    const VertexId v = ascent.top_from(TriangleId{t});
-    std::uint32_t& found = nearest[v.index()];
-    if (found == none) found = nearest_of(points, index, places.positions[v.index()]);
-    result.push_back(found);
+  for (const std::uint32_t v : ascent.tops()) {
+    if (nearest[v] == none) nearest[v] = nearest_of(points, index, places.positions[v]);
+    result.push_back(nearest[v]);
   }
   return result;
+}
+
+// A sphere without saddles is one region, between an extremum of each kind that no arc ends at.
+void add_whole_spheres(const morse::MorseSmaleComplex& complex, std::set<FlowRegion>& regions) {
+  std::vector<bool> has_arc(complex.points.size(), false);
+  for (const morse::Arc& arc : complex.arcs) has_arc[arc.extremum.index()] = true;
+  for (std::uint32_t low = 0; low < complex.points.size(); ++low) {
+    if (complex.points[low].index != 0 || has_arc[low]) continue;
+    for (std::uint32_t high = 0; high < complex.points.size(); ++high) {
+      if (complex.points[high].index == 2 && !has_arc[high]) regions.insert({low, high});
+    }
+  }
+}
+
+// Triangles with a pair that no region has take the pair of the nearest triangle, over edges, that
+// has one of a region's.
+void keep_to_regions(const SurfaceMesh& mesh, const std::set<FlowRegion>& regions,
+                     std::vector<FlowRegion>& pairs) {
+  std::vector<std::uint32_t> queue;
+  std::vector<bool> is_known(pairs.size());
+  for (std::uint32_t t = 0; t < pairs.size(); ++t) {
+    is_known[t] = regions.contains(pairs[t]);
+    if (is_known[t]) queue.push_back(t);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{queue[i]}, k);
+      const std::uint32_t beyond = SurfaceMesh::triangle(mesh.twin(h)).value;
+      if (is_known[beyond]) continue;
+      is_known[beyond] = true;
+      pairs[beyond] = pairs[queue[i]];
+      queue.push_back(beyond);
+    }
+  }
 }
 
 }  // namespace
 
 FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFunction& function,
-                         const std::vector<morse::CriticalPoint>& points, unsigned threads) {
+                         const morse::MorseSmaleComplex& complex, unsigned threads) {
   const SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<std::uint32_t> up, down;
   geometry::do_both(
-      threads, [&] { up = extrema(surface, mesh, function, 2, points); },
-      [&] { down = extrema(surface, mesh, function.reversed(), 0, points); });
+      threads, [&] { up = extrema(surface, mesh, function, 2, complex.points); },
+      [&] { down = extrema(surface, mesh, function.reversed(), 0, complex.points); });
+  std::vector<FlowRegion> pairs;
+  pairs.reserve(up.size());
+  for (std::size_t t = 0; t < up.size(); ++t) pairs.push_back({down[t], up[t]});
+  if (!complex.regions.empty()) {
+    std::set<FlowRegion> regions;
+    for (const auto& [minimum, saddle, maximum, other] : complex.regions) {
+      regions.insert({minimum.value, maximum.value});
+    }
+    add_whole_spheres(complex, regions);
+    keep_to_regions(surface, regions, pairs);
+  }
   FlowRegions result;
-  for (std::size_t t = 0; t < up.size(); ++t) result.regions.push_back({down[t], up[t]});
+  result.regions = pairs;
   std::ranges::sort(result.regions);
   const auto repeated = std::ranges::unique(result.regions);
   result.regions.erase(repeated.begin(), repeated.end());
-  for (std::size_t t = 0; t < up.size(); ++t) {
-    const auto at = std::ranges::lower_bound(result.regions, FlowRegion{down[t], up[t]});
+  result.of_triangle.reserve(pairs.size());
+  for (const FlowRegion& pair : pairs) {
+    const auto at = std::ranges::lower_bound(result.regions, pair);
     result.of_triangle.push_back(static_cast<std::uint32_t>(at - result.regions.begin()));
   }
   return result;

@@ -4,13 +4,14 @@
 /// the maximum that the integral line through its middle runs between (section 3.2).
 ///
 /// For pictures. The lines are those of the function made linear on every triangle, so the borders
-/// of the regions are off the integral lines of the skin by a triangle or so.
+/// of the regions are off the integral lines of the skin by a triangle or so, and where many run
+/// side by side by more. A triangle whose pair no region of the complex has takes a neighbour's.
 
 #include <cstdint>
 #include <vector>
 
 #include "geometry/indexed_mesh.h"
-#include "morse/critical_points.h"
+#include "morse/morse_smale_complex.h"
 
 namespace morskin::app {
 
@@ -25,9 +26,10 @@ struct FlowRegions {
   std::vector<std::uint32_t> of_triangle;  ///< into regions
 };
 
+/// @param complex  its regions may be missing: then every pair is let pass
 /// @param threads  at most; the answer is the same for any number
 /// @pre  the mesh is a closed 2-manifold; there are a minimum and a maximum.
 FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFunction& function,
-                         const std::vector<morse::CriticalPoint>& points, unsigned threads);
+                         const morse::MorseSmaleComplex& complex, unsigned threads);
 
 }  // namespace morskin::app

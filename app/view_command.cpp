@@ -119,9 +119,8 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLin
   add_cells(page, code, result.cells);
   add_sweep(page, code, recorded);
   if (result.open_edges == 0 && has_both_extrema(context.complex.points)) {
-    add_regions(
-        page, code,
-        flow_regions(result.mesh, context.function, context.complex.points, arguments.threads));
+    add_regions(page, code,
+                flow_regions(result.mesh, context.function, context.complex, arguments.threads));
   }
   add_context(page, context);
   return {std::move(result.mesh), result.certificate};
@@ -155,7 +154,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   if (has_both_extrema(context.complex.points) &&
       !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {
     add_regions(page, code,
-                flow_regions(mesh, context.function, context.complex.points, arguments.threads));
+                flow_regions(mesh, context.function, context.complex, arguments.threads));
   }
   add_context(page, context);
   return viewed;
