@@ -12,38 +12,32 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // By half-edge 3 t + k its twin; none at a border, an edge with more than two triangles, or one
 // that two triangles run along the same way.
-std::vector<std::uint32_t> twins(const Triangles& triangles, std::size_t vertex_count) {
-  // Half-edges in lists by the smaller of their ends.
-  std::vector<std::uint32_t> first(vertex_count + 1, 0);
-  const auto ends = [&](std::uint32_t h) {
-    const auto& t = triangles[h / 3];
-    return std::pair(t[h % 3], t[(h + 1) % 3]);
+std::vector<std::uint32_t> twins(const Triangles& triangles) {
+  struct HalfEdge {
+    std::uint32_t low, high;  // its ends
+    std::uint32_t id;
+    auto operator<=>(const HalfEdge&) const = default;
   };
-  const auto count = static_cast<std::uint32_t>(3 * triangles.size());
-  for (std::uint32_t h = 0; h < count; ++h) {
-    const auto [a, b] = ends(h);
-    ++first[std::min(a, b) + 1];
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * triangles.size());
+  for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h) {
+    const auto& t = triangles[h / 3];
+    const auto [low, high] = std::minmax(t[h % 3], t[(h + 1) % 3]);
+    half_edges.push_back({low, high, h});
   }
-  for (std::size_t v = 0; v < vertex_count; ++v) first[v + 1] += first[v];
-  std::vector<std::uint32_t> listed(count), next = first;
-  for (std::uint32_t h = 0; h < count; ++h) {
-    const auto [a, b] = ends(h);
-    listed[next[std::min(a, b)]++] = h;
-  }
-  std::vector<std::uint32_t> twin(count, none);
-  for (std::uint32_t h = 0; h < count; ++h) {
-    const auto [a, b] = ends(h);
-    if (a >= b) continue;
-    std::uint32_t along = 0, against = 0, other = none;
-    for (std::uint32_t i = first[a]; i < first[a + 1]; ++i) {
-      const auto [c, d] = ends(listed[i]);
-      if (c == a && d == b) ++along;
-      if (c == b && d == a) ++against, other = listed[i];
+  std::ranges::sort(half_edges);
+  std::vector<std::uint32_t> twin(half_edges.size(), none);
+  const auto origin = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
+  for (std::size_t i = 0, end = 0; i < half_edges.size(); i = end) {
+    const auto [low, high, h] = half_edges[i];
+    for (end = i; end < half_edges.size(); ++end) {
+      if (half_edges[end].low != low || half_edges[end].high != high) break;
     }
-    if (along == 1 && against == 1) {
-      twin[h] = other;
-      twin[other] = h;
-    }
+    if (end - i != 2) continue;
+    const std::uint32_t g = half_edges[i + 1].id;
+    if (origin(h) == origin(g)) continue;
+    twin[h] = g;
+    twin[g] = h;
   }
   return twin;
 }
@@ -64,7 +58,7 @@ class Encoder {
  public:
   Encoder(const Triangles& triangles, std::size_t vertex_count)
       : triangles_(triangles),
-        twin_(twins(triangles, vertex_count)),
+        twin_(twins(triangles)),
         number_(vertex_count, none),
         is_laid_(triangles.size(), false),
         leaving_(vertex_count, none) {

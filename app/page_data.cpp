@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "app/viewer_asset.h"
+#include "geometry/error.h"
 
 namespace morskin::app {
 namespace {
@@ -27,7 +28,8 @@ std::string packed(const std::string& bytes) {
   // zlib counts in 32 bits; a page as big as that no browser opens.
   if (bytes.size() > std::numeric_limits<uInt>::max() / 2) {
     deflateEnd(&stream);
-    throw std::length_error("too much for one page");
+    throw geometry::LimitReached(
+        "too much for one page; show a part of it, or a coarser mesh (-C)");
   }
   std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
   std::string input = bytes;

@@ -40,6 +40,7 @@ class PageData {
   nlohmann::ordered_json about;  ///< for people and for the page: names, counts, options
 
   /// The page: the viewer with these data in it.
+  /// @throws geometry::LimitReached  for more than 2 GB
   std::string page() const;
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/surface_mesh.h"
 
 namespace morskin::app {
 namespace {
@@ -105,6 +106,9 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
   const Grid grid = grid_of(mesh);
   if (!std::isfinite(grid.step) || !grid.origin.allFinite()) {
     throw geometry::RefusedInput("the mesh is too large to be shown; give lengths in Angstrom");
+  }
+  if (mesh.triangles.size() > geometry::SurfaceMesh::most_triangles) {
+    throw geometry::LimitReached("the mesh has too many triangles for one page");
   }
   FrontCode code = front_code(mesh.triangles, mesh.positions.size());
   std::vector<std::array<std::int32_t, 3>> at;

@@ -1,5 +1,6 @@
 // Makes dist/viewer.html, the one file that the command puts its data into: the page with its style
-// and its script, three.js in it, and the licence of what is not ours.
+// and its script, three.js in it, and the licence of what is not ours. With --check it only says
+// whether that file is up to date.
 
 import { build } from 'esbuild';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -29,6 +30,11 @@ for (const mark of ['@ABOUT@', '@DATA@']) {
   if (page.split(mark).length !== 2) throw new Error(`${mark} must stand once in the page`);
 }
 if (/(src|href)="https?:/.test(page)) throw new Error('the page loads something from elsewhere');
+if (process.argv.includes('--check')) {
+  if (readFileSync(here('dist/viewer.html'), 'utf8') === page) process.exit(0);
+  console.error('viewer/dist/viewer.html is not what its sources make; run make viewer-asset');
+  process.exit(1);
+}
 mkdirSync(here('dist'), { recursive: true });
 writeFileSync(here('dist/viewer.html'), page);
 console.log(`viewer/dist/viewer.html: ${page.length} characters, three.js ${version}`);

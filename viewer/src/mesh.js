@@ -34,7 +34,8 @@ export class Mesh {
     return values;
   }
 
-  // Reaches of the mesh: the box and the ball about its middle.
+  // Reaches of the mesh: the box, the ball about its middle, some of the vertices, and the angle
+  // about y from which it is seen the widest.
   bounds() {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < this.positions.length; ++i) {
@@ -48,7 +49,19 @@ export class Mesh {
       radius = Math.max(radius, Math.hypot(this.positions[i] - middle[0],
         this.positions[i + 1] - middle[1], this.positions[i + 2] - middle[2]));
     }
-    return { low, high, middle, radius: radius || 1 };
+    const each = 3 * Math.ceil(this.vertexCount / 20000);
+    const sample = [];
+    let xx = 0, xz = 0, zz = 0;
+    for (let i = 0; i < this.positions.length; i += each) {
+      const [x, y, z] = this.positions.subarray(i, i + 3);
+      sample.push(x, y, z);
+      xx += (x - middle[0]) ** 2;
+      xz += (x - middle[0]) * (z - middle[2]);
+      zz += (z - middle[2]) ** 2;
+    }
+    // The long axis of what lies beside the y axis is seen across.
+    const widest = -Math.atan2(2 * xz, xx - zz) / 2;
+    return { low, high, middle, radius: radius || 1, widest, sample };
   }
 
   // Unit normals by vertex, each triangle weighing as its area.

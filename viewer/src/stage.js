@@ -8,6 +8,8 @@ THREE.ColorManagement.enabled = false;
 // Two frames further apart than this while something moves: draw fewer pixels until it rests.
 const slowFrame = 90; // milliseconds
 
+const up = new THREE.Vector3(0, 1, 0);
+
 export class Stage {
   constructor(container, bounds) {
     this.container = container;
@@ -28,8 +30,8 @@ export class Stage {
     this.lastFrame = 0;
     this.renderer.setPixelRatio(this.finest);
     new ResizeObserver(() => this.resize()).observe(container);
-    this.fit();
     this.resize();
+    this.fit();
   }
 
   setBackground(colour) {
@@ -40,32 +42,53 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (width === 0 || height === 0) return;
-    // A narrow window sees as much to the sides as a square one.
-    const before = this.camera.aspect;
     this.camera.aspect = width / height;
-    if (before !== this.camera.aspect) this.#keepInView();
+    this.#keepInView();
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);
     this.drawNow();
   }
 
+  // A narrow window sees as much to the sides as a square one.
   #keepInView() {
     const half = Math.tan(14 * Math.PI / 180);
     const narrow = Math.min(1, this.camera.aspect);
     this.camera.fov = 2 * Math.atan(half / narrow) * 180 / Math.PI;
   }
 
-  // Looks at all of it from the front, the Morse function's default direction up.
+  // Looks at all of it, the Morse function's default direction up, from the side where it is
+  // widest, a little from the right and from above.
   fit() {
-    const { middle, radius } = this.bounds;
-    const distance = 1.04 * radius / Math.sin(14 * Math.PI / 180);
-    this.controls.target.set(...middle);
-    this.camera.position.set(middle[0] + 0.22 * distance, middle[1] + 0.16 * distance,
-      middle[2] + 0.96 * distance);
+    const { middle, radius, widest, sample } = this.bounds;
+    const away = new THREE.Vector3(0, 0, 1).applyAxisAngle(up, widest + 0.22);
+    away.addScaledVector(up, 0.17).normalize();
+    const right = up.clone().cross(away).normalize(), above = away.clone().cross(right);
+    const tall = Math.tan(this.camera.fov * Math.PI / 360), wide = tall * this.camera.aspect;
+    // Twice: first what is seen from far away, then from where that would have the eye.
+    const target = new THREE.Vector3(...middle), off = new THREE.Vector3();
+    let distance = 0;
+    for (let round = 0; round < 2; ++round) {
+      let [left, most, low, high, nearest] = [Infinity, -Infinity, Infinity, -Infinity, 0];
+      for (let i = 0; i < sample.length; i += 3) {
+        off.set(sample[i], sample[i + 1], sample[i + 2]).sub(target);
+        const x = off.dot(right), y = off.dot(above), z = off.dot(away);
+        left = Math.min(left, x);
+        most = Math.max(most, x);
+        low = Math.min(low, y);
+        high = Math.max(high, y);
+        nearest = Math.max(nearest, z + Math.max(Math.abs(x) / wide, Math.abs(y) / tall));
+      }
+      distance = 1.06 * nearest;
+      if (round === 0) {
+        target.addScaledVector(right, (left + most) / 2).addScaledVector(above, (low + high) / 2);
+      }
+    }
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(away, distance);
     this.camera.near = distance / 200;
-    this.camera.far = distance * 20;
+    this.camera.far = 20 * (distance + radius);
     this.controls.minDistance = distance / 150;
-    this.controls.maxDistance = distance * 5;
+    this.controls.maxDistance = distance * 6;
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();

@@ -31,8 +31,9 @@ export async function open(browser, file, { width = 1100, height = 720, scheme =
   return { page, complaints, seconds: (Date.now() - start) / 1000, close: () => context.close() };
 }
 
-// Until what was asked for has been drawn.
+// Until what was asked for has been drawn, in full resolution again if it was coarser on the way.
 export async function settle(page) {
+  await page.waitForFunction(() => !window.viewer || window.viewer.stage.coarse === 1);
   await page.evaluate(() => new Promise((done) => {
     requestAnimationFrame(() => requestAnimationFrame(() => {
       window.viewer?.stage.drawNow();
