@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -42,6 +44,7 @@ constexpr const char* closing =
     "  morskin check 1crn.ply --against 1crn.pdb\n"
     "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
     "  morskin info 1crn.pdb --json\n"
+    "  morskin view 1crn.pdb -o 1crn.html\n"
     "\n"
     "Exit codes:\n"
     "  0  meshed and certified           5  not certified: see OUT.unverified\n"
@@ -230,6 +233,31 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       "triangles and, with --against, certified; 5: not, and the reason names the first element.");
 }
 
+void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "view", "Write a page that shows the mesh and how it came to be, in any browser");
+  command
+      .add_option("INPUT", view.molecule.input,
+                  "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
+                  "STL or MSMS, by its ending")
+      ->required();
+  command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
+      ->required();
+  command.add_option("--against", view.against,
+                     "The molecule whose skin the mesh is: then all layers but the sweep");
+  command.add_option("--grow", view.growth,
+                     "Meshes of a growing skin, in order, to play through beside");
+  add_molecule_options(command, view.molecule, typed);
+  add_sizing_options(command, view.sizing, typed);
+  add_function_option(command, typed);
+  add_threads_option(command, view.threads);
+  command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
+  add_progress_option(command, typed);
+  command.footer(
+      "A molecule is meshed from one front, as Algorithm 1 is printed, so that the page can run\n"
+      "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
+}
+
 // --height and --function, of which at most one may be given.
 std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   if (typed.height && typed.function) {
@@ -271,6 +299,13 @@ void finish(MoleculeArguments& molecule, const Typed& typed) {
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
     throw UsageError("--probe must be from 0 to 10000 Angstrom");
   }
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
 }
 
 bool is_standard_output(const std::filesystem::path& path) {
@@ -344,6 +379,22 @@ void finish(MorseArguments& morse, const Typed& typed) {
   }
 }
 
+void finish(ViewArguments& view, const Typed& typed) {
+  check_not_input(view.output, view.molecule);
+  if (view.against && !names_a_mesh(view.molecule.input)) {
+    throw UsageError("--against is for a mesh; a molecule is shown with its own skin");
+  }
+  if (view.against) check_not_input(view.output, {.input = *view.against});
+  for (const std::filesystem::path& frame : view.growth) {
+    check_not_input(view.output, {.input = frame});
+  }
+  if (!is_special(view.output) && lower_extension(view.output) != ".html") {
+    throw UsageError(view.output.string() + ": the ending must be .html");
+  }
+  view.function = parsed(typed);
+  view.progress = parsed_progress(typed.progress);
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
@@ -375,6 +426,14 @@ void finish(MeshArguments& mesh, const Typed& typed) {
 
 }  // namespace
 
+bool names_a_mesh(const std::filesystem::path& path) {
+  std::string ending = lower_extension(path);
+  if (ending == ".gz") ending = lower_extension(path.stem());
+  constexpr std::array<std::string_view, 6> endings{".ply", ".off",  ".obj",
+                                                    ".stl", ".vert", ".face"};
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
 Arguments parse_arguments(int count, const char* const* words) {
   CLI::App app(about, "morskin");
   app.footer(closing);
@@ -388,6 +447,7 @@ Arguments parse_arguments(int count, const char* const* words) {
   BallsArguments balls;
   InfoArguments info;
   CheckArguments check;
+  ViewArguments view;
   MoleculeArguments against;
   Typed typed;
   add_mesh(app, mesh, typed);
@@ -395,13 +455,14 @@ Arguments parse_arguments(int count, const char* const* words) {
   add_balls(app, balls, typed);
   add_info(app, info, typed);
   add_check(app, check, against, typed);
+  add_view(app, view, typed);
   try {
     app.parse(count, words);
-    for (MoleculeArguments* molecule :
-         {&mesh.molecule, &morse.molecule, &balls.molecule, &info.molecule, &against}) {
+    for (MoleculeArguments* molecule : {&mesh.molecule, &morse.molecule, &balls.molecule,
+                                        &info.molecule, &against, &view.molecule}) {
       finish(*molecule, typed);
     }
-    for (refine::Sizing* sizing : {&mesh.sizing, &info.sizing, &check.sizing}) {
+    for (refine::Sizing* sizing : {&mesh.sizing, &info.sizing, &check.sizing, &view.sizing}) {
       sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
       check_sizing(*sizing);
     }
@@ -410,6 +471,10 @@ Arguments parse_arguments(int count, const char* const* words) {
     if (app.got_subcommand("check")) {
       if (!against.input.empty()) check.against = against;
       return check;
+    }
+    if (app.got_subcommand("view")) {
+      finish(view, typed);
+      return view;
     }
     if (app.got_subcommand("morse")) {
       finish(morse, typed);

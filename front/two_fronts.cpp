@@ -126,6 +126,7 @@ SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Gui
   SweepOptions lower = options, upper = options;
   lower.progress = passed.from_below();
   upper.progress = passed.from_above();
+  upper.operation = {};
   Sweep below(skin, guide, lower, result.mesh, middle);
   Sweep above(skin, reversed, upper, upper_mesh, -middle);
   geometry::do_both(
