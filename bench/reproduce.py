@@ -65,6 +65,7 @@ def arguments():
     parser.add_argument("--quick", action="store_true", default=os.environ.get("QUICK") == "1",
                         help="under five minutes; also with QUICK=1 in the environment")
     parser.add_argument("--parts", default="table1,scaling,agreement", help="default %(default)s")
+    parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
     if options.quick:
         options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
@@ -131,10 +132,13 @@ class Part:
         self.file.close()
 
 
-def methods_there_are(notes):
-    """The methods that this build has; the others are told."""
+def methods_there_are(options, notes):
+    """The methods that were asked for and that this build has; the others are told."""
     there = []
     for method, words in METHODS.items():
+        if method not in options.methods.split(","):
+            notes.add(f"the method {method} was not asked for")
+            continue
         with tempfile.TemporaryDirectory() as temporary:
             done = run_command(["mesh", BUNDLED / "two_balls.xyzr", "-o",
                                 Path(temporary) / "mesh.ply", "--json", *words], 60)
@@ -265,7 +269,7 @@ def main():
         notes.add(f"{options.molecules} is not there: the corpus is bench/molecules only")
     if options.quick:
         notes.add("QUICK=1: smaller molecules, less time; the figures are rougher")
-    methods = methods_there_are(notes)
+    methods = methods_there_are(options, notes)
     write_hashes(folder, options)
     wanted = options.parts.split(",")
     failures = []
