@@ -41,7 +41,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options) {
   MethodResult made = mesher_of(options)(skin, options);
   // Another's mesh is left as it is, and so is one that could not be closed.
   if (options.mesher || made.open_edges > 0 || options.angle_goal_deg == 0) return made;
-  if (options.progress) options.progress("smooth", 0);
+  if (options.progress) options.progress("smooth", geometry::unknown_share);
   timed(made.seconds.smooth, [&] {
     made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh, options.angle_goal_deg,
                                     options.threads);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "geometry/union_find.h"
 #include "skin/skin_components.h"
 
 namespace morskin::front {
@@ -41,21 +41,14 @@ struct Pieces {
   std::uint32_t count = 0;
 };
 Pieces pieces_of(const IndexedMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  geometry::UnionFind sets(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    for (const std::uint32_t other : {b, c}) {
-      const std::uint32_t i = root(a), j = root(other);
-      parent[std::max(i, j)] = std::min(i, j);
-    }
+    sets.join(a, b);
+    sets.join(a, c);
   }
-  Pieces pieces{std::vector<std::uint32_t>(parent.size()), 0};
-  for (std::uint32_t v = 0; v < parent.size(); ++v) {
-    const std::uint32_t first = root(v);
+  Pieces pieces{std::vector<std::uint32_t>(sets.size()), 0};
+  for (std::uint32_t v = 0; v < sets.size(); ++v) {
+    const std::uint32_t first = sets.root(v);
     pieces.of_vertex[v] = first == v ? pieces.count++ : pieces.of_vertex[first];
   }
   return pieces;

@@ -193,7 +193,7 @@ class NotCertified(CommandTest):
 
     def test_a_note_says_that_the_sizes_are_out_of_range(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *self.WORDS, code=5)
-        self.assertIn(b"theory", done.stderr)
+        self.assertIn(b"C Q = 1.71 is above", done.stderr)
 
 
 class Morse(CommandTest):
@@ -685,6 +685,17 @@ class OtherCommands(CommandTest):
             numbers = [float(w) for w in (self.folder / "out.xyzr").read_text().split()]
             self.assertEqual(numbers[:3], [1, 2, 3])
             self.assertAlmostEqual(numbers[3], radius)
+
+    def test_a_coarse_mesh_is_certified_and_the_report_says_what_is_not_proved_beforehand(self):
+        result = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18",
+                                  "--json")
+        report = json.loads(result.stdout)
+        self.assertFalse(report["C_Q_in_proved_range"])
+        self.assertGreater(report["Q"], 1.8)
+        self.assertIn(b"the certificate decides", result.stderr)
+        self.run_morskin("check", "out.ply", "--against", MOLECULES / "caffeine.xyz", "-C", "0.18")
+        people = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18")
+        self.assertIn(b"certified all the same", people.stdout)
 
     def test_info_counts_the_elements(self):
         info = json.loads(self.run_morskin("info", MOLECULES / "caffeine.xyz", "--json").stdout)
