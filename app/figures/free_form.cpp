@@ -57,22 +57,23 @@ std::optional<Point> settled(double (*function)(const Point&), Point x) {
 }  // namespace
 
 double head_function(const Point& p) {
-  const Point x(std::abs(p.x()), p.y(), p.z());                               // both halves alike
-  double f = ellipsoid(x, {0, 0.36, -0.14}, {0.72, 0.76, 0.92});              // skull
-  f = joined(f, ellipsoid(x, {0, -0.2, 0.2}, {0.53, 0.8, 0.56}), 0.25);       // face
-  f = joined(f, rod(x, {0, -0.6, -0.2}, {0, -1.5, -0.34}, 0.36, 0.42), 0.3);  // neck
-  f = joined(f, ellipsoid(x, {0, -0.86, 0.5}, {0.2, 0.15, 0.17}), 0.22);      // chin
-  f = joined(f, rod(x, {0.44, -0.3, -0.02}, {0.16, -0.84, 0.42}, 0.13, 0.12), 0.2);  // jaw
-  f = joined(f, rod(x, {0.06, 0.2, 0.71}, {0.4, 0.22, 0.5}, 0.09, 0.1), 0.16);       // brow
-  f = joined(f, ellipsoid(x, {0.35, -0.15, 0.46}, {0.17, 0.13, 0.16}), 0.2);         // cheekbone
-  f = carved(f, ellipsoid(x, {0.245, 0.06, 0.83}, {0.17, 0.11, 0.15}), 0.14);        // socket
-  f = joined(f, ellipsoid(x, {0.24, 0.05, 0.57}, {0.145, 0.105, 0.145}), 0.03);      // eye
-  f = joined(f, rod(x, {0, 0.14, 0.75}, {0, -0.2, 0.97}, 0.055, 0.085), 0.1);        // nose
-  f = joined(f, ellipsoid(x, {0.085, -0.235, 0.85}, {0.07, 0.06, 0.09}), 0.06);
-  f = joined(f, rod(x, {0.0, -0.475, 0.765}, {0.17, -0.515, 0.67}, 0.05, 0.025), 0.05);  // lips
-  f = joined(f, rod(x, {0.0, -0.575, 0.755}, {0.15, -0.53, 0.67}, 0.055, 0.025), 0.035);
-  f = joined(f, ellipsoid(x, {0.72, 0.02, -0.12}, {0.07, 0.23, 0.15}), 0.07);  // ear
-  f = carved(f, ellipsoid(x, {0.82, 0.03, -0.09}, {0.06, 0.14, 0.09}), 0.06);
+  const Point x(std::abs(p.x()), p.y(), p.z());                                // both halves alike
+  double f = ellipsoid(x, {0, 0.4, -0.16}, {0.7, 0.74, 0.9});                  // skull
+  f = joined(f, ellipsoid(x, {0, -0.16, 0.2}, {0.54, 0.78, 0.54}), 0.2);       // face
+  f = joined(f, rod(x, {0, -0.6, -0.3}, {0, -1.25, -0.42}, 0.33, 0.36), 0.2);  // neck
+  f = joined(f, ellipsoid(x, {0, -1.5, -0.42}, {0.85, 0.3, 0.42}), 0.3);       // shoulders
+  f = joined(f, ellipsoid(x, {0, -0.83, 0.54}, {0.2, 0.14, 0.16}), 0.16);      // chin
+  f = joined(f, rod(x, {0.46, -0.28, -0.02}, {0.16, -0.84, 0.46}, 0.13, 0.12), 0.15);  // jaw
+  f = joined(f, rod(x, {0.07, 0.27, 0.76}, {0.42, 0.27, 0.52}, 0.1, 0.1), 0.1);        // brow
+  f = joined(f, ellipsoid(x, {0.37, -0.16, 0.5}, {0.17, 0.13, 0.17}), 0.14);           // cheekbone
+  f = carved(f, ellipsoid(x, {0.25, 0.07, 0.86}, {0.2, 0.15, 0.24}), 0.07);            // socket
+  f = joined(f, ellipsoid(x, {0.25, 0.06, 0.55}, {0.15, 0.13, 0.15}), 0.02);           // eye
+  f = joined(f, rod(x, {0, 0.2, 0.74}, {0, -0.2, 1.02}, 0.06, 0.1), 0.06);             // nose
+  f = joined(f, ellipsoid(x, {0.11, -0.23, 0.86}, {0.08, 0.075, 0.11}), 0.04);
+  f = joined(f, rod(x, {0.0, -0.465, 0.8}, {0.2, -0.51, 0.66}, 0.062, 0.03), 0.03);  // lips
+  f = joined(f, rod(x, {0.0, -0.6, 0.79}, {0.17, -0.56, 0.67}, 0.07, 0.03), 0.02);
+  f = joined(f, ellipsoid(x, {0.76, 0.04, -0.14}, {0.1, 0.26, 0.17}), 0.05);  // ear
+  f = carved(f, ellipsoid(x, {0.9, 0.05, -0.09}, {0.1, 0.17, 0.1}), 0.05);
   return f;
 }
 

@@ -65,16 +65,16 @@ Image level_curves(double scale) {
   for (const morse::CriticalPoint& p : points) {
     if (p.index == 1) add_level_curve(scene, scene.meshes[0], height, p.value, strong, 2.6, lift);
   }
-  add_critical_points(scene, points, 0.085);
+  add_critical_points(scene, points, 0.1);
   // The paper's letters: minima p, q, saddles r, s; the maximum t outlasts u.
   constexpr std::array<std::string_view, 6> letters{"p", "q", "r", "s", "u", "t"};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_below = points[i].index == 0;
     scene.labels.push_back({points[i].point.position,
                             std::string(i < letters.size() ? letters[i] : "?"),
-                            Vector2(points[i].index == 1 ? 20 : 0, is_below ? 30 : -14), 17});
+                            Vector2(points[i].index == 1 ? 20 : 0, is_below ? 32 : -16), 17});
   }
-  const Camera camera = pictures::camera_from(Vector(0.12, 0.42, 1), Vector::UnitY(), 620, 600)
+  const Camera camera = pictures::camera_from(Vector(0.1, 0.24, 1), Vector::UnitY(), 620, 600)
                             .fitted(scene.extent(), 0.06);
   return panel(scene, camera, scale);
 }
@@ -135,14 +135,14 @@ Image inhibitor_complex(double scale) {
     scene.lines.push_back({{line.begin(), line.end()}, colour_of_index(index), 2.6, 0.04});
   }
   add_critical_points(scene, complex.points, 0.13);
-  const Camera camera = principal_camera(scene.meshes[0].mesh.positions, 620, 860);
-  // On its side, as long molecules fit a page.
-  Camera turned = camera;
-  turned.width = 1000;
-  turned.height = 620;
-  turned.right = camera.up;
-  turned.up = -camera.right;
-  return panel(scene, turned.fitted(scene.extent()), scale);
+  // The height rises upwards in the picture; of the directions across it, the one along which the
+  // molecule is thinnest, and from a little above.
+  std::vector<Point> level = scene.meshes[0].mesh.positions;
+  const Vector& rise = chosen.function.direction;
+  for (Point& p : level) p -= rise.dot(p) * rise;
+  const Vector across = principal_camera(level, 1, 1).up.cross(rise).normalized();
+  const Camera camera = pictures::camera_from(across + 0.4 * rise, rise, 1000, 560);
+  return panel(scene, camera.fitted(scene.extent()), scale);
 }
 
 }  // namespace morskin::figures

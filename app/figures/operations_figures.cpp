@@ -150,7 +150,8 @@ Image bowl(double scale) {
   const double r = stage.disk_share * p0.length_scale;
   Scene scene = state(stage, event.after, event.before);
   scene.lines.push_back(tangent_disk(stage, p0));
-  Camera camera = pictures::camera_from(Vector(0.25, -0.62, 0.78), Vector::UnitY(), 620, 460);
+  // Seen from below, the minimum upwards.
+  Camera camera = pictures::camera_from(Vector(0.25, -0.6, 0.8), -Vector::UnitY(), 620, 460);
   camera.target = p0.position;
   camera.scale = camera.width / (4.4 * r);
   add_vertex(scene, p0.position, "p_0", Vector2(0, -14), 0.05 * r);

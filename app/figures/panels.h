@@ -21,7 +21,7 @@ using pictures::Vector2;
 inline constexpr Colour skin_blue = Colour::of(0x9fc1dc), minimum_red = Colour::of(0xd62f2f),
                         saddle_blue = Colour::of(0x2456d6), maximum_green = Colour::of(0x1f9a4a),
                         front_red = Colour::of(0xe02d2d), fresh_orange = Colour::of(0xf5b041),
-                        bare_grey = Colour::of(0xe9e6df);
+                        bare_grey = Colour::of(0xdfdbd2);
 
 Colour colour_of_index(int index);
 

@@ -13,18 +13,20 @@
 namespace morskin::figures {
 namespace {
 
-// The plane z = 0 as it is drawn.
+// The plane z = 0 as it is drawn, the tangent at a vertex level and its normal upwards.
 struct Section {
-  Vector2 middle;  // Angstrom
-  double scale;    // pixels per Angstrom
+  Vector2 middle;     // Angstrom
+  Vector2 right, up;  // unit
+  double scale;       // pixels per Angstrom
   int width, height;
 
   Vector2 seen(const Vector2& p) const {
-    return {width / 2.0 + scale * (p.x() - middle.x()),
-            height / 2.0 - scale * (p.y() - middle.y())};
+    const Vector2 d = p - middle;
+    return {width / 2.0 + scale * right.dot(d), height / 2.0 - scale * up.dot(d)};
   }
   Point place(double x, double y) const {
-    return {middle.x() + (x - width / 2.0) / scale, middle.y() - (y - height / 2.0) / scale, 0};
+    const Vector2 p = middle + ((x - width / 2.0) * right - (y - height / 2.0) * up) / scale;
+    return {p.x(), p.y(), 0};
   }
 };
 
@@ -38,7 +40,7 @@ Scenario scenario() {
   std::vector<geometry::WeightedPoint> balls{{{-1.62, 0, 0}, 2 * 1.15 * 1.15},
                                              {{1.5, 0, 0}, 2 * 1.3 * 1.3}};
   front::PreparedSkin skin = front::prepare_skin(std::move(balls));
-  const auto a = skin.surface.project(Point(0.30, 0.75, 0), geometry::CellId{});
+  const auto a = skin.surface.project(Point(0.12, 0.75, 0), geometry::CellId{});
   return {std::move(skin), *a};
 }
 
@@ -100,16 +102,19 @@ Image section_of(const Scenario& s, const Section& section, double scale, bool i
               pictures::ink, 2.5 * scale);
   };
   if (is_detail) {
-    mark(a, "a", -4, 30);
-    mark(q, "q", 20, 6);
-    mark(longest, "b on the ball", 62, -8);
-    mark(flat(b->position), "b on the skin", 62, 24);
+    mark(a, "a", 0, 30);
+    mark(q, "q", 0, 30);
+    mark(longest, "b, on the ball", -10, -16);
+    const Vector2 note = at(flat(b->position)) + scale * Vector2(44, 40);
+    draw_line(image, std::array{at(flat(b->position)), note}, {pictures::ink, 1 * scale});
+    draw_text(image, note + scale * Vector2(4, 12), "b, on the skin", size);
+    mark(flat(b->position), "", 0, 0);
     draw_text(image, at(a + 0.5 * r * t) + scale * Vector2(0, 24), "r_a", size,
               pictures::Align::Centre, maximum_green, 2.5 * scale);
     draw_text(image, at(a + 0.5 * (longest - a)) + scale * Vector2(-8, -12), "2R_{ab}", size,
               pictures::Align::Centre, front_red, 2.5 * scale);
     draw_text(image,
-              at(a + 0.34 * r * (std::cos(theta / 2) * t + std::sin(theta / 2) * n)) +
+              at(a + 0.8 * r * (std::cos(theta / 2) * t + std::sin(theta / 2) * n)) +
                   scale * Vector2(0, 5),
               "θ", 12 * scale, pictures::Align::Centre, pictures::ink, 2 * scale);
   } else {
@@ -121,7 +126,7 @@ Image section_of(const Scenario& s, const Section& section, double scale, bool i
                 pictures::Align::Centre, pictures::ink, 2.5 * scale);
     }
     mark(a, "a", -22, -6);
-    draw_text(image, at({-1.62, -0.3}), "body", size, pictures::Align::Centre,
+    draw_text(image, at(a + 1.55 * rho * t - 1.6 * rho * n), "body", size, pictures::Align::Centre,
               Colour::of(0x1d4e7e));
   }
   return image;
@@ -134,15 +139,18 @@ Image sandwiching_ball(double scale) {
   const Vector2 a(s.a.position.x(), s.a.position.y());
   const Vector2 n(s.a.normal.x(), s.a.normal.y()), t(n.y(), -n.x());
   const double rho = s.a.length_scale;
-  const int side = static_cast<int>(std::lround(480 * scale));
-  const Section whole{a - Vector2(0, 0.1 * rho), 150 * scale, side, side};
-  const Section detail{a + 0.12 * rho * t + 0.02 * rho * n, 1000 * scale / rho, side, side};
+  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale)); };
+  const Section whole{a, t, n, 96 * scale / rho, pixels(430), pixels(430)};
+  const Section detail{
+      a + 0.138 * rho * t + 0.006 * rho * n, t, n, 1900 * scale / rho, pixels(640), pixels(430)};
   std::array panels{section_of(s, whole, scale, false), section_of(s, detail, scale, true)};
   const Vector2 middle = whole.seen(detail.middle);
-  const double half = whole.scale / detail.scale * side / 2;
-  draw_box(panels[0], {middle.x() - half, middle.y() - half, middle.x() + half, middle.y() + half},
+  const double zoom = whole.scale / detail.scale / 2;
+  const double w = zoom * detail.width, h = zoom * detail.height;
+  draw_box(panels[0], {middle.x() - w, middle.y() - h, middle.x() + w, middle.y() + h},
            {pictures::ink, 1.5 * scale});
-  draw_box(panels[1], {1, 1, side - 1.0, side - 1.0}, {pictures::ink, 1.5 * scale});
+  draw_box(panels[1], {1, 1, panels[1].width() - 1.0, panels[1].height() - 1.0},
+           {pictures::ink, 1.5 * scale});
   return captioned(panels,
                    std::array<std::string_view, 2>{"two balls between which the skin passes",
                                                    "the tangent disk of radius r_a"},

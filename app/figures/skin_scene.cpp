@@ -30,7 +30,7 @@ MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles) {
 
 MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& function,
                    double inwards) {
-  constexpr double fine = 0.035;
+  constexpr double fine = 0.02;
   const front::MeshResult result = meshed(skin, fine, function);
   MeshLayer layer = skin_layer(skin, result);
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
@@ -54,7 +54,8 @@ front::MeshResult meshed(const front::PreparedSkin& skin, double C,
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points,
                          double radius) {
   for (const morse::CriticalPoint& p : points) {
-    scene.balls.push_back({p.point.position, radius, colour_of_index(p.index)});
+    scene.balls.push_back(
+        {p.point.position + 0.5 * radius * p.point.normal, radius, colour_of_index(p.index)});
   }
 }
 

@@ -20,7 +20,7 @@ MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& 
 front::MeshResult meshed(const front::PreparedSkin& skin, double C,
                          const std::optional<morse::MorseFunction>& function = {});
 
-/// A ball at each critical point in the colour of its kind.
+/// A ball at each critical point in the colour of its kind, most of it out of the surface.
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points, double radius);
 
 /// Where a function takes a value on a mesh, as segments.

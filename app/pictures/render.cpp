@@ -51,8 +51,8 @@ class Painter {
     for (const MeshLayer& layer : scene_.meshes) draw(layer);
     for (const Ball& ball : scene_.balls) draw(ball);
     for (const Stick& stick : scene_.sticks) draw(stick);
+    find_rims();
     shade();
-    outline();
     for (const Line& line : scene_.lines) draw(line);
     return resolved();
   }
@@ -103,11 +103,14 @@ class Painter {
               normal.normalize();
             }
             Colour shown = colour;
+            double gloss = coat.gloss;
             if (half_width > 0) {
               const double rim = std::min({u * to_a, v * to_b, (1 - u - v) * to_c});
-              shown = mixed(coat.edge, colour, smooth_step(rim - half_width + 0.5));
+              const double face_share = smooth_step(rim - half_width + 0.5);
+              shown = mixed(coat.edge, colour, face_share);
+              gloss *= face_share;
             }
-            put(x, y, depth, normal, shown, coat.gloss);
+            put(x, y, depth, normal, shown, gloss);
           });
     }
   }
@@ -172,44 +175,48 @@ class Painter {
       linear[i] = to_linear(static_cast<double>(i) / 255);
     }
     const Vector half = (lamp_direction() + Vector::UnitZ()).normalized();
-    for (Sample& sample : samples_) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      Sample& sample = samples_[i];
       if (sample.is_empty()) continue;
       constexpr double sharpness = 42, most = 0.55;  // of the highlight
+      constexpr double least_light = 0.06;           // where neither sky nor lamp is seen
       const Vector normal = sample.vector();
       const double shine = most * sample.gloss / 255.0 * light.lamp[sample.spot] *
                            std::pow(std::max(0.0, normal.dot(half)), sharpness);
       Vector colour;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double own = linear[sample.coat[k]] * static_cast<double>(light.diffuse[sample.spot]);
+        const double own = linear[sample.coat[k]] * (least_light + light.diffuse[sample.spot]);
         colour[static_cast<Eigen::Index>(k)] =
             to_displayed(std::min(1.0, own + shine * (1 - std::min(1.0, own))));
       }
-      sample.set(colour);
+      const bool is_rim = !is_rim_.empty() && is_rim_[i];
+      sample.set((is_rim ? 1 - style_.outline : 1) * colour);
     }
   }
 
-  // Darkens what lies just behind the rim of something nearer, and rims against the background.
-  void outline() {
+  // Samples just behind the rim of something nearer, or at a rim against the background: where a
+  // neighbour is nearer than the surface itself, going on straight, would be.
+  void find_rims() {
     if (style_.outline <= 0) return;
+    is_rim_.resize(samples_.size());
     const int reach = std::max(1, static_cast<int>(std::lround(0.7 * fine_ * style_.unit)));
-    const float step = static_cast<float>(6 * reach);
-    std::vector<bool> is_rim(samples_.size());
+    const double step = 4 * reach;
     for (int y = 0; y < grid_.height; ++y) {
       for (int x = 0; x < grid_.width; ++x) {
         const Sample& sample = at(x, y);
         if (sample.is_empty()) continue;
+        constexpr double least = 0.05;  // of the normal's z: no surface is steeper for this purpose
+        const Vector n = sample.vector() / std::max(sample.vector().z(), least);
         for (const auto [dx, dy] : {std::array{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
           const int i = x + dx, j = y + dy;
           if (i < 0 || j < 0 || i >= grid_.width || j >= grid_.height) continue;
           const Sample& other = at(i, j);
-          if (other.is_empty() || other.depth > sample.depth + step) {
-            is_rim[static_cast<std::size_t>(&sample - samples_.data())] = true;
+          const double rise = std::abs(n.x() * dx + n.y() * dy);
+          if (other.is_empty() || other.depth > sample.depth + rise + step) {
+            is_rim_[static_cast<std::size_t>(&sample - samples_.data())] = true;
           }
         }
       }
-    }
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (is_rim[i]) samples_[i].set((1 - style_.outline) * samples_[i].vector());
     }
   }
 
@@ -268,6 +275,7 @@ class Painter {
   Camera camera_;
   Grid grid_;
   std::vector<Sample> samples_;
+  std::vector<bool> is_rim_;
   Occluders occluders_;
 };
 
