@@ -393,6 +393,11 @@ Arguments parse_arguments(int count, const char* const* words) {
   add_balls(app, balls, typed);
   add_info(app, info, typed);
   add_check(app, check, against, typed);
+  RenderArguments render;
+  TypedPicture typed_picture;
+  add_render(app, render, typed_picture);
+  FigureArguments figure;
+  add_figure(app, figure);
   try {
     app.parse(count, words);
     for (MoleculeArguments* molecule :
@@ -403,6 +408,14 @@ Arguments parse_arguments(int count, const char* const* words) {
       check_sizing(sizing);
     if (app.got_subcommand("balls")) return balls;
     if (app.got_subcommand("info")) return info;
+    if (app.got_subcommand("render")) {
+      finish(render, typed_picture);
+      return render;
+    }
+    if (app.got_subcommand("figure")) {
+      finish(figure);
+      return figure;
+    }
     if (app.got_subcommand("check")) {
       if (!against.input.empty()) check.against = against;
       return check;

@@ -155,6 +155,10 @@ void Sweep::report(const Departure& departure) {
   show_up_to(departure.value);
 }
 
+void Sweep::note(Operation operation) const {
+  if (options_.operation) options_.operation(operation, mesh_.surface.triangle_count());
+}
+
 void Sweep::show_up_to(double value) {
   for (; snapshots_ < options_.snapshot_values.size() &&
          options_.snapshot_values[snapshots_] <= value;

@@ -35,6 +35,9 @@ struct Operations {
   Operations& operator+=(const Operations& other);
 };
 
+/// One of them.
+enum class Operation { Creation, Creep, Wing, Bridge, Seal };
+
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
   double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
@@ -79,6 +82,9 @@ struct SweepOptions {
   std::vector<double> snapshot_values = {};
   std::size_t snapshots = 0;
   std::function<void(const Snapshot&)> snapshot = {};
+  /// Called after each operation that counts, with the number of triangles there are by then.
+  /// Triangles come in the order of their ids. From one front only.
+  std::function<void(Operation, std::size_t triangles)> operation = {};
 };
 
 class Sweep {
@@ -118,6 +124,7 @@ class Sweep {
 
   void finish();
   void report(const Departure& departure);
+  void note(Operation operation) const;
   void show_up_to(double value);
   void look_round(FrontEdgeId corner);
   void create(const morse::CriticalPoint& minimum);

@@ -63,6 +63,7 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
   for (std::size_t i = 0; i < 6; ++i) surface.glue(spokes_in[i], spokes_out[(i + 1) % 6]);
   for (const FrontEdgeId e : front_.open_polygon(boundary)) push(e);
   ++operations_.creation;
+  note(Operation::Creation);
 }
 
 /// Adds the triangle of edge e and the vertex of an existing corner, wherever that is.
@@ -118,6 +119,7 @@ bool Sweep::creep(FrontEdgeId e) {
     attach(e, *apex);
   }
   ++operations_.creep;
+  note(Operation::Creep);
   wing();
   return true;
 }
@@ -200,6 +202,7 @@ void Sweep::wing() {
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
     ++operations_.wing;
+    note(Operation::Wing);
   }
 }
 
@@ -234,8 +237,9 @@ void Sweep::bridge(CriticalId saddle) {
         if (!across) continue;
         fresh_.assign({front_[e].next});
         attach(e, *apex);
-        wing();
         ++operations_.bridge;
+        note(Operation::Bridge);
+        wing();
         is_bridged = true;
         break;
       }
@@ -263,7 +267,9 @@ void Sweep::seal(CriticalId maximum) {
       is_sealed = true;
     }
   }
-  operations_.seal += is_sealed;
+  if (!is_sealed) return;
+  ++operations_.seal;
+  note(Operation::Seal);
 }
 
 }  // namespace morskin::front

@@ -80,6 +80,7 @@ SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Gui
   skin::SkinMesh upper_mesh;
   SweepOptions silent = options;
   silent.progress = {};
+  silent.operation = {};
   Sweep below(skin, guide, options, result.mesh, middle);
   Sweep above(skin, reversed, silent, upper_mesh, -middle);
   geometry::do_both(
