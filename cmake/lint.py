@@ -17,8 +17,8 @@ MAY_INCLUDE = {
     "refine": {"geometry", "skin", "refine"},
     "front": {"geometry", "skin", "morse", "refine", "front"},
 }
-EVERYTHING = MAY_INCLUDE["front"] | {"app", "bench", "tests"}
-for top in ("app", "bench", "tests"):
+EVERYTHING = MAY_INCLUDE["front"] | {"app", "bench", "tests", "papers"}
+for top in ("app", "bench", "tests", "papers"):
     MAY_INCLUDE[top] = EVERYTHING
 
 # Within app: pictures knows meshes only, figures no commands.
