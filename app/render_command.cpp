@@ -89,7 +89,7 @@ pictures::Scene scene_of(geometry::IndexedMesh mesh, const RenderArguments& argu
   return scene;
 }
 
-// The root of the mean seen area of the triangles that are in view, outer side first.
+// About the side of a triangle as seen, in pixels: the root of the mean of those in view.
 double mean_side(const geometry::IndexedMesh& mesh, const Camera& camera) {
   double sum = 0;
   std::size_t count = 0;

@@ -21,8 +21,8 @@ MAY_INCLUDE = {
 BASELINES = "bench/baselines"  # a module inside a folder that may include everything
 MAY_INCLUDE[BASELINES] = MAY_INCLUDE["front"] | {BASELINES}
 MAY_INCLUDE["app"] = MAY_INCLUDE[BASELINES] | {"app"}
-EVERYTHING = MAY_INCLUDE["app"] | {"bench", "tests"}
-for top in ("bench", "tests"):
+EVERYTHING = MAY_INCLUDE["app"] | {"bench", "tests", "papers"}
+for top in ("bench", "tests", "papers"):
     MAY_INCLUDE[top] = EVERYTHING
 
 # Within app: pictures knows meshes only, figures no commands.
