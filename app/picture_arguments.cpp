@@ -12,6 +12,7 @@
 namespace morskin::app {
 namespace {
 
+constexpr double most_zoom = 1e6;
 constexpr double most_pixels = 1 << 25;  // with nine samples each: 300 million
 
 // "1.5,2,3", as many numbers as wanted.
@@ -133,14 +134,15 @@ void finish(RenderArguments& render, const TypedPicture& typed) {
   if (!typed.view.empty()) render.view = direction(typed.view, "--view");
   if (!typed.up.empty()) render.up = direction(typed.up, "--up");
   if (!typed.at.empty()) render.at = vector(typed.at, "--at");
-  if (!(render.zoom > 0 && std::isfinite(render.zoom))) {
-    throw UsageError("--zoom must be above 0");
+  if (!(render.zoom > 0 && render.zoom <= most_zoom)) {
+    throw UsageError("--zoom must be above 0 and at most 1e6");
   }
   if (!typed.inset.empty()) {
     const std::string complaint =
-        "--inset needs x,y,factor: a place, 0 to 1 from the top left, and a factor above 0";
+        "--inset needs x,y,factor: a place, 0 to 1 from the top left, and a factor above 0, at "
+        "most 1e6";
     const std::vector<double> v = numbers(typed.inset, 3, ',', complaint);
-    if (!(v[2] > 0)) throw UsageError(complaint);
+    if (!(v[2] > 0 && v[2] <= most_zoom)) throw UsageError(complaint);
     render.inset = Inset{v[0], v[1], v[2]};
   }
   if (!typed.colour.empty()) render.colour = parsed_colour(typed.colour);

@@ -8,6 +8,7 @@
 #include "app/pictures/png.h"
 #include "app/pictures/render.h"
 #include "app/staged_outputs.h"
+#include "geometry/error.h"
 #include "geometry/mesh_files.h"
 
 namespace morskin::app {
@@ -126,6 +127,14 @@ Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
           .fitted(points);
   if (arguments.at) camera.target = *arguments.at;
   camera.scale *= arguments.zoom;
+  // Beyond these, squares and cubes of what is seen leave the range of doubles.
+  constexpr double farthest = 1e50, finest = 1e60;
+  if (!(camera.target.cwiseAbs().maxCoeff() < farthest) ||
+      !(camera.scale > 1 / finest && camera.scale < finest)) {
+    throw geometry::UnreadableInput(
+        arguments.meshes.front().string() +
+        ": too large, too small or too far away to be drawn; scale it to some 1e-50 to 1e50");
+  }
   return camera;
 }
 

@@ -163,6 +163,11 @@ TEST_CASE("the same scene gives the same bytes") {
   CHECK(png(render(scene, camera)) == png(render(scene, camera)));
 }
 
+TEST_CASE("a scene of nothing is the bare background") {
+  const Image image = render({}, front_camera(20));
+  CHECK(covered(image) == 0);
+}
+
 TEST_CASE("a ball in the open casts no shadow on itself") {
   // Shadows come from depth maps with samples of their own; where nothing else stands in the way
   // they must leave a smooth surface as it is.

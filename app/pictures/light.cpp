@@ -157,6 +157,7 @@ Vector lamp_direction() { return Vector(-0.48, -0.62, 0.62).normalized(); }
 
 Illumination illuminated(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,
                          bool shadows) {
+  if (spots.empty()) return {};
   const std::vector<Beam> beams = all_beams();
   const std::span<const Beam> all = beams;
   const std::size_t half = beams.size() / 2;
