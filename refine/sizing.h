@@ -25,8 +25,8 @@ struct Sizing {
   /// The largest C for which some Q allows both that refinement is proved to end and that the
   /// certificate's conditions c1 and c2 follow from [U]; a little less than 0.2018.
   static constexpr double largest_proved_C = 0.2;
-  /// The Q that goes with a C unless another is asked for: the paper's 1.65, or, where C is so large
-  /// that insertion might go on for ever with it, a little more than the least Q for which
+  /// The Q that goes with a C unless another is asked for: the paper's 1.65, or, where C is so
+  /// large that insertion might go on for ever with it, a little more than the least Q for which
   /// Q^2 > 2 + 4 C Q (papers/4.3-large-molecules.md). Beyond largest_proved_C, the Q of that.
   static double quality_for(double C) {
     const double c = std::min(C, largest_proved_C);
