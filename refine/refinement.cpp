@@ -135,6 +135,7 @@ void Refinement::flip(HalfEdgeId h) {
   }
 }
 
+// [excerpt: flip]
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);
@@ -151,6 +152,7 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   flip(h);
   return true;
 }
+// [/excerpt]
 
 void Refinement::flip_where_needed() {
   while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * balls_.size()) {
