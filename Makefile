@@ -10,7 +10,7 @@ FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry skin morse refine front app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build deps demo test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -21,8 +21,10 @@ deps:  ## install the Debian packages that are missing
 
 demo: build  ## mesh the bundled gramicidin A and print the report
 	build/morskin mesh bench/molecules/1grm_model1.pdb -o build/1grm.ply
+	@build/morskin view bench/molecules/1grm_model1.pdb -o build/1grm.html -q
 	@echo
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
+	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."
 
 test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure
@@ -49,6 +51,16 @@ fuzz:  ## run each fuzz target for SECONDS (default 60)
 	  build/fuzz/tests/fuzz/$$target -max_total_time=$(SECONDS) -timeout=60 -verbosity=0 \
 	    -print_final_stats=1 -artifact_prefix=build/fuzz/findings/$$name- \
 	    build/fuzz/corpus/$$name tests/fuzz/seeds/$$name || exit 1; done
+
+# The page is in the repository; making it again takes node and npm, which nothing else does.
+viewer-asset:  ## make viewer/dist/viewer.html, the page that `view` fills, from viewer/src
+	@command -v npm > /dev/null || cmake/install_packages.sh cmake/viewer_packages.txt
+	cd viewer && npm ci --no-audit --no-fund && node build.mjs
+
+test-viewer: build  ## try the viewer in headless Chromium, every switch of it
+	@{ command -v npm && command -v chromium; } > /dev/null || \
+	  cmake/install_packages.sh cmake/viewer_packages.txt
+	cd viewer && npm ci --no-audit --no-fund && npm test
 
 bench: deps  ## build and run the benchmarks; raw figures in build/bench/*.json
 	cmake --preset bench

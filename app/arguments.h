@@ -89,13 +89,28 @@ struct CheckArguments {
   unsigned threads = 1;  ///< at most; the result is the same for any number
 };
 
+struct ViewArguments {
+  MoleculeArguments molecule;  ///< its input may be a mesh: see names_a_mesh
+  std::filesystem::path output;
+  std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
+  std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
+  refine::Sizing sizing;
+  std::optional<morse::MorseFunction> function;
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
+  unsigned threads = 1;  ///< at most; the result is the same for any number
+};
+
+/// Whether a file's ending, with or without .gz, is that of a mesh.
+bool names_a_mesh(const std::filesystem::path& path);
+
 /// Nothing is left to do: help or the version was printed, or a complaint.
 struct Finished {
   ExitCode code;
 };
 
 using Arguments = std::variant<Finished, MeshArguments, MorseArguments, BallsArguments,
-                               InfoArguments, CheckArguments>;
+                               InfoArguments, CheckArguments, ViewArguments>;
 
 /// Prints help, version or what is wrong with the arguments.
 Arguments parse_arguments(int count, const char* const* words);

@@ -12,5 +12,6 @@ ExitCode morse_command(const MorseArguments& arguments);
 ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);
 ExitCode check_command(const CheckArguments& arguments);
+ExitCode view_command(const ViewArguments& arguments);
 
 }  // namespace morskin::app

@@ -45,10 +45,6 @@ bool can_be_certified(MeshFormat format) {
   return format != MeshFormat::Stl && format != MeshFormat::Vtu;
 }
 
-bool is_in_proven_range(const refine::Sizing& sizing) {
-  return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
-}
-
 front::MeshOptions options_of(const MeshArguments& arguments, std::optional<double> grid_step) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
@@ -66,14 +62,13 @@ front::MeshOptions options_of(const MeshArguments& arguments, std::optional<doub
 }
 
 front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       std::optional<double> grid_step) {
-  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+                       std::optional<double> grid_step, const front::Progress& progress) {
   front::MeshOptions options = options_of(arguments, grid_step);
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     write_snapshot(arguments.snapshot_folder, ++number, snapshot);
   };
-  options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
+  options.progress = progress;
   try {
     return front::mesh_skin(skin, options);
   } catch (const morse::DegenerateFunction& error) {
@@ -98,7 +93,8 @@ geometry::IndexedMesh read_back(const PendingFile& file) {
 
 // The certificate of the first file whose format keeps every coordinate, from its bytes; if there
 // is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
-refine::Certificate certify(std::span<const PendingFile> files, const geometry::IndexedMesh& mesh,
+// `mesh` becomes what was read, so that it is held once.
+refine::Certificate certify(std::span<const PendingFile> files, geometry::IndexedMesh& mesh,
                             const front::PreparedSkin& skin, const MeshArguments& arguments,
                             std::string& certified_file) {
   certified_file.clear();
@@ -109,6 +105,7 @@ refine::Certificate certify(std::span<const PendingFile> files, const geometry::
       if (!can_be_certified(format_of(file.path()))) continue;
       if (certified_file.empty()) {
         certified_file = file.path().string();
+        mesh = {};
         copy = read_back(file);
       } else if (!is_same(copy, read_back(file))) {
         defect = file.path().string() + " does not hold the mesh of " + certified_file;
@@ -116,14 +113,16 @@ refine::Certificate certify(std::span<const PendingFile> files, const geometry::
     }
     if (certified_file.empty()) {
       certified_file = "the same mesh as binary PLY, in memory";
-      copy =
-          geometry::parse_mesh(geometry::serialized(mesh, MeshFormat::PlyBinary), certified_file);
+      const std::string bytes = geometry::serialized(mesh, MeshFormat::PlyBinary);
+      mesh = {};
+      copy = geometry::parse_mesh(bytes, certified_file);
     }
   } catch (const geometry::UnreadableInput& error) {
     defect = error.what();
   }
+  mesh = std::move(copy);
   refine::Certificate certificate =
-      refine::certify(copy, skin.surface, skin.topology, arguments.sizing, arguments.threads);
+      refine::certify(mesh, skin.surface, skin.topology, arguments.sizing, arguments.threads);
   if (!defect.empty()) {
     certificate.certified = false;
     certificate.reason = defect;
@@ -215,13 +214,11 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
   TimeLimit time_limit(arguments.timeout, arguments.molecule.input);
   MeshReport report;
-  if (!is_in_proven_range(arguments.sizing) && !arguments.quiet) {
-    std::cerr << "morskin: note: the theory asks for Q^2 > 2 + 4 C Q and C Q <= 0.215; with these "
-                 "-C and -Q the certificate may fail\n";
-  }
+  const std::string doubts = doubts_about(arguments.sizing);
+  if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";
 
   const Stopwatch reading;
-  const MoleculeInput input = read_input(arguments.molecule);
+  MoleculeInput input = read_input(arguments.molecule);
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
 
@@ -235,7 +232,10 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (is_report_staged) files = files.first(files.size() - 1);
 
   const Stopwatch preparing;
-  const front::PreparedSkin skin = prepare_skin(input);
+  ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  const auto progress = [&](std::string_view stage, double share) { line.show(stage, share); };
+  const front::PreparedSkin skin = prepare_skin(input, progress);
+  input = {};  // only the skin is needed from here on
   report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
                                 skin.surface.mixed_complex_seconds();
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
@@ -244,14 +244,16 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  front::MeshResult result = mesh(skin, arguments, report.grid_step);
+  front::MeshResult result = mesh(skin, arguments, report.grid_step, progress);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
 
   const Stopwatch writing;
+  progress("write", geometry::unknown_share);
   write(files, result.mesh);
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
+  progress("certify", geometry::unknown_share);
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
   if (!report.certificate.certified &&
       front::mend(skin, options_of(arguments, report.grid_step), result)) {
@@ -260,6 +262,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   }
   describe_run(report, result);
   report.seconds.certify = certifying.seconds();
+  line.wipe();
   const Stopwatch delivering;
   // First what may fail: then no file has its name yet.
   const std::vector<std::filesystem::path> fed =

@@ -139,7 +139,8 @@ std::string json_text(const MeshReport& report) {
                        {"patch_radius_max", rounded(report.patch_radius_max)},
                        {"method", front::name_of(report.method)},
                        {"C", report.sizing.C},
-                       {"Q", report.sizing.Q}};
+                       {"Q", report.sizing.Q},
+                       {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["certified_file"] = report.certified_file;
@@ -169,6 +170,24 @@ std::string json_text(const MeshReport& report) {
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string doubts_about(const refine::Sizing& sizing) {
+  std::string doubts;
+  const auto add = [&](bool is_proved, const std::string& text) {
+    if (!is_proved) doubts += (doubts.empty() ? "" : ", and ") + text;
+  };
+  add(sizing.is_refinement_proved_to_end(),
+      "Q^2 is not above 2 + 4 C Q, so [L] and [U] may be in each other's way");
+  if (!sizing.is_tube_proved()) {
+    add(false, "C Q = " + brief(sizing.C * sizing.Q, 3) +
+                   " is above 0.377, so [U] does not imply what the certificate asks of triangles");
+  } else {
+    add(sizing.is_sample_proved_dense(),
+        "C Q = " + brief(sizing.C * sizing.Q, 3) +
+            " is above 0.215, up to which sampling theory reaches; the certificate decides");
+  }
+  return doubts;
 }
 
 std::string certificate_text(const Certificate& c, const refine::Sizing& sizing) {
@@ -232,12 +251,12 @@ std::string method_text(const MeshReport& report) {
   const bool is_sweep = report.method == front::Method::Sweep;
   return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
-         line("refinement",
-              counted(report.refinement.flip, "flip", "flips") + ", " +
-                  counted(report.refinement.contract, "contraction", "contractions") + ", " +
-                  counted(report.refinement.insert, "insertion", "insertions") + "; " +
-                  counted(report.smoothing.moved, "vertex", "vertices") + " moved for angles of " +
-                  brief(report.angle_goal_deg) + " degrees");
+         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
+                                counted(report.refinement.contract, "contraction", "contractions") +
+                                ", " +
+                                counted(report.refinement.insert, "insertion", "insertions")) +
+         line("smoothing", counted(report.smoothing.moved, "vertex", "vertices") +
+                               " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
 }
 
 }  // namespace
@@ -257,6 +276,10 @@ std::string people_text(const MeshReport& report) {
                        brief(report.molecule.probe) + " A, patch radii " +
                        brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
                        " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+  if (const std::string doubts = doubts_about(report.sizing); !doubts.empty()) {
+    text +=
+        line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
+  }
   text += certificate_text(report.certificate, report.sizing);
   text += method_text(report);
   for (const front::Fallback& f : report.fallbacks) {

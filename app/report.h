@@ -55,6 +55,10 @@ std::string json_text(const MeshReport& report);
 /// A dozen aligned lines.
 std::string people_text(const MeshReport& report);
 
+/// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
+/// theory.
+std::string doubts_about(const refine::Sizing& sizing);
+
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const refine::Certificate& certificate);
 std::string certificate_text(const refine::Certificate& certificate, const refine::Sizing& sizing);

@@ -2,8 +2,9 @@
 """Meshes every molecule of a folder in every model, one line each, and fails on any failure.
 
 Each mesh goes to a temporary folder and is removed after its run. A run is good when the mesh is
-certified, without a violation and with every angle above the bound, or when the molecule is refused
-as singular (exit code 4). The lines also go to results/corpus.tsv, each at once.
+certified, without a violation, with every angle above the bound and without a fallback to another
+run or method, or when the molecule is refused as singular (exit code 4). The lines also go to
+results/corpus.tsv, each at once.
 """
 
 import concurrent.futures
@@ -20,6 +21,7 @@ WIDTHS = [26, 6, 7, 10, 7, 12, 10, 6, 9, 7, 7, 8, 11, 0]
 
 def arguments():
     parser = argument_parser(__doc__, timeout=900, results="results/corpus.tsv")
+    parser.add_argument("--method", default="sweep", help="default %(default)s")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     return parser.parse_args()
 
@@ -37,14 +39,17 @@ def verdict_of(code, report, complaint):
     if code == 0:
         bound = math.degrees(math.asin(1 / report["Q"] ** 2))
         violations = report["violations_L"] + report["violations_U"]
+        for fallback in report["fallbacks"]:
+            return (f"FAILED: fell back to {fallback['to']} at component {fallback['component']}: "
+                    f"{fallback['why']}")
         if report["certified"] and violations == 0 and report["min_angle_deg"] > bound:
             return "certified"
         return "FAILED: exit code 0, but the report disagrees"
     return f"FAILED: exit code {code}: {report.get('reason') or complaint}"
 
 
-def run(path, model, folder, timeout):
-    done = mesh(path, model, timeout)
+def run(path, model, folder, options):
+    done = mesh(path, model, options.timeout, "--method", options.method)
     row = {"file": str(path.relative_to(folder)), "model": model,
            "verdict": verdict_of(done.code, done.report, done.complaint)}
     keys = {"atoms": "atoms_used", "triangles": "triangles", "chi": "euler_characteristic",
@@ -81,7 +86,7 @@ def main():
     runs, unreadable = plan(options, folder)
     with Rows(options.results, COLUMNS, WIDTHS, 2) as rows, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row in pool.map(lambda r: run(*r, folder, options.timeout), runs):
+        for row in pool.map(lambda r: run(*r, folder, options), runs):
             rows.add(row)
     failures = print_totals(rows.rows)
     for path in unreadable:

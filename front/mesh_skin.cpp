@@ -34,14 +34,9 @@ void check(const MeshOptions& options) {
   }
 }
 
-/// Finished meshes of the two methods that meet [L] and [U] by themselves.
-bool is_smoothed(const MethodResult& made, const MeshOptions& options) {
-  return made.open_edges == 0 && !options.mesher;
-}
-
 }  // namespace
 
-PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Progress& progress) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     geometry::WeightedPoint& p = points[i];
     if (!p.position.allFinite() || !std::isfinite(p.weight) ||
@@ -52,21 +47,15 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
     p.position = p.position.unaryExpr(&geometry::on_exact_grid);
     p.weight = geometry::on_exact_grid(p.weight);
   }
-  skin::SkinSurface surface(std::move(points));
+  skin::SkinSurface surface(std::move(points), progress);
+  if (progress) progress("dual complex", geometry::unknown_share);
   skin::DualComplex topology = skin::dual_complex(surface);
   return {std::move(surface), topology};
 }
 
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   check(options);
-  MethodResult made = mesher_of(options)(skin, options);
-  if (options.angle_goal_deg > 0 && is_smoothed(made, options)) {
-    if (options.progress) options.progress("smooth", 0);
-    timed(made.seconds.smooth, [&] {
-      made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh,
-                                      options.angle_goal_deg, options.threads);
-    });
-  }
+  MethodResult made = run_method(skin, options);
   MeshResult result;
   static_cast<RunCounts&>(result) = made;
   result.seconds.triangulate = skin.surface.triangulate_seconds();
@@ -74,15 +63,17 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.expected = skin.topology;
   timed(result.seconds.refine, [&] {
     result.mesh.triangles = made.mesh.surface.triangle_list();
+    made.mesh.surface = {};
     result.mesh.positions.reserve(made.mesh.points.size());
     result.cells.reserve(made.mesh.points.size());
     for (const SurfacePoint& p : made.mesh.points) {
       result.mesh.positions.push_back(p.position);
       result.cells.push_back(p.cell);
     }
+    made.mesh.points = {};
   });
   if (!options.certify) return result;
-  if (options.progress) options.progress("certify", 0);
+  if (options.progress) options.progress("certify", geometry::unknown_share);
   timed(result.seconds.certify, [&] {
     const auto certified = [&] {
       return refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
@@ -105,7 +96,8 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
   double checksum = 0;
   double seconds = 0;
   timed(seconds, [&] {
-    for (std::size_t v = 0; v < result.cells.size(); ++v) {
+    const std::size_t count = std::min(result.cells.size(), result.mesh.positions.size());
+    for (std::size_t v = 0; v < count; ++v) {
       const SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
       // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
       Eigen::Index axis = 0;

@@ -34,7 +34,8 @@ struct MeshResult : RunCounts {
 /// rounded
 ///                to multiples of 2^-64, the grid of the exact predicates
 /// @throws skin::SingularSkin, geometry::RefusedInput
-PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points);
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points,
+                          const Progress& progress = {});
 
 /// @throws morse::DegenerateFunction when options.function is degenerate for this skin;
 ///         geometry::RefusedInput for a method without a mesher.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "front/static_method.h"
+#include "front/stopwatch.h"
 #include "geometry/error.h"
 
 namespace morskin::front {
@@ -35,5 +36,17 @@ Mesher mesher_of(const MeshOptions& options) {
 }
 
 std::string_view name_of(Method method) { return methods[static_cast<std::size_t>(method)].first; }
+
+MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options) {
+  MethodResult made = mesher_of(options)(skin, options);
+  // Another's mesh is left as it is, and so is one that could not be closed.
+  if (options.mesher || made.open_edges > 0 || options.angle_goal_deg == 0) return made;
+  if (options.progress) options.progress("smooth", geometry::unknown_share);
+  timed(made.seconds.smooth, [&] {
+    made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh, options.angle_goal_deg,
+                                    options.threads);
+  });
+  return made;
+}
 
 }  // namespace morskin::front

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "front/sweep.h"
+#include "geometry/progress.h"
 #include "morse/choose_function.h"
 #include "refine/refinement.h"
 #include "refine/smoothing.h"
@@ -28,8 +29,8 @@ enum class Method {
 std::optional<Method> parse_method(std::string_view name);
 std::string_view name_of(Method method);
 
-/// Where a run stands: the stage's name and how much of it is done, 0 to 1.
-using Progress = std::function<void(std::string_view stage, double share)>;
+/// Called from one thread at a time, not always the same.
+using geometry::Progress;
 
 /// The skin that a mesh is made of, with its topology: built once, used to mesh and to certify.
 struct PreparedSkin {
@@ -93,6 +94,9 @@ struct MeshOptions {
 /// What runs for these options.
 /// @throws geometry::RefusedInput for a method without a mesher
 Mesher mesher_of(const MeshOptions& options);
+
+/// That mesher, and smoothing behind the methods of the library.
+MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options);
 
 /// The sweep, then refinement.
 /// @throws morse::DegenerateFunction

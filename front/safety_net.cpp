@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "front/static_method.h"
+#include "geometry/union_find.h"
 #include "skin/skin_components.h"
 
 namespace morskin::front {
@@ -42,21 +41,14 @@ struct Pieces {
   std::uint32_t count = 0;
 };
 Pieces pieces_of(const IndexedMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  geometry::UnionFind sets(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    for (const std::uint32_t other : {b, c}) {
-      const std::uint32_t i = root(a), j = root(other);
-      parent[std::max(i, j)] = std::min(i, j);
-    }
+    sets.join(a, b);
+    sets.join(a, c);
   }
-  Pieces pieces{std::vector<std::uint32_t>(parent.size()), 0};
-  for (std::uint32_t v = 0; v < parent.size(); ++v) {
-    const std::uint32_t first = root(v);
+  Pieces pieces{std::vector<std::uint32_t>(sets.size()), 0};
+  for (std::uint32_t v = 0; v < sets.size(); ++v) {
+    const std::uint32_t first = sets.root(v);
     pieces.of_vertex[v] = first == v ? pieces.count++ : pieces.of_vertex[first];
   }
   return pieces;
@@ -240,7 +232,7 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
     if (mending.is_done() || tried == 2) break;
     again.function = function;
     try {
-      const MethodResult made = mesher_of(again)(skin, again);
+      const MethodResult made = run_method(skin, again);
       ++tried;
       if (made.open_edges == 0) mending.take(made.mesh, sweep_along(made.function));
     } catch (const morse::DegenerateFunction&) {
@@ -249,7 +241,9 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
   }
   if (!mending.is_done()) {
     again.function = result.function;
-    mending.take(static_method(skin, again).mesh, "static");
+    again.method = Method::Static;
+    again.mesher = {};
+    mending.take(run_method(skin, again).mesh, "static");
   }
   result.fallbacks = mending.fallbacks();
   std::optional<Piece> whole = mending.joined();

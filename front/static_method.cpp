@@ -102,7 +102,7 @@ std::vector<SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
 MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options) {
   MethodResult result;
   const auto progress = [&](std::string_view stage) {
-    if (options.progress) options.progress(stage, 0);
+    if (options.progress) options.progress(stage, geometry::unknown_share);
   };
   progress("critical points");
   morse::ChosenFunction chosen;

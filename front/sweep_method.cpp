@@ -11,12 +11,11 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   const auto progress = [&](std::string_view stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  progress("critical points", 0);
   morse::Guide guide;
   timed(result.seconds.critical_points, [&] {
     guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          options.sizing.tangent_disk_share(), options.threads);
+                          options.sizing.tangent_disk_share(), options.threads, progress);
   });
   result.minima = guide.found[0];
   result.saddles = guide.found[1];
@@ -41,10 +40,9 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
     result.open_edges = swept.open_edges;
   });
   if (result.open_edges > 0) return result;
-  progress("refine", 0);
   timed(result.seconds.refine, [&] {
     refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
-    refinement.run();
+    refinement.run([&](double share) { progress("refine", share); });
     result.refinement = refinement.counts();
   });
   return result;

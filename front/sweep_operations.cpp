@@ -67,6 +67,7 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
   // [/excerpt]
   for (const FrontEdgeId e : front_.open_polygon(boundary)) push(e);
   ++operations_.creation;
+  note(Operation::Creation);
 }
 
 /// Adds the triangle of edge e and the vertex of an existing corner, wherever that is.
@@ -122,6 +123,7 @@ bool Sweep::creep(FrontEdgeId e) {
     attach(e, *apex);
   }
   ++operations_.creep;
+  note(Operation::Creep);
   wing();
   return true;
 }
@@ -152,7 +154,8 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   near_.refresh(added);
   push(added);
   fresh_.push_back(added);
-  const bool is_sphere = skin_.complex().patch(x->cell).axis.isZero(0);
+  const bool is_sphere =
+      skin_.complex().is_kept(x->cell) && skin_.complex().kept_patch(x->cell).axis.isZero(0);
   if (is_sphere && ++laid_[x->cell.index()] > most_on_sphere_) is_overlapping_ = true;
   return true;
 }
@@ -207,6 +210,7 @@ void Sweep::wing() {
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
     ++operations_.wing;
+    note(Operation::Wing);
   }
 }
 // [/excerpt]
@@ -243,8 +247,9 @@ void Sweep::bridge(CriticalId saddle) {
         if (!across) continue;
         fresh_.assign({front_[e].next});
         attach(e, *apex);
-        wing();
         ++operations_.bridge;
+        note(Operation::Bridge);
+        wing();
         is_bridged = true;
         break;
       }
@@ -275,7 +280,9 @@ void Sweep::seal(CriticalId maximum) {
     }
     // [/excerpt]
   }
-  operations_.seal += is_sealed;
+  if (!is_sealed) return;
+  ++operations_.seal;
+  note(Operation::Seal);
 }
 
 }  // namespace morskin::front

@@ -35,7 +35,8 @@ inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, con
 
 }  // namespace
 
-Triangulator::Triangulator(std::span<const WeightedPoint> points) : atom_count_(points.size()) {
+Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& told)
+    : atom_count_(points.size()) {
   if (points.size() > most_points) fail_for_lack_of_ids(most_points, "atoms");
   if (points.empty()) return;
   std::vector<AtomId> order = spatial_order(points);
@@ -51,6 +52,10 @@ Triangulator::Triangulator(std::span<const WeightedPoint> points) : atom_count_(
   make_first_tetrahedron();
   for (std::size_t p = static_cast<std::size_t>(dimension_) + 1; p < atom_count_; ++p) {
     insert(static_cast<Corner>(p));
+    constexpr std::size_t points_between_reports = 4096;
+    if (told && p % points_between_reports == 0) {
+      told(static_cast<double>(p) / static_cast<double>(atom_count_));
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/predicates.h"
+#include "geometry/progress.h"
 
 namespace morskin::geometry {
 
@@ -47,7 +48,7 @@ class Triangulator {
   ///
   /// @pre in the range of predicates.h
   /// @throws LimitReached  for more than most_points or most_tetrahedra
-  explicit Triangulator(std::span<const WeightedPoint> points);
+  explicit Triangulator(std::span<const WeightedPoint> points, const Told& told = {});
 
   /// Of the points' span: -1 (no points) to 3.
   int dimension() const { return dimension_; }

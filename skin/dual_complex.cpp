@@ -1,9 +1,9 @@
 #include "skin/dual_complex.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/orthosphere.h"
+#include "geometry/union_find.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::skin {
@@ -99,21 +99,8 @@ std::vector<char> members(const SkinSurface& skin,
   return result;
 }
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 template <class Counted>
-std::size_t count_roots(UnionFind& sets, std::size_t n, Counted counted) {
+std::size_t count_roots(geometry::UnionFind& sets, std::size_t n, Counted counted) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < n; ++i) count += counted(i) && sets.root(i) == i;
   return count;
@@ -149,7 +136,7 @@ DualComplex dual_complex(const SkinSurface& skin) {
   };
   result.simplices = {size(in0), size(in1), size(in2), size(in3)};
 
-  UnionFind body(vertices.size());
+  geometry::UnionFind body(vertices.size());
   for (std::size_t e = 0; e < t.edges.size(); ++e) {
     if (!in1[e]) continue;
     body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
@@ -160,7 +147,7 @@ DualComplex dual_complex(const SkinSurface& skin) {
   // The complement's components: tetrahedra out of K, joined through triangles out of K; the
   // outside of the hull is one more place.
   const std::uint32_t outside = static_cast<std::uint32_t>(t.tetrahedra.size());
-  UnionFind complement(t.tetrahedra.size() + 1);
+  geometry::UnionFind complement(t.tetrahedra.size() + 1);
   for (std::size_t f = 0; f < t.triangles.size(); ++f) {
     if (in2[f]) continue;
     const auto around = tetrahedra_of.of(f);

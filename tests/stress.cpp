@@ -6,6 +6,7 @@
 //   morskin_stress --balls SEED                 one set's balls as XYZR, for the command
 //                                               (--model vdw)
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,7 +26,8 @@ using support::Outcome;
 
 namespace {
 
-constexpr unsigned most_seconds = 120;  // for one set, on a busy machine
+constexpr unsigned most_seconds = 60;  // of work on one set
+constexpr unsigned most_waiting = 20;  // times as long by the clock, on a busy machine
 
 // What the child tells its parent; short enough for one write to a pipe.
 struct Message {
@@ -35,7 +37,9 @@ struct Message {
 };
 
 [[noreturn]] void run_child(unsigned seed, front::Method method, int pipe) {
-  ::alarm(most_seconds);
+  const rlimit work{most_seconds, most_seconds};
+  ::setrlimit(RLIMIT_CPU, &work);
+  ::alarm(most_waiting * most_seconds);
   front::MeshOptions options;
   options.method = method;
   const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
@@ -59,9 +63,10 @@ Outcome run_set(unsigned seed, front::Method method) {
   if (is_told) return {message.kind, message.why.data(), message.triangles};
   if (!WIFSIGNALED(status)) return {Outcome::Kind::Failed, "ended without a word", 0};
   const int signal = WTERMSIG(status);
+  const bool is_late = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
   return {Outcome::Kind::Failed,
-          signal == SIGALRM ? "took more than " + std::to_string(most_seconds) + " s"
-                            : "crashed: " + std::string(::strsignal(signal)),
+          is_late ? "took more than " + std::to_string(most_seconds) + " s"
+                  : "crashed: " + std::string(::strsignal(signal)),
           0};
 }
 
