@@ -176,7 +176,7 @@ def check_figures(checks):
 def declarations(path):
     """What is to be answered in a file of answers: types and names."""
     text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
-    return re.findall(r"\b((?:Number|Count|YesOrNo|Counts|Formula<[^>]*>) \w+) =", text)
+    return re.findall(r"\b((?:Number|Count|Counts|Formula<[^>]*>) \w+) =", text)
 
 
 def check_course(checks):

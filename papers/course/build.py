@@ -45,6 +45,13 @@ def dead_links(folder):
     return found
 
 
+def changed_pictures(boxes):
+    """Pictures made by commands that are not those kept in papers/figures."""
+    return sorted({made.name for made in boxes.glob("*/papers/figures/*.png")
+                   if not (PAPERS / "figures" / made.name).exists()
+                   or made.read_bytes() != (PAPERS / "figures" / made.name).read_bytes()})
+
+
 def online_parts(folder):
     """Things that a built page would fetch."""
     return [f"{file.name}: fetches {address}" for file in sorted(folder.glob("*.html"))
@@ -81,6 +88,8 @@ def main():
             failures += dead_links(arguments.out) + online_parts(arguments.out)
     for failure in failures:
         print(failure)
+    for name in changed_pictures(boxes):
+        print(f"note: papers/figures/{name} is kept otherwise than its command draws it now")
     print(f"{len(chosen)} pages, {commands} commands run in {seconds:.0f} s, "
           f"{len(listings.written)} listings, {len(failures)} failures")
     if not failures:

@@ -47,7 +47,7 @@ def run(command, folder):
     """What a command prints, as lines; a last line `[exit N]` where it fails."""
     environment = {**os.environ, "LC_ALL": "C.UTF-8", "COLUMNS": "100"}
     try:
-        done = subprocess.run(command, shell=True, cwd=folder, env=environment, text=True,
+        done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIMEOUT,
                               stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:

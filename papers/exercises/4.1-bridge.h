@@ -8,7 +8,7 @@ namespace morskin::course {
 /// saddles and one maximum that survive. How many bridges are built?
 Count ring_bridges = unanswered;
 
-/// Run. `5tmn_ligand.pdb`, --fronts 1: how many touches does the guard find outside of protecting
+/// Run. `9dna.pdb`, --fronts 1: how many touches does the guard find outside of protecting
 /// spheres?
 Count touches_outside = unanswered;
 

@@ -8,7 +8,7 @@ namespace morskin::course {
 /// lie on it when all bowls are laid and nothing has crept?
 Count triangles_of_bowls = unanswered;
 
-/// Run. `5tmn_ligand.pdb`, --fronts 1: how many bowls are created?
+/// Run. `9dna.pdb`, --fronts 1: how many bowls are created?
 Count bowls = unanswered;
 
 /// Explain. On a sphere of radius rho a bowl is made with a disk of radius r, and its rim projected

@@ -7,7 +7,7 @@ namespace morskin::course {
 /// Predict. An insertion splits a triangle at a new vertex: how many triangles more?
 Count triangles_of_an_insertion = unanswered;
 
-/// Run. `5tmn_ligand.pdb`, all options as they are: how many insertions does the refinement make?
+/// Run. `caffeine.xyz`, all options as they are: how many insertions does the refinement make?
 Count insertions = unanswered;
 
 /// Explain. In a plane, should the edge between two triangles be flipped, given the angles opposite

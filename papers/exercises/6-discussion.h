@@ -8,8 +8,8 @@ namespace morskin::course {
 /// whose height gives 6 - 8 + 6.
 Count distance_sum = unanswered;
 
-/// Run. `5tmn_ligand.pdb`, swept with --function distance:0,0,0: is the mesh certified?
-YesOrNo distance_is_certified = unanswered;
+/// Run. `caffeine.xyz`, swept with --function distance:0,0,0: how many minima has the distance?
+Count distance_minima = unanswered;
 
 /// Explain. The squared distance f from a point R away along -V. Scale and shift it so that it
 /// tends to the height along V as R grows: from f and R.

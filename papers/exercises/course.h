@@ -14,7 +14,6 @@ inline constexpr std::nullopt_t unanswered = std::nullopt;
 
 using Number = const std::optional<double>;
 using Count = const std::optional<long>;
-using YesOrNo = const std::optional<bool>;
 /// Minima, saddles, maxima.
 using Counts = const std::optional<std::array<long, 3>>;
 /// A formula of so many numbers; answer it with a lambda.

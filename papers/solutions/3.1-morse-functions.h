@@ -8,7 +8,7 @@ namespace morskin::course {
 // neck rises towards its middle, and a saddle above. 2 - 2 + 2 = 2, a sphere's.
 Counts dumbbell = {{2, 2, 2}};
 
-Count benzene_saddles = 2;
+Count caffeine_saddles = 6;
 
 // u = lambda M V, so G = u . M u - w/2 = lambda^2 (M V) . V - w/2, since M M = I. G = 0.
 Formula<double(double half_weight, double D)> squared_lambda = [](double half_weight, double D) {

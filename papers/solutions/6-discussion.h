@@ -7,7 +7,7 @@ namespace morskin::course {
 // The Euler characteristic belongs to the surface, not to the function.
 Count distance_sum = 4;
 
-YesOrNo distance_is_certified = true;
+Count distance_minima = 4;
 
 // |x + R V|^2 = |x|^2 + 2 R V . x + R^2.
 Formula<double(double f, double R)> as_height = [](double f, double R) {

@@ -20,8 +20,8 @@ TEST_CASE("3.1-morse-functions, predict: the counts are those of a neck between 
   }
 }
 
-TEST_CASE("3.1-morse-functions, run: benzene has as many saddles" * until(benzene_saddles)) {
-  CHECK(*benzene_saddles == static_cast<long>(meshed("benzene.pdb").saddles));
+TEST_CASE("3.1-morse-functions, run: caffeine has as many saddles" * until(caffeine_saddles)) {
+  CHECK(*caffeine_saddles == static_cast<long>(meshed("caffeine.xyz").saddles));
 }
 
 TEST_CASE("3.1-morse-functions, explain: lambda is the length scale at every critical point" *

@@ -17,9 +17,8 @@ TEST_CASE("3.2-simplification, predict: so many critical points are left on gram
   CHECK(*left_on_gramicidin == std::count(simple.survives.begin(), simple.survives.end(), true));
 }
 
-TEST_CASE("3.2-simplification, run: so many saddles survive on 5TMN's inhibitor" *
-          until(saddles_left)) {
-  CHECK(*saddles_left == static_cast<long>(meshed("5tmn_ligand.pdb").surviving_saddles));
+TEST_CASE("3.2-simplification, run: so many saddles survive on 9DNA" * until(saddles_left)) {
+  CHECK(*saddles_left == static_cast<long>(meshed("9dna.pdb").surviving_saddles));
 }
 
 TEST_CASE("3.2-simplification, explain: the least persistent pair may always go, never the elder" *

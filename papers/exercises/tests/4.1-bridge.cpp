@@ -14,7 +14,7 @@ TEST_CASE("4.1-bridge, predict: so many bridges are built on a ring" * until(rin
 
 TEST_CASE("4.1-bridge, run: so many touches lie outside of protecting spheres" *
           until(touches_outside)) {
-  const front::Operations counts = meshed("5tmn_ligand.pdb", one_front()).operations;
+  const front::Operations counts = meshed("9dna.pdb", one_front()).operations;
   CHECK(*touches_outside == static_cast<long>(counts.guard_outside_protecting));
 }
 

@@ -22,8 +22,8 @@ TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the f
   CHECK(*triangles_of_bowls == triangles);
 }
 
-TEST_CASE("4.1-creation, run: so many bowls are made on 5TMN's inhibitor" * until(bowls)) {
-  CHECK(*bowls == static_cast<long>(meshed("5tmn_ligand.pdb", one_front()).operations.creation));
+TEST_CASE("4.1-creation, run: so many bowls are made on 9DNA" * until(bowls)) {
+  CHECK(*bowls == static_cast<long>(meshed("9dna.pdb", one_front()).operations.creation));
 }
 
 TEST_CASE("4.1-creation, explain: a projected hexagon's edges have this length" * until(rim_edge)) {
@@ -32,7 +32,7 @@ TEST_CASE("4.1-creation, explain: a projected hexagon's edges have this length" 
     for (const double share : {0.05, 0.1, 0.2, 0.4}) {
       const auto rim = [&](double angle) {
         const skin::Point q(share * rho * std::cos(angle), -rho, share * rho * std::sin(angle));
-        return skin.project(q, geometry::CellId{0})->position;
+        return skin.project(q, geometry::CellId{0U})->position;
       };
       const double edge = (rim(0.3) - rim(0.3 + M_PI / 3)).norm();
       CHECK((*rim_edge)(share * rho, rho) == doctest::Approx(edge).epsilon(1e-9));

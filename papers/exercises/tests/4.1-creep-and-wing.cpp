@@ -15,9 +15,8 @@ TEST_CASE("4.1-creep-and-wing, predict: a ring's mesh has as many triangles for 
         5000 * static_cast<long>(certificate.triangles));
 }
 
-TEST_CASE("4.1-creep-and-wing, run: so many corners are winged on 5TMN's inhibitor" *
-          until(wings)) {
-  CHECK(*wings == static_cast<long>(meshed("5tmn_ligand.pdb", one_front()).operations.wing));
+TEST_CASE("4.1-creep-and-wing, run: so many corners are winged on 9DNA" * until(wings)) {
+  CHECK(*wings == static_cast<long>(meshed("9dna.pdb", one_front()).operations.wing));
 }
 
 TEST_CASE("4.1-creep-and-wing, explain: the formula is the circumradius of a fan triangle" *

@@ -13,8 +13,8 @@ TEST_CASE("4.1-seal, predict: with a cap of 7 triangles this closes to a sphere"
   CHECK(2 * vertices - triangles == 2 * 2);  // V - 3F/2 + F = 2
 }
 
-TEST_CASE("4.1-seal, run: so many maxima are sealed on 5TMN's inhibitor" * until(seals)) {
-  CHECK(*seals == static_cast<long>(meshed("5tmn_ligand.pdb", one_front()).operations.seal));
+TEST_CASE("4.1-seal, run: so many maxima are sealed on 9DNA" * until(seals)) {
+  CHECK(*seals == static_cast<long>(meshed("9dna.pdb", one_front()).operations.seal));
 }
 
 TEST_CASE("4.1-seal, explain: a hole of this size just keeps [U]" * until(largest_hole)) {

@@ -12,13 +12,13 @@ TEST_CASE("4.3-local-refinement, predict: a split adds so many triangles" *
           until(triangles_of_an_insertion)) {
   geometry::SurfaceMesh mesh = geometry::closed_mesh(6, support::octahedron()).mesh;
   const std::size_t before = mesh.triangle_count();
-  mesh.split(geometry::TriangleId{0}, mesh.add_vertex());
+  mesh.split(geometry::TriangleId{0U}, mesh.add_vertex());
   CHECK(*triangles_of_an_insertion == static_cast<long>(mesh.triangle_count() - before));
 }
 
-TEST_CASE("4.3-local-refinement, run: so many vertices are inserted on 5TMN's inhibitor" *
+TEST_CASE("4.3-local-refinement, run: so many vertices are inserted on caffeine" *
           until(insertions)) {
-  CHECK(*insertions == static_cast<long>(meshed("5tmn_ligand.pdb").refinement.insert));
+  CHECK(*insertions == static_cast<long>(meshed("caffeine.xyz").refinement.insert));
 }
 
 TEST_CASE("4.3-local-refinement, explain: an edge is flipped when a corner is in the other circle" *

@@ -16,11 +16,13 @@ TEST_CASE("6-discussion, predict: the critical points of a distance on the cube 
   CHECK(*distance_sum == critical.euler_characteristic());
 }
 
-TEST_CASE("6-discussion, run: the mesh swept along a distance is certified or not" *
-          until(distance_is_certified)) {
+TEST_CASE("6-discussion, run: the distance has so many minima, and the mesh is certified" *
+          until(distance_minima)) {
   front::MeshOptions options;
   options.function = morse::MorseFunction::squared_distance({0, 0, 0});
-  CHECK(*distance_is_certified == meshed("5tmn_ligand.pdb", options).certificate.certified);
+  const front::MeshResult result = meshed("caffeine.xyz", options);
+  CHECK(result.certificate.certified);
+  CHECK(*distance_minima == static_cast<long>(result.minima));
 }
 
 TEST_CASE("6-discussion, explain: from far away the distance is the height" * until(as_height)) {
