@@ -116,7 +116,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLin
   describe(page, context, arguments, arguments.molecule);
   describe(page, result.mesh);
   const FrontCode code = add_mesh(page, "mesh", result.mesh);
-  add_cells(page, code, result.cells);
+  add_cells(page, code, context.skin.surface.complex(), result.cells);
   add_sweep(page, code, recorded);
   if (result.open_edges == 0 && has_both_extrema(context.complex.points)) {
     add_regions(page, code,
@@ -150,7 +150,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   const FrontCode code = add_mesh(page, "mesh", mesh);
   std::vector<geometry::CellId> cells;
   for (const skin::SurfacePoint& p : points) cells.push_back(p.cell);
-  add_cells(page, code, cells);
+  add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&
       !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {
     add_regions(page, code,

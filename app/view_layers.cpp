@@ -132,11 +132,12 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
   return code;
 }
 
-void add_cells(PageData& page, const FrontCode& code, const std::vector<geometry::CellId>& cells) {
+void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,
+               const std::vector<geometry::CellId>& cells) {
   SignedNumbers off;
   std::uint32_t last = 0;
   for (std::size_t v = 0; v < code.vertices.size(); ++v) {
-    const std::uint32_t cell = cells[code.vertices[v]].value;
+    const std::uint32_t cell = complex.number(cells[code.vertices[v]]);
     off.push_back(static_cast<std::int32_t>(cell - last));
     last = cell;
   }

@@ -18,8 +18,9 @@ namespace morskin::app {
 /// @throws geometry::RefusedInput  for coordinates that no grid can hold
 FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh);
 
-/// By vertex the mixed cell.
-void add_cells(PageData& page, const FrontCode& code, const std::vector<geometry::CellId>& cells);
+/// By vertex the mixed cell, by the number of its simplex.
+void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,
+               const std::vector<geometry::CellId>& cells);
 
 /// By triangle the step of its birth and the operation that laid it; by step what was done.
 void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded);

@@ -33,11 +33,12 @@ def cached(name):
 
 def environment():
     """All of it, now. What cannot be found out is empty."""
-    compiler = cached("CMAKE_CXX_COMPILER")
+    compiler, commit = cached("CMAKE_CXX_COMPILER"), output_of("git", "rev-parse", "HEAD")
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
-        "commit": output_of("git", "rev-parse", "HEAD"),
-        "commit_is_exact": output_of("git", "status", "--porcelain", "--untracked-files=no") == "",
+        "commit": commit,
+        "commit_is_exact": commit != "" and output_of("git", "status", "--porcelain",
+                                                      "--untracked-files=no") == "",
         "cpu": first_match("/proc/cpuinfo", r"^model name\s*:\s*(.*)$"),
         "cores": os.cpu_count(),
         "memory": first_match("/proc/meminfo", r"^MemTotal:\s*(.*)$"),

@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import functools
 import json
 import math
 import resource
@@ -51,6 +52,7 @@ def molecule_files(folder, only=""):
     return [p for p in sorted(folder.rglob("*")) if ending(p) in ENDINGS and only in str(p)]
 
 
+@functools.cache
 def atom_count(path):
     """The atoms that a mesh would be made of; infinitely many if `info` does not say."""
     done = subprocess.run([MORSKIN, "info", path, "--json"], capture_output=True, text=True,

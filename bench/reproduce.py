@@ -15,6 +15,7 @@ and bench/reproduce_plots.py draws scaling and angles from there. The methods ta
 repetition, so that noise hits all alike. A method that is not built in, a run that is out of time
 and a run that was left out are told in a line and in table1.md, never passed over.
 
+With --parts only some are run; the others' rows are taken from the folder, and table1.md says so.
 With --quick (QUICK=1) the whole takes under five minutes: smaller molecules, and each part stops
 when its share of the time is used.
 """
@@ -29,8 +30,8 @@ from pathlib import Path
 
 import reproduce_tables as tables
 from machine import environment
-from molecule_runs import (BUNDLED, argument_parser, brief, end, mesh, molecule_folder,
-                           run_command, sized_files)
+from molecule_runs import (BUNDLED, argument_parser, brief, end, mesh, molecule_files,
+                           molecule_folder, run_command, sized_files)
 from reproduce_tables import STAGES
 
 METHODS = {
@@ -64,10 +65,14 @@ def arguments():
     parser.add_argument("--repetitions", type=int, default=5, help="of every run (%(default)s)")
     parser.add_argument("--quick", action="store_true", default=os.environ.get("QUICK") == "1",
                         help="under five minutes; also with QUICK=1 in the environment")
+    parser.add_argument("--finest", type=float, default=0.004, metavar="C",
+                        help="of the series of finer and finer meshes (%(default)s)")
     parser.add_argument("--parts", default="table1,scaling,agreement", help="default %(default)s")
+    parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
     if options.quick:
         options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
+        options.finest = max(options.finest, 0.02)
     return options
 
 
@@ -131,10 +136,13 @@ class Part:
         self.file.close()
 
 
-def methods_there_are(notes):
-    """The methods that this build has; the others are told."""
+def methods_there_are(options, notes):
+    """The methods that were asked for and that this build has; the others are told."""
     there = []
     for method, words in METHODS.items():
+        if method not in options.methods.split(","):
+            notes.add(f"the method {method} was not asked for")
+            continue
         with tempfile.TemporaryDirectory() as temporary:
             done = run_command(["mesh", BUNDLED / "two_balls.xyzr", "-o",
                                 Path(temporary) / "mesh.ply", "--json", *words], 60)
@@ -181,17 +189,16 @@ def evenly_spaced(files, least, most, count):
 
 def scaling(options, methods, notes, folder):
     """Small things first within a repetition; a method out of time is not tried on larger ones."""
-    part = Part("scaling", SCALING_COLUMNS, options, notes, 70)
     files, unreadable = sized_files(folder, options.only)
+    part = Part("scaling", SCALING_COLUMNS, options, notes, 70)
     for path in unreadable:
         notes.add(f"scaling: {path.name} cannot be read")
     fitting = [f for f in files if 10 <= f[0] <= options.largest]
     chosen = evenly_spaced(fitting, 10, options.largest, 8 if options.quick else 14)
     cases = [(p, {"molecule": p.name, "series": "corpus", "atoms": atoms, "C": 0.08})
              for atoms, p in chosen]
-    finest = 0.02 if options.quick else 0.004
     for C in (0.1, 0.08, 0.056, 0.04, 0.028, 0.02, 0.014, 0.01, 0.007, 0.005, 0.004):
-        if C >= finest:
+        if C >= options.finest:
             cases.append((BUNDLED / FINER, {"molecule": FINER, "series": "finer", "atoms": 32,
                                             "C": C}))
     limit = {}  # by series and method, where the first run was out of time
@@ -225,7 +232,7 @@ def made_up_balls(model, folder):
 
 def agreement(options, methods, notes, folder, temporary):
     part = Part("agreement", AGREEMENT_COLUMNS, options, notes, 60)
-    files = {p.name: p for _, p in sized_files(BUNDLED)[0] + sized_files(folder)[0]}
+    files = {p.name: p for p in molecule_files(BUNDLED) + molecule_files(folder)}
     late = set()
     for model in options.models.split(","):
         cases = list(made_up_balls(model, temporary))
@@ -246,8 +253,7 @@ def agreement(options, methods, notes, folder, temporary):
 
 
 def write_hashes(folder, options):
-    files = {BUNDLED / f for f in TABLE1.values()}
-    files |= {p for _, p in sized_files(BUNDLED)[0]} | {p for _, p in sized_files(folder)[0]}
+    files = {*molecule_files(BUNDLED), *molecule_files(folder)}
     with open(options.results / "inputs.sha256", "w", encoding="utf-8") as out:
         for path in sorted(files):
             digest = hashlib.sha256(path.read_bytes()).hexdigest()
@@ -265,7 +271,7 @@ def main():
         notes.add(f"{options.molecules} is not there: the corpus is bench/molecules only")
     if options.quick:
         notes.add("QUICK=1: smaller molecules, less time; the figures are rougher")
-    methods = methods_there_are(notes)
+    methods = methods_there_are(options, notes)
     write_hashes(folder, options)
     wanted = options.parts.split(",")
     failures = []
@@ -282,6 +288,10 @@ def main():
     ended = environment()
     tables.write_environment(options.results / "environment.json", started, ended, options)
     rows = {name: part.rows for name, part in parts.items()}
+    for name in ("table1", "scaling", "agreement"):
+        if name not in rows and (earlier := tables.read_rows(options.results / f"{name}.csv")):
+            rows[name] = earlier
+            notes.add(f"{name}: these are the rows of an earlier run")
     text = tables.table1_text(rows, methods, notes.lines, started)
     (options.results / "table1.md").write_text(text, encoding="utf-8")
     print("\n" + text)

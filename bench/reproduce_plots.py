@@ -4,7 +4,6 @@
 Takes matplotlib: on Debian the package python3-matplotlib, whose Python is /usr/bin/python3.
 """
 
-import csv
 import sys
 from pathlib import Path
 
@@ -14,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from reproduce_tables import PAPER, fit  # noqa: E402
+from reproduce_tables import PAPER, fit, read_rows  # noqa: E402
 
 COLOURS = {"sweep": "#1f4e79", "sweep-as-printed": "#6fa8dc", "static": "#b45f06",
            "dynamic": "#990000", "marching-cubes": "#7f7f7f"}
@@ -22,13 +21,6 @@ MARKERS = {"corpus": "o", "finer": "s"}
 # The same data give the same bytes.
 matplotlib.rcParams.update({"svg.hashsalt": "morskin", "font.size": 9, "axes.grid": True,
                             "grid.alpha": 0.3, "figure.constrained_layout.use": True})
-
-
-def read(path):
-    if not path.exists():
-        return []
-    with open(path, encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def save(figure, folder, name):
@@ -86,7 +78,7 @@ def draw_angles(rows, folder):
 
 def main():
     folder = Path(sys.argv[1])
-    scaling, angles = read(folder / "scaling.csv"), read(folder / "angles.csv")
+    scaling, angles = read_rows(folder / "scaling.csv"), read_rows(folder / "angles.csv")
     if scaling:
         draw_scaling(scaling, folder)
     if angles:

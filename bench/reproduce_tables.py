@@ -23,6 +23,22 @@ def markdown(head, rows):
     return "\n".join(lines) + "\n"
 
 
+def read_rows(path):
+    """The rows of an earlier run, as they were when they were written; none without the file."""
+    def value(text):
+        if text in ("True", "False"):
+            return text == "True"
+        try:
+            return float(text) if "." in text else int(text)
+        except ValueError:
+            return text
+
+    if not path.exists():
+        return []
+    with open(path, encoding="utf-8", newline="") as file:
+        return [{k: value(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
+
 def measured(rows, **fixed):
     """The rows of runs that made a mesh and agree with what is fixed."""
     return [r for r in rows if r.get("triangles")

@@ -85,6 +85,8 @@ class MixedComplex {
 
   /// Dimension of the cell's simplex, 0 to 3.
   int dimension(CellId cell) const { return dimension_of(number(cell)); }
+  /// The number of the cell's simplex, by dimension and then by place.
+  std::uint32_t number(CellId cell) const;
   /// The simplex's place in the triangulation's array of that dimension.
   std::size_t place(CellId cell) const {
     const std::uint32_t n = number(cell);
@@ -106,7 +108,6 @@ class MixedComplex {
  private:
   // Simplices have numbers, by dimension and place; cells are these numbers with the kept ones put
   // first. A bit for each number, and how many are kept before each word of bits, lead both ways.
-  std::uint32_t number(CellId cell) const;
   CellId numbered(std::uint32_t number) const;
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }

@@ -62,7 +62,7 @@ class SkinSurface {
   /// Largest |G| of a point that project() returns, Angstrom^2: a distance to F of 1e-11 rho and of
   /// the rounding that coordinates of this size cannot avoid.
   double residual_bound(double rho) const {
-    return 2 * rho * (1e-11 * rho + std::ldexp(complex_.wall_tolerance(), -9));
+    return 2 * rho * (1e-11 * rho + 0x1p-9 * complex_.wall_tolerance());
   }
 
  private:

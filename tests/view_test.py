@@ -10,7 +10,9 @@ Usage: view_test.py path/to/morskin
 import base64
 import gzip
 import html.parser
+import itertools
 import json
+import math
 import random
 import struct
 import subprocess
@@ -271,6 +273,24 @@ class Meshes(ViewTest):
         self.assertEqual(page.about["mesh"]["triangles"], len(triangles))
         self.check_same_mesh(page, places, triangles)
         self.assertIs(page.about["certified"], True)
+
+    def test_the_cell_of_a_vertex_on_an_atoms_sphere_is_that_atoms(self):
+        page = self.view(MOLECULES / "5tmn_ligand.pdb")
+        places, _, _ = page.mesh()
+        grid = page.about["mesh"]["grid"]
+        balls = page.array("atoms.balls")
+        atoms = list(itertools.accumulate(page.array("complex.vertices")))
+        cells = list(itertools.accumulate(page.array("mesh.cell")))
+        self.assertEqual(len(cells), len(places))
+        seen = 0
+        for place, cell in zip(places, cells):
+            if cell >= len(atoms):
+                continue
+            *centre, weight = balls[4 * atoms[cell]:4 * atoms[cell] + 4]
+            x = [o + grid["step"] * p for o, p in zip(grid["origin"], place)]
+            self.assertAlmostEqual(math.dist(x, centre), math.sqrt(weight / 2), delta=grid["step"])
+            seen += 1
+        self.assertGreater(seen, 500)
 
     def test_a_mesh_of_another_tool_comes_out_as_it_went_in(self):
         tetrahedron = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],

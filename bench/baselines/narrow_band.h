@@ -71,7 +71,7 @@ void for_each_cell_near_skin(const skin::SkinSurface& skin, const Grid& grid, Vi
   while (!waiting.empty()) {
     const Block block = waiting.back();
     waiting.pop_back();
-    const double width = std::ldexp(1.0, block.level);
+    const double width = std::uint32_t{1} << block.level;
     const Point middle = grid.at(block.low) + Point::Constant(0.5 * width * grid.step);
     const Sample s = sample(skin, middle, block.near);
     if (free_distance(s) > reach * width) continue;

@@ -3,6 +3,9 @@
 
 import { chromium } from 'playwright-core';
 
+// Milliseconds for any one thing: a busy machine is slow, and that is no failure.
+const patience = 300000;
+
 export async function launch() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -15,6 +18,7 @@ export async function open(browser, file, { width = 1100, height = 720, scheme =
   scale = 1, touch = false } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme,
     deviceScaleFactor: scale, hasTouch: touch, offline: true });
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   const complaints = [];
   page.on('console', (message) => {
@@ -26,7 +30,7 @@ export async function open(browser, file, { width = 1100, height = 720, scheme =
   });
   const start = Date.now();
   await page.goto(`file://${file}`);
-  await page.waitForSelector('html[data-ready]', { timeout: 60000 });
+  await page.waitForSelector('html[data-ready]');
   await settle(page);
   return { page, complaints, seconds: (Date.now() - start) / 1000, close: () => context.close() };
 }
