@@ -11,7 +11,7 @@ sources = $(shell find geometry skin morse refine front app bench tests papers -
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce lint tidy format sanitize install clean help
+.PHONY: build deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -87,6 +87,17 @@ reproduce: build  ## the paper's Table 1, all methods in one run, into RESULTS (
 	@cmake/install_packages.sh cmake/plot_packages.txt
 	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
 	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
+
+papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
+	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/course/build.py --jobs $(JOBS)
+
+exercise: deps  ## try the exercises of the page NAME (NAME=2.1-molecular-skin)
+	@test -f "papers/exercises/$(NAME).h" || { echo "make exercise NAME=PAGE, one of:"; \
+	  ls papers/exercises/*.h | sed -n 's|.*/\([0-9].*\)\.h|  \1|p'; exit 2; }
+	@cmake --preset release > /dev/null
+	cmake --build build --parallel $(JOBS) --target exercise-$(NAME)
+	build/papers/exercises/tests/exercise-$(NAME)
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py

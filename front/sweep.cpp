@@ -119,6 +119,7 @@ void Sweep::join(const Sweep& above) {
   finish();
 }
 
+// [excerpt: algorithm-1]
 // Algorithm 1, with its line numbers.
 void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
@@ -145,6 +146,7 @@ void Sweep::creep_triangles() {
     }
   }  // 15
 }
+// [/excerpt]
 
 /// Tells of progress, and of the values that the front has come to.
 void Sweep::report(const Departure& departure) {

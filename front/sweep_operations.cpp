@@ -17,6 +17,7 @@ constexpr double sixty_degrees = M_PI / 3;
 
 /// The disk's radius in one direction: for the smaller of the length scales at both ends, which is
 /// the one that [U] goes by. The far end's is read off the patch, which mostly goes on.
+// [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = disk_share_ * centre.length_scale;
   const skin::Patch& patch = skin_.complex().patch(centre.cell);
@@ -28,6 +29,7 @@ std::optional<SurfacePoint> Sweep::rim_point(const SurfacePoint& centre, const V
   const Vector d = near_.in_tangent_plane(direction);
   return skin_.project(centre.position + disk_radius(centre, d) * d, centre.cell);
 }
+// [/excerpt]
 
 void Sweep::create(const morse::CriticalPoint& minimum) {
   near_.gather(minimum.point);
@@ -41,6 +43,7 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
         is_bare = is_bare && d.squaredNorm() > least_gap * r * least_gap * r;
       });
   if (!is_bare) return;
+  // [excerpt: bowl]
   std::array<SurfacePoint, 6> rim;
   for (std::size_t i = 0; i < 6; ++i) {
     const double angle = static_cast<double>(i) * sixty_degrees;
@@ -61,6 +64,7 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
     spokes_in[i] = geometry::SurfaceMesh::half_edge(t, 2);
   }
   for (std::size_t i = 0; i < 6; ++i) surface.glue(spokes_in[i], spokes_out[(i + 1) % 6]);
+  // [/excerpt]
   for (const FrontEdgeId e : front_.open_polygon(boundary)) push(e);
   ++operations_.creation;
   note(Operation::Creation);
@@ -126,6 +130,7 @@ bool Sweep::creep(FrontEdgeId e) {
 
 /// Lays triangles with new vertices round the departure vertex, clockwise from edge e, each turned
 /// on by the same angle, until the next would come too near to the front.
+// [excerpt: fan]
 void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count) {
   const double r = disk_share_ * centre.length_scale;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -136,6 +141,7 @@ void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int
     if (!attach_new(e, rim_point(centre, direction), r)) return;
   }
 }
+// [/excerpt]
 
 /// Adds the triangle of edge e and a new vertex x if the front leaves room for it.
 bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r) {
@@ -192,6 +198,7 @@ std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
 
 /// Closes the small angles among the corners that the last operation changed, and those that this
 /// makes small in turn.
+// [excerpt: wing]
 void Sweep::wing() {
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
@@ -206,6 +213,7 @@ void Sweep::wing() {
     note(Operation::Wing);
   }
 }
+// [/excerpt]
 
 int Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
   const morse::CriticalPoint& s = guide_.points[saddle.index()];
@@ -229,6 +237,7 @@ void Sweep::bridge(CriticalId saddle) {
       queue_.push(d);
       if (is_bridged) continue;
       look_round(d.corner);
+      // [excerpt: bridge]
       for (const FrontEdgeId e : {d.corner, front_[d.corner].previous}) {
         const auto apex = near_.delaunay_apex(e);
         if (!apex) continue;
@@ -244,6 +253,7 @@ void Sweep::bridge(CriticalId saddle) {
         is_bridged = true;
         break;
       }
+      // [/excerpt]
     }
     marked.sides[side].clear();
   }
@@ -257,6 +267,7 @@ void Sweep::seal(CriticalId maximum) {
   marked.is_done = true;
   bool is_sealed = false;
   for (const Departure& d : std::exchange(marked.sides[0], {})) {
+    // [excerpt: seal]
     while (is_current(d)) {
       look_round(d.corner);
       const auto apex = last_apex(d.corner);
@@ -267,6 +278,7 @@ void Sweep::seal(CriticalId maximum) {
       attach(d.corner, *apex);
       is_sealed = true;
     }
+    // [/excerpt]
   }
   if (!is_sealed) return;
   ++operations_.seal;

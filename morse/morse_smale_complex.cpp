@@ -200,6 +200,7 @@ class Builder {
     odd_faces_ = 0;
     doubtful_.clear();
     const std::vector<std::uint32_t> next = successors();
+    // [excerpt: regions]
     // A quadrangle has one dart from its minimum to a saddle, and each such dart one face; so the
     // faces found from those darts are all, if every one closes after four.
     for (std::uint32_t a = 0; a < complex_.arcs.size(); a += 2) {
@@ -218,6 +219,7 @@ class Builder {
         dart = next[dart];
       } while (dart != start);
     }
+    // [/excerpt]
   }
 
   void count_components() {

@@ -151,6 +151,7 @@ void Refinement::flip(HalfEdgeId h) {
   }
 }
 
+// [excerpt: flip]
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);
@@ -167,6 +168,7 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   flip(h);
   return true;
 }
+// [/excerpt]
 
 void Refinement::flip_where_needed() {
   while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * mesh_.surface.triangle_count()) {

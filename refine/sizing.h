@@ -42,6 +42,7 @@ struct Sizing {
   /// certificate follow from it.
   bool is_tube_proved() const { return C * Q < 1 / std::sqrt(7.0); }
 
+  // [excerpt: sizes]
   /// R_ab over its bound in [L]: above 1 is good.
   double edge_ratio(const SurfacePoint& a, const SurfacePoint& b) const {
     return Q * (a.position - b.position).norm() /
@@ -53,6 +54,7 @@ struct Sizing {
   }
   /// The smallest angle that [L] and [U] allow, degrees: 21.55 with the default constants.
   double least_angle_deg() const { return std::asin(1 / (Q * Q)) * 180 / M_PI; }
+  // [/excerpt]
 
   /// Largest radius of the disk, tangent at a departure vertex, on whose rim new vertices are
   /// placed, over the length scale there: 0.208 with the default constants.
