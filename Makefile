@@ -10,7 +10,8 @@ FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry skin morse refine front app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
+.PHONY: build deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -25,6 +26,10 @@ demo: build  ## mesh the bundled gramicidin A and print the report
 	@echo
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
 	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."
+
+figures: build  ## draw the paper's figures into papers/figures/
+	@for n in $(FIGURES); do echo "figure $$n"; \
+	  build/morskin figure $$n -o papers/figures/figure-$$n.png || exit 1; done
 
 test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure

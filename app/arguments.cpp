@@ -456,6 +456,11 @@ Arguments parse_arguments(int count, const char* const* words) {
   add_info(app, info, typed);
   add_check(app, check, against, typed);
   add_view(app, view, typed);
+  RenderArguments render;
+  TypedPicture typed_picture;
+  add_render(app, render, typed_picture);
+  FigureArguments figure;
+  add_figure(app, figure);
   try {
     app.parse(count, words);
     for (MoleculeArguments* molecule : {&mesh.molecule, &morse.molecule, &balls.molecule,
@@ -468,6 +473,14 @@ Arguments parse_arguments(int count, const char* const* words) {
     }
     if (app.got_subcommand("balls")) return balls;
     if (app.got_subcommand("info")) return info;
+    if (app.got_subcommand("render")) {
+      finish(render, typed_picture);
+      return render;
+    }
+    if (app.got_subcommand("figure")) {
+      finish(figure);
+      return figure;
+    }
     if (app.got_subcommand("check")) {
       if (!against.input.empty()) check.against = against;
       return check;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/exit_codes.h"
+#include "app/picture_arguments.h"
 #include "front/method.h"
 #include "morse/morse_function.h"
 #include "refine/sizing.h"
@@ -109,8 +110,9 @@ struct Finished {
   ExitCode code;
 };
 
-using Arguments = std::variant<Finished, MeshArguments, MorseArguments, BallsArguments,
-                               InfoArguments, CheckArguments, ViewArguments>;
+using Arguments =
+    std::variant<Finished, MeshArguments, MorseArguments, BallsArguments, InfoArguments,
+                 CheckArguments, ViewArguments, RenderArguments, FigureArguments>;
 
 /// Prints help, version or what is wrong with the arguments.
 Arguments parse_arguments(int count, const char* const* words);

@@ -13,5 +13,7 @@ ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);
 ExitCode check_command(const CheckArguments& arguments);
 ExitCode view_command(const ViewArguments& arguments);
+ExitCode render_command(const RenderArguments& arguments);
+ExitCode figure_command(const FigureArguments& arguments);
 
 }  // namespace morskin::app

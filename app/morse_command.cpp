@@ -98,16 +98,6 @@ std::string people_text(const ComplexReport& report, const MoleculeInput& input)
   return text;
 }
 
-void write(const std::string& bytes, StagedOutputs& outputs) {
-  for (geometry::PendingFile& file : outputs.files()) {
-    file.write(bytes);
-    file.commit();
-  }
-  for (const std::filesystem::path& path : outputs.direct()) {
-    geometry::write_file_atomically(path, bytes);
-  }
-}
-
 }  // namespace
 
 ExitCode morse_command(const MorseArguments& arguments) {
@@ -132,7 +122,7 @@ ExitCode morse_command(const MorseArguments& arguments) {
 
   progress.show("write", geometry::unknown_share);
   const bool is_vtu = complex_format_of(arguments.output) == ComplexFormat::Vtu;
-  write(is_vtu ? complex_vtu(report) : complex_json(report), outputs);
+  write_to_all(outputs, is_vtu ? complex_vtu(report) : complex_json(report));
   progress.wipe();
   if (!arguments.quiet) {
     const bool is_taken = arguments.output == "-" || arguments.output == "/dev/stdout";

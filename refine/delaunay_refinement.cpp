@@ -92,6 +92,7 @@ DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizi
 }
 
 void DelaunayRefinement::run() {
+  if (delaunay_.dimension() < 3) return;  // no tetrahedra of samples only, no facets
   ++now_;
   std::vector<std::uint32_t> all;
   for (std::uint32_t t = 0; t < delaunay_.tetrahedra().size(); ++t) {

@@ -43,8 +43,10 @@ struct DelaunayRefinementCounts {
 
 class DelaunayRefinement {
  public:
-  /// @param seeds  four or more points of the skin that are not in one plane, among them on every
-  ///               component three with a surface ball small enough for [U]
+  /// @param seeds  points of the skin, among them on every component three with a surface ball
+  /// small
+  ///               enough for [U]; should they lie in one plane, as only seeds without those can,
+  ///               nothing is done and the mesh is empty
   /// @throws geometry::LimitReached
   DelaunayRefinement(const skin::SkinSurface& skin, const Sizing& sizing,
                      std::span<const SurfacePoint> seeds);

@@ -77,23 +77,23 @@ std::vector<char> members(const SkinSurface& skin,
   for (std::size_t s = 0; s < simplices.size(); ++s) {
     const auto corners = weighted(skin, simplices[s]);
     const Sign weight = geometry::orthosphere_weight_sign(corners);
+    bool is_face = false;  // of a simplex in K
+    if constexpr (N < 4) {
+      for (const auto& coface : above.of(s)) is_face = is_face || above_in_complex[coface.place];
+    }
+    result[s] = is_face;
+    // Deep in the body nearly all are faces, and nothing else has to be asked.
+    if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) continue;
     bool attached = false;
-    if (weight != Sign::Negative) {
-      if constexpr (N < 4) {
-        for (const auto& coface : above.of(s)) {
-          const WeightedPoint& apex = skin.points()[coface.apex.index()];
-          attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
-        }
-      }
-      result[s] = !attached;
-    }
-    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
-      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
-    }
     if constexpr (N < 4) {
       for (const auto& coface : above.of(s)) {
-        if (above_in_complex[coface.place]) result[s] = 1;
+        const WeightedPoint& apex = skin.points()[coface.apex.index()];
+        attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
       }
+    }
+    if (!attached) result[s] = 1;
+    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
+      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
     }
   }
   return result;

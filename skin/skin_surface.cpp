@@ -74,17 +74,11 @@ CellId SkinSurface::locate(const Point& x, CellId start) const {
   // To notice a round: a cell on the way, later and later ones as the way grows (Brent 1980).
   CellId passed = start;
   std::size_t steps = 0, next_mark = 8;
-  std::vector<Wall> made;
   for (;;) {
+    if (!complex_.is_kept(current)) return search(x, current);  // seldom: far from the skin
     double farthest = tolerance;
     CellId beyond = current;
-    std::span<const Wall> walls;
-    if (complex_.is_kept(current)) {
-      walls = complex_.kept_walls(current);
-    } else {
-      walls = made = complex_.make_walls(current);
-    }
-    for (const Wall& wall : walls) {
+    for (const Wall& wall : complex_.kept_walls(current)) {
       const double distance = wall.normal.dot(x) - wall.offset;
       if (distance > farthest) {
         farthest = distance;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "front/static_method.h"
@@ -21,6 +22,7 @@ using skin::Point;
 using skin::SurfacePoint;
 using skin::Vector;
 using support::Random;
+using support::WeightedPoints;
 
 namespace {
 
@@ -144,6 +146,55 @@ TEST_CASE("every point of the skin has a sample within 0.153 of its length scale
       CHECK(tree.nearest(p->position, 0.153 * p->length_scale));
     }
     CHECK(found > 100);
+  }
+}
+
+TEST_CASE("a component without seeds is found where dual edges go in and out of it") {
+  const WeightedPoints points{support::ball(0, 0, 0, 1), support::ball(7, 0, 0, 3)};
+  const PreparedSkin skin = front::prepare_skin(points);
+  std::vector<SurfacePoint> seeds = seeds_of(skin);
+  std::erase_if(seeds, [](const SurfacePoint& p) { return p.position.x() > 2; });
+  DelaunayRefinement refinement(skin.surface, {}, seeds);
+  refinement.run();
+  CHECK(refinement.counts().hidden_crossings > 0);
+  const skin::SkinMesh mesh = refinement.mesh();
+  const refine::Certificate certificate =
+      refine::certify({positions(mesh), mesh.surface.triangle_list()}, skin.surface, skin.topology);
+  CHECK(certificate.reason == "");
+  CHECK(certificate.components == 2);
+}
+
+TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no border") {
+  std::size_t most = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    const Sizing coarse{.C = 0.3 + 0.01 * seed, .Q = 1.9};
+    DelaunayRefinement refinement(skin->surface, coarse, seeds_of(*skin, coarse));
+    refinement.run();
+    const auto triangles = refinement.mesh().surface.triangle_list();
+    most = std::max(most, triangles.size());
+    // A border there cannot be: each edge is passed as often one way as the other.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
+    for (const auto& t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        passes[std::minmax(a, b)] += a < b ? 1 : -1;
+      }
+    }
+    CHECK(std::ranges::all_of(passes, [](const auto& p) { return p.second == 0; }));
+  }
+  CHECK(most > 1000);
+}
+
+TEST_CASE("seeds in one plane give no mesh") {
+  const PreparedSkin skin = front::prepare_skin({support::ball(0, 0, 0, 1)});
+  std::vector<SurfacePoint> seeds = seeds_of(skin);
+  for (const std::size_t count : {0, 1, 2, 3}) {
+    DelaunayRefinement refinement(skin.surface, {}, std::span(seeds).first(count));
+    refinement.run();
+    CHECK(refinement.mesh().points.empty());
   }
 }
 

@@ -232,11 +232,10 @@ TEST_CASE("walls made on demand are the kept ones, in the same order") {
     kept += complex.kept_size();
     for (std::uint32_t i = 0; i < complex.kept_size(); ++i) {
       const std::vector<Wall> made = complex.make_walls(CellId{i});
-      CHECK(std::ranges::equal(made, complex.kept_walls(CellId{i}),
-                               [](const Wall& a, const Wall& b) {
-                                 return a.normal == b.normal && a.offset == b.offset &&
-                                        a.beyond == b.beyond;
-                               }));
+      CHECK(
+          std::ranges::equal(made, complex.kept_walls(CellId{i}), [](const Wall& a, const Wall& b) {
+            return a.normal == b.normal && a.offset == b.offset && a.beyond == b.beyond;
+          }));
     }
   }
   CHECK(kept > 1000);  // the law was put to the test
