@@ -22,7 +22,8 @@ BASELINES = "bench/baselines"  # a module inside a folder that may include every
 MAY_INCLUDE[BASELINES] = MAY_INCLUDE["front"] | {BASELINES}
 MAY_INCLUDE["app"] = MAY_INCLUDE[BASELINES] | {"app"}
 EVERYTHING = MAY_INCLUDE["app"] | {"bench", "tests", "papers"}
-for top in ("bench", "tests", "papers"):
+MAY_INCLUDE["papers"] = EVERYTHING | {"answers"}  # a link to the exercises or the solutions
+for top in ("bench", "tests"):
     MAY_INCLUDE[top] = EVERYTHING
 
 # Within app: pictures knows meshes only, figures no commands.

@@ -97,6 +97,7 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
   double seconds = 0;
   timed(seconds, [&] {
     const std::size_t count = std::min(result.cells.size(), result.mesh.positions.size());
+    // [excerpt: floor]
     for (std::size_t v = 0; v < count; ++v) {
       const SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
       // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
@@ -106,6 +107,7 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
       const auto moved = skin.project(p.position + share * p.length_scale * tangent, p.cell);
       if (moved) checksum += moved->length_scale;
     }
+    // [/excerpt]
   });
   return checksum > 0 ? seconds : 0;  // uses the sum, so that the work is not optimised away
 }

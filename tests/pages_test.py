@@ -11,8 +11,9 @@
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
 - Every figure is well-formed and shown on some page.
-- The pages of the course have all their parts, every excerpt is marked in the sources and shown, and the
-  exercises have tests and solutions (papers/course/page.py; `make papers` runs the commands too).
+- The pages of the course have all their parts, every excerpt is marked in the sources and shown,
+  and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
+  commands too).
 
 Prints one line and exits with 1 on any failure.
 """
@@ -26,7 +27,8 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
 PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
-CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake", "papers"]
+CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake",
+                "papers"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")
@@ -189,7 +191,8 @@ def check_course(checks):
     try:
         shown = {(file, name) for page in pages for name, file in page.excerpts()}
         for file, name in all_excerpts():
-            checks.expect((file, name) in shown, file.relative_to(ROOT), f"excerpt {name}: on no page")
+            where = str(file.relative_to(ROOT))
+            checks.expect((file, name) in shown, where, f"excerpt {name}: on no page")
     except ValueError as error:
         checks.expect(False, "excerpts", str(error))
     for task in sorted((ROOT / "papers" / "exercises").glob("[0-9]*.h")):

@@ -3,10 +3,10 @@
 
 - Names become links to their lines, excerpts are taken from the sources between marks
   (`// [excerpt: name]` ... `// [/excerpt]`), formulas become MathML, pictures are embedded.
-- Every command on a page is run, in a folder of the page's own; what it prints must be what the page
-  shows. Pictures that a command makes take the place of the kept ones.
-- A link that leads nowhere, a name, test or excerpt that is not there, or an output that differs ends
-  the build with exit code 1.
+- Every command on a page is run, in a folder of the page's own; what it prints must be what the
+  page shows. Pictures that a command makes take the place of the kept ones.
+- A link that leads nowhere, a name, test or excerpt that is not there, or an output that differs
+  ends the build with exit code 1.
 
     make papers
 """

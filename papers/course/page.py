@@ -13,8 +13,8 @@ RUNNABLE = ("build/morskin ", "python3 ", "mkdir ")
 COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
 
 # Every page of the course has these, in this order.
-PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test", "## The code",
-         "## Exercises"]
+PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test",
+         "## The code", "## Exercises"]
 KINDS = ["Predict", "Run", "Explain"]
 
 
@@ -48,7 +48,8 @@ class Page:
         while i < len(lines):
             fence = FENCE.match(lines[i])
             if fence:
-                end = next((j for j in range(i + 1, len(lines)) if FENCE.match(lines[j])), len(lines))
+                rest = range(i + 1, len(lines))
+                end = next((j for j in rest if FENCE.match(lines[j])), len(lines))
                 if fence[2] == "console":
                     yield from console_commands(lines[i + 1:end], i + 2)
                 i = end + 1

@@ -47,9 +47,10 @@ def run(command, folder):
     """What a command prints, as lines; a last line `[exit N]` where it fails."""
     environment = {**os.environ, "LC_ALL": "C.UTF-8", "COLUMNS": "100"}
     try:
-        done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIMEOUT,
-                              stdin=subprocess.DEVNULL)
+        done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder,
+                              env=environment, text=True, timeout=TIMEOUT,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
     except subprocess.TimeoutExpired:
         return [f"[no end within {TIMEOUT} s]"]
     lines = trimmed(done.stdout.splitlines())

@@ -76,7 +76,8 @@ def excerpts_in(path):
     for number, line in enumerate(lines_of(path), start=1):
         if match := MARK.match(line):
             if name or match[1] in found:
-                raise ValueError(f"{path.relative_to(ROOT)}:{number}: excerpt {match[1]} opens twice")
+                where = f"{path.relative_to(ROOT)}:{number}"
+                raise ValueError(f"{where}: excerpt {match[1]} opens twice")
             name, first, body = match[1], number + 1, []
         elif END_MARK.match(line):
             if not name:
