@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "skin/slide.h"
 
 namespace morskin::skin {
 
@@ -109,20 +110,7 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
 }
 
 std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) const {
-  // Two or three rounds settle a point within rho / 2; the cap is for points that are out of reach.
-  constexpr int most_rounds = 40;
-  Point y = x;
-  CellId cell = locate(y, start);
-  for (int round = 0; round < most_rounds; ++round) {
-    y = complex_.patch(cell).slide(y);
-    cell = locate(y, cell);
-    const Patch& patch = complex_.patch(cell);
-    const Vector n = patch.half_gradient(y);
-    const double g = (y - patch.centre).dot(n) - patch.half_weight;
-    const double rho = n.norm();
-    if (std::abs(g) <= residual_bound(rho)) return SurfacePoint{y, n / rho, rho, cell};
-  }
-  return std::nullopt;
+  return slide_onto(*this, x, start);
 }
 
 SurfacePoint SkinSurface::at(const Point& x, CellId cell) const {

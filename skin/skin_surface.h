@@ -29,6 +29,7 @@ class SkinSurface {
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
   const MixedComplex& complex() const { return complex_; }
+  const Patch& patch(CellId cell) const { return complex_.patch(cell); }
   /// The weighted points whose simplex the cell belongs to, one to four.
   std::vector<AtomId> atoms(CellId cell) const;
   /// Seconds spent in the regular triangulation and in the mixed complex.

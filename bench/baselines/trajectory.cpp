@@ -1,0 +1,92 @@
+#include "bench/baselines/trajectory.h"
+
+#include <cmath>
+#include <limits>
+
+namespace morskin::baselines {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// The stretch E at which E a + b / E - d, negative inside a wall, next turns positive: the root of
+/// a E^2 - d E + b where the slope is positive, in the form that does not cancel.
+double crossing(double a, double b, double d) {
+  const double discriminant = d * d - 4 * a * b;
+  if (!(discriminant >= 0)) return never;
+  const double root = std::sqrt(discriminant);
+  const double stretch = d >= 0 ? (d + root) / (2 * a) : 2 * b / (d - root);
+  if (!(stretch > 0)) return never;
+  if (stretch >= 1) return stretch;
+  // Passed already: outside by rounding and on the way out, or in again.
+  return a + b > d && a > b ? 1 : never;
+}
+
+}  // namespace
+
+Trajectory::Trajectory(const SkinSurface& skin, const Point& x, CellId cell, double time)
+    : cell_(cell), beyond_(cell), begins_(time) {
+  const Patch& patch = skin.patch(cell);
+  const Vector u = x - patch.centre;
+  const Vector axial = u.dot(patch.axis) * patch.axis;
+  across_ = patch.sign > 0 ? Vector(u - axial) : axial;
+  along_ = patch.sign > 0 ? axial : Vector(u - axial);
+  across_squared_ = across_.squaredNorm();
+  along_squared_ = along_.squaredNorm();
+  find_exit(skin);
+}
+
+double Trajectory::stretch(double g) const {
+  const double root = std::sqrt(g * g + 4 * across_squared_ * along_squared_);
+  return std::sqrt(g >= 0 ? (g + root) / (2 * across_squared_) : 2 * along_squared_ / (root - g));
+}
+
+void Trajectory::find_exit(const SkinSurface& skin) {
+  const Patch& patch = skin.patch(cell_);
+  exit_stretch_ = never;
+  for (const skin::Wall& wall : skin.complex().walls(cell_)) {
+    const double e = crossing(wall.normal.dot(across_), wall.normal.dot(along_),
+                              wall.offset - wall.normal.dot(patch.centre));
+    if (e < exit_stretch_) {
+      exit_stretch_ = e;
+      beyond_ = wall.beyond;
+    }
+  }
+  const double e2 = exit_stretch_ * exit_stretch_;
+  leaves_ =
+      exit_stretch_ == never
+          ? never
+          : std::max(begins_, 2 * (e2 * across_squared_ - along_squared_ / e2 - patch.half_weight));
+}
+
+SurfacePoint Trajectory::at(const SkinSurface& skin, double t) const {
+  const Patch& patch = skin.patch(cell_);
+  const double e = stretch(patch.half_weight + t / 2);
+  const Vector across = e * across_, along = along_ / e;
+  const Vector n = across - along;
+  const double rho = n.norm();
+  return {patch.centre + across + along, n / rho, rho, cell_};
+}
+
+Trajectory Trajectory::followed_to(const SkinSurface& skin, double t) const {
+  Trajectory part = *this;
+  // A way crosses a cell once or twice, so this many steps mean that it goes round in cells
+  // flatter than rounding.
+  constexpr int most_steps = 200;
+  for (int step = 0; part.leaves_ <= t; ++step) {
+    const Point x = skin.patch(part.cell_).centre + part.exit_stretch_ * part.across_ +
+                    part.along_ / part.exit_stretch_;
+    if (step == most_steps) {
+      const LevelSet level(skin, t);
+      const auto end = level.project(x, skin.locate(x, part.beyond_));
+      Trajectory last(skin, end ? end->position : x, end ? end->cell : part.beyond_, t);
+      last.leaves_ =
+          std::max(last.leaves_, t + 1e-3 * skin.patch(last.cell_).half_gradient(x).squaredNorm());
+      return last;
+    }
+    part = Trajectory(skin, x, part.beyond_, part.leaves_);
+  }
+  return part;
+}
+
+}  // namespace morskin::baselines
