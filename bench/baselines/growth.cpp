@@ -15,6 +15,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// has the edge tried for a flip.
 constexpr double suspect_intrusion = 0.01;
 
+/// What could not be mended is looked at again after this share of the squared length scale.
+constexpr double least_wait = 0.05;
+
 }  // namespace
 
 Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
@@ -90,7 +93,8 @@ void Growth::mend_changed(double time) {
     mesh_.changed.pop_back();
     if (mesh_.surface().is_removed(t)) continue;
     if (left == 0) {
-      schedule(t, time + least_half_width(skin_));
+      const double rho = mesh_.at(mesh_.surface().corners(t)[0]).length_scale;
+      schedule(t, time + least_wait * rho * rho);
       continue;
     }
     --left;
@@ -152,6 +156,7 @@ void Growth::look(TriangleId t, double time) {
   }
   const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
   const double ratio_U = options_.sizing.triangle_ratio(circle.radius, rho);
+ L
   if (mesh_.changed.empty() && ratio_U > options_.slack.insert_above && mesh_.insert(t)) return;
   schedule(t, next_look(corners, ratio_L, ratio_U));
 }

@@ -86,30 +86,42 @@ bool MovingMesh::contract(HalfEdgeId h) {
   return is_removed;
 }
 
-/// Takes a vertex out: flips its edges away, the smallest ear first, until three are left.
+/// Takes a vertex out. The polygon of its neighbours is cut into ears first, the smallest first,
+/// and only if that succeeds the edges are flipped away in this order: what is refused changes
+/// nothing.
 bool MovingMesh::remove(VertexId v) {
-  while (surface_.degree(v) > 3) {
-    std::optional<HalfEdgeId> best;
+  link_.clear();
+  surface_.for_each_outgoing(v, [&](HalfEdgeId h) { link_.push_back(surface_.target(h)); });
+  cuts_.clear();
+  while (link_.size() > 3) {
+    std::size_t best = link_.size();
     double least = std::numeric_limits<double>::infinity();
-    surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
-      const VertexId x = surface_.target(h), c = surface_.apex(h);
-      const VertexId d = surface_.apex(surface_.twin(h));
-      const double size = circumcircle(position(x), position(c), position(d)).radius;
-      if (size < least && can_flip(h)) {
-        least = size;
-        best = h;
+    for (std::size_t i = 0; i < link_.size(); ++i) {
+      const VertexId d = link_[(i + link_.size() - 1) % link_.size()], x = link_[i];
+      const VertexId c = link_[(i + 1) % link_.size()];
+      const double size = circumcircle(position(d), position(x), position(c)).radius;
+      if (size >= least || surface_.degree(x) <= 3 || !faces_outward(d, x, c) ||
+          surface_.has_edge(c, d)) {
+        continue;
       }
+      least = size;
+      best = i;
+    }
+    if (best == link_.size()) return false;
+    cuts_.push_back(link_[best]);
+    link_.erase(link_.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  if (!faces_outward(link_[0], link_[1], link_[2])) return false;
+  for (const VertexId corner : link_) {
+    if (surface_.degree(corner) <= 3) return false;
+  }
+  for (const VertexId x : cuts_) {
+    surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
+      if (surface_.target(h) == x) to_cut_ = h;
     });
-    if (!best) return false;
-    flip(*best);
+    flip(to_cut_);
   }
   const HalfEdgeId first = *surface_.outgoing(v);
-  const VertexId a = surface_.target(first), b = surface_.apex(first);
-  const VertexId c = surface_.apex(surface_.twin(first));
-  if (a == b || b == c || c == a || surface_.degree(a) <= 3 || surface_.degree(b) <= 3 ||
-      surface_.degree(c) <= 3 || !faces_outward(a, b, c)) {
-    return false;
-  }
   surface_.unsplit(v);
   changed.push_back(SurfaceMesh::triangle(first));
   return true;
@@ -143,9 +155,29 @@ bool MovingMesh::insert(TriangleId t) {
   for (const VertexId v : surface_.corners(under)) {
     if (sizing_.edge_ratio(at(v), *x) <= 1) return false;
   }
+  // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
+  constexpr double beside = 0.1;  // of the edge's length
+  std::optional<std::uint32_t> nearest;
+  double least = beside;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
+    const Point& p = position(surface_.origin(h));
+    const Vector edge = position(surface_.target(h)) - p;
+    const double height = edge.cross(x->position - p).dot(x->normal) / edge.squaredNorm();
+    if (height >= least) continue;
+    least = height;
+    nearest = k;
+  }
   const std::size_t before = surface_.triangle_count();
-  surface_.split(under, add_vertex(*x));
-  changed.insert(changed.end(), {under, TriangleId{before}, TriangleId{before + 1}});
+  const VertexId v = add_vertex(*x);
+  surface_.split(under, v);
+  const std::array<TriangleId, 3> around{under, TriangleId{before}, TriangleId{before + 1}};
+  changed.insert(changed.end(), around.begin(), around.end());
+  // The k-th of the three has the k-th edge of the triangle that was split as its first.
+  if (nearest) {
+    const HalfEdgeId h = SurfaceMesh::half_edge(around[*nearest], 0);
+    if (can_flip(h)) flip(h);
+  }
   ++counts.insert;
   return true;
 }

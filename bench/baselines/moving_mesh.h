@@ -105,6 +105,10 @@ class MovingMesh {
   std::vector<double> clock_;  ///< of what points_ says
   std::vector<Trajectory> paths_;
 
+  // Of a removal: the neighbours left, those cut off, and the edge to the next of these.
+  std::vector<VertexId> link_, cuts_;
+  HalfEdgeId to_cut_;
+
   std::vector<std::uint32_t> watch_;  ///< by cell
   std::vector<std::vector<VertexId>> visitors_;
 };
