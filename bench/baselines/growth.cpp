@@ -156,7 +156,6 @@ void Growth::look(TriangleId t, double time) {
   }
   const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
   const double ratio_U = options_.sizing.triangle_ratio(circle.radius, rho);
- L
   if (mesh_.changed.empty() && ratio_U > options_.slack.insert_above && mesh_.insert(t)) return;
   schedule(t, next_look(corners, ratio_L, ratio_U));
 }
