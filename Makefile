@@ -5,11 +5,12 @@ MOLECULES ?= ../shared/molecules
 PREFIX ?= /usr/local
 SETS ?= 2000
 SECONDS ?= 60
+RESULTS ?= papers/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus prediction lint tidy format sanitize install clean help
+.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus prediction reproduce lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -49,10 +50,11 @@ fuzz:  ## run each fuzz target for SECONDS (default 60)
 	    -print_final_stats=1 -artifact_prefix=build/fuzz/findings/$$name- \
 	    build/fuzz/corpus/$$name tests/fuzz/seeds/$$name || exit 1; done
 
-bench: deps  ## build and run the benchmarks
+bench: deps  ## build and run the benchmarks; raw figures in build/bench/*.json
 	cmake --preset bench
 	cmake --build build/bench --parallel $(JOBS)
-	@for program in build/bench/*_bench; do $$program || exit 1; done
+	@for program in build/bench/*_bench; do \
+	  $$program --benchmark_out=$$program.json --benchmark_out_format=json || exit 1; done
 
 corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
 	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
@@ -62,6 +64,12 @@ morse-corpus: build  ## trace Morse-Smale complexes of MOLECULES (see bench/mors
 
 prediction: build  ## count which touches of the front theory foretells (see bench/prediction.py --help)
 	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
+
+# The plots take matplotlib, which Debian installs for its own Python.
+reproduce: build  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
+	@cmake/install_packages.sh cmake/plot_packages.txt
+	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
+	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py

@@ -117,9 +117,16 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_sizing_options(command, mesh.sizing);
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
-  command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
-      ->check(CLI::IsMember({"sweep"}))
+  command
+      .add_option("--method", typed.method,
+                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
+                  "Delaunay refinement; dynamic, growth from nothing; marching-cubes,\n"
+                  "for comparison: without quality, so as a rule not certified")
+      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
       ->capture_default_str();
+  command.add_option("--grid", mesh.grid_step,
+                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
+                     "triangles as the sweep makes)");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
@@ -333,6 +340,16 @@ void finish(MorseArguments& morse, const Typed& typed) {
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
+  mesh.method = *front::parse_method(typed.method);
+  if (mesh.grid_step && mesh.method != front::Method::MarchingCubes) {
+    throw UsageError("--grid is for --method marching-cubes");
+  }
+  if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
+    throw UsageError("--grid must be above 0");
+  }
+  if (mesh.method == front::Method::Dynamic) {
+    throw UsageError("--method " + typed.method + " is not built in yet");
+  }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/exit_codes.h"
-#include "front/sweep.h"
+#include "front/method.h"
 #include "morse/morse_function.h"
 #include "refine/sizing.h"
 #include "skin/model.h"
@@ -42,6 +42,8 @@ struct MeshArguments {
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
+  front::Method method = front::Method::Sweep;
+  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   front::Guard guard = front::Guard::Everywhere;
   std::size_t snapshots = 0;            ///< at even steps of the Morse function
   std::vector<double> snapshot_values;  ///< and at these

@@ -1,8 +1,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "app/commands.h"
@@ -12,6 +15,7 @@
 #include "app/report.h"
 #include "app/snapshots.h"
 #include "app/staged_outputs.h"
+#include "bench/baselines/marching_cubes.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
 
@@ -44,10 +48,13 @@ bool is_in_proven_range(const refine::Sizing& sizing) {
   return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
 }
 
-front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments) {
+front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                       std::optional<double> grid_step) {
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   front::MeshOptions options;
   options.sizing = arguments.sizing;
+  options.method = arguments.method;
+  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
@@ -135,7 +142,13 @@ std::vector<std::filesystem::path> named(std::span<PendingFile> files, bool is_c
   return names;
 }
 
+// The high-water mark of this program alone; that of getrusage starts with what its parent held.
 long long peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    long long kibibytes = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %lld kB", &kibibytes) == 1) return kibibytes * 1024;
+  }
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024LL;
@@ -215,8 +228,14 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
                                 skin.surface.mixed_complex_seconds();
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
-  const front::MeshResult result = mesh(skin, arguments);
+  if (arguments.method == front::Method::MarchingCubes) {
+    report.grid_step = arguments.grid_step
+                           ? *arguments.grid_step
+                           : baselines::step_like_sweep(skin.surface, report.sizing);
+  }
+  const front::MeshResult result = mesh(skin, arguments, report.grid_step);
   describe_run(report, result);
+  report.method = arguments.method;
   report.fronts = arguments.fronts;
 
   const Stopwatch writing;

@@ -128,8 +128,10 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_hidden", report.atoms_hidden},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
+                       {"method", front::name_of(report.method)},
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q}};
+  if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["certified_file"] = report.certified_file;
   json["outputs"] = ordered_json::array();
@@ -186,24 +188,12 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
   return text;
 }
 
-std::string people_text(const MeshReport& report) {
-  std::string outputs;
-  for (const std::filesystem::path& output : report.outputs)
-    outputs += (outputs.empty() ? "" : ", ") + output.string();
-  const std::string words = skipped_in_words(report.reading);
+namespace {
+
+/// What the sweep did.
+std::string sweep_text(const MeshReport& report) {
   const front::Operations& done = report.operations;
-  const RunSeconds& s = report.seconds;
-  std::string text =
-      report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
-  text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
-                            " left out" + (words.empty() ? "" : " (" + words + ")"));
-  text +=
-      line("skin", "model " + std::string(skin::name_of(report.molecule.model)) + ", probe " +
-                       brief(report.molecule.probe) + " A, patch radii " +
-                       brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
-                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
-  text += certificate_text(report.certificate, report.sizing);
-  text += line("function", in_words(report.function));
+  std::string text = line("function", in_words(report.function));
   text += line("critical", counted(report.minima, "minimum", "minima") + " - " +
                                counted(report.saddles, "saddle", "saddles") + " + " +
                                counted(report.maxima, "maximum", "maxima") + "; " +
@@ -221,6 +211,29 @@ std::string people_text(const MeshReport& report) {
       line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
                              counted(report.refinement.contract, "contraction", "contractions") +
                              ", " + counted(report.refinement.insert, "insertion", "insertions"));
+  return text;
+}
+
+}  // namespace
+
+std::string people_text(const MeshReport& report) {
+  std::string outputs;
+  for (const std::filesystem::path& output : report.outputs)
+    outputs += (outputs.empty() ? "" : ", ") + output.string();
+  const std::string words = skipped_in_words(report.reading);
+  const RunSeconds& s = report.seconds;
+  std::string text =
+      report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
+  text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
+                            " left out" + (words.empty() ? "" : " (" + words + ")"));
+  text +=
+      line("skin", "model " + std::string(skin::name_of(report.molecule.model)) + ", probe " +
+                       brief(report.molecule.probe) + " A, patch radii " +
+                       brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
+                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+  text += certificate_text(report.certificate, report.sizing);
+  text += report.grid_step ? line("grid", "marching cubes, step " + brief(*report.grid_step) + " A")
+                           : sweep_text(report);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
                            ", refine " + brief(s.stages.refine, 2) + ", certify " +

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct MeshReport {
   refine::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
   std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
+  front::Method method = front::Method::Sweep;
+  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;

@@ -1,10 +1,11 @@
 #include "front/mesh_skin.h"
 
-#include <chrono>
 #include <cmath>
+#include <string>
 #include <utility>
 
-#include "front/two_fronts.h"
+#include "front/static_method.h"
+#include "front/stopwatch.h"
 #include "geometry/predicates.h"
 
 namespace morskin::front {
@@ -30,12 +31,13 @@ void check(const MeshOptions& options) {
   }
 }
 
-/// Runs a piece of work and adds its time to a stage.
-template <class Work>
-void timed(double& seconds, Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// The mesher of a method.
+Mesher mesher_of(const MeshOptions& options) {
+  if (options.mesher) return options.mesher;
+  if (options.method == Method::Sweep) return sweep_method;
+  if (options.method == Method::Static) return static_method;
+  throw geometry::RefusedInput("the method " + std::string(name_of(options.method)) +
+                               " needs a mesher");
 }
 
 }  // namespace
@@ -58,61 +60,23 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points) {
 
 MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   check(options);
+  MethodResult made = mesher_of(options)(skin, options);
   MeshResult result;
-  const auto progress = [&](std::string_view stage, double share) {
-    if (options.progress) options.progress(stage, share);
-  };
+  static_cast<RunCounts&>(result) = made;
   result.seconds.triangulate = skin.surface.triangulate_seconds();
   result.seconds.mixed_complex = skin.surface.mixed_complex_seconds();
   result.expected = skin.topology;
-
-  progress("critical points", 0);
-  morse::Guide guide;
-  timed(result.seconds.critical_points, [&] {
-    guide =
-        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          options.sizing.tangent_disk_share(), options.threads);
-  });
-  result.minima = guide.found[0];
-  result.saddles = guide.found[1];
-  result.maxima = guide.found[2];
-  result.surviving_minima = guide.count(0);
-  result.surviving_saddles = guide.count(1);
-  result.surviving_maxima = guide.count(2);
-  result.function = guide.function;
-
-  skin::SkinMesh mesh;
-  timed(result.seconds.sweep, [&] {
-    SweepOptions sweeping{.sizing = options.sizing,
-                          .guard = options.guard,
-                          .progress = [&](double share) { progress("sweep", share); },
-                          .snapshot_values = options.snapshot_values,
-                          .snapshots = options.snapshots,
-                          .snapshot = options.snapshot};
-    SweepResult swept = options.fronts == 1
-                            ? sweep_once(skin.surface, guide, sweeping)
-                            : sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);
-    mesh = std::move(swept.mesh);
-    result.operations = swept.operations;
-    result.open_edges = swept.open_edges;
-  });
   timed(result.seconds.refine, [&] {
-    progress("refine", 0);
-    if (result.open_edges == 0) {
-      refine::Refinement refinement(skin.surface, options.sizing, mesh, options.threads);
-      refinement.run();
-      result.refinement = refinement.counts();
-    }
-    result.mesh.triangles = mesh.surface.triangle_list();
-    result.mesh.positions.reserve(mesh.points.size());
-    result.cells.reserve(mesh.points.size());
-    for (const SurfacePoint& p : mesh.points) {
+    result.mesh.triangles = made.mesh.surface.triangle_list();
+    result.mesh.positions.reserve(made.mesh.points.size());
+    result.cells.reserve(made.mesh.points.size());
+    for (const SurfacePoint& p : made.mesh.points) {
       result.mesh.positions.push_back(p.position);
       result.cells.push_back(p.cell);
     }
   });
   if (options.certify) {
-    progress("certify", 0);
+    if (options.progress) options.progress("certify", 0);
     timed(result.seconds.certify, [&] {
       result.certificate = refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
                                            options.threads);

@@ -170,6 +170,29 @@ void Triangulator::insert(Corner p) {
   fill_cavity(p);
 }
 
+std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point,
+                                                      std::array<std::uint32_t, 2> hints) {
+  assert(dimension_ == 3);
+  if (atom_count_ >= most_points) fail_for_lack_of_ids(most_points, "points");
+  const auto p = static_cast<Corner>(atom_count_);
+  points_.push_back({point});
+  ids_.push_back(AtomId(atom_count_));
+  rim_numbers_.resize(points_.size() + 1);
+  const auto* hint = std::find_if(hints.begin(), hints.end(),
+                                  [&](std::uint32_t t) { return is_in_conflict(t, p); });
+  last_ = hint != hints.end() ? *hint : hints[0];
+  if (hint == hints.end()) last_ = locate(p);
+  if (hint == hints.end() && !is_in_conflict(last_, p)) {
+    points_.pop_back();
+    ids_.pop_back();
+    return std::nullopt;
+  }
+  ++atom_count_;
+  grow_cavity(p);
+  fill_cavity(p);
+  return p;
+}
+
 /// Walks from the last place towards p, each step through a facet with p strictly behind it, until
 /// there is none or the hull is left. In a regular triangulation such a walk never cycles.
 std::uint32_t Triangulator::locate(Corner p) const {

@@ -60,6 +60,16 @@ class Triangulator {
   }
   bool is_ghost(const Tetrahedron& t) const { return t.corners[3] == infinity; }
 
+  /// Adds one more point, as the last corner and with the next id, unless it is redundant.
+  ///
+  /// @param hints  live tetrahedra near the point. One that is in conflict with it saves the walk.
+  /// @pre    dimension() == 3; the point is in the range of predicates.h.
+  /// @throws LimitReached  as the constructor does
+  std::optional<Corner> add(const WeightedPoint& point, std::array<std::uint32_t, 2> hints);
+  /// What the last successful add() removed, and what it put in its place. A place may be in both.
+  std::span<const std::uint32_t> removed() const { return {cavity_.data(), cavity_size_}; }
+  std::span<const std::uint32_t> added() const { return fillers_; }
+
  private:
   enum class State : std::uint8_t { Live, InCavity, Free };
   struct alignas(32) StoredPoint : WeightedPoint {};  // never across two cache lines

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/orthogonal.h"
 #include "morse/cell_contact.h"
 #include "morse/critical_points_internal.h"
 #include "morse/distance_equation.h"
@@ -36,7 +37,8 @@ View view(const skin::SkinSurface& surface, const MorseFunction& function, CellI
                           std::ldexp(surface.complex().wall_tolerance(), -8);
   if (across.norm() <= rounding) across.setZero();
   if (std::abs(along) <= rounding) along = 0;
-  return {surface, function, cell, patch, across.normalized(), across.norm(), along, rounding};
+  const Vector out = across.isZero(0) ? across : geometry::unit_orthogonal_part(across, patch.axis);
+  return {surface, function, cell, patch, out, across.norm(), along, rounding};
 }
 
 /// Half the Hessian on the tangent plane is I - mu M: 1 - m across the axis, and along the meridian

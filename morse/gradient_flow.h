@@ -17,6 +17,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "geometry/orthogonal.h"
 #include "morse/morse_function.h"
 #include "skin/patch.h"
 
@@ -37,13 +38,8 @@ class GradientFlow {
     twist_ = is_sphere ? -1 : 1;
     axis_ = is_sphere ? gradient.unitOrthogonal() : patch.axis;
     along_ = is_sphere ? 0 : axis_.dot(gradient);
-    radial_ = gradient - along_ * axis_;
-    across_ = radial_.norm();
-    if (across_ > 0) {
-      radial_ /= across_;
-    } else {
-      radial_ = axis_.unitOrthogonal();
-    }
+    across_ = (gradient - along_ * axis_).norm();
+    radial_ = geometry::unit_orthogonal_part(gradient, axis_);
     third_ = axis_.cross(radial_);
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/orthogonal.h"
 #include "morse/tracer.h"
 
 namespace morskin::morse {
@@ -55,8 +56,7 @@ void IntegralLines::build_disc(CriticalId id) {
   const Vector& n = p.point.normal;
   CaptureDisc& disc = discs_[id.index()];
   disc.centre = p.point.position - patch.centre;
-  const Vector slope = patch.axis - patch.axis.dot(n) * n;
-  disc.first = slope.squaredNorm() > 0 ? slope.normalized() : n.unitOrthogonal();
+  disc.first = geometry::unit_orthogonal_part(patch.axis, n);
   disc.second = n.cross(disc.first);
   if (patch.axis.squaredNorm() == 0) return;  // lines are great circles, no disc is needed
   const double way = p.index == 0 ? 1 : -1;
@@ -76,7 +76,9 @@ void IntegralLines::build_disc(CriticalId id) {
   // Both sides are monotone in x, so the first share that passes is safe with all below it. The
   // best level among the shares is at most a few percent off the best of all.
   constexpr double share = 0.9;
-  while (reach > 0 && g(reach) * (1 - reach) <= (t + h * reach / 2) * reach / 2) reach *= share;
+  const double least = 1e-12 * reach;  // where l is not positive no disc is shown to capture
+  while (reach > least && g(reach) * (1 - reach) <= (t + h * reach / 2) * reach / 2) reach *= share;
+  if (!(reach > least)) return;
   for (double x = reach; x > reach / 4; x *= share) {
     const double level = rho * rho * x * x * g(x);
     if (level > disc.level) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/orthogonal.h"
 #include "tests/support/morse_lines.h"
 
 using namespace morskin;
@@ -55,6 +56,31 @@ std::vector<double> errors(const MorseCase& test, double step) {
   return all;
 }
 
+/// f rises or falls strictly along every line, and every node lies on the skin and in its cell.
+void check_lines(const MorseCase& test) {
+  const skin::MixedComplex& complex = test.skin.complex();
+  const IntegralLines lines(test.skin, test.f, test.critical.points);
+  for (const TracedLine& line : support::traced_lines(lines)) {
+    bool is_monotone = true, is_on_skin = true, is_in_cell = true;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const Point& x = line.points[i];
+      // Where a take-off or a capture disc is tiny, the difference is below the rounding of f.
+      const double rounding = 4e-16 * (std::abs(test.f(x)) + test.f.gradient(x).norm() * x.norm());
+      if (i > 0 && way_of(line) * (test.f(x) - test.f(line.points[i - 1])) <= 0) {
+        is_monotone &= std::abs(test.f(x) - test.f(line.points[i - 1])) <= rounding;
+      }
+      const skin::Patch& patch = complex.patch(test.skin.locate(x, line.cells[i]));
+      is_on_skin &= std::abs(patch.value(x)) <= test.skin.residual_bound(patch.length_scale(x));
+      for (const skin::Wall& wall : complex.walls(line.cells[i])) {
+        is_in_cell &= wall.normal.dot(x) - wall.offset <= 2 * complex.wall_tolerance();
+      }
+    }
+    CHECK(is_monotone);
+    CHECK(is_on_skin);
+    CHECK(is_in_cell);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls") {
@@ -80,31 +106,57 @@ TEST_CASE("f rises or falls strictly along every line, and every node lies on th
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
     const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
-    const IntegralLines lines(test.skin, test.f, test.critical.points);
-    for (const TracedLine& line : support::traced_lines(lines)) {
-      bool is_monotone = true, is_on_skin = true, is_in_cell = true;
-      for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const Point& x = line.points[i];
-        // Where a take-off or a capture disc is tiny, the difference is below the rounding of f.
-        const double rounding =
-            4e-16 * (std::abs(test.f(x)) + test.f.gradient(x).norm() * x.norm());
-        if (i > 0 && way_of(line) * (test.f(x) - test.f(line.points[i - 1])) <= 0) {
-          is_monotone &= std::abs(test.f(x) - test.f(line.points[i - 1])) <= rounding;
-        }
-        const CellId cell = test.skin.locate(x, line.cells[i]);
-        const double rho = test.skin.complex().patch(cell).length_scale(x);
-        is_on_skin &=
-            std::abs(test.skin.complex().patch(cell).value(x)) <= test.skin.residual_bound(rho);
-        for (const skin::Wall& wall : test.skin.complex().walls(line.cells[i])) {
-          is_in_cell &=
-              wall.normal.dot(x) - wall.offset <= 2 * test.skin.complex().wall_tolerance();
-        }
+    if (!test.is_degenerate()) check_lines(test);
+  }
+}
+
+TEST_CASE(
+    "lines stay on the skin where the direction runs along a patch's axis, but for rounding") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const support::WeightedPoints balls = support::ball_set(seed);
+    const skin::SkinSurface skin(balls);
+    support::Random random(seed);
+    for (std::size_t cell = 0; cell < skin.complex().size(); cell += 101) {
+      const Vector axis = skin.complex().patch(CellId{cell}).axis;
+      if (axis.isZero()) continue;
+      for (const double tilt : {0.0, 1e-16, 1e-13, 1e-8}) {
+        CAPTURE(seed);
+        CAPTURE(cell);
+        CAPTURE(tilt);
+        const MorseCase test(balls, MorseFunction::height(axis + tilt * random.direction()));
+        if (!test.is_degenerate()) check_lines(test);
       }
-      CHECK(is_monotone);
-      CHECK(is_on_skin);
-      CHECK(is_in_cell);
     }
+  }
+}
+
+TEST_CASE("the part orthogonal to a unit vector is orthogonal for any angle between the two") {
+  support::Random random(2);
+  for (int i = 0; i < 10000; ++i) {
+    const Vector n = random.direction(), across = n.unitOrthogonal();
+    const double tilt = std::pow(10, random.between(-20, 3));
+    const Vector part = geometry::unit_orthogonal_part(n + tilt * across, n);
+    CHECK(std::abs(part.dot(n)) < 8 * 0x1p-53);  // of the three products and the rounding of part
+    CHECK(std::abs(part.norm() - 1) < 4e-16);
+    CHECK((part - across).norm() < 1e-15 + 1e-15 / tilt + (tilt < 4e-16 ? 2 : 0));
+  }
+  CHECK(geometry::unit_orthogonal_part(Vector::Zero(), Vector::UnitX()).x() == 0);
+}
+
+TEST_CASE("the frame of a gradient flow is orthonormal for any angle of gradient and axis") {
+  support::Random random(1);
+  for (int i = 0; i < 10000; ++i) {
+    skin::Patch patch{};
+    patch.axis = random.direction();
+    patch.centre = Vector::Zero();
+    patch.half_weight = 1;
+    const double tilt = std::pow(10, random.between(-20, 1));
+    const double length = std::pow(10, random.between(-5, 5));
+    const GradientFlow flow(
+        patch, MorseFunction::height(length * (patch.axis + tilt * random.direction())), Way::Up);
+    const Vector a = random.direction(), b = random.direction();
+    CHECK(std::abs(flow.to_local(a).dot(flow.to_local(b)) - a.dot(b)) < 1e-14);
+    CHECK((flow.to_space(flow.to_local(a)) - a).norm() < 1e-14);
   }
 }
 

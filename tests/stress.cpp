@@ -1,8 +1,10 @@
 // Meshes many seeded sets of balls and counts how they came out. Each has a process of its own, so
 // that a crash or an endless loop is one failure among the others.
 //
-//   morskin_stress SETS [FIRST_SEED]     all of them, with a line now and then and a total
-//   morskin_stress --balls SEED          one set's balls as XYZR, for the command (--model vdw)
+//   morskin_stress SETS [FIRST_SEED [METHOD]]   all of them, with a line now and then and a total;
+//                                               METHOD is sweep (default) or static
+//   morskin_stress --balls SEED                 one set's balls as XYZR, for the command
+//                                               (--model vdw)
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,20 +34,22 @@ struct Message {
   std::array<char, 400> why;
 };
 
-[[noreturn]] void run_child(unsigned seed, int pipe) {
+[[noreturn]] void run_child(unsigned seed, front::Method method, int pipe) {
   ::alarm(most_seconds);
-  const Outcome outcome = support::outcome_of(support::nasty_set(seed));
+  front::MeshOptions options;
+  options.method = method;
+  const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
   Message message{outcome.kind, outcome.triangles, {}};
   outcome.why.copy(message.why.data(), message.why.size() - 1);
   const bool is_told = ::write(pipe, &message, sizeof message) == sizeof message;
   ::_exit(is_told ? 0 : 1);
 }
 
-Outcome run_set(unsigned seed) {
+Outcome run_set(unsigned seed, front::Method method) {
   int ends[2];
   if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
   const pid_t child = ::fork();
-  if (child == 0) run_child(seed, ends[1]);
+  if (child == 0) run_child(seed, method, ends[1]);
   ::close(ends[1]);
   Message message{};
   const bool is_told = ::read(ends[0], &message, sizeof message) == sizeof message;
@@ -77,13 +81,13 @@ void print(const char* name, const Tally& tally) {
               tally.certified, tally.singular, tally.failed, tally.triangles);
 }
 
-int run_all(unsigned sets, unsigned first) {
+int run_all(unsigned sets, unsigned first, front::Method method) {
   const auto start = std::chrono::steady_clock::now();
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
   for (unsigned i = 0; i < sets; ++i) {
     const unsigned seed = first + i;
-    const Outcome outcome = run_set(seed);
+    const Outcome outcome = run_set(seed, method);
     total.add(outcome);
     by_kind[seed % support::nasty_kinds].add(outcome);
     if (outcome.kind == Outcome::Kind::Failed) {
@@ -113,9 +117,10 @@ int main(int count, char** words) {
     std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
     return EXIT_SUCCESS;
   }
-  if (count < 2 || count > 3 || number(words[1]) == 0) {
-    std::fputs("usage: morskin_stress SETS [FIRST_SEED] | --balls SEED\n", stderr);
+  const auto method = count == 4 ? front::parse_method(words[3]) : front::Method::Sweep;
+  if (count < 2 || count > 4 || number(words[1]) == 0 || !method) {
+    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD]] | --balls SEED\n", stderr);
     return 2;
   }
-  return run_all(number(words[1]), count == 3 ? number(words[2]) : 0);
+  return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, *method);
 }

@@ -1,36 +1,19 @@
 #pragma once
 
-/// The dynamic baseline as one call: weighted points in; mesh and counts out.
+/// The dynamic baseline as a method of the mesher.
 
 #include "bench/baselines/growth.h"
-#include "front/mesh_skin.h"
+#include "front/method.h"
 
 namespace morskin::baselines {
 
-struct DynamicOptions {
-  GrowthOptions growth;
-  unsigned threads = 2;  ///< of the last refinement; the mesh is the same for any number
-  bool certify = true;
-};
-
-struct DynamicResult {
-  geometry::IndexedMesh mesh;
-  std::vector<geometry::CellId> cells;  ///< by vertex
-  refine::Certificate certificate;      ///< empty unless asked for
-  GrowthCounts growth;
-  /// The mesh that has grown is refined once more at the end, by the operations that all methods
-  /// share (refine/refinement.h), for between two looks it may break [L] and [U] a little.
-  refine::RefinementCounts refinement;
-  double growth_seconds = 0, refine_seconds = 0, certify_seconds = 0;
-};
-
-/// The skin of the balls grown by `end`: every weight w + end, on the exact grid.
-/// @throws skin::SingularSkin, geometry::RefusedInput
-front::PreparedSkin grown_skin(const front::PreparedSkin& skin, double end);
-
-/// @param skin  at time 0
-/// @param last  grown_skin(skin, options.growth.end); or skin itself when that is 0
-DynamicResult mesh_dynamically(const front::PreparedSkin& skin, const front::PreparedSkin& last,
-                               const DynamicOptions& options = {});
+/// Grows the skin's mesh to time 0 (growth.h), then refines it once with the operations that all
+/// methods share (refine/refinement.h): between two looks the growing mesh may break [L] and [U] a
+/// little, and nobody looks at time 0.
+///
+/// @param growth  its sizing is the mesher's
+/// @param counts  where to leave what the growth counted, or nullptr
+/// @pre growth.end == 0
+front::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);
 
 }  // namespace morskin::baselines

@@ -40,6 +40,9 @@ void Growth::run() {
     if (event_time <= std::min(show_time, look_time)) {
       const auto watch = static_cast<std::uint32_t>(event);
       undergo(metamorphoses_[event++], watch);
+      if (options_.progress) {
+        options_.progress(static_cast<double>(event) / static_cast<double>(metamorphoses_.size()));
+      }
     } else if (show_time <= look_time) {
       show(show_time);
       ++shown;

@@ -17,6 +17,7 @@ struct GrowthOptions {
   refine::Sizing sizing;
   Slack slack;
   double end = 0;  ///< the time to stop at, Angstrom^2 added to every weight
+  std::function<void(double share)> progress;  ///< of the metamorphoses; may be empty
   /// Called before and after every metamorphosis; may be empty.
   std::function<void(const Metamorphosis&, const SurfaceMesh&, bool is_after)> observer;
   /// Times at which `snapshot` is to see the mesh, ascending.
