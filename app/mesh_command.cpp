@@ -15,9 +15,11 @@
 #include "app/report.h"
 #include "app/snapshots.h"
 #include "app/staged_outputs.h"
+#include "bench/baselines/dynamic_skin.h"
 #include "bench/baselines/marching_cubes.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
+#include "geometry/predicates.h"
 
 namespace morskin::app {
 namespace {
@@ -48,13 +50,39 @@ bool is_in_proven_range(const refine::Sizing& sizing) {
   return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
 }
 
+// The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
+front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                             MeshReport& report) {
+  baselines::GrowthOptions growth;
+  double largest = 0;
+  for (const auto& p : skin.surface.points()) largest = std::max(largest, p.weight);
+  const double from =
+      arguments.growth_shown_from ? *arguments.growth_shown_from - arguments.grow_to : -largest;
+  for (std::size_t k = 1; k <= arguments.snapshots; ++k) {
+    const double left = static_cast<double>(arguments.snapshots - k);
+    growth.snapshot_times.push_back(from * left / static_cast<double>(arguments.snapshots));
+  }
+  for (const double t : arguments.snapshot_values) {
+    growth.snapshot_times.push_back(t - arguments.grow_to);
+  }
+  std::ranges::sort(growth.snapshot_times);
+  growth.snapshot = [&arguments, number = std::size_t{0}](double,
+                                                          const skin::SkinMesh& mesh) mutable {
+    write_snapshot(arguments.snapshot_folder, ++number, mesh);
+  };
+  return baselines::dynamic_mesher(growth, &report.growth.emplace());
+}
+
 front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       std::optional<double> grid_step) {
+                       MeshReport& report) {
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.method = arguments.method;
-  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
+  if (report.grid_step) options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
+  if (arguments.method == front::Method::Dynamic) {
+    options.mesher = dynamic_mesher(skin, arguments, report);
+  }
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
@@ -210,7 +238,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   }
 
   const Stopwatch reading;
-  const MoleculeInput input = read_input(arguments.molecule);
+  MoleculeInput input = read_input(arguments.molecule);
+  for (auto& p : input.points) p.weight = geometry::on_exact_grid(p.weight + arguments.grow_to);
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
 
@@ -233,7 +262,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  const front::MeshResult result = mesh(skin, arguments, report.grid_step);
+  const front::MeshResult result = mesh(skin, arguments, report);
   describe_run(report, result);
   report.method = arguments.method;
   report.fronts = arguments.fronts;

@@ -30,6 +30,18 @@ ordered_json operations_json(const MeshReport& report) {
           {"refused", report.refinement.refused}};
 }
 
+ordered_json growth_json(const baselines::GrowthCounts& growth) {
+  return {{"births", growth.metamorphoses[0]},
+          {"necks", growth.metamorphoses[1]},
+          {"tunnels_closed", growth.metamorphoses[2]},
+          {"voids_gone", growth.metamorphoses[3]},
+          {"failed", growth.failed},
+          {"flip", growth.operations.flip},
+          {"contract", growth.operations.contract},
+          {"insert", growth.operations.insert},
+          {"looks", growth.looks}};
+}
+
 ordered_json seconds_json(const RunSeconds& seconds) {
   return {{"read", rounded(seconds.read)},
           {"triangulate", rounded(seconds.stages.triangulate)},
@@ -151,6 +163,7 @@ std::string json_text(const MeshReport& report) {
                        {"maxima", report.surviving_maxima}};
   json["fronts"] = report.fronts;
   json["operations"] = operations_json(report);
+  if (report.growth) json["growth"] = growth_json(*report.growth);
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
@@ -189,6 +202,19 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
 }
 
 namespace {
+
+/// What the growth did.
+std::string growth_text(const baselines::GrowthCounts& growth) {
+  const auto& [births, necks, tunnels, voids] = growth.metamorphoses;
+  return line("growth", grouped(births) + " born, " + counted(necks, "neck", "necks") + ", " +
+                            counted(tunnels, "tunnel", "tunnels") + " closed, " +
+                            counted(voids, "void", "voids") + " gone, " + grouped(growth.failed) +
+                            " failed") +
+         line("", counted(growth.operations.flip, "flip", "flips") + ", " +
+                      counted(growth.operations.contract, "contraction", "contractions") + ", " +
+                      counted(growth.operations.insert, "insertion", "insertions") + " in " +
+                      counted(growth.looks, "look", "looks"));
+}
 
 /// What the sweep did.
 std::string sweep_text(const MeshReport& report) {
@@ -233,6 +259,7 @@ std::string people_text(const MeshReport& report) {
                        " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
   text += certificate_text(report.certificate, report.sizing);
   text += report.grid_step ? line("grid", "marching cubes, step " + brief(*report.grid_step) + " A")
+          : report.growth  ? growth_text(*report.growth)
                            : sweep_text(report);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +

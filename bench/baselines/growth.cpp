@@ -15,8 +15,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// has the edge tried for a flip.
 constexpr double suspect_intrusion = 0.01;
 
-/// What could not be mended is looked at again after this share of the squared length scale.
-constexpr double least_wait = 0.05;
+/// What could not be mended is looked at again after this share of the squared length scale. The
+/// safe times of triangles that keep [L] and [U] are longer (papers/5-dynamic.md).
+constexpr double least_wait = 0.02;
 
 }  // namespace
 
@@ -115,7 +116,7 @@ bool Growth::is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners
     if (!watch || is_over_[*watch] != 0) continue;
     const Metamorphosis& m = metamorphoses_[*watch];
     if (m.kind == Kind::Birth || time <= m.before()) continue;
-    if ((p.position - skin_.patch(m.cell).centre).norm() > 3 * m.half_width) continue;
+    if ((p.position - skin_.patch(m.cell).centre).norm() > hot_radius * m.half_width) continue;
     until = m.time;
     return true;
   }
@@ -140,10 +141,11 @@ void Growth::look(TriangleId t, double time) {
                                       mesh_.at(corners[2])};
   const refine::Circumcircle circle =
       refine::circumcircle(p[0].position, p[1].position, p[2].position);
+  const refine::SurfaceBall ball = refine::quick_surface_ball(mesh_.level(), p[0], circle);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = surface.apex(surface.twin(h));
-    if (mesh_.intrusion(circle, corners[0], beyond) > suspect_intrusion &&
+    if (ball.intrusion(mesh_.position(beyond)) > suspect_intrusion * ball.squared_radius &&
         mesh_.flip_if_better(h)) {
       return;
     }
@@ -155,11 +157,12 @@ void Growth::look(TriangleId t, double time) {
     if (ratio < options_.slack.contract_below && mesh_.contract(SurfaceMesh::half_edge(t, k))) {
       return;
     }
-    if (!mesh_.changed.empty()) break;  // some of the flips of a contraction that was refused
   }
   const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
   const double ratio_U = options_.sizing.triangle_ratio(circle.radius, rho);
-  if (mesh_.changed.empty() && ratio_U > options_.slack.insert_above && mesh_.insert(t)) return;
+  if (ratio_U > options_.slack.insert_above && mesh_.insert(t, options_.slack.contract_below)) {
+    return;
+  }
   schedule(t, next_look(corners, ratio_L, ratio_U));
 }
 
@@ -193,7 +196,8 @@ double Growth::next_look(const std::array<VertexId, 3>& corners, double ratio_L,
   const double room_L = std::max(ratio_L / options_.slack.least_L, 1.05);
   const double until_U = 2 * rho * rho * std::log(room_U) / (S + 1);
   const double until_L = 2 * rho * rho * (1 - 1 / room_L);
-  return now + std::min(until_U, until_L);
+  // A triangle that is flat, or could not be mended, would be looked at for ever.
+  return now + std::max(std::min(until_U, until_L), least_wait * rho * rho);
 }
 
 // Metamorphoses.
@@ -221,8 +225,8 @@ void Growth::undergo(const Metamorphosis& m, std::uint32_t watch) {
 
 bool Growth::replace(const Metamorphosis& m, std::uint32_t watch) {
   // A larger hot sphere may have simpler edges.
-  for (const double share : {3.0, 3.2, 3.4, 3.6, 2.8}) {
-    HotRegion region = hot_region(m, watch, share * m.half_width);
+  for (const double share : {1.0, 1.05, 1.1, 1.15, 0.95}) {
+    HotRegion region = hot_region(m, watch, share * hot_radius * m.half_width);
     const std::size_t loops = m.kind == Kind::Void ? 0 : 2;
     if (region.vertices.empty() || !find_loops(region) || region.loops.size() != loops) continue;
     return refill(m, region);

@@ -8,7 +8,7 @@
 ///
 /// Near z the skin is |u_n|^2 - |u_s|^2 = g with g = (w + t) / 2, whose length scale falls to
 /// sqrt(|g|); so the surface jumps there from g = -h^2 to g = h^2, with h so small that the ball
-/// of radius 4 h (h for spheres) about z lies in the mixed cell.
+/// of radius 3.6 h (2 h for spheres) about z lies in the mixed cell.
 
 #include <array>
 #include <vector>
@@ -18,6 +18,10 @@
 namespace morskin::baselines {
 
 enum class Kind : std::uint8_t { Birth, Neck, Tunnel, Void };
+
+/// The mesh is replaced within this many h of the orthocentre. The jump changes lengths there by
+/// sqrt((k^2 + 1) / (k^2 - 1)) = 1.18 at k = 2.5, which refinement absorbs.
+inline constexpr double hot_radius = 2.5;
 
 struct Metamorphosis {
   double time = 0;  ///< -w of the orthocentre

@@ -33,11 +33,6 @@ std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
   return w;
 }
 
-double MovingMesh::intrusion(const refine::Circumcircle& circle, VertexId a, VertexId d) {
-  const refine::SurfaceBall ball = refine::quick_surface_ball(level_, at(a), circle);
-  return ball.intrusion(position(d)) / ball.squared_radius;
-}
-
 /// Whether the triangle's normal agrees with the skin's at all its corners.
 bool MovingMesh::faces_outward(VertexId a, VertexId b, VertexId c) {
   const Vector n = (position(b) - position(a)).cross(position(c) - position(a));
@@ -127,7 +122,7 @@ bool MovingMesh::remove(VertexId v) {
   return true;
 }
 
-bool MovingMesh::insert(TriangleId t) {
+bool MovingMesh::insert(TriangleId t, double least_L) {
   const auto [a, b, c] = surface_.corners(t);
   const auto x = level_.project(exact_ball(a, b, c).centre, at(a).cell);
   if (!x) return false;
@@ -153,7 +148,7 @@ bool MovingMesh::insert(TriangleId t) {
     under = SurfaceMesh::triangle(surface_.twin(*through));
   }
   for (const VertexId v : surface_.corners(under)) {
-    if (sizing_.edge_ratio(at(v), *x) <= 1) return false;
+    if (sizing_.edge_ratio(at(v), *x) < least_L) return false;
   }
   // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
   constexpr double beside = 0.1;  // of the edge's length

@@ -65,15 +65,13 @@ class MovingMesh {
     return w == nobody ? std::nullopt : std::optional(w);
   }
 
-  /// How deep d lies in the surface ball of a, b, c at the time set, in shares of its squared
-  /// radius; quickly.
-  double intrusion(const refine::Circumcircle& circle, VertexId a, VertexId d);
   /// Flips the edge if it is better so, by balls to rounding.
   bool flip_if_better(HalfEdgeId h);
   /// Deletes one end of the edge.
   bool contract(HalfEdgeId h);
-  /// Puts the centre of the triangle's surface ball into the mesh.
-  bool insert(TriangleId t);
+  /// Puts the centre of the triangle's surface ball into the mesh, unless an edge to it would have
+  /// a ratio to [L] below `least_L`.
+  bool insert(TriangleId t, double least_L);
 
   /// Triangles that these operations have changed, for the caller to empty.
   std::vector<TriangleId> changed;
