@@ -240,24 +240,20 @@ Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t watch
   mesh_.set_time(m.before());
   const Point& centre = skin_.patch(m.cell).centre;
   HotRegion region;
+  is_seen_.resize(surface.vertex_count(), 0);
   std::vector<VertexId> seen;
   const auto visit = [&](VertexId v) {
+    if (std::exchange(is_seen_[v.index()], 1) != 0) return;
+    seen.push_back(v);
     if (!surface.outgoing(v)) return;
     if ((mesh_.position(v) - centre).norm() < radius) region.vertices.push_back(v);
   };
-  seen = mesh_.visitors(watch);
-  std::sort(seen.begin(), seen.end());
-  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  for (const VertexId v : seen) visit(v);
-  // Neighbours that nobody has asked for since before they came in.
-  std::vector<char> is_seen(surface.vertex_count(), 0);
-  for (const VertexId v : seen) is_seen[v.index()] = 1;
+  for (const VertexId v : mesh_.visitors(watch)) visit(v);
+  // And neighbours that nobody has asked for since before they came in.
   for (std::size_t i = 0; i < region.vertices.size(); ++i) {
-    surface.for_each_outgoing(region.vertices[i], [&](HalfEdgeId h) {
-      const VertexId v = surface.target(h);
-      if (std::exchange(is_seen[v.index()], 1) == 0) visit(v);
-    });
+    surface.for_each_outgoing(region.vertices[i], [&](HalfEdgeId h) { visit(surface.target(h)); });
   }
+  for (const VertexId v : seen) is_seen_[v.index()] = 0;
   return region;
 }
 

@@ -81,6 +81,7 @@ class Growth {
   std::vector<char> is_over_;  ///< by metamorphosis
   std::priority_queue<Look, std::vector<Look>, std::greater<>> queue_;
   std::vector<double> next_look_;  ///< by triangle; an entry of the queue with another time is void
+  std::vector<char> is_seen_;      ///< by vertex; all 0 but during hot_region()
   GrowthCounts counts_;
 };
 

@@ -16,9 +16,12 @@ using skin::SkinSurface;
 using skin::Vector;
 using skin::Wall;
 
-/// The ball of this many h about the orthocentre must lie in the cell: the hot sphere of 3 h, the
-/// triangles that leave it, and what they move in the jump. Spheres stay inside the cell at 2 h.
-double room_over_half_width(Kind kind) { return kind == Kind::Birth || kind == Kind::Void ? 2 : 5; }
+/// The ball of this many h about the orthocentre must lie in the cell: the hot sphere, at most 1.15
+/// of its radius; the triangles that leave it, whose edges are at most 0.23 of the length scale by
+/// [U]; and 0.1 h by which the jump moves them. Spheres of radius h stay inside at 2 h.
+double room_over_half_width(Kind kind) {
+  return kind == Kind::Birth || kind == Kind::Void ? 2 : 1.15 * 1.23 * hot_radius + 0.1;
+}
 
 class Finder {
  public:

@@ -11,15 +11,16 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The stretch E at which E a + b / E - d, negative inside a wall, next turns positive: the root of
 /// a E^2 - d E + b where the slope is positive, in the form that does not cancel.
-double crossing(double a, double b, double d) {
+/// @param tolerance  the rounding of d
+double crossing(double a, double b, double d, double tolerance) {
   const double discriminant = d * d - 4 * a * b;
   if (!(discriminant >= 0)) return never;
   const double root = std::sqrt(discriminant);
   const double stretch = d >= 0 ? (d + root) / (2 * a) : 2 * b / (d - root);
   if (!(stretch > 0)) return never;
   if (stretch >= 1) return stretch;
-  // Passed already: outside by rounding and on the way out, or in again.
-  return a + b > d && a > b ? 1 : never;
+  // Passed already: at the wall but for rounding and on the way out, or in again.
+  return a + b > d - tolerance && a > b ? 1 : never;
 }
 
 }  // namespace
@@ -45,8 +46,9 @@ void Trajectory::find_exit(const SkinSurface& skin) {
   const Patch& patch = skin.patch(cell_);
   exit_stretch_ = never;
   for (const skin::Wall& wall : skin.complex().walls(cell_)) {
-    const double e = crossing(wall.normal.dot(across_), wall.normal.dot(along_),
-                              wall.offset - wall.normal.dot(patch.centre));
+    const double e =
+        crossing(wall.normal.dot(across_), wall.normal.dot(along_),
+                 wall.offset - wall.normal.dot(patch.centre), skin.complex().wall_tolerance());
     if (e < exit_stretch_) {
       exit_stretch_ = e;
       beyond_ = wall.beyond;
