@@ -29,10 +29,8 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_room(origin_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{origin_.size()};
-  const std::size_t count = origin_.size();
-  origin_.resize(count + 3);
-  twin_.resize(count + 3);
-  twin_[count] = twin_[count + 1] = twin_[count + 2] = HalfEdgeId{kBoundary};
+  origin_.resize(origin_.size() + 3);
+  twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});
   set_corner(first, a);
   set_corner(HalfEdgeId{first.value + 1}, b);
   set_corner(HalfEdgeId{first.value + 2}, c);
