@@ -251,8 +251,9 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
       ->required();
   command.add_option("--against", view.against,
                      "The molecule whose skin the mesh is: then all layers but the sweep");
-  command.add_option("--grow", view.growth,
-                     "Meshes of a growing skin, in order, to play through beside");
+  command.add_option("--frames", view.growth,
+                     "Meshes of a growing skin to play through beside, in order; a folder\n"
+                     "stands for its snapshot-1.ply, snapshot-2.ply ...");
   add_molecule_options(command, view.molecule, typed);
   add_sizing_options(command, view.sizing, typed);
   add_function_option(command, typed);
