@@ -55,9 +55,13 @@ class Walls {
 
 class MixedComplex {
  public:
+  /// Which cells are kept: those near the skin or, for the skins of all times, all.
+  enum class Keep { NearSkin, All };
+
   /// @param points         the weighted points
   /// @param triangulation  theirs
-  MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation);
+  MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation,
+               Keep keep = Keep::NearSkin);
 
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
@@ -112,7 +116,7 @@ class MixedComplex {
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
 
-  void choose_kept();
+  void choose_kept(Keep keep);
   std::vector<double> weights() const;
   std::vector<double> largest_powers(const std::vector<double>& weights) const;
   void list_edges();
