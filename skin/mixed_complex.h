@@ -102,6 +102,9 @@ class MixedComplex {
                     static_cast<std::uint32_t>(place));
   }
 
+  /// The cell here of a simplex that has another cell in a complex of the same points.
+  CellId same(CellId cell, const MixedComplex& other) const { return numbered(other.number(cell)); }
+
   /// Distance, Angstrom, within which a point counts as inside a cell: 2^-42 of the largest
   /// coordinate, above the rounding of a wall's offset. G is C^1 across walls, so a point taken on
   /// the wrong side by d has its G wrong by at most d^2 (papers/2.1-molecular-skin.md).

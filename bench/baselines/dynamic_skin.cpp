@@ -19,8 +19,7 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
       run.run();
       result.mesh = run.mesh();
       for (skin::SurfacePoint& p : result.mesh.points) {
-        p.cell = skin.surface.complex().cell(surface.complex().dimension(p.cell),
-                                             surface.complex().place(p.cell));
+        p.cell = skin.surface.complex().same(p.cell, surface.complex());
       }
       if (counts != nullptr) *counts = run.counts();
     });
