@@ -5,11 +5,13 @@ MOLECULES ?= ../shared/molecules
 PREFIX ?= /usr/local
 SETS ?= 2000
 SECONDS ?= 60
+RESULTS ?= papers/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
-sources = $(shell find geometry skin morse refine front app bench tests -name '*.h' -o -name '*.cpp')
+sources = $(shell find geometry skin morse refine front app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build deps demo test test-slow stress fuzz bench corpus morse-corpus prediction lint tidy format sanitize install clean help
+FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
+.PHONY: build deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -20,8 +22,14 @@ deps:  ## install the Debian packages that are missing
 
 demo: build  ## mesh the bundled gramicidin A and print the report
 	build/morskin mesh bench/molecules/1grm_model1.pdb -o build/1grm.ply
+	@build/morskin view bench/molecules/1grm_model1.pdb -o build/1grm.html -q
 	@echo
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
+	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."
+
+figures: build  ## draw the paper's figures into papers/figures/
+	@for n in $(FIGURES); do echo "figure $$n"; \
+	  build/morskin figure $$n -o papers/figures/figure-$$n.png || exit 1; done
 
 test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure
@@ -49,10 +57,21 @@ fuzz:  ## run each fuzz target for SECONDS (default 60)
 	    -print_final_stats=1 -artifact_prefix=build/fuzz/findings/$$name- \
 	    build/fuzz/corpus/$$name tests/fuzz/seeds/$$name || exit 1; done
 
-bench: deps  ## build and run the benchmarks
+# The page is in the repository; making it again takes node and npm, which nothing else does.
+viewer-asset:  ## make viewer/dist/viewer.html, the page that `view` fills, from viewer/src
+	@command -v npm > /dev/null || cmake/install_packages.sh cmake/viewer_packages.txt
+	cd viewer && npm ci --no-audit --no-fund && node build.mjs
+
+test-viewer: build  ## try the viewer in headless Chromium, every switch of it
+	@{ command -v npm && command -v chromium; } > /dev/null || \
+	  cmake/install_packages.sh cmake/viewer_packages.txt
+	cd viewer && npm ci --no-audit --no-fund && npm test
+
+bench: deps  ## build and run the benchmarks; raw figures in build/bench/*.json
 	cmake --preset bench
 	cmake --build build/bench --parallel $(JOBS)
-	@for program in build/bench/*_bench; do $$program || exit 1; done
+	@for program in build/bench/*_bench; do \
+	  $$program --benchmark_out=$$program.json --benchmark_out_format=json || exit 1; done
 
 corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
 	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
@@ -62,6 +81,23 @@ morse-corpus: build  ## trace Morse-Smale complexes of MOLECULES (see bench/mors
 
 prediction: build  ## count which touches of the front theory foretells (see bench/prediction.py --help)
 	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
+
+# The plots take matplotlib, which Debian installs for its own Python.
+reproduce: build  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
+	@cmake/install_packages.sh cmake/plot_packages.txt
+	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
+	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
+
+papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
+	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/course/build.py --jobs $(JOBS)
+
+exercise: deps  ## try the exercises of the page NAME (NAME=2.1-molecular-skin)
+	@test -f "papers/exercises/$(NAME).h" || { echo "make exercise NAME=PAGE, one of:"; \
+	  ls papers/exercises/*.h | sed -n 's|.*/\([0-9].*\)\.h|  \1|p'; exit 2; }
+	@cmake --preset release > /dev/null
+	cmake --build build --parallel $(JOBS) --target exercise-$(NAME)
+	build/papers/exercises/tests/exercise-$(NAME)
 
 lint:  ## check module order, layout and formatting, and run clang-tidy if it is there
 	python3 cmake/lint.py

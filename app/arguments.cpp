@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -42,6 +44,7 @@ constexpr const char* closing =
     "  morskin check 1crn.ply --against 1crn.pdb\n"
     "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
     "  morskin info 1crn.pdb --json\n"
+    "  morskin view 1crn.pdb -o 1crn.html\n"
     "\n"
     "Exit codes:\n"
     "  0  meshed and certified           5  not certified: see OUT.unverified\n"
@@ -60,6 +63,7 @@ struct Typed {
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<int> fronts;
+  std::optional<double> Q;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -71,14 +75,15 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
   command.add_flag("--waters", molecule.waters, "Keep the waters");
 }
 
-void add_sizing_options(CLI::App& command, refine::Sizing& sizing) {
+void add_sizing_options(CLI::App& command, refine::Sizing& sizing, Typed& typed) {
   command
       .add_option("-C", sizing.C,
                   "Size of the triangles over the curvature radius;\n"
                   "half of it makes four times as many")
       ->capture_default_str();
-  command.add_option("-Q", sizing.Q, "Quality: every angle exceeds asin(1/Q^2)")
-      ->capture_default_str();
+  command.add_option("-Q", typed.Q,
+                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
+                     "with C above 0.109, the least that C allows)");
 }
 
 void add_function_option(CLI::App& command, Typed& typed) {
@@ -114,12 +119,24 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->required()
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
-  add_sizing_options(command, mesh.sizing);
+  add_sizing_options(command, mesh.sizing, typed);
+  command
+      .add_option("--angle-goal", mesh.angle_goal_deg,
+                  "Degrees: vertices are moved along the skin until no angle is smaller,\n"
+                  "as far as -C and -Q allow it; 0 for not at all")
+      ->capture_default_str();
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
-  command.add_option("--method", typed.method, "How to mesh: sweep, Algorithm 1 of the paper")
-      ->check(CLI::IsMember({"sweep"}))
+  command
+      .add_option("--method", typed.method,
+                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
+                  "Delaunay refinement; dynamic, growth from nothing; marching-cubes,\n"
+                  "for comparison: without quality, so as a rule not certified")
+      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
       ->capture_default_str();
+  command.add_option("--grid", mesh.grid_step,
+                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
+                     "triangles as the sweep makes)");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
@@ -193,7 +210,7 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
       *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
   command.add_option("INPUT", info.molecule.input, "The molecule")->required();
   add_molecule_options(command, info.molecule, typed);
-  add_sizing_options(command, info.sizing);
+  add_sizing_options(command, info.sizing, typed);
   command.add_flag("--json", info.json, "Print JSON");
 }
 
@@ -206,7 +223,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_molecule_options(command, against, typed);
-  add_sizing_options(command, check.sizing);
+  add_sizing_options(command, check.sizing, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,
                    "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
@@ -214,6 +231,31 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.footer(
       "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
       "triangles and, with --against, certified; 5: not, and the reason names the first element.");
+}
+
+void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "view", "Write a page that shows the mesh and how it came to be, in any browser");
+  command
+      .add_option("INPUT", view.molecule.input,
+                  "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
+                  "STL or MSMS, by its ending")
+      ->required();
+  command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
+      ->required();
+  command.add_option("--against", view.against,
+                     "The molecule whose skin the mesh is: then all layers but the sweep");
+  command.add_option("--grow", view.growth,
+                     "Meshes of a growing skin, in order, to play through beside");
+  add_molecule_options(command, view.molecule, typed);
+  add_sizing_options(command, view.sizing, typed);
+  add_function_option(command, typed);
+  add_threads_option(command, view.threads);
+  command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
+  add_progress_option(command, typed);
+  command.footer(
+      "A molecule is meshed from one front, as Algorithm 1 is printed, so that the page can run\n"
+      "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
 }
 
 // --height and --function, of which at most one may be given.
@@ -257,6 +299,13 @@ void finish(MoleculeArguments& molecule, const Typed& typed) {
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
     throw UsageError("--probe must be from 0 to 10000 Angstrom");
   }
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
 }
 
 bool is_standard_output(const std::filesystem::path& path) {
@@ -330,9 +379,38 @@ void finish(MorseArguments& morse, const Typed& typed) {
   }
 }
 
+void finish(ViewArguments& view, const Typed& typed) {
+  check_not_input(view.output, view.molecule);
+  if (view.against && !names_a_mesh(view.molecule.input)) {
+    throw UsageError("--against is for a mesh; a molecule is shown with its own skin");
+  }
+  if (view.against) check_not_input(view.output, {.input = *view.against});
+  for (const std::filesystem::path& frame : view.growth) {
+    check_not_input(view.output, {.input = frame});
+  }
+  if (!is_special(view.output) && lower_extension(view.output) != ".html") {
+    throw UsageError(view.output.string() + ": the ending must be .html");
+  }
+  view.function = parsed(typed);
+  view.progress = parsed_progress(typed.progress);
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
+  mesh.method = *front::parse_method(typed.method);
+  if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
+    throw UsageError("--angle-goal must be from 0 to 60");
+  }
+  if (mesh.grid_step && mesh.method != front::Method::MarchingCubes) {
+    throw UsageError("--grid is for --method marching-cubes");
+  }
+  if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
+    throw UsageError("--grid must be above 0");
+  }
+  if (mesh.method == front::Method::Dynamic) {
+    throw UsageError("--method " + typed.method + " is not built in yet");
+  }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();
@@ -348,6 +426,14 @@ void finish(MeshArguments& mesh, const Typed& typed) {
 
 }  // namespace
 
+bool names_a_mesh(const std::filesystem::path& path) {
+  std::string ending = lower_extension(path);
+  if (ending == ".gz") ending = lower_extension(path.stem());
+  constexpr std::array<std::string_view, 6> endings{".ply", ".off",  ".obj",
+                                                    ".stl", ".vert", ".face"};
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
 Arguments parse_arguments(int count, const char* const* words) {
   CLI::App app(about, "morskin");
   app.footer(closing);
@@ -361,6 +447,7 @@ Arguments parse_arguments(int count, const char* const* words) {
   BallsArguments balls;
   InfoArguments info;
   CheckArguments check;
+  ViewArguments view;
   MoleculeArguments against;
   Typed typed;
   add_mesh(app, mesh, typed);
@@ -368,19 +455,39 @@ Arguments parse_arguments(int count, const char* const* words) {
   add_balls(app, balls, typed);
   add_info(app, info, typed);
   add_check(app, check, against, typed);
+  add_view(app, view, typed);
+  RenderArguments render;
+  TypedPicture typed_picture;
+  add_render(app, render, typed_picture);
+  FigureArguments figure;
+  add_figure(app, figure);
   try {
     app.parse(count, words);
-    for (MoleculeArguments* molecule :
-         {&mesh.molecule, &morse.molecule, &balls.molecule, &info.molecule, &against}) {
+    for (MoleculeArguments* molecule : {&mesh.molecule, &morse.molecule, &balls.molecule,
+                                        &info.molecule, &against, &view.molecule}) {
       finish(*molecule, typed);
     }
-    for (const refine::Sizing& sizing : {mesh.sizing, info.sizing, check.sizing})
-      check_sizing(sizing);
+    for (refine::Sizing* sizing : {&mesh.sizing, &info.sizing, &check.sizing, &view.sizing}) {
+      sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
+      check_sizing(*sizing);
+    }
     if (app.got_subcommand("balls")) return balls;
     if (app.got_subcommand("info")) return info;
+    if (app.got_subcommand("render")) {
+      finish(render, typed_picture);
+      return render;
+    }
+    if (app.got_subcommand("figure")) {
+      finish(figure);
+      return figure;
+    }
     if (app.got_subcommand("check")) {
       if (!against.input.empty()) check.against = against;
       return check;
+    }
+    if (app.got_subcommand("view")) {
+      finish(view, typed);
+      return view;
     }
     if (app.got_subcommand("morse")) {
       finish(morse, typed);

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "app/exit_codes.h"
-#include "front/sweep.h"
+#include "app/picture_arguments.h"
+#include "front/method.h"
 #include "morse/morse_function.h"
 #include "refine/sizing.h"
 #include "skin/model.h"
@@ -37,11 +38,14 @@ struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
   refine::Sizing sizing;
+  double angle_goal_deg = 30;  ///< of the smoothing, degrees; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
+  front::Method method = front::Method::Sweep;
+  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   front::Guard guard = front::Guard::Everywhere;
   std::size_t snapshots = 0;            ///< at even steps of the Morse function
   std::vector<double> snapshot_values;  ///< and at these
@@ -86,13 +90,29 @@ struct CheckArguments {
   unsigned threads = 1;  ///< at most; the result is the same for any number
 };
 
+struct ViewArguments {
+  MoleculeArguments molecule;  ///< its input may be a mesh: see names_a_mesh
+  std::filesystem::path output;
+  std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
+  std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
+  refine::Sizing sizing;
+  std::optional<morse::MorseFunction> function;
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
+  unsigned threads = 1;  ///< at most; the result is the same for any number
+};
+
+/// Whether a file's ending, with or without .gz, is that of a mesh.
+bool names_a_mesh(const std::filesystem::path& path);
+
 /// Nothing is left to do: help or the version was printed, or a complaint.
 struct Finished {
   ExitCode code;
 };
 
-using Arguments = std::variant<Finished, MeshArguments, MorseArguments, BallsArguments,
-                               InfoArguments, CheckArguments>;
+using Arguments =
+    std::variant<Finished, MeshArguments, MorseArguments, BallsArguments, InfoArguments,
+                 CheckArguments, ViewArguments, RenderArguments, FigureArguments>;
 
 /// Prints help, version or what is wrong with the arguments.
 Arguments parse_arguments(int count, const char* const* words);

@@ -12,5 +12,8 @@ ExitCode morse_command(const MorseArguments& arguments);
 ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);
 ExitCode check_command(const CheckArguments& arguments);
+ExitCode view_command(const ViewArguments& arguments);
+ExitCode render_command(const RenderArguments& arguments);
+ExitCode figure_command(const FigureArguments& arguments);
 
 }  // namespace morskin::app

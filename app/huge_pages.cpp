@@ -2,6 +2,7 @@
 // order that follows the front; with 4 kB pages a good part of the time goes into page faults and
 // address translation. Release builds of the command only: the library leaves the allocator alone.
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 #include <cstdlib>
@@ -10,6 +11,11 @@
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
+
+// Large arrays are mapped by themselves and go back to the system when they are freed. Left alone,
+// the C library raises the threshold with the first large array freed, up to 32 MB, and what is
+// freed below it stays with the program.
+[[maybe_unused]] const int threshold = mallopt(M_MMAP_THRESHOLD, huge_page);
 
 void* allocate(std::size_t size) {
   if (size < huge_page) return std::malloc(size == 0 ? 1 : size);

@@ -43,30 +43,39 @@ bool is_hydrogen(const skin::Atom& atom) {
   return element == "H" || element == "D" || element == "T";
 }
 
-// The number goes with 1 / C^2.
+// The number goes with the inverse square of the disk's radius that the front lays vertices on.
 double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& arguments) {
   const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
   const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
   const Growth grows = growth(arguments.molecule.model);
-  const double share = 0.08 / arguments.sizing.C;
+  const double share =
+      refine::Sizing{}.tangent_disk_share() / arguments.sizing.tangent_disk_share();
   return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
+}
+
+// The most that a run holds at a time (papers/4.3-large-molecules.md).
+double estimated_bytes(const skin::Molecule& molecule, double triangles) {
+  constexpr double per_atom = 1500, per_triangle = 150;
+  return per_atom * static_cast<double>(molecule.atoms.size()) + per_triangle * triangles;
 }
 
 struct Info {
   RadiusRange radii;    ///< of the atoms
   RadiusRange patches;  ///< of their sphere patches
   std::size_t hidden;
-  double triangles;
+  double triangles, bytes;
 };
 
 Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
   const auto [least, most] =
       std::ranges::minmax_element(input.molecule.atoms, {}, &skin::Atom::radius);
   const std::size_t hidden = geometry::regular_triangulation(input.points).hidden.size();
+  const double triangles = estimated_triangles(input.molecule, arguments);
   return {{least->radius, most->radius},
           patch_radii(input.points),
           hidden,
-          estimated_triangles(input.molecule, arguments)};
+          triangles,
+          estimated_bytes(input.molecule, triangles)};
 }
 
 std::string json_text(const MoleculeInput& input, const InfoArguments& arguments,
@@ -91,7 +100,8 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                                  {"skipped_models", counts.other_models},
                                  {"C", arguments.sizing.C},
                                  {"Q", arguments.sizing.Q},
-                                 {"estimated_triangles", std::round(rounded(info.triangles, 2))}};
+                                 {"estimated_triangles", std::round(rounded(info.triangles, 2))},
+                                 {"estimated_bytes", std::round(rounded(info.bytes, 2))}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -120,6 +130,8 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                                 (triangles < most_in_digits ? grouped(std::llround(triangles))
                                                             : brief(triangles, 2)) +
                                 ": a guess from the heavy atoms and C, by what proteins had");
+  text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
+                             " MiB with so many triangles");
   return text;
 }
 

@@ -21,6 +21,9 @@ struct Run {
   ExitCode operator()(const BallsArguments& arguments) const { return balls_command(arguments); }
   ExitCode operator()(const InfoArguments& arguments) const { return info_command(arguments); }
   ExitCode operator()(const CheckArguments& arguments) const { return check_command(arguments); }
+  ExitCode operator()(const ViewArguments& arguments) const { return view_command(arguments); }
+  ExitCode operator()(const RenderArguments& arguments) const { return render_command(arguments); }
+  ExitCode operator()(const FigureArguments& arguments) const { return figure_command(arguments); }
 };
 
 ExitCode fail(ExitCode code, const char* what) {

@@ -1,8 +1,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "app/commands.h"
@@ -12,6 +15,8 @@
 #include "app/report.h"
 #include "app/snapshots.h"
 #include "app/staged_outputs.h"
+#include "bench/baselines/marching_cubes.h"
+#include "front/safety_net.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
 
@@ -40,26 +45,30 @@ bool can_be_certified(MeshFormat format) {
   return format != MeshFormat::Stl && format != MeshFormat::Vtu;
 }
 
-bool is_in_proven_range(const refine::Sizing& sizing) {
-  return sizing.Q * sizing.Q > 2 + 4 * sizing.C * sizing.Q && sizing.C * sizing.Q <= 0.215;
-}
-
-front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments) {
-  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+front::MeshOptions options_of(const MeshArguments& arguments, std::optional<double> grid_step) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
+  options.angle_goal_deg = arguments.angle_goal_deg;
+  options.method = arguments.method;
+  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
   options.guard = arguments.guard;
   options.snapshots = arguments.snapshots;
   options.snapshot_values = arguments.snapshot_values;
+  options.certify = false;
+  return options;
+}
+
+front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                       std::optional<double> grid_step, const front::Progress& progress) {
+  front::MeshOptions options = options_of(arguments, grid_step);
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     write_snapshot(arguments.snapshot_folder, ++number, snapshot);
   };
-  options.certify = false;
-  options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
+  options.progress = progress;
   try {
     return front::mesh_skin(skin, options);
   } catch (const morse::DegenerateFunction& error) {
@@ -84,9 +93,11 @@ geometry::IndexedMesh read_back(const PendingFile& file) {
 
 // The certificate of the first file whose format keeps every coordinate, from its bytes; if there
 // is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
-refine::Certificate certify(std::span<const PendingFile> files, const geometry::IndexedMesh& mesh,
+// `mesh` becomes what was read, so that it is held once.
+refine::Certificate certify(std::span<const PendingFile> files, geometry::IndexedMesh& mesh,
                             const front::PreparedSkin& skin, const MeshArguments& arguments,
                             std::string& certified_file) {
+  certified_file.clear();
   geometry::IndexedMesh copy;
   std::string defect;
   try {
@@ -94,6 +105,7 @@ refine::Certificate certify(std::span<const PendingFile> files, const geometry::
       if (!can_be_certified(format_of(file.path()))) continue;
       if (certified_file.empty()) {
         certified_file = file.path().string();
+        mesh = {};
         copy = read_back(file);
       } else if (!is_same(copy, read_back(file))) {
         defect = file.path().string() + " does not hold the mesh of " + certified_file;
@@ -101,14 +113,16 @@ refine::Certificate certify(std::span<const PendingFile> files, const geometry::
     }
     if (certified_file.empty()) {
       certified_file = "the same mesh as binary PLY, in memory";
-      copy =
-          geometry::parse_mesh(geometry::serialized(mesh, MeshFormat::PlyBinary), certified_file);
+      const std::string bytes = geometry::serialized(mesh, MeshFormat::PlyBinary);
+      mesh = {};
+      copy = geometry::parse_mesh(bytes, certified_file);
     }
   } catch (const geometry::UnreadableInput& error) {
     defect = error.what();
   }
+  mesh = std::move(copy);
   refine::Certificate certificate =
-      refine::certify(copy, skin.surface, skin.topology, arguments.sizing, arguments.threads);
+      refine::certify(mesh, skin.surface, skin.topology, arguments.sizing, arguments.threads);
   if (!defect.empty()) {
     certificate.certified = false;
     certificate.reason = defect;
@@ -135,7 +149,13 @@ std::vector<std::filesystem::path> named(std::span<PendingFile> files, bool is_c
   return names;
 }
 
+// The high-water mark of this program alone; that of getrusage starts with what its parent held.
 long long peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    long long kibibytes = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %lld kB", &kibibytes) == 1) return kibibytes * 1024;
+  }
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024LL;
@@ -145,6 +165,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
                     const MoleculeInput& input) {
   report.molecule = arguments.molecule;
   report.sizing = arguments.sizing;
+  report.angle_goal_deg = arguments.angle_goal_deg;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
   const RadiusRange radii = patch_radii(input.points);
@@ -162,7 +183,9 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.function = result.function;
   report.operations = result.operations;
   report.refinement = result.refinement;
+  report.smoothing = result.smoothing;
   report.open_edges = result.open_edges;
+  report.fallbacks = result.fallbacks;
   report.seconds.stages = result.seconds;
 }
 
@@ -191,13 +214,11 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
   TimeLimit time_limit(arguments.timeout, arguments.molecule.input);
   MeshReport report;
-  if (!is_in_proven_range(arguments.sizing) && !arguments.quiet) {
-    std::cerr << "morskin: note: the theory asks for Q^2 > 2 + 4 C Q and C Q <= 0.215; with these "
-                 "-C and -Q the certificate may fail\n";
-  }
+  const std::string doubts = doubts_about(arguments.sizing);
+  if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";
 
   const Stopwatch reading;
-  const MoleculeInput input = read_input(arguments.molecule);
+  MoleculeInput input = read_input(arguments.molecule);
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
 
@@ -211,20 +232,37 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (is_report_staged) files = files.first(files.size() - 1);
 
   const Stopwatch preparing;
-  const front::PreparedSkin skin = prepare_skin(input);
+  ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  const auto progress = [&](std::string_view stage, double share) { line.show(stage, share); };
+  const front::PreparedSkin skin = prepare_skin(input, progress);
+  input = {};  // only the skin is needed from here on
   report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
                                 skin.surface.mixed_complex_seconds();
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
-  const front::MeshResult result = mesh(skin, arguments);
-  describe_run(report, result);
+  if (arguments.method == front::Method::MarchingCubes) {
+    report.grid_step = arguments.grid_step
+                           ? *arguments.grid_step
+                           : baselines::step_like_sweep(skin.surface, report.sizing);
+  }
+  front::MeshResult result = mesh(skin, arguments, report.grid_step, progress);
+  report.method = arguments.method;
   report.fronts = arguments.fronts;
 
   const Stopwatch writing;
+  progress("write", geometry::unknown_share);
   write(files, result.mesh);
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
+  progress("certify", geometry::unknown_share);
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+  if (!report.certificate.certified &&
+      front::mend(skin, options_of(arguments, report.grid_step), result)) {
+    write(files, result.mesh);
+    report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+  }
+  describe_run(report, result);
   report.seconds.certify = certifying.seconds();
+  line.wipe();
   const Stopwatch delivering;
   // First what may fail: then no file has its name yet.
   const std::vector<std::filesystem::path> fed =

@@ -31,9 +31,9 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   return input;
 }
 
-front::PreparedSkin prepare_skin(const MoleculeInput& input) {
+front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress) {
   try {
-    return front::prepare_skin(input.points);
+    return front::prepare_skin(input.points, progress);
   } catch (const skin::SingularSkin& singular) {
     std::string names;
     for (const geometry::AtomId atom : singular.atoms) {

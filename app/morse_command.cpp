@@ -34,12 +34,12 @@ std::optional<std::string> objection_to(const morse::MorseSmaleComplex& complex,
 Traced trace(const front::PreparedSkin& skin, const MorseArguments& arguments,
              ProgressLine& progress) {
   Traced traced;
-  progress.show("critical points", 0);
+  progress.show("critical points", geometry::unknown_share);
   try {
     const morse::ChosenFunction choice =
         morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
                                arguments.function, [&](const morse::ChosenFunction& candidate) {
-                                 progress.show("integral lines", 0);
+                                 progress.show("integral lines", geometry::unknown_share);
                                  traced.complex = morse::morse_smale_complex(
                                      skin.surface, candidate.function, candidate.critical);
                                  return objection_to(traced.complex, skin.topology);
@@ -98,16 +98,6 @@ std::string people_text(const ComplexReport& report, const MoleculeInput& input)
   return text;
 }
 
-void write(const std::string& bytes, StagedOutputs& outputs) {
-  for (geometry::PendingFile& file : outputs.files()) {
-    file.write(bytes);
-    file.commit();
-  }
-  for (const std::filesystem::path& path : outputs.direct()) {
-    geometry::write_file_atomically(path, bytes);
-  }
-}
-
 }  // namespace
 
 ExitCode morse_command(const MorseArguments& arguments) {
@@ -117,7 +107,7 @@ ExitCode morse_command(const MorseArguments& arguments) {
   const front::PreparedSkin skin = prepare_skin(input);
   const Traced traced = trace(skin, arguments, progress);
 
-  progress.show("simplify", 0);
+  progress.show("simplify", geometry::unknown_share);
   ComplexReport report;
   report.arguments = arguments;
   report.function = traced.function;
@@ -130,9 +120,9 @@ ExitCode morse_command(const MorseArguments& arguments) {
     report.dimension.push_back(skin.surface.complex().dimension(p.point.cell));
   }
 
-  progress.show("write", 0);
+  progress.show("write", geometry::unknown_share);
   const bool is_vtu = complex_format_of(arguments.output) == ComplexFormat::Vtu;
-  write(is_vtu ? complex_vtu(report) : complex_json(report), outputs);
+  write_to_all(outputs, is_vtu ? complex_vtu(report) : complex_json(report));
   progress.wipe();
   if (!arguments.quiet) {
     const bool is_taken = arguments.output == "-" || arguments.output == "/dev/stdout";

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -13,11 +14,16 @@ ProgressLine::ProgressLine(ShowProgress when)
 
 void ProgressLine::show(std::string_view stage, double share) {
   const auto now = std::chrono::steady_clock::now();
-  if (!is_shown_ || (has_text_ && now - last_ < std::chrono::milliseconds(100))) return;
+  const bool is_new = stage != stage_;
+  if (!is_shown_ || (has_text_ && !is_new && now - last_ < std::chrono::milliseconds(100))) return;
   last_ = now;
   has_text_ = true;
-  const std::string name(stage);
-  std::fprintf(stderr, "\r%-20s %3.0f %%", name.c_str(), 100 * share);
+  stage_ = stage;
+  if (share < 0) {
+    std::fprintf(stderr, "\r%-26s", stage_.c_str());
+  } else {
+    std::fprintf(stderr, "\r%-20s %3.0f %% ", stage_.c_str(), std::floor(100 * share));
+  }
   std::fflush(stderr);
 }
 

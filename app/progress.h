@@ -1,14 +1,15 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <string_view>
 
 #include "app/arguments.h"
 
 namespace morskin::app {
 
-/// One line on standard error, "sweep 43 %", written over itself at most ten times a second and
-/// wiped at the end.
+/// One line on standard error, "sweep 43 %", written over itself for a new stage, else at most ten
+/// times a second, and wiped at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(ShowProgress when);
@@ -16,13 +17,14 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { wipe(); }
 
-  /// @param share  how much of the stage is done, 0 to 1.
+  /// @param share  how much of the stage is done, 0 to 1; below 0 where nobody can tell.
   void show(std::string_view stage, double share);
   void wipe();
 
  private:
   bool is_shown_;
   bool has_text_ = false;
+  std::string stage_;
   std::chrono::steady_clock::time_point last_{};
 };
 

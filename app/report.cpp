@@ -38,6 +38,7 @@ ordered_json seconds_json(const RunSeconds& seconds) {
           {"critical_points", rounded(seconds.stages.critical_points)},
           {"sweep", rounded(seconds.stages.sweep)},
           {"refine", rounded(seconds.stages.refine)},
+          {"smooth", rounded(seconds.stages.smooth)},
           {"certify", rounded(seconds.certify)},
           {"write", rounded(seconds.write)},
           {"total", rounded(seconds.total)}};
@@ -48,6 +49,14 @@ ordered_json skipped_json(const skin::ReadingCounts& counts) {
           {"alternates", counts.alternates},
           {"zero_radii", counts.zero_radii},
           {"unknown_elements", counts.unknown}};
+}
+
+ordered_json fallbacks_json(const std::vector<front::Fallback>& fallbacks) {
+  ordered_json json = ordered_json::array();
+  for (const front::Fallback& f : fallbacks) {
+    json.push_back({{"component", f.component}, {"from", f.from}, {"to", f.to}, {"why", f.why}});
+  }
+  return json;
 }
 
 double floor_ratio(const MeshReport& report) {
@@ -128,8 +137,11 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_hidden", report.atoms_hidden},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
+                       {"method", front::name_of(report.method)},
                        {"C", report.sizing.C},
-                       {"Q", report.sizing.Q}};
+                       {"Q", report.sizing.Q},
+                       {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
+  if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["certified_file"] = report.certified_file;
   json["outputs"] = ordered_json::array();
@@ -148,11 +160,34 @@ std::string json_text(const MeshReport& report) {
                        {"saddles", report.surviving_saddles},
                        {"maxima", report.surviving_maxima}};
   json["fronts"] = report.fronts;
+  json["fallbacks"] = fallbacks_json(report.fallbacks);
   json["operations"] = operations_json(report);
+  json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
+                       {"below", report.smoothing.below},
+                       {"moved", report.smoothing.moved},
+                       {"left", report.smoothing.left}};
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string doubts_about(const refine::Sizing& sizing) {
+  std::string doubts;
+  const auto add = [&](bool is_proved, const std::string& text) {
+    if (!is_proved) doubts += (doubts.empty() ? "" : ", and ") + text;
+  };
+  add(sizing.is_refinement_proved_to_end(),
+      "Q^2 is not above 2 + 4 C Q, so [L] and [U] may be in each other's way");
+  if (!sizing.is_tube_proved()) {
+    add(false, "C Q = " + brief(sizing.C * sizing.Q, 3) +
+                   " is above 0.377, so [U] does not imply what the certificate asks of triangles");
+  } else {
+    add(sizing.is_sample_proved_dense(),
+        "C Q = " + brief(sizing.C * sizing.Q, 3) +
+            " is above 0.215, up to which sampling theory reaches; the certificate decides");
+  }
+  return doubts;
 }
 
 std::string certificate_text(const Certificate& c, const refine::Sizing& sizing) {
@@ -186,12 +221,51 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
   return text;
 }
 
+namespace {
+
+std::string critical_text(const MeshReport& report) {
+  return line("function", in_words(report.function)) +
+         line("critical", counted(report.minima, "minimum", "minima") + " - " +
+                              counted(report.saddles, "saddle", "saddles") + " + " +
+                              counted(report.maxima, "maximum", "maxima") + "; " +
+                              grouped(report.surviving_minima) + " - " +
+                              grouped(report.surviving_saddles) + " + " +
+                              grouped(report.surviving_maxima) + " survive");
+}
+
+std::string sweep_text(const front::Operations& done) {
+  return line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
+                           grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
+                           grouped(done.seal) + " sealed") +
+         line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
+                             grouped(done.guard_outside_protecting) + " outside, of which " +
+                             grouped(done.vain_inside_protecting) + " and " +
+                             grouped(done.vain_outside_protecting) + " in vain");
+}
+
+/// What the method did.
+std::string method_text(const MeshReport& report) {
+  if (report.grid_step) {
+    return line("grid", "marching cubes, step " + brief(*report.grid_step) + " A");
+  }
+  const bool is_sweep = report.method == front::Method::Sweep;
+  return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
+         critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
+         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
+                                counted(report.refinement.contract, "contraction", "contractions") +
+                                ", " +
+                                counted(report.refinement.insert, "insertion", "insertions")) +
+         line("smoothing", counted(report.smoothing.moved, "vertex", "vertices") +
+                               " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
+}
+
+}  // namespace
+
 std::string people_text(const MeshReport& report) {
   std::string outputs;
   for (const std::filesystem::path& output : report.outputs)
     outputs += (outputs.empty() ? "" : ", ") + output.string();
   const std::string words = skipped_in_words(report.reading);
-  const front::Operations& done = report.operations;
   const RunSeconds& s = report.seconds;
   std::string text =
       report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
@@ -202,30 +276,22 @@ std::string people_text(const MeshReport& report) {
                        brief(report.molecule.probe) + " A, patch radii " +
                        brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
                        " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+  if (const std::string doubts = doubts_about(report.sizing); !doubts.empty()) {
+    text +=
+        line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
+  }
   text += certificate_text(report.certificate, report.sizing);
-  text += line("function", in_words(report.function));
-  text += line("critical", counted(report.minima, "minimum", "minima") + " - " +
-                               counted(report.saddles, "saddle", "saddles") + " + " +
-                               counted(report.maxima, "maximum", "maxima") + "; " +
-                               grouped(report.surviving_minima) + " - " +
-                               grouped(report.surviving_saddles) + " + " +
-                               grouped(report.surviving_maxima) + " survive");
-  text += line("sweep", grouped(done.creation) + " created, " + grouped(done.creep) + " crept, " +
-                            grouped(done.wing) + " winged, " + grouped(done.bridge) + " bridged, " +
-                            grouped(done.seal) + " sealed");
-  text += line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
-                              grouped(done.guard_outside_protecting) + " outside, of which " +
-                              grouped(done.vain_inside_protecting) + " and " +
-                              grouped(done.vain_outside_protecting) + " in vain");
-  text +=
-      line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
-                             counted(report.refinement.contract, "contraction", "contractions") +
-                             ", " + counted(report.refinement.insert, "insertion", "insertions"));
+  text += method_text(report);
+  for (const front::Fallback& f : report.fallbacks) {
+    text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
+                                 " to " + f.to + ": " + f.why);
+  }
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
-                           ", refine " + brief(s.stages.refine, 2) + ", certify " +
-                           brief(s.certify, 2) + ", write " + brief(s.write, 2) + "; " +
-                           brief(floor_ratio(report), 3) + " times the floor");
+                           ", refine " + brief(s.stages.refine, 2) + ", smooth " +
+                           brief(s.stages.smooth, 2) + ", certify " + brief(s.certify, 2) +
+                           ", write " + brief(s.write, 2) + "; " + brief(floor_ratio(report), 3) +
+                           " times the floor");
   text += line("memory", grouped(report.peak_memory_bytes / (1 << 20)) + " MiB at most");
   text += report.certificate.certified ? "certified: homeomorphic to the skin, [L] and [U] hold (" +
                                              report.certified_file + " read back)\n"

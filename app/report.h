@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,16 @@ struct MeshReport {
   refine::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
   std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
+  front::Method method = front::Method::Sweep;
+  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;
   refine::RefinementCounts refinement;
+  double angle_goal_deg = 0;
+  refine::SmoothingCounts smoothing;
   std::size_t open_edges = 0;
+  std::vector<front::Fallback> fallbacks;
   RunSeconds seconds;
   double floor_seconds = 0;
   long long peak_memory_bytes = 0;
@@ -48,6 +54,10 @@ struct MeshReport {
 std::string json_text(const MeshReport& report);
 /// A dozen aligned lines.
 std::string people_text(const MeshReport& report);
+
+/// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
+/// theory.
+std::string doubts_about(const refine::Sizing& sizing);
 
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const refine::Certificate& certificate);

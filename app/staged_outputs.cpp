@@ -20,4 +20,14 @@ StagedOutputs::StagedOutputs(const std::vector<std::filesystem::path>& names) {
   });
 }
 
+void write_to_all(StagedOutputs& outputs, std::string_view bytes) {
+  for (geometry::PendingFile& file : outputs.files()) {
+    file.write(bytes);
+    file.commit();
+  }
+  for (const std::filesystem::path& path : outputs.direct()) {
+    geometry::write_file_atomically(path, bytes);
+  }
+}
+
 }  // namespace morskin::app

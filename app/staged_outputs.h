@@ -34,4 +34,8 @@ class StagedOutputs {
   std::vector<std::filesystem::path> direct_;
 };
 
+/// Gives every one of the outputs these bytes.
+/// @throws geometry::UnwritableOutput
+void write_to_all(StagedOutputs& outputs, std::string_view bytes);
+
 }  // namespace morskin::app

@@ -1,6 +1,6 @@
-// The molecules of the paper's Table 1, and the kernels that meshing them spends its time in. Each
-// row counts what speed could be traded for: the smallest angle and the distance to [L] and [U].
-// Run from the project's root.
+// The molecules of the paper's Table 1 by each method of the library, and the kernels that meshing
+// them spends its time in. Each row counts what speed could be traded for: the smallest angle and
+// the distance to [L] and [U]. Run from the project's root.
 
 #include <benchmark/benchmark.h>
 
@@ -23,21 +23,24 @@ std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Mo
 }
 
 /// The whole run: file in, mesh written in binary PLY form, read back and certified.
-void whole_run(benchmark::State& state, const std::string& file, skin::Model model) {
+void whole_run(benchmark::State& state, const std::string& file, skin::Model model,
+               front::Method method) {
   double floor = 0, seconds = 0;
-  double morse = 0;  // critical points, integral lines, simplification
+  double morse = 0, smooth = 0;  // critical points, integral lines, simplification; smoothing
   refine::Certificate certificate;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const front::PreparedSkin skin = front::prepare_skin(points_of(file, model));
     front::MeshOptions options;
     options.certify = false;
+    options.method = method;
     const front::MeshResult result = front::mesh_skin(skin, options);
     const std::string bytes = geometry::serialized(result.mesh, geometry::MeshFormat::PlyBinary);
     certificate = refine::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology,
                                   {}, options.threads);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     morse += result.seconds.critical_points;
+    smooth += result.seconds.smooth;
     state.PauseTiming();
     floor += front::floor_seconds(skin.surface, result);
     state.ResumeTiming();
@@ -52,6 +55,7 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
   state.counters["worst_U"] = certificate.worst_U;
   state.counters["floor_ratio"] = seconds / floor;
   state.counters["morse_share"] = morse / seconds;
+  state.counters["smooth_share"] = smooth / seconds;
 }
 
 /// Locating and projecting every vertex of gramicidin's mesh once, from its own cell.
@@ -84,10 +88,13 @@ void register_molecules() {
                          std::pair{"1grm_model1.pdb", "1GRM_gramicidin_A"}};
   for (const auto& [file, name] : table) {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      const std::string row = std::string(name) + "/" + std::string(skin::name_of(model));
-      benchmark::RegisterBenchmark(row.c_str(), [file = file, model](benchmark::State& state) {
-        whole_run(state, file, model);
-      })->Unit(benchmark::kMillisecond);
+      for (const front::Method method : {front::Method::Sweep, front::Method::Static}) {
+        const std::string row = std::string(name) + "/" + std::string(skin::name_of(model)) + "/" +
+                                std::string(front::name_of(method));
+        benchmark::RegisterBenchmark(row.c_str(), [=, file = file](benchmark::State& state) {
+          whole_run(state, file, model, method);
+        })->Unit(benchmark::kMillisecond);
+      }
     }
   }
 }

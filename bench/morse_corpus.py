@@ -18,18 +18,12 @@ A function that is degenerate for a molecule (exit code 2) and a singular skin (
 but counted. The lines also go to results/morse_corpus.tsv, each at once.
 """
 
-import argparse
 import collections
 import concurrent.futures
-import json
 import math
 import random
-import subprocess
-import sys
-import time
-from pathlib import Path
 
-from corpus import BUNDLED, MODELS, MORSKIN, ROOT, atom_count, molecule_files
+from molecule_runs import Rows, argument_parser, end, molecule_folder, run_command, sized_files
 
 COLUMNS = ["file", "model", "function", "atoms", "minima", "saddles", "maxima", "chi", "components",
            "cancelled", "overlaps", "shrunk", "seconds", "verdict"]
@@ -37,25 +31,16 @@ WIDTHS = [26, 6, 30, 7, 7, 8, 7, 6, 10, 9, 8, 7, 8, 0]
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
-                        help="folder to search (default %(default)s, else bench/molecules)")
-    parser.add_argument("--max-atoms", type=int, default=2000, metavar="N",
-                        help="no molecule of more atoms (default %(default)s)")
+    parser = argument_parser(__doc__, timeout=600, results="results/morse_corpus.tsv", largest=2000)
     parser.add_argument("--directions", type=int, default=3, metavar="N",
                         help="random heights a molecule, beside the default (%(default)s)")
     parser.add_argument("--distances", type=int, default=2, metavar="M",
                         help="squared distances a small molecule (%(default)s)")
     parser.add_argument("--max-distance-atoms", type=int, default=500, metavar="N",
                         help="no squared distances for more atoms (%(default)s)")
-    parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
-    parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
     parser.add_argument("--seed", type=int, default=1,
                         help="of directions and points (%(default)s)")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
-    parser.add_argument("--timeout", type=float, default=600, help="seconds for one run")
-    parser.add_argument("--results", type=Path, default=ROOT / "results" / "morse_corpus.tsv")
     return parser.parse_args()
 
 
@@ -236,43 +221,34 @@ def broken_laws(raw, simplified, default):
 
 
 def morse(path, model, function, more, timeout):
-    """(exit code, JSON or None, complaint, seconds)"""
-    command = [MORSKIN, "morse", path, "-o", "-", "--model", model, "--progress", "never", "-q",
-               *more]
-    if function:
-        command += ["--function", function]
-    start = time.monotonic()
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
-    except subprocess.TimeoutExpired:
-        return -1, None, f"still running after {timeout:g} s", time.monotonic() - start
-    complaint = " ".join(done.stderr.split()).removeprefix("morskin: ")
-    complex_ = json.loads(done.stdout) if done.returncode == 0 else None
-    return done.returncode, complex_, complaint, time.monotonic() - start
+    """The run; its report is the complex."""
+    words = ["morse", path, "-o", "-", "--model", model, "--progress", "never", "-q", *more]
+    return run_command(words + (["--function", function] if function else []), timeout)
 
 
 def run(path, model, function, atoms, default, options, folder):
     row = dict.fromkeys(COLUMNS, "")
     row.update(file=str(path.relative_to(folder)), model=model, function=function or "default",
                atoms=atoms)
-    code, raw, complaint, row["seconds"] = morse(path, model, function, ["--raw"], options.timeout)
-    if code == 2 and "degenerate" in complaint:
-        row["verdict"] = "degenerate: " + complaint
-    elif code == 4 and "singular" in complaint:
-        row["verdict"] = "refused: " + complaint
-    elif code != 0:
-        row["verdict"] = f"FAILED: exit code {code}: {complaint}"
+    first = morse(path, model, function, ["--raw"], options.timeout)
+    row["seconds"], raw = first.seconds, first.report if first.code == 0 else None
+    if first.code == 2 and "degenerate" in first.complaint:
+        row["verdict"] = "degenerate: " + first.complaint
+    elif first.code == 4 and "singular" in first.complaint:
+        row["verdict"] = "refused: " + first.complaint
+    elif first.code != 0:
+        row["verdict"] = f"FAILED: exit code {first.code}: {first.complaint}"
     else:
-        code, simplified, complaint, _ = morse(path, model, function, [], options.timeout)
-        if code != 0:
-            row["verdict"] = f"FAILED: simplified: exit code {code}: {complaint}"
+        second = morse(path, model, function, [], options.timeout)
+        if second.code != 0:
+            row["verdict"] = f"FAILED: simplified: exit code {second.code}: {second.complaint}"
             return row, raw
-        broken = broken_laws(raw, simplified, default)
+        broken = broken_laws(raw, second.report, default)
         row["verdict"] = "FAILED: " + "; ".join(broken) if broken else "good"
         row.update({key: raw["before"][key] for key in ("minima", "saddles", "maxima")})
         row.update(chi=raw["euler_characteristic"], components=raw["components"],
-                   cancelled=simplified["cancelled_pairs"], overlaps=raw["overlaps_before"],
-                   shrunk=simplified["shrunk_radii"])
+                   cancelled=second.report["cancelled_pairs"], overlaps=raw["overlaps_before"],
+                   shrunk=second.report["shrunk_radii"])
     return row, raw
 
 
@@ -285,12 +261,6 @@ def runs_of(path, model, atoms, options, folder):
         yield row
         if row["verdict"].startswith("refused"):
             return
-
-
-def print_row(values):
-    cells = [f"{v:.4g}" if isinstance(v, float) else str(v) for v in values]
-    text = [c[:w].ljust(w) if i < 3 else c.rjust(w) for i, (c, w) in enumerate(zip(cells, WIDTHS))]
-    print(" ".join(text[:-1]), "", cells[-1], flush=True)
 
 
 def print_totals(rows):
@@ -312,31 +282,19 @@ def print_totals(rows):
 
 def main():
     options = arguments()
-    folder = options.molecules if options.molecules.is_absolute() else ROOT / options.molecules
-    if not folder.is_dir():
-        print(f"{folder} is not there; using {BUNDLED}")
-        folder = BUNDLED
-    folder = folder.resolve()
-    files = sorted((atom_count(p), p) for p in molecule_files(folder, options.only))
-    plan = [(p, model, atoms) for atoms, p in files if atoms <= options.max_atoms
+    folder = molecule_folder(options.molecules)
+    files, unreadable = sized_files(folder, options.only)
+    plan = [(p, model, atoms) for atoms, p in files if atoms <= options.largest
             for model in options.models.split(",")]
-    options.results.parent.mkdir(parents=True, exist_ok=True)
-    rows = []
-    with open(options.results, "w", encoding="utf-8") as table, \
+    with Rows(options.results, COLUMNS, WIDTHS, 3) as rows, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        table.write("\t".join(COLUMNS) + "\n")
-        print_row(COLUMNS)
         for some in pool.map(lambda r: list(runs_of(*r, options, folder)), plan):
             for row in some:
-                values = [row[c] for c in COLUMNS]
-                table.write("\t".join(map(str, values)) + "\n")
-                table.flush()
-                print_row(values)
-                rows.append(row)
-    failures = print_totals(rows)
-    if not rows:
-        print("nothing was run")
-    sys.exit(1 if failures or not rows else 0)
+                rows.add(row)
+    failures = print_totals(rows.rows)
+    for path in unreadable:
+        print(f"  {path}: FAILED: morskin info cannot read it")
+    end(failures or unreadable, rows.rows)
 
 
 if __name__ == "__main__":

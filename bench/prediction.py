@@ -15,47 +15,27 @@ With --functions instead: every molecule along 10 random directions and 3 square
 random points, with both fronts; all must be certified with the same Euler characteristic.
 """
 
-import argparse
-import json
 import random
 import subprocess
-import sys
-import tempfile
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import corpus  # noqa: E402  (the script beside this one)
+import corpus
+import molecule_runs
 
 GUARDS = ["everywhere", "adjacent", "spheres"]
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
-                        help="folder to search (default %(default)s, else bench/molecules)")
-    parser.add_argument("--largest", type=int, default=2000, metavar="N",
-                        help="no molecule of more atoms (%(default)s)")
-    parser.add_argument("--models", default="paper,sas,vdw", help="default %(default)s")
-    parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
-    parser.add_argument("--timeout", type=float, default=120, help="seconds for one run")
+    parser = molecule_runs.argument_parser(__doc__, timeout=120, results="results/prediction.md",
+                                           largest=2000)
     parser.add_argument("--functions", action="store_true", help="directions and distances")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--results", type=Path,
-                        default=corpus.ROOT / "results" / "prediction.md")
     return parser.parse_args()
 
 
 def mesh(path, model, timeout, *options):
     """The report of a run, or None if there is none: refused, degenerate or out of time."""
-    with tempfile.TemporaryDirectory() as temporary:
-        command = [corpus.MORSKIN, "mesh", path, "--model", model, "--json", "--progress", "never",
-                   "-o", Path(temporary) / "mesh.ply", *options]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=timeout)
-        except subprocess.TimeoutExpired:
-            return None
-    return json.loads(done.stdout) if done.returncode in (0, 5) else None
+    done = molecule_runs.mesh(path, model, timeout, *options)
+    return done.report if done.code in (0, 5) else None
 
 
 def table(columns, rows):
@@ -100,8 +80,8 @@ def compare_guards(options, folder, runs):
 
 def functions(path, generator):
     """Ten directions and three points in and about the molecule."""
-    balls = subprocess.run([corpus.MORSKIN, "balls", path, "-o", "-", "-q"], capture_output=True,
-                           text=True, check=True).stdout.splitlines()
+    balls = subprocess.run([molecule_runs.MORSKIN, "balls", path, "-o", "-", "-q"], text=True,
+                           capture_output=True, check=True).stdout.splitlines()
     centres = [list(map(float, line.split()[:3])) for line in balls if line and line[0] != "#"]
     for _ in range(10):
         direction = [generator.gauss(0, 1) for _ in range(3)]
@@ -131,13 +111,7 @@ def try_functions(options, folder, runs):
 
 def main():
     options = arguments()
-    folder = options.molecules
-    if not folder.is_absolute():
-        folder = corpus.ROOT / folder
-    if not folder.is_dir():
-        print(f"{folder} is not there; using {corpus.BUNDLED}")
-        folder = corpus.BUNDLED
-    folder = folder.resolve()
+    folder = molecule_runs.molecule_folder(options.molecules)
     runs, _ = corpus.plan(options, folder)
     study = try_functions if options.functions else compare_guards
     text, failures = study(options, folder, runs)
@@ -146,7 +120,7 @@ def main():
     print("\n" + text)
     print(f"{len(runs)} molecules and models, {failures} failures of the default guard"
           if not options.functions else f"{failures} failures")
-    sys.exit(1 if failures or not runs else 0)
+    molecule_runs.end(failures, runs)
 
 
 if __name__ == "__main__":

@@ -49,7 +49,7 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const Swe
       near_(mesh, front_),
       marked_(guide.points.size()),
       last_(last),
-      laid_(skin.complex().size(), 0),
+      laid_(skin.complex().kept_size(), 0),
       most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {
   if (options_.guard == Guard::Everywhere) return;
   std::vector<double> radii;
@@ -119,6 +119,7 @@ void Sweep::join(const Sweep& above) {
   finish();
 }
 
+// [excerpt: algorithm-1]
 // Algorithm 1, with its line numbers.
 void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
@@ -145,14 +146,19 @@ void Sweep::creep_triangles() {
     }
   }  // 15
 }
+// [/excerpt]
 
 /// Tells of progress, and of the values that the front has come to.
 void Sweep::report(const Departure& departure) {
   constexpr std::size_t steps_between_reports = 4096;
   if (options_.progress && ++steps_ % steps_between_reports == 0) {
-    options_.progress(std::clamp((departure.value - lowest_) / (highest_ - lowest_), 0.0, 1.0));
+    options_.progress(departure.value);
   }
   show_up_to(departure.value);
+}
+
+void Sweep::note(Operation operation) const {
+  if (options_.operation) options_.operation(operation, mesh_.surface.triangle_count());
 }
 
 void Sweep::show_up_to(double value) {

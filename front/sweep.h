@@ -35,6 +35,9 @@ struct Operations {
   Operations& operator+=(const Operations& other);
 };
 
+/// One of them.
+enum class Operation { Creation, Creep, Wing, Bridge, Seal };
+
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
   double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
@@ -70,8 +73,7 @@ struct Snapshot {
 struct SweepOptions {
   refine::Sizing sizing = {};
   Guard guard = Guard::Everywhere;
-  /// Told now and then what share of the way from the lowest critical point to the highest the
-  /// front has come.
+  /// Told now and then the value at the departure vertex.
   std::function<void(double)> progress = {};
   /// What to call when the front gets to some values of the Morse function, and how many values at
   /// even steps up to the highest critical one there are to be beside the given. A value that the
@@ -79,6 +81,9 @@ struct SweepOptions {
   std::vector<double> snapshot_values = {};
   std::size_t snapshots = 0;
   std::function<void(const Snapshot&)> snapshot = {};
+  /// Called after each operation that counts, with the number of triangles there are by then.
+  /// Triangles come in the order of their ids. From one front only.
+  std::function<void(Operation, std::size_t triangles)> operation = {};
 };
 
 class Sweep {
@@ -118,6 +123,7 @@ class Sweep {
 
   void finish();
   void report(const Departure& departure);
+  void note(Operation operation) const;
   void show_up_to(double value);
   void look_round(FrontEdgeId corner);
   void create(const morse::CriticalPoint& minimum);

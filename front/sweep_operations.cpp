@@ -17,6 +17,7 @@ constexpr double sixty_degrees = M_PI / 3;
 
 /// The disk's radius in one direction: for the smaller of the length scales at both ends, which is
 /// the one that [U] goes by. The far end's is read off the patch, which mostly goes on.
+// [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = disk_share_ * centre.length_scale;
   const skin::Patch& patch = skin_.complex().patch(centre.cell);
@@ -28,6 +29,7 @@ std::optional<SurfacePoint> Sweep::rim_point(const SurfacePoint& centre, const V
   const Vector d = near_.in_tangent_plane(direction);
   return skin_.project(centre.position + disk_radius(centre, d) * d, centre.cell);
 }
+// [/excerpt]
 
 void Sweep::create(const morse::CriticalPoint& minimum) {
   near_.gather(minimum.point);
@@ -41,6 +43,7 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
         is_bare = is_bare && d.squaredNorm() > least_gap * r * least_gap * r;
       });
   if (!is_bare) return;
+  // [excerpt: bowl]
   std::array<SurfacePoint, 6> rim;
   for (std::size_t i = 0; i < 6; ++i) {
     const double angle = static_cast<double>(i) * sixty_degrees;
@@ -61,8 +64,10 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
     spokes_in[i] = geometry::SurfaceMesh::half_edge(t, 2);
   }
   for (std::size_t i = 0; i < 6; ++i) surface.glue(spokes_in[i], spokes_out[(i + 1) % 6]);
+  // [/excerpt]
   for (const FrontEdgeId e : front_.open_polygon(boundary)) push(e);
   ++operations_.creation;
+  note(Operation::Creation);
 }
 
 /// Adds the triangle of edge e and the vertex of an existing corner, wherever that is.
@@ -118,12 +123,14 @@ bool Sweep::creep(FrontEdgeId e) {
     attach(e, *apex);
   }
   ++operations_.creep;
+  note(Operation::Creep);
   wing();
   return true;
 }
 
 /// Lays triangles with new vertices round the departure vertex, clockwise from edge e, each turned
 /// on by the same angle, until the next would come too near to the front.
+// [excerpt: fan]
 void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count) {
   const double r = disk_share_ * centre.length_scale;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -134,6 +141,7 @@ void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int
     if (!attach_new(e, rim_point(centre, direction), r)) return;
   }
 }
+// [/excerpt]
 
 /// Adds the triangle of edge e and a new vertex x if the front leaves room for it.
 bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r) {
@@ -146,7 +154,8 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   near_.refresh(added);
   push(added);
   fresh_.push_back(added);
-  const bool is_sphere = skin_.complex().patch(x->cell).axis.isZero(0);
+  const bool is_sphere =
+      skin_.complex().is_kept(x->cell) && skin_.complex().kept_patch(x->cell).axis.isZero(0);
   if (is_sphere && ++laid_[x->cell.index()] > most_on_sphere_) is_overlapping_ = true;
   return true;
 }
@@ -189,6 +198,7 @@ std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
 
 /// Closes the small angles among the corners that the last operation changed, and those that this
 /// makes small in turn.
+// [excerpt: wing]
 void Sweep::wing() {
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
@@ -200,8 +210,10 @@ void Sweep::wing() {
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
     ++operations_.wing;
+    note(Operation::Wing);
   }
 }
+// [/excerpt]
 
 int Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
   const morse::CriticalPoint& s = guide_.points[saddle.index()];
@@ -225,6 +237,7 @@ void Sweep::bridge(CriticalId saddle) {
       queue_.push(d);
       if (is_bridged) continue;
       look_round(d.corner);
+      // [excerpt: bridge]
       for (const FrontEdgeId e : {d.corner, front_[d.corner].previous}) {
         const auto apex = near_.delaunay_apex(e);
         if (!apex) continue;
@@ -234,11 +247,13 @@ void Sweep::bridge(CriticalId saddle) {
         if (!across) continue;
         fresh_.assign({front_[e].next});
         attach(e, *apex);
-        wing();
         ++operations_.bridge;
+        note(Operation::Bridge);
+        wing();
         is_bridged = true;
         break;
       }
+      // [/excerpt]
     }
     marked.sides[side].clear();
   }
@@ -252,6 +267,7 @@ void Sweep::seal(CriticalId maximum) {
   marked.is_done = true;
   bool is_sealed = false;
   for (const Departure& d : std::exchange(marked.sides[0], {})) {
+    // [excerpt: seal]
     while (is_current(d)) {
       look_round(d.corner);
       const auto apex = last_apex(d.corner);
@@ -262,8 +278,11 @@ void Sweep::seal(CriticalId maximum) {
       attach(d.corner, *apex);
       is_sealed = true;
     }
+    // [/excerpt]
   }
-  operations_.seal += is_sealed;
+  if (!is_sealed) return;
+  ++operations_.seal;
+  note(Operation::Seal);
 }
 
 }  // namespace morskin::front

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <mutex>
 #include <vector>
 
 #include "geometry/parallel.h"
@@ -46,6 +48,45 @@ std::vector<Interval> close_pairs(const std::vector<morse::CriticalPoint>& point
   return pairs;
 }
 
+/// Turns the values that the fronts have come to into the share of atoms that they have passed.
+class PassedAtoms {
+ public:
+  PassedAtoms(const skin::SkinSurface& skin, const morse::Guide& guide,
+              const std::function<void(double)>& told)
+      : told_(told) {
+    if (!told_) return;
+    const auto& atoms = skin.triangulation().vertices;
+    constexpr std::size_t most = 1 << 14;  // a sample is enough
+    for (std::size_t i = 0; i < atoms.size(); i += 1 + atoms.size() / most) {
+      values_.push_back(guide.function(skin.points()[atoms[i].index()].position));
+    }
+    std::sort(values_.begin(), values_.end());
+  }
+
+  /// What the sweep from below, or the one from above, is to call; either from its own thread.
+  std::function<void(double)> from_below() {
+    return [this](double value) { tell(from_below_, value, false); };
+  }
+  std::function<void(double)> from_above() {
+    return [this](double value) { tell(from_above_, -value, true); };
+  }
+
+ private:
+  void tell(double& reached, double value, bool is_above) {
+    if (!told_) return;
+    const std::lock_guard lock(mutex_);
+    const auto place = std::upper_bound(values_.begin(), values_.end(), value) - values_.begin();
+    const double below = static_cast<double>(place) / static_cast<double>(values_.size());
+    reached = std::max(reached, is_above ? 1 - below : below);
+    told_(std::min(from_below_ + from_above_, 1.0));
+  }
+
+  const std::function<void(double)>& told_;
+  std::vector<double> values_;
+  std::mutex mutex_;
+  double from_below_ = 0, from_above_ = 0;
+};
+
 }  // namespace
 
 double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
@@ -65,7 +106,10 @@ double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
 SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
                        const SweepOptions& options) {
   SweepResult result;
-  Sweep sweep(skin, guide, options, result.mesh);
+  PassedAtoms passed(skin, guide, options.progress);
+  SweepOptions told = options;
+  told.progress = passed.from_below();
+  Sweep sweep(skin, guide, told, result.mesh);
   sweep.run();
   result.operations = sweep.operations();
   result.open_edges = sweep.open_edges();
@@ -78,10 +122,13 @@ SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Gui
   const morse::Guide reversed = guide.reversed();
   SweepResult result;
   skin::SkinMesh upper_mesh;
-  SweepOptions silent = options;
-  silent.progress = {};
-  Sweep below(skin, guide, options, result.mesh, middle);
-  Sweep above(skin, reversed, silent, upper_mesh, -middle);
+  PassedAtoms passed(skin, guide, options.progress);
+  SweepOptions lower = options, upper = options;
+  lower.progress = passed.from_below();
+  upper.progress = passed.from_above();
+  upper.operation = {};
+  Sweep below(skin, guide, lower, result.mesh, middle);
+  Sweep above(skin, reversed, upper, upper_mesh, -middle);
   geometry::do_both(
       threads, [&] { below.run(); }, [&] { above.run(); });
   below.join(above);

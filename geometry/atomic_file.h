@@ -52,7 +52,7 @@ class PendingFile {
   const std::filesystem::path& path() const { return path_; }
   const std::string& temporary_name() const { return temporary_; }
 
-  /// Makes `bytes` the contents. @pre called once, before commit.
+  /// Makes `bytes` the contents, instead of any that were written before. @pre before commit.
   /// @throws UnwritableOutput  as above
   void write(std::string_view bytes);
 

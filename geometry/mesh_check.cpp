@@ -1,12 +1,12 @@
 #include "geometry/mesh_check.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "geometry/exact_positions.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/predicates.h"
+#include "geometry/union_find.h"
 
 namespace morskin::geometry {
 
@@ -20,24 +20,6 @@ std::string edge_text(std::uint32_t a, std::uint32_t b) {
 struct HalfEdge {
   std::uint32_t other;  ///< the end with the larger id
   std::uint32_t id;
-};
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The smaller root wins, so that a set is called by its first member.
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = root(i);
-    j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 class MeshChecker {

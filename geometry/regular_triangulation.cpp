@@ -149,11 +149,12 @@ AtomId heaviest(std::span<const WeightedPoint> points) {
 
 }  // namespace
 
-RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points) {
+RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points,
+                                           const Told& told) {
   RegularTriangulation result;
   std::vector<bool> is_vertex(points.size(), false);
   {
-    const Triangulator triangulator(points);
+    const Triangulator triangulator(points, told);
     result.dimension = triangulator.dimension();
     if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
     if (result.dimension == 1) result.edges = top_simplices<2>(triangulator);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/union_find.h"
 
 namespace morskin::geometry {
 
@@ -49,6 +49,13 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   const auto moved = [](auto id, std::uint32_t by) {
     return id.value == kBoundary ? id : decltype(id){id.value + by};
   };
+  if (triangle_count() + other.triangle_count() > most_triangles) {
+    fail_for_lack_of_ids(most_triangles, "triangles");
+  }
+  // A little more than the whole: refinement adds vertices, and growing would double the arrays.
+  constexpr std::size_t share_to_come = 16;
+  const std::size_t vertices_together = vertex_count() + other.vertex_count();
+  reserve(vertices_together + vertices_together / share_to_come);
   for (const VertexId v : other.origin_) origin_.push_back(moved(v, vertices));
   for (const HalfEdgeId h : other.twin_) twin_.push_back(moved(h, half_edges));
   for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));
@@ -321,27 +328,21 @@ MeshOrDefect closed_mesh(std::size_t vertices,
 }
 
 Components components(const SurfaceMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.triangle_count());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  // The smaller root wins, so that components are numbered by their first triangle.
+  // As the smallest stands for a set, components are numbered by their first triangle.
+  UnionFind sets(mesh.triangle_count());
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     if (mesh.is_removed(TriangleId{t})) continue;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
       if (mesh.is_boundary(h) || mesh.twin(h) > h) continue;
-      const std::uint32_t a = root(t), b = root(SurfaceMesh::triangle(mesh.twin(h)).value);
-      parent[std::max(a, b)] = std::min(a, b);
+      sets.join(t, SurfaceMesh::triangle(mesh.twin(h)).value);
     }
   }
   Components result;
   result.of_triangle.resize(mesh.triangle_count());
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     if (mesh.is_removed(TriangleId{t})) continue;
-    const std::uint32_t first = root(t);
+    const std::uint32_t first = sets.root(t);
     result.of_triangle[t] = first == t ? result.count++ : result.of_triangle[first];
   }
   return result;

@@ -35,7 +35,8 @@ inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, con
 
 }  // namespace
 
-Triangulator::Triangulator(std::span<const WeightedPoint> points) : atom_count_(points.size()) {
+Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& told)
+    : atom_count_(points.size()) {
   if (points.size() > most_points) fail_for_lack_of_ids(most_points, "atoms");
   if (points.empty()) return;
   std::vector<AtomId> order = spatial_order(points);
@@ -51,6 +52,10 @@ Triangulator::Triangulator(std::span<const WeightedPoint> points) : atom_count_(
   make_first_tetrahedron();
   for (std::size_t p = static_cast<std::size_t>(dimension_) + 1; p < atom_count_; ++p) {
     insert(static_cast<Corner>(p));
+    constexpr std::size_t points_between_reports = 4096;
+    if (told && p % points_between_reports == 0) {
+      told(static_cast<double>(p) / static_cast<double>(atom_count_));
+    }
   }
 }
 
@@ -168,6 +173,29 @@ void Triangulator::insert(Corner p) {
   if (!is_in_conflict(last_, p)) return;
   grow_cavity(p);
   fill_cavity(p);
+}
+
+std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point,
+                                                      std::array<std::uint32_t, 2> hints) {
+  assert(dimension_ == 3);
+  if (atom_count_ >= most_points) fail_for_lack_of_ids(most_points, "points");
+  const auto p = static_cast<Corner>(atom_count_);
+  points_.push_back({point});
+  ids_.push_back(AtomId(atom_count_));
+  rim_numbers_.resize(points_.size() + 1);
+  const auto* hint = std::find_if(hints.begin(), hints.end(),
+                                  [&](std::uint32_t t) { return is_in_conflict(t, p); });
+  last_ = hint != hints.end() ? *hint : hints[0];
+  if (hint == hints.end()) last_ = locate(p);
+  if (hint == hints.end() && !is_in_conflict(last_, p)) {
+    points_.pop_back();
+    ids_.pop_back();
+    return std::nullopt;
+  }
+  ++atom_count_;
+  grow_cavity(p);
+  fill_cavity(p);
+  return p;
 }
 
 /// Walks from the last place towards p, each step through a facet with p strictly behind it, until

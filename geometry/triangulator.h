@@ -10,6 +10,7 @@
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/predicates.h"
+#include "geometry/progress.h"
 
 namespace morskin::geometry {
 
@@ -47,7 +48,7 @@ class Triangulator {
   ///
   /// @pre in the range of predicates.h
   /// @throws LimitReached  for more than most_points or most_tetrahedra
-  explicit Triangulator(std::span<const WeightedPoint> points);
+  explicit Triangulator(std::span<const WeightedPoint> points, const Told& told = {});
 
   /// Of the points' span: -1 (no points) to 3.
   int dimension() const { return dimension_; }
@@ -59,6 +60,16 @@ class Triangulator {
     return corner < atom_count_ ? std::optional(ids_[corner]) : std::nullopt;
   }
   bool is_ghost(const Tetrahedron& t) const { return t.corners[3] == infinity; }
+
+  /// Adds one more point, as the last corner and with the next id, unless it is redundant.
+  ///
+  /// @param hints  live tetrahedra near the point. One that is in conflict with it saves the walk.
+  /// @pre    dimension() == 3; the point is in the range of predicates.h.
+  /// @throws LimitReached  as the constructor does
+  std::optional<Corner> add(const WeightedPoint& point, std::array<std::uint32_t, 2> hints);
+  /// What the last successful add() removed, and what it put in its place. A place may be in both.
+  std::span<const std::uint32_t> removed() const { return {cavity_.data(), cavity_size_}; }
+  std::span<const std::uint32_t> added() const { return fillers_; }
 
  private:
   enum class State : std::uint8_t { Live, InCavity, Free };

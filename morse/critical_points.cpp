@@ -57,7 +57,7 @@ bool take(const skin::SkinSurface& surface, const CriticalPoint& critical, doubl
 
 CriticalPoints critical_points(const skin::SkinSurface& surface, const MorseFunction& function) {
   CriticalPoints result;
-  const std::size_t cells = surface.complex().size();
+  const std::size_t cells = surface.complex().kept_size();  // no other meets the skin
   if (function.is_height()) {
     for (std::size_t i = 0; i < cells; ++i) {
       add_height_critical_points(surface, skin::CellId{i}, function, result);

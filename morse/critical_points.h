@@ -5,7 +5,8 @@
 /// In a mixed cell the gradient must be parallel to N(x) = M (x - z). For the height along V this
 /// has a closed form: x = z + lambda M V, and G(x) = 0 gives lambda^2 = (w/2) / (V . M V). |lambda|
 /// is the length scale there, sign(lambda) V the outward normal, and the Hessian of the height on
-/// the tangent plane is -(1/lambda) M restricted to it. Derived in papers/4.1-algorithm.md.
+/// the tangent plane is -(1/lambda) M restricted to it. Derived in
+/// papers/3.1-morse-functions.md.
 ///
 /// For the squared distance from p it is (I - mu M) (x - z) = p - z, and G(x) = 0 is one equation
 /// in mu, of degree 4 (distance_equation.h); the Hessian is 2 (I - mu M). Derived in

@@ -19,7 +19,7 @@ struct View {
   const skin::SkinSurface& surface;
   const MorseFunction& function;
   CellId cell;
-  const Patch& patch;
+  Patch patch;
   Vector out;            ///< unit, from the axis (from the centre of a sphere) to p; or zero
   double across, along;  ///< p - centre along `out` and along the axis
   double rounding;       ///< error of p - centre, Angstrom

@@ -33,7 +33,9 @@ std::size_t Guide::count(int index) const {
 }
 
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
-                 const std::optional<MorseFunction>& asked, double radius_share, unsigned threads) {
+                 const std::optional<MorseFunction>& asked, double radius_share, unsigned threads,
+                 const geometry::Progress& progress) {
+  if (progress) progress("critical points", geometry::unknown_share);
   ChosenFunction chosen = choose_function(skin, euler_characteristic, asked);
   Guide guide;
   guide.function = chosen.function;
@@ -46,7 +48,10 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     return guide;
   }
   const MorseSmaleComplex complex =
-      morse_smale_complex(skin, chosen.function, std::move(chosen.critical), threads);
+      morse_smale_complex(skin, chosen.function, std::move(chosen.critical), threads,
+                          Polylines::Drop, [&](double share) {
+                            if (progress) progress("integral lines", share);
+                          });
   guide.is_simplified = complex.degeneracies.empty();
   if (!guide.is_simplified) {
     guide.spheres = ProtectingSpheres(skin, guide.points, radius_share);

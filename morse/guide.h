@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/progress.h"
 #include "morse/choose_function.h"
 #include "morse/protecting_spheres.h"
 
@@ -34,6 +35,6 @@ struct Guide {
 /// @throws DegenerateFunction
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
                  const std::optional<MorseFunction>& asked, double radius_share,
-                 unsigned threads = 1);
+                 unsigned threads = 1, const geometry::Progress& progress = {});
 
 }  // namespace morskin::morse

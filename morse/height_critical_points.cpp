@@ -17,6 +17,7 @@ CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const Mors
   const Patch& patch = surface.complex().patch(cell);
   const Vector& v = height.direction;
   const Vector mv = patch.reflect(v);
+  // [excerpt: height]
   CriticalPoint critical;
   const Point x = patch.centre + lambda * mv;
   critical.point = {x, lambda > 0 ? v : Vector(-v), std::abs(lambda), cell};
@@ -27,6 +28,7 @@ CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const Mors
   const double across_value = -patch.sign / lambda;
   const double along_value = -patch.sign * (1 - 2 * along.squaredNorm()) / lambda;
   critical.index = (across_value < 0) + (along_value < 0);
+  // [/excerpt]
   if (critical.index == 1) {
     critical.descending = along.normalized();
     critical.ascending = v.cross(along).normalized();

@@ -18,7 +18,7 @@ IntegralLines::IntegralLines(const skin::SkinSurface& skin, const MorseFunction&
       f_(f),
       points_(points),
       step_(step),
-      first_(skin.complex().size() + 1, 0),
+      first_(skin.complex().kept_size() + 1, 0),
       by_cell_(points.size()),
       discs_(points.size()) {
   for (const CriticalPoint& p : points) ++first_[p.point.cell.index() + 1];

@@ -28,6 +28,7 @@ struct MorseFunction {
 
   bool is_height() const { return curvature == 0; }
 
+  // [excerpt: function]
   /// -f: minima and maxima change places, saddles stay.
   MorseFunction reversed() const { return {-direction, origin, -curvature}; }
 
@@ -37,6 +38,7 @@ struct MorseFunction {
   }
   /// The gradient in space; on the skin it is this without its part along the normal.
   Vector gradient(const Point& x) const { return direction + 2 * curvature * (x - origin); }
+  // [/excerpt]
   /// No point within a distance of x has a value that differs from f(x) by more than this.
   double most_change(const Point& x, double distance) const {
     return distance * (gradient(x).norm() + std::abs(curvature) * distance);

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "geometry/union_find.h"
 #include "morse/line_order.h"
 #include "morse/saddle_lines.h"
 
@@ -21,31 +21,11 @@ std::string place_of(const CriticalPoint& p) {
   return text + ")";
 }
 
-/// The smallest of a set stands for it.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 class Builder {
  public:
   Builder(const skin::SkinSurface& skin, const MorseFunction& f, const CriticalPoints& critical,
-          unsigned threads)
-      : skin_(skin), f_(f), lines_(skin, f, critical.points, threads) {
+          unsigned threads, Polylines polylines, const geometry::Told& told)
+      : skin_(skin), f_(f), polylines_(polylines), lines_(skin, f, critical.points, threads, told) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
   }
@@ -62,7 +42,7 @@ class Builder {
     } while (refine_doubtful());
     if (complex_.arcs.size() < lines_.size()) return undecided();
     report_doubts();
-    lay_lines();
+    if (polylines_ == Polylines::Keep) lay_lines();
     count_components();
     return std::move(complex_);
   }
@@ -224,6 +204,7 @@ class Builder {
     odd_faces_ = 0;
     doubtful_.clear();
     const std::vector<std::uint32_t> next = successors();
+    // [excerpt: regions]
     // A quadrangle has one dart from its minimum to a saddle, and each such dart one face; so the
     // faces found from those darts are all, if every one closes after four.
     for (std::uint32_t a = 0; a < complex_.arcs.size(); a += 2) {
@@ -242,15 +223,16 @@ class Builder {
         dart = next[dart];
       } while (dart != start);
     }
+    // [/excerpt]
   }
 
   void count_components() {
-    DisjointSets sets(complex_.points.size());
-    for (const Arc& arc : complex_.arcs) sets.unite(arc.saddle.value, arc.extremum.value);
+    geometry::UnionFind sets(complex_.points.size());
+    for (const Arc& arc : complex_.arcs) sets.join(arc.saddle.value, arc.extremum.value);
     for (std::uint32_t i = 0; i < complex_.points.size(); ++i) {
       if (complex_.points[i].index != 0 || !complex_.arcs_at(CriticalId{i}).empty()) continue;
       if (const auto top = maximum_above(CriticalId{i})) {
-        sets.unite(i, top->value);
+        sets.join(i, top->value);
       } else {
         report("the integral line from beside the minimum at " + place_of(complex_.points[i]) +
                " finds no maximum");
@@ -279,6 +261,7 @@ class Builder {
 
   const skin::SkinSurface& skin_;
   MorseFunction f_;
+  Polylines polylines_;
   MorseSmaleComplex complex_;
   SaddleLines lines_;
   std::vector<LineOrder> orders_;  ///< by point
@@ -290,8 +273,9 @@ class Builder {
 }  // namespace
 
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical, unsigned threads) {
-  return Builder(skin, f, critical, threads).build();
+                                      CriticalPoints critical, unsigned threads,
+                                      Polylines polylines, const geometry::Told& told) {
+  return Builder(skin, f, critical, threads, polylines, told).build();
 }
 
 }  // namespace morskin::morse

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/progress.h"
 #include "morse/critical_points.h"
 
 namespace morskin::morse {
@@ -54,12 +55,18 @@ struct MorseSmaleComplex {
   std::vector<std::uint32_t> first_point;  ///< by arc, into line_points
 };
 
+/// Whether a complex keeps the polylines of its arcs, by far the most of it.
+enum class Polylines { Keep, Drop };
+
 /// @param threads  at most; the complex is the same for any number
+/// @param told     the share of lines that are traced
 /// @pre  critical = critical_points(skin, f).
 /// The regions are traced from the cyclic order of the arcs at all points; that each has four sides
 /// is the witness of that order.
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical, unsigned threads = 1);
+                                      CriticalPoints critical, unsigned threads = 1,
+                                      Polylines polylines = Polylines::Keep,
+                                      const geometry::Told& told = {});
 
 }  // namespace morskin::morse

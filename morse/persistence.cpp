@@ -33,6 +33,7 @@ void append_pairs(const MorseSmaleComplex& complex, std::span<const std::uint32_
   Components components(complex.points.size());
   const std::size_t n = saddles_upwards.size();
   for (std::size_t i = 0; i < n; ++i) {
+    // [excerpt: pairs]
     const std::size_t first_arc = 4 * saddles_upwards[side == 0 ? i : n - 1 - i];
     CriticalId younger = components.oldest(complex.arcs[first_arc + side].extremum);
     CriticalId elder = components.oldest(complex.arcs[first_arc + side + 2].extremum);
@@ -43,6 +44,7 @@ void append_pairs(const MorseSmaleComplex& complex, std::span<const std::uint32_
         std::abs(complex.points[saddle.index()].value - complex.points[younger.index()].value);
     pairs.push_back({saddle, younger, elder, persistence});
     components.end(younger, elder);
+    // [/excerpt]
   }
 }
 

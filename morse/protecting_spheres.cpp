@@ -64,11 +64,11 @@ ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const skin::SurfacePoint& p = points[i].point;
     for (const CellId cell : cells_within(surface.complex(), p.position, p.cell, radius_[i])) {
-      pairs.emplace_back(cell, CriticalId{i});
+      if (surface.complex().is_kept(cell)) pairs.emplace_back(cell, CriticalId{i});
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  first_.assign(surface.complex().size() + 1, 0);
+  first_.assign(surface.complex().kept_size() + 1, 0);
   for (const auto& [cell, id] : pairs) {
     ++first_[cell.index() + 1];
     reaching_.push_back(id);
@@ -77,6 +77,7 @@ ProtectingSpheres::ProtectingSpheres(const skin::SkinSurface& surface,
 }
 
 std::optional<CriticalId> ProtectingSpheres::containing(const skin::SurfacePoint& p) const {
+  if (p.cell.index() + 1 >= first_.size()) return std::nullopt;  // on a wall, but for rounding
   for (std::uint32_t i = first_[p.cell.index()]; i < first_[p.cell.index() + 1]; ++i) {
     const CriticalId id = reaching_[i];
     const double r = radius_[id.index()];

@@ -8,7 +8,8 @@
 namespace morskin::morse {
 
 SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
-                         std::span<const CriticalPoint> points, unsigned threads)
+                         std::span<const CriticalPoint> points, unsigned threads,
+                         const geometry::Told& told)
     : tracers_{{{skin, f, points, IntegralLines::usual_step},
                 {skin, f, points, IntegralLines::usual_step / 4}}} {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -17,45 +18,38 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
     const bool turns = p.point.normal.cross(p.descending).dot(p.ascending) > 0;
     const Vector up = turns ? p.ascending : Vector(-p.ascending);
     for (const Vector& tangent : {p.descending, up, Vector(-p.descending), Vector(-up)}) {
-      lines_.push_back({CriticalId{i}, tangent, {}, 0, 0, 0});
+      lines_.push_back({CriticalId{i}, tangent, {}});
     }
   }
-  trace_all(threads);
+  trace_all(threads, told);
 }
 
-/// Traces every line. Each thread takes consecutive lines and keeps their nodes apart; then they
-/// are put one behind the other.
-void SaddleLines::trace_all(unsigned threads) {
-  constexpr std::size_t least = 64;        // lines that are worth a thread
-  constexpr std::size_t usual_nodes = 90;  // of a line, on average
-  std::vector<Nodes> parts(geometry::chunk_count(threads, lines_.size(), least));
+/// Traces every line. Each thread takes consecutive lines and keeps their nodes apart.
+void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
+  constexpr std::size_t least = 64;  // lines that are worth a thread
+  parts_.resize(geometry::chunk_count(threads, lines_.size(), least));
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    Nodes& part = parts[chunk];
-    part.points.reserve(usual_nodes * (end - begin));
-    part.cells.reserve(usual_nodes * (end - begin));
     for (std::size_t i = begin; i < end; ++i) {
+      constexpr std::size_t lines_between_reports = 256;
+      if (told && chunk == 0 && i % lines_between_reports == 0) {
+        told(static_cast<double>(i) / static_cast<double>(end));
+      }
       Line& line = lines_[i];
+      line.part = static_cast<std::uint32_t>(chunk);
       const Way way = this->way(static_cast<std::uint32_t>(i));
-      for (trace(line, way, part); line.course.saddle && line.fineness < finest;) {
+      for (trace(line, way, parts_[chunk]); line.course.saddle && line.fineness < finest;) {
         ++line.fineness;
-        trace(line, way, part);
+        trace(line, way, parts_[chunk]);
       }
     }
   };
   geometry::for_each_chunk(threads, lines_.size(), work, least);
-  nodes_ = std::move(parts.front());
-  for (std::size_t chunk = 1; chunk < parts.size(); ++chunk) {
-    const std::size_t offset = nodes_.points.size();
-    for (std::size_t i = chunk * lines_.size() / parts.size();
-         i < (chunk + 1) * lines_.size() / parts.size(); ++i) {
-      lines_[i].first += offset;
-      lines_[i].end += offset;
-    }
-    nodes_.points.insert(nodes_.points.end(), parts[chunk].points.begin(),
-                         parts[chunk].points.end());
-    nodes_.cells.insert(nodes_.cells.end(), parts[chunk].cells.begin(), parts[chunk].cells.end());
-    parts[chunk] = {};
-  }
+}
+
+std::size_t SaddleLines::node_count() const {
+  std::size_t count = 0;
+  for (const Nodes& part : parts_) count += part.points.size();
+  return count;
 }
 
 void SaddleLines::trace(Line& line, Way way, Nodes& nodes) const {
@@ -68,7 +62,7 @@ void SaddleLines::trace(Line& line, Way way, Nodes& nodes) const {
 bool SaddleLines::refine(std::uint32_t line) {
   if (lines_[line].fineness == finest) return false;
   ++lines_[line].fineness;
-  trace(lines_[line], way(line), nodes_);
+  trace(lines_[line], way(line), parts_[lines_[line].part]);
   return true;
 }
 
@@ -77,8 +71,8 @@ LineNodes SaddleLines::nodes(std::uint32_t line) const {
   return {l.saddle,
           l.tangent,
           way(line),
-          {nodes_.points.data() + l.first, l.end - l.first},
-          {nodes_.cells.data() + l.first, l.end - l.first}};
+          {parts_[l.part].points.data() + l.first, l.end - l.first},
+          {parts_[l.part].cells.data() + l.first, l.end - l.first}};
 }
 
 }  // namespace morskin::morse

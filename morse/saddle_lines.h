@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/progress.h"
 #include "morse/integral_lines.h"
 
 namespace morskin::morse {
@@ -14,8 +15,10 @@ class SaddleLines {
   /// Traces all lines: to each saddle four, together, counter-clockwise about it seen from outside,
   /// the first along `descending`. A line that runs into a saddle is traced again, finer.
   /// @param threads  at most; the lines are the same for any number
+  /// @param told     the share that is traced, as far as the first thread knows
   SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
-              std::span<const CriticalPoint> points, unsigned threads = 1);
+              std::span<const CriticalPoint> points, unsigned threads = 1,
+              const geometry::Told& told = {});
 
   std::size_t size() const { return lines_.size(); }
   CriticalId saddle(std::uint32_t line) const { return lines_[line].saddle; }
@@ -23,7 +26,7 @@ class SaddleLines {
   /// What became of it with the finest step tried.
   const Course& course(std::uint32_t line) const { return lines_[line].course; }
   LineNodes nodes(std::uint32_t line) const;
-  std::size_t node_count() const { return nodes_.points.size(); }
+  std::size_t node_count() const;
 
   /// 0 with the usual step, `finest` with a quarter of it, where rounding outdoes truncation: a
   /// doubt that is left then is left to doubles.
@@ -42,6 +45,7 @@ class SaddleLines {
     Vector tangent;
     Course course;
     std::size_t first = 0, end = 0;  ///< of its nodes
+    std::uint32_t part = 0;          ///< in which they are
     int fineness = 0;
   };
 
@@ -50,12 +54,12 @@ class SaddleLines {
     std::vector<skin::CellId> cells;
   };
 
-  void trace_all(unsigned threads);
+  void trace_all(unsigned threads, const geometry::Told& told);
   void trace(Line& line, Way way, Nodes& nodes) const;
 
   std::array<IntegralLines, finest + 1> tracers_;
   std::vector<Line> lines_;
-  Nodes nodes_;
+  std::vector<Nodes> parts_;  ///< by thread that traced
 };
 
 }  // namespace morskin::morse

@@ -139,6 +139,7 @@ class Simplifier {
   void gather_complex() {
     result_.complex = quadrangles_.remaining();
     MorseSmaleComplex& left = result_.complex;
+    if (complex_.first_point.empty()) return;  // nor does the complex given have polylines
     const Ways ways(complex_, result_.survives, result_.cancelled);
     left.first_point.push_back(0);
     for (std::size_t i = 0; i < complex_.arcs.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace morskin::morse {
@@ -74,7 +75,7 @@ void Tracer::leave_through(LocalWall wall) {
   // flat simplices were seen to be 17 tolerances off.
   const double no_width = 64 * tolerance_;
   for (int crossed = 0; crossed < most_crossed; ++crossed) {
-    const skin::Wall* passed = nullptr;
+    std::optional<CellId> passed;
     double farthest = -no_width;
     for (const skin::Wall& other : complex.walls(cell)) {
       const double distance = other.normal.dot(x) - other.offset;
@@ -82,10 +83,10 @@ void Tracer::leave_through(LocalWall wall) {
       const bool may_pass = is_far_beyond || other.normal.dot(velocity) > 0;
       if (other.beyond == before || distance < farthest || !may_pass) continue;
       farthest = distance;
-      passed = &other;
+      passed = other.beyond;
     }
-    if (passed == nullptr) break;
-    before = std::exchange(cell, passed->beyond);
+    if (!passed) break;
+    before = std::exchange(cell, *passed);
   }
   enter(cell, x - complex.patch(cell).centre);
   if (cells_ != nullptr) cells_->back() = cell_;

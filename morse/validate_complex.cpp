@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "geometry/union_find.h"
 #include "morse/quadrangles.h"
 
 namespace morskin::morse {
@@ -86,28 +86,22 @@ Complaint check_regions(const MorseSmaleComplex& complex) {
 class Parts {
  public:
   Parts(const MorseSmaleComplex& complex, std::size_t start, std::size_t step)
-      : parent_(complex.points.size()), is_joined_(complex.points.size(), false) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+      : sets_(complex.points.size()), is_joined_(complex.points.size(), false) {
     for (std::size_t i = start; i < complex.arcs.size(); i += step) {
       const auto [saddle, extremum] = complex.arcs[i];
       is_joined_[saddle.index()] = is_joined_[extremum.index()] = true;
-      parent_[root(extremum.value)] = root(saddle.value);
+      sets_.join(extremum.value, saddle.value);
     }
   }
   bool is_joined(std::size_t i) const { return is_joined_[i]; }
   std::size_t count() {
     std::size_t roots = 0;
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) roots += is_joined_[i] && root(i) == i;
+    for (std::uint32_t i = 0; i < sets_.size(); ++i) roots += is_joined_[i] && sets_.root(i) == i;
     return roots;
   }
 
  private:
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  std::vector<std::uint32_t> parent_;
+  geometry::UnionFind sets_;
   std::vector<bool> is_joined_;
 };
 

@@ -12,15 +12,18 @@ namespace morskin::refine {
 
 /// A few vertices by place, for triangles that ask which may lie near: filed in their own cell and
 /// all around it, so that a question looks into one cell only. Cells follow the length scale in
-/// octaves; rho being 1-Lipschitz, places within `reach` < 0.5 of it are at most one octave apart.
+/// octaves; rho being 1-Lipschitz, a place within `reach` of a vertex has its own length scale
+/// within a known factor, and the vertex is filed in every octave from which it can be asked for.
 class CandidateGrid {
  public:
-  /// @param reach  how far from a place, in units of the length scale, a vertex is to be found
+  /// @param reach  how far from a place, in units of the length scale there, a vertex is to be
+  ///               found; below 1
   explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
 
   void add(const geometry::Point& p, double length_scale, geometry::VertexId v) {
-    for (int octave = std::ilogb(length_scale) - 1; octave <= std::ilogb(length_scale) + 1;
-         ++octave) {
+    const int lowest = std::ilogb(length_scale / (1 + reach_));
+    const int highest = std::ilogb(length_scale / (1 - reach_));
+    for (int octave = lowest; octave <= highest; ++octave) {
       const auto home = cell(p, octave);
       for (std::int64_t i = -1; i <= 1; ++i) {
         for (std::int64_t j = -1; j <= 1; ++j) {

@@ -114,13 +114,11 @@ class Certifier {
   void check_triangles();
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
+  void fail_to_show_degree(std::size_t component);
   void compare_counts();
 
   bool turns_once(VertexId v) const;
-  /// Radius of the ball about a vertex that no triangle but its own may enter, lest it cover the
-  /// vertex too: the flow moves a triangle of circumradius R by at most rho - sqrt(rho^2 - R^2).
-  double free_radius(VertexId v) const { return free_share_ * points_[v.index()].length_scale; }
-  void find_free_share();
+  bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
 
   const IndexedMesh& mesh_;
   const skin::SkinSurface& skin_;
@@ -132,7 +130,6 @@ class Certifier {
   std::span<const SurfacePoint> points_;
   double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
   double largest_share_ = 0;     ///< of sqrt(R_abc^2 + |G|) over rho_abc
-  double free_share_ = 0;        ///< free_radius() over rho
 };
 
 void Certifier::measure_shape() {
@@ -245,17 +242,29 @@ double squared_distance_to_triangle(const Point& x, const Point& a, const Point&
   return is_over ? height * height / n.squaredNorm() : least;
 }
 
-/// With q the largest R / rho at a triangle's corners, which lie within R of any of its points p,
-/// R <= q (rho_p + R), so R <= q / (1 - q) rho_p. A triangle that comes within s rho of a vertex
-/// does so at a point p with rho_p <= (1 + s) rho, and s is the fixed point of s = 1 - sqrt(1 - ((1
-/// + s) q / (1 - q))^2), which iteration finds from below; 1 when there is none.
-void Certifier::find_free_share() {
-  const double share = largest_share_ / (1 - std::min(largest_share_, 0.5));
-  for (int i = 0; i < 60; ++i) {
-    const double reach = std::min((1 + free_share_) * share, 1.0);
-    free_share_ = 1 - std::sqrt(1 - reach * reach);
-  }
-  free_share_ *= 1 + 1e-6;
+/// How far the flow can have moved a point onto the skin where |G| was at most g: |N| is at least n
+/// at one end of the way and falls by no more than the way is long, so the way s has 2 n s - s^2 <=
+/// g. Infinity where that bounds nothing.
+double longest_way(double n, double g) {
+  return n * n > g ? g / (n + std::sqrt(n * n - g)) : std::numeric_limits<double>::infinity();
+}
+
+/// Whether the flow may carry a point p of a triangle to the vertex v, which is not among its
+/// corners. |G(p)| is at most R^2; |N| is rho at v, and at p at least rho - R of the nearest
+/// corner.
+bool Certifier::may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const {
+  const auto& [a, b, c] = triangle;
+  const double R = circumcircle(position(a), position(b), position(c)).radius;
+  const double rho =
+      std::min({points_[a].length_scale, points_[b].length_scale, points_[c].length_scale});
+  const double most_rho =
+      std::max({points_[a].length_scale, points_[b].length_scale, points_[c].length_scale});
+  const double g = R * R + largest_residual_ * most_rho * most_rho;
+  const double way =
+      std::min(longest_way(points_[v.index()].length_scale, g), longest_way(rho - R, g));
+  const double d2 =
+      squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
+  return !(d2 > way * way * (1 + 1e-6));  // well above the rounding of either side
 }
 
 void Certifier::check_covering_degree() {
@@ -271,33 +280,40 @@ void Certifier::check_covering_degree() {
     if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
   }
   std::vector<char> is_free(mesh_.positions.size(), 0);
-  find_free_share();
-  // From a triangle's corner a, no point of the triangle is farther than 2 R <= 2 q rho_a.
-  CandidateGrid grid(2 * largest_share_ + 2 * free_share_);
+  // With q the largest R / rho, a point of a triangle lies within q rho of a corner, and the flow
+  // moves it by no more than (1 - q) - sqrt((1 - q)^2 - q^2) times rho; together:
+  const double reach = 1 - std::sqrt(std::max(0.0, 1 - 2 * largest_share_));
+  if (!(reach < 1)) return fail_to_show_degree(0);  // and no triangle is known to lie in the tube
+  CandidateGrid grid(reach);
   for (const auto& list : candidates) {
     for (const VertexId v : list) {
       is_free[v.index()] = 1;
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
   }
-  for (const auto& triangle : mesh_.triangles) {
-    const std::uint32_t a = triangle[0], b = triangle[1], c = triangle[2];
+  for (std::uint32_t a = 0; a < mesh_.positions.size(); ++a) {
     grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
-      if (v.value == a || v.value == b || v.value == c) return;
-      const double d2 =
-          squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-      if (d2 <= free_radius(v) * free_radius(v)) is_free[v.index()] = 0;
+      const double farthest = 1.01 * reach * points_[a].length_scale;
+      if ((position(a) - position(v.value)).squaredNorm() > farthest * farthest) return;
+      surface_.for_each_outgoing(VertexId{a}, [&](HalfEdgeId h) {
+        const std::array t{a, surface_.target(h).value, surface_.apex(h).value};
+        const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
+        if (!is_own && may_cover(t, v)) is_free[v.index()] = 0;
+      });
     });
   }
   out_.covering_degree_ok = true;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool shown = std::any_of(candidates[i].begin(), candidates[i].end(),
                                    [&](VertexId v) { return is_free[v.index()] != 0; });
-    if (shown) continue;
-    out_.covering_degree_ok = false;
-    fail(Claim::Degree,
-         "component " + std::to_string(i) + " could not be shown to cover the skin once");
+    if (!shown) return fail_to_show_degree(i);
   }
+}
+
+void Certifier::fail_to_show_degree(std::size_t component) {
+  out_.covering_degree_ok = false;
+  fail(Claim::Degree,
+       "component " + std::to_string(component) + " could not be shown to cover the skin once");
 }
 
 void Certifier::compare_counts() {

@@ -25,8 +25,9 @@ Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, Skin
                        unsigned threads)
     : skin_(skin), sizing_(sizing), mesh_(mesh), threads_(threads) {}
 
-void Refinement::run() {
-  balls_.resize(mesh_.surface.triangle_count());
+void Refinement::run(const geometry::Told& told) {
+  told_ = told;
+  if (told_) told_(0);
   most_ = 1000 + 10 * mesh_.surface.triangle_count();
   look_everywhere();
   flip_where_needed();
@@ -52,32 +53,41 @@ void Refinement::Work::append(const Work& other) {
   big.insert(big.end(), other.big.begin(), other.big.end());
 }
 
-/// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles and writes
-/// only what belongs to them.
+/// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles.
 void Refinement::look_everywhere() {
-  std::vector<Work> found(geometry::chunk_count(threads_, balls_.size()));
-  geometry::for_each_chunk(threads_, balls_.size(), [&](auto begin, auto end, auto chunk) {
-    for (std::size_t t = begin; t < end; ++t) update(TriangleId{t}, found[chunk]);
-  });
-  geometry::for_each_chunk(threads_, balls_.size(), [&](auto begin, auto end, auto chunk) {
-    for (std::size_t t = begin; t < end; ++t) look_for_flips(TriangleId{t}, found[chunk]);
+  const std::size_t count = mesh_.surface.triangle_count();
+  std::vector<Work> found(geometry::chunk_count(threads_, count));
+  geometry::for_each_chunk(threads_, count, [&](auto begin, auto end, auto chunk) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Circumcircle circle = update(TriangleId{t}, found[chunk]);
+      look_for_flips(TriangleId{t}, circle, found[chunk]);
+    }
   });
   for (const Work& work : found) work_.append(work);
 }
 
 /// Notes the edges of t over which a vertex lies in its ball.
-void Refinement::look_for_flips(TriangleId t, Work& found) {
+void Refinement::look_for_flips(TriangleId t, const Circumcircle& circle, Work& found) {
+  SurfaceBall ball = quick_ball(t, circle);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
-    if (intrusion(t, beyond) > 0) found.to_flip.push_back(h);
+    if (exact_depth_if_doubtful(t, ball, beyond) > 0) found.to_flip.push_back(h);
   }
+}
+
+Circumcircle Refinement::circle_of(TriangleId t) const {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  return circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
+}
+
+SurfaceBall Refinement::quick_ball(TriangleId t, const Circumcircle& circle) const {
+  return quick_surface_ball(skin_, mesh_.at(mesh_.surface.corners(t)[0]), circle);
 }
 
 /// How deep v lies in the surface ball of t; in doubt the ball is found to rounding, so that all
 /// answers together describe one restricted Voronoi diagram and flipping cannot go in circles.
-double Refinement::intrusion(TriangleId t, VertexId v) {
-  SurfaceBall& ball = balls_[t.index()];
+double Refinement::exact_depth_if_doubtful(TriangleId t, SurfaceBall& ball, VertexId v) const {
   const double depth = ball.intrusion(mesh_.position(v));
   if (ball.is_exact || depth < -doubtful_intrusion * ball.squared_radius) return depth;
   const auto [a, b, c] = mesh_.surface.corners(t);
@@ -85,12 +95,18 @@ double Refinement::intrusion(TriangleId t, VertexId v) {
   return ball.intrusion(mesh_.position(v));
 }
 
-/// Finds what is kept about a triangle, and whether it breaks [L] or [U].
-void Refinement::update(TriangleId t, Work& found) {
+/// Balls are found when they are asked for: few triangles are asked twice.
+Refinement::Intrusion Refinement::intrusion(TriangleId t, VertexId v) const {
+  SurfaceBall ball = quick_ball(t, circle_of(t));
+  const double depth = exact_depth_if_doubtful(t, ball, v);
+  return {depth, ball.squared_radius};
+}
+
+/// Finds whether a triangle breaks [L] or [U].
+Circumcircle Refinement::update(TriangleId t, Work& found) {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  balls_[t.index()] = quick_surface_ball(skin_, *p[0], circle);
   const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
   if (sizing_.triangle_ratio(circle.radius, rho) >= 1) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
@@ -98,11 +114,11 @@ void Refinement::update(TriangleId t, Work& found) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
+  return circle;
 }
 
 /// Looks again at a triangle that changed, and at its edges but for those known to be Delaunay.
 void Refinement::update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
-  if (balls_.size() <= t.index()) balls_.resize(mesh_.surface.triangle_count());
   update(t, work_);
   work_.to_flip.insert(work_.to_flip.end(), edges);
 }
@@ -135,15 +151,16 @@ void Refinement::flip(HalfEdgeId h) {
   }
 }
 
+// [excerpt: flip]
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);
   const TriangleId left = SurfaceMesh::triangle(h), right = SurfaceMesh::triangle(g);
   const VertexId a = surface.origin(h), b = surface.origin(g);
   const VertexId c = surface.apex(h), d = surface.apex(g);
-  const double now = std::max(intrusion(left, d), intrusion(right, c));
-  const double smaller =
-      std::min(balls_[left.index()].squared_radius, balls_[right.index()].squared_radius);
+  const Intrusion in_left = intrusion(left, d), in_right = intrusion(right, c);
+  const double now = std::max(in_left.depth, in_right.depth);
+  const double smaller = std::min(in_left.squared_radius, in_right.squared_radius);
   if (now <= least_intrusion * smaller || !can_flip(h)) return false;
   const double then = std::max(exact_ball(a, d, c).intrusion(mesh_.position(b)),
                                exact_ball(b, c, d).intrusion(mesh_.position(a)));
@@ -151,9 +168,10 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   flip(h);
   return true;
 }
+// [/excerpt]
 
 void Refinement::flip_where_needed() {
-  while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * balls_.size()) {
+  while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * mesh_.surface.triangle_count()) {
     const HalfEdgeId h = work_.to_flip.back();
     work_.to_flip.pop_back();
     if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;
@@ -226,11 +244,19 @@ bool Refinement::remove(VertexId v) {
   return true;
 }
 
+/// Tells what share of the work known so far is done; insertions may make more.
+void Refinement::tell(std::size_t left) {
+  constexpr std::size_t steps_between_reports = 4096;
+  if (!told_ || ++steps_ % steps_between_reports != 0) return;
+  told_(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
+}
+
 void Refinement::insert_into_big_triangles() {
   std::vector<TriangleId> refused;
   while (!work_.big.empty() && counts_.insert < most_) {
     const TriangleId t = work_.big.back();
     work_.big.pop_back();
+    tell(work_.big.size());
     if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
   }
   std::sort(refused.begin(), refused.end());
@@ -247,7 +273,7 @@ bool Refinement::insert(TriangleId t) {
   const double rho =
       std::min({mesh_.at(a).length_scale, mesh_.at(b).length_scale, mesh_.at(c).length_scale});
   if (sizing_.triangle_ratio(circle.radius, rho) < 1) return true;
-  const auto x = skin_.project(balls_[t.index()].centre, mesh_.at(a).cell);
+  const auto x = skin_.project(exact_ball(a, b, c).centre, mesh_.at(a).cell);
   if (!x) return false;
 
   // Walk to the triangle under x, seen along the normal at x.

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "geometry/progress.h"
 #include "refine/sizing.h"
 #include "refine/triangle_geometry.h"
 
@@ -31,7 +32,8 @@ class Refinement {
              unsigned threads = 1);
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
-  void run();
+  /// @param told  the share of edges and triangles in breach so far that have been looked at
+  void run(const geometry::Told& told = {});
 
   const RefinementCounts& counts() const { return counts_; }
 
@@ -46,8 +48,8 @@ class Refinement {
   };
 
   void look_everywhere();
-  void look_for_flips(TriangleId t, Work& found);
-  void update(TriangleId t, Work& found);
+  void look_for_flips(TriangleId t, const Circumcircle& circle, Work& found);
+  Circumcircle update(TriangleId t, Work& found);
   void update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges);
   void flip_where_needed();
   bool flip_if_better(HalfEdgeId h);
@@ -57,11 +59,19 @@ class Refinement {
   bool remove(VertexId v);
   void insert_into_big_triangles();
   bool insert(TriangleId t);
+  void tell(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
   bool can_flip(HalfEdgeId h) const;
-  double intrusion(TriangleId t, VertexId v);
+  /// How deep a vertex lies in a triangle's ball, Angstrom^2, and that ball's squared radius.
+  struct Intrusion {
+    double depth, squared_radius;
+  };
+  Intrusion intrusion(TriangleId t, VertexId v) const;
+  Circumcircle circle_of(TriangleId t) const;
+  SurfaceBall quick_ball(TriangleId t, const Circumcircle& circle) const;
+  double exact_depth_if_doubtful(TriangleId t, SurfaceBall& ball, VertexId v) const;
   SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) const {
     return exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
   }
@@ -70,12 +80,13 @@ class Refinement {
   const Sizing sizing_;
   SkinMesh& mesh_;
   const unsigned threads_;
-  std::vector<SurfaceBall> balls_;  ///< by triangle
   Work work_;
   /// Budgets, for constants outside the range where termination is proved: of contractions and
   /// insertions together, and 50 flips for every triangle there has been.
   std::size_t most_ = 0;
   RefinementCounts counts_;
+  geometry::Told told_;
+  std::size_t steps_ = 0;
 };
 
 }  // namespace morskin::refine

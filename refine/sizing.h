@@ -22,6 +22,27 @@ struct Sizing {
   double C = 0.08;
   double Q = 1.65;
 
+  /// The largest C for which some Q allows both that refinement is proved to end and that the
+  /// certificate's conditions c1 and c2 follow from [U]; a little less than 0.2018.
+  static constexpr double largest_proved_C = 0.2;
+  /// The Q that goes with a C unless another is asked for: the paper's 1.65, or, where C is so
+  /// large that insertion might go on for ever with it, a little more than the least Q for which
+  /// Q^2 > 2 + 4 C Q (papers/4.3-large-molecules.md). Beyond largest_proved_C, the Q of that.
+  static double quality_for(double C) {
+    const double c = std::min(C, largest_proved_C);
+    return std::max(1.65, 1.003 * (2 * c + std::sqrt(4 * c * c + 2)));
+  }
+  /// Whether refinement is proved to end: no insertion makes an edge that [L] forbids.
+  bool is_refinement_proved_to_end() const { return Q * Q > 2 + 4 * C * Q; }
+  /// Whether [U] makes the vertices an epsilon-sample with epsilon < 0.279, on which the theory of
+  /// the restricted Delaunay triangulation rests. The certificate does without
+  /// (papers/certificate.md).
+  bool is_sample_proved_dense() const { return C * Q <= 0.215; }
+  /// Whether [U] bounds every triangle's R below rho / sqrt 7, where conditions c1 and c2 of the
+  /// certificate follow from it.
+  bool is_tube_proved() const { return C * Q < 1 / std::sqrt(7.0); }
+
+  // [excerpt: sizes]
   /// R_ab over its bound in [L]: above 1 is good.
   double edge_ratio(const SurfacePoint& a, const SurfacePoint& b) const {
     return Q * (a.position - b.position).norm() /
@@ -33,6 +54,7 @@ struct Sizing {
   }
   /// The smallest angle that [L] and [U] allow, degrees: 21.55 with the default constants.
   double least_angle_deg() const { return std::asin(1 / (Q * Q)) * 180 / M_PI; }
+  // [/excerpt]
 
   /// Largest radius of the disk, tangent at a departure vertex, on whose rim new vertices are
   /// placed, over the length scale there: 0.208 with the default constants.

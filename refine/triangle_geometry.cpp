@@ -23,8 +23,12 @@ SurfaceBall ball_about(const Point& centre, const SurfacePoint& a, bool is_exact
 
 SurfaceBall quick_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a,
                                const Circumcircle& circle) {
-  const auto step =
-      newton_step(skin.complex().patch(a.cell), circle.centre, circle.doubled_area, circle.radius);
+  const skin::MixedComplex& complex = skin.complex();
+  const auto step_in = [&](const skin::Patch& patch) {
+    return newton_step(patch, circle.centre, circle.doubled_area, circle.radius);
+  };
+  const auto step = complex.is_kept(a.cell) ? step_in(complex.kept_patch(a.cell))
+                                            : step_in(complex.patch(a.cell));
   return ball_about(circle.centre + step.value_or(0) * circle.doubled_area, a, false);
 }
 

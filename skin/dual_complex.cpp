@@ -1,9 +1,9 @@
 #include "skin/dual_complex.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/orthosphere.h"
+#include "geometry/union_find.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::skin {
@@ -77,43 +77,30 @@ std::vector<char> members(const SkinSurface& skin,
   for (std::size_t s = 0; s < simplices.size(); ++s) {
     const auto corners = weighted(skin, simplices[s]);
     const Sign weight = geometry::orthosphere_weight_sign(corners);
+    bool is_face = false;  // of a simplex in K
+    if constexpr (N < 4) {
+      for (const auto& coface : above.of(s)) is_face = is_face || above_in_complex[coface.place];
+    }
+    result[s] = is_face;
+    // Deep in the body nearly all are faces, and nothing else has to be asked.
+    if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) continue;
     bool attached = false;
-    if (weight != Sign::Negative) {
-      if constexpr (N < 4) {
-        for (const auto& coface : above.of(s)) {
-          const WeightedPoint& apex = skin.points()[coface.apex.index()];
-          attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
-        }
-      }
-      result[s] = !attached;
-    }
-    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
-      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
-    }
     if constexpr (N < 4) {
       for (const auto& coface : above.of(s)) {
-        if (above_in_complex[coface.place]) result[s] = 1;
+        const WeightedPoint& apex = skin.points()[coface.apex.index()];
+        attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
       }
+    }
+    if (!attached) result[s] = 1;
+    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
+      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
     }
   }
   return result;
 }
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 template <class Counted>
-std::size_t count_roots(UnionFind& sets, std::size_t n, Counted counted) {
+std::size_t count_roots(geometry::UnionFind& sets, std::size_t n, Counted counted) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < n; ++i) count += counted(i) && sets.root(i) == i;
   return count;
@@ -149,7 +136,7 @@ DualComplex dual_complex(const SkinSurface& skin) {
   };
   result.simplices = {size(in0), size(in1), size(in2), size(in3)};
 
-  UnionFind body(vertices.size());
+  geometry::UnionFind body(vertices.size());
   for (std::size_t e = 0; e < t.edges.size(); ++e) {
     if (!in1[e]) continue;
     body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
@@ -160,7 +147,7 @@ DualComplex dual_complex(const SkinSurface& skin) {
   // The complement's components: tetrahedra out of K, joined through triangles out of K; the
   // outside of the hull is one more place.
   const std::uint32_t outside = static_cast<std::uint32_t>(t.tetrahedra.size());
-  UnionFind complement(t.tetrahedra.size() + 1);
+  geometry::UnionFind complement(t.tetrahedra.size() + 1);
   for (std::size_t f = 0; f < t.triangles.size(); ++f) {
     if (in2[f]) continue;
     const auto around = tetrahedra_of.of(f);

@@ -8,11 +8,15 @@
 /// the larger has more, the wall lies in the plane through the midpoint of the two orthocentres,
 /// normal to the part of v's direction that is orthogonal to the smaller simplex.
 ///
-/// Cells are numbered by dimension: vertices, edges, triangles, tetrahedra, in the order of the
-/// triangulation's arrays. Ties of the triangulation give cells of no volume; they do no harm.
+/// Cells that the skin meets or comes near are kept with their patches and walls; the others, in a
+/// big molecule by far the most, are made again when a walk strays into one. Kept cells come first,
+/// then the others, and both are numbered by dimension: vertices, edges, triangles, tetrahedra, in
+/// the order of the triangulation's arrays. Ties of the triangulation give cells of no volume; they
+/// do no harm.
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/id.h"
@@ -33,29 +37,65 @@ struct Wall {
   CellId beyond;  ///< the cell on the other side
 };
 
+/// The walls of a cell: kept ones by reference, others by value.
+class Walls {
+ public:
+  explicit Walls(std::span<const Wall> kept) : kept_(kept) {}
+  explicit Walls(std::vector<Wall> made) : made_(std::move(made)) {}
+
+  const Wall* begin() const { return made_.empty() ? kept_.data() : made_.data(); }
+  const Wall* end() const { return begin() + size(); }
+  std::size_t size() const { return made_.empty() ? kept_.size() : made_.size(); }
+  const Wall& operator[](std::size_t i) const { return begin()[i]; }
+
+ private:
+  std::span<const Wall> kept_;
+  std::vector<Wall> made_;
+};
+
 class MixedComplex {
  public:
   /// @param points         the weighted points
   /// @param triangulation  theirs
-  MixedComplex(std::span<const WeightedPoint> points,
-               const geometry::RegularTriangulation& triangulation);
+  MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation);
 
-  std::size_t size() const { return patches_.size(); }
-  const Patch& patch(CellId cell) const { return patches_[cell.index()]; }
-  std::span<const Wall> walls(CellId cell) const {
+  const std::vector<WeightedPoint>& points() const { return points_; }
+  const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
+
+  std::size_t size() const { return first_number_[4]; }
+  /// How many cells are kept. Every point x of the skin lies in a cell with an id below, but for
+  /// rounding; so does every point with |G(x)| at most `nearness` times the weight of the cell's
+  /// heaviest atom.
+  std::uint32_t kept_size() const { return kept_size_; }
+  bool is_kept(CellId cell) const { return cell.value < kept_size_; }
+
+  Patch patch(CellId cell) const {
+    return is_kept(cell) ? patches_[cell.index()] : make_patch(cell);
+  }
+  Walls walls(CellId cell) const {
+    return is_kept(cell) ? Walls(kept_walls(cell)) : Walls(make_walls(cell));
+  }
+  /// @pre is_kept(cell)
+  const Patch& kept_patch(CellId cell) const { return patches_[cell.index()]; }
+  std::span<const Wall> kept_walls(CellId cell) const {
     return {walls_.data() + first_wall_[cell.index()],
             first_wall_[cell.index() + 1] - first_wall_[cell.index()]};
   }
+  std::vector<Wall> make_walls(CellId cell) const;
 
   /// Dimension of the cell's simplex, 0 to 3.
-  int dimension(CellId cell) const;
+  int dimension(CellId cell) const { return dimension_of(number(cell)); }
+  /// The number of the cell's simplex, by dimension and then by place.
+  std::uint32_t number(CellId cell) const;
   /// The simplex's place in the triangulation's array of that dimension.
   std::size_t place(CellId cell) const {
-    return cell.index() - first_cell_[static_cast<std::size_t>(dimension(cell))];
+    const std::uint32_t n = number(cell);
+    return n - first_number_[static_cast<std::size_t>(dimension_of(n))];
   }
   /// The cell of the simplex at a place in the triangulation's array of a dimension.
   CellId cell(int dimension, std::size_t place) const {
-    return CellId{first_cell_[static_cast<std::size_t>(dimension)] + place};
+    return numbered(first_number_[static_cast<std::size_t>(dimension)] +
+                    static_cast<std::uint32_t>(place));
   }
 
   /// Distance, Angstrom, within which a point counts as inside a cell: 2^-42 of the largest
@@ -63,16 +103,55 @@ class MixedComplex {
   /// the wrong side by d has its G wrong by at most d^2 (papers/2.1-molecular-skin.md).
   double wall_tolerance() const { return wall_tolerance_; }
 
- private:
-  void build_patches(std::span<const WeightedPoint> points,
-                     const geometry::RegularTriangulation& triangulation);
-  void build_walls(std::span<const WeightedPoint> points,
-                   const geometry::RegularTriangulation& triangulation);
+  static constexpr double nearness = 1.0 / 64;
 
-  std::array<std::uint32_t, 5> first_cell_{};  ///< by dimension; the last is the number of cells
-  std::vector<Patch> patches_;
+ private:
+  // Simplices have numbers, by dimension and place; cells are these numbers with the kept ones put
+  // first. A bit for each number, and how many are kept before each word of bits, lead both ways.
+  CellId numbered(std::uint32_t number) const;
+  int dimension_of(std::uint32_t number) const;
+  bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
+
+  void choose_kept();
+  std::vector<double> weights() const;
+  std::vector<double> largest_powers(const std::vector<double>& weights) const;
+  void list_edges();
+  void build_patches();
+  void build_walls();
+
+  Patch make_patch(CellId cell) const;
+  template <std::size_t N>
+  Patch make_patch(const std::array<AtomId, N>& simplex) const;
+  template <std::size_t N>
+  Wall make_wall(const std::array<AtomId, N>& simplex, std::size_t k, CellId facet,
+                 CellId cell) const;
+  template <std::size_t N>
+  void add_walls_to_facets(const std::array<AtomId, N>& simplex, CellId cell,
+                           std::vector<Wall>& walls) const;
+  template <std::size_t N>
+  void add_walls_to_cofaces(const std::array<AtomId, N>& simplex, CellId cell,
+                            std::vector<Wall>& walls) const;
+  template <std::size_t N>
+  std::vector<std::uint32_t> cofaces(const std::array<AtomId, N>& simplex) const;
+  template <std::size_t N, class Visit>
+  void for_each_facet(std::size_t place, Visit visit) const;
+  template <class Visit>
+  void for_each_incidence(Visit visit) const;
+  template <std::size_t N>
+  decltype(auto) simplices() const;
+  std::uint32_t vertex_of(AtomId atom) const;
+
+  std::vector<WeightedPoint> points_;
+  geometry::RegularTriangulation triangulation_;
+  std::array<std::uint32_t, 5> first_number_{};  ///< by dimension; the last is the number of cells
+  std::vector<std::uint64_t> kept_bits_;         ///< by number
+  std::vector<std::uint32_t> kept_before_;       ///< by word of kept_bits_
+  std::uint32_t kept_size_ = 0;
+  std::vector<std::uint32_t> number_of_;  ///< by kept cell
+  std::vector<Patch> patches_;            ///< by kept cell, like what follows
   std::vector<std::uint32_t> first_wall_;
   std::vector<Wall> walls_;
+  std::vector<std::uint32_t> first_edge_, edges_at_;  ///< by vertex: places of edges, ascending
   double wall_tolerance_ = 0;
 };
 

@@ -34,6 +34,7 @@ struct Patch {
   /// M v.
   Vector reflect(const Vector& v) const { return sign * (v - (2 * axis.dot(v)) * axis); }
 
+  // [excerpt: patch]
   /// Half the gradient of G, N = M u. It points out of the body and |N| is the length scale.
   Vector half_gradient(const Point& x) const { return reflect(x - centre); }
 
@@ -42,6 +43,7 @@ struct Patch {
 
   /// Local length scale rho = 1 / kappa_max at a point of the skin (section 2.2), Angstrom.
   double length_scale(const Point& x) const { return (x - centre).norm(); }
+  // [/excerpt]
 
   /// Unit normal, out of the body. @pre x is not the centre.
   Vector normal(const Point& x) const { return half_gradient(x).normalized(); }

@@ -2,28 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+
+#include "geometry/union_find.h"
 
 namespace morskin::skin {
 
 namespace {
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = root(i);
-    j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+using geometry::UnionFind;
 
 /// The walls of a cell to cells of one dimension.
 template <class Visit>
@@ -126,7 +112,7 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
     const Vector u = at - patch.centre;
     // Half of u is moved twice as far: c or q alone.
     Vector line = is_down ? Vector(u - patch.reflect(u)) : Vector(u + patch.reflect(u));
-    const Wall* nearest = nullptr;
+    std::optional<CellId> nearest;
     double least = std::numeric_limits<double>::infinity();
     for_each_wall_to(complex, cell, is_down ? d - 1 : d + 1, [&](const Wall& wall) {
       if (line.isZero(0)) line = wall.normal;  // from the orthocentre any way leads away
@@ -135,14 +121,14 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
       const double reach = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
       if (reach >= least) return;
       least = reach;
-      nearest = &wall;
+      nearest = wall.beyond;
     });
-    if (nearest == nullptr) {
+    if (!nearest) {
       if (is_down) return std::nullopt;  // a simplex is bounded: only rounding leads here
       return End{cell, true};
     }
     at += least * line;
-    cell = nearest->beyond;
+    cell = *nearest;
   }
   return End{cell, false};
 }

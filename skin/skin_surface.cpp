@@ -18,6 +18,12 @@ auto timed(double& seconds, Work work) {
   return result;
 }
 
+/// Work with the patch of a cell, without a copy of one that is kept.
+template <class Work>
+void with_patch(const MixedComplex& complex, CellId cell, Work work) {
+  complex.is_kept(cell) ? work(complex.kept_patch(cell)) : work(complex.patch(cell));
+}
+
 const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& points) {
   const bool any = std::any_of(points.begin(), points.end(),
                                [](const WeightedPoint& p) { return p.weight > 0; });
@@ -30,27 +36,35 @@ const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& poin
 
 }  // namespace
 
-SkinSurface::SkinSurface(std::vector<WeightedPoint> points)
-    : points_(std::move(points)),
-      triangulation_(timed(triangulate_seconds_,
-                           [&] { return geometry::regular_triangulation(checked(points_)); })),
-      complex_(
-          timed(mixed_complex_seconds_, [&] { return MixedComplex(points_, triangulation_); })) {}
+SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress)
+    : complex_([&] {
+        const auto told = [&](double share) {
+          if (progress) progress("triangulate", share);
+        };
+        told(0);
+        auto triangulation = timed(triangulate_seconds_, [&] {
+          return geometry::regular_triangulation(checked(points), told);
+        });
+        if (progress) progress("mixed complex", geometry::unknown_share);
+        return timed(mixed_complex_seconds_,
+                     [&] { return MixedComplex(std::move(points), std::move(triangulation)); });
+      }()) {}
 
 std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
   const std::size_t place = complex_.place(cell);
+  const geometry::RegularTriangulation& t = complex_.triangulation();
   const auto list = [](const auto& simplex) {
     return std::vector<AtomId>(simplex.begin(), simplex.end());
   };
   switch (complex_.dimension(cell)) {
     case 0:
-      return {triangulation_.vertices[place]};
+      return {t.vertices[place]};
     case 1:
-      return list(triangulation_.edges[place]);
+      return list(t.edges[place]);
     case 2:
-      return list(triangulation_.triangles[place]);
+      return list(t.triangles[place]);
     default:
-      return list(triangulation_.tetrahedra[place]);
+      return list(t.tetrahedra[place]);
   }
 }
 
@@ -61,9 +75,10 @@ CellId SkinSurface::locate(const Point& x, CellId start) const {
   CellId passed = start;
   std::size_t steps = 0, next_mark = 8;
   for (;;) {
+    if (!complex_.is_kept(current)) return search(x, current);  // seldom: far from the skin
     double farthest = tolerance;
     CellId beyond = current;
-    for (const Wall& wall : complex_.walls(current)) {
+    for (const Wall& wall : complex_.kept_walls(current)) {
       const double distance = wall.normal.dot(x) - wall.offset;
       if (distance > farthest) {
         farthest = distance;
@@ -114,11 +129,14 @@ std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) c
   Point y = x;
   CellId cell = locate(y, start);
   for (int round = 0; round < most_rounds; ++round) {
-    y = complex_.patch(cell).slide(y);
+    with_patch(complex_, cell, [&](const Patch& patch) { y = patch.slide(y); });
     cell = locate(y, cell);
-    const Patch& patch = complex_.patch(cell);
-    const Vector n = patch.half_gradient(y);
-    const double g = (y - patch.centre).dot(n) - patch.half_weight;
+    Vector n;
+    double g = 0;
+    with_patch(complex_, cell, [&](const Patch& patch) {
+      n = patch.half_gradient(y);
+      g = (y - patch.centre).dot(n) - patch.half_weight;
+    });
     const double rho = n.norm();
     if (std::abs(g) <= residual_bound(rho)) return SurfacePoint{y, n / rho, rho, cell};
   }
@@ -126,7 +144,8 @@ std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) c
 }
 
 SurfacePoint SkinSurface::at(const Point& x, CellId cell) const {
-  const Vector n = complex_.patch(cell).half_gradient(x);
+  Vector n;
+  with_patch(complex_, cell, [&](const Patch& patch) { n = patch.half_gradient(x); });
   const double rho = n.norm();
   return {x, n / rho, rho, cell};
 }

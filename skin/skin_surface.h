@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/progress.h"
 #include "skin/mixed_complex.h"
 
 namespace morskin::skin {
@@ -24,10 +25,10 @@ class SkinSurface {
  public:
   /// @pre  every coordinate and weight lies on the exact grid (geometry/predicates.h).
   /// @throws geometry::RefusedInput when there is no point with a positive weight.
-  explicit SkinSurface(std::vector<WeightedPoint> points);
+  explicit SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress = {});
 
-  const std::vector<WeightedPoint>& points() const { return points_; }
-  const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
+  const std::vector<WeightedPoint>& points() const { return complex_.points(); }
+  const geometry::RegularTriangulation& triangulation() const { return complex_.triangulation(); }
   const MixedComplex& complex() const { return complex_; }
   /// The weighted points whose simplex the cell belongs to, one to four.
   std::vector<AtomId> atoms(CellId cell) const;
@@ -61,16 +62,14 @@ class SkinSurface {
   /// Largest |G| of a point that project() returns, Angstrom^2: a distance to F of 1e-11 rho and of
   /// the rounding that coordinates of this size cannot avoid.
   double residual_bound(double rho) const {
-    return 2 * rho * (1e-11 * rho + std::ldexp(complex_.wall_tolerance(), -9));
+    return 2 * rho * (1e-11 * rho + 0x1p-9 * complex_.wall_tolerance());
   }
 
  private:
   CellId search(const Point& x, CellId start) const;
 
-  std::vector<WeightedPoint> points_;
   double triangulate_seconds_ = 0;
   double mixed_complex_seconds_ = 0;
-  geometry::RegularTriangulation triangulation_;
   MixedComplex complex_;
 };
 

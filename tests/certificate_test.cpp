@@ -201,6 +201,30 @@ TEST_CASE("a connected double cover of a ball is rejected though all its counts 
   CHECK(certificate.violations_L + certificate.violations_U == 0);
 }
 
+TEST_CASE("coarse meshes are certified up to C = 0.2, and their double covers rejected") {
+  for (const double C : {0.12, 0.16, 0.2}) {
+    CAPTURE(C);
+    const refine::Sizing sizing{C, refine::Sizing::quality_for(C)};
+    for (const Good& good : {one_ball(), two_overlapping(), two_apart(), cage()}) {
+      const IndexedMesh mesh = front::mesh_skin(good.skin, support::with(sizing)).mesh;
+      const auto certify = [&](const IndexedMesh& other) {
+        return refine::certify(other, good.skin.surface, good.skin.topology, sizing);
+      };
+      const Certificate certificate = certify(mesh);
+      CHECK_MESSAGE(certificate.certified, certificate.reason);
+      check_rejected(certify(together(mesh, mesh)), "could not be shown to cover the skin once");
+      IndexedMesh turned = mesh;  // a second sheet beside the first: the same, moved within it
+      for (Point& p : turned.positions) p = Point(p.x(), p.z(), -p.y());
+      check_rejected(certify(together(mesh, turned)), "");
+    }
+    const Good ball = one_ball();
+    check_rejected(
+        refine::certify(double_cover(front::mesh_skin(ball.skin, support::with(sizing)).mesh),
+                        ball.skin.surface, ball.skin.topology, sizing),
+        "could not be shown to cover the skin once");
+  }
+}
+
 TEST_CASE("a mesh with a hole is rejected") {
   const Good good = two_overlapping();
   IndexedMesh bad = good.mesh;

@@ -193,7 +193,7 @@ class NotCertified(CommandTest):
 
     def test_a_note_says_that_the_sizes_are_out_of_range(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *self.WORDS, code=5)
-        self.assertIn(b"theory", done.stderr)
+        self.assertIn(b"C Q = 1.71 is above", done.stderr)
 
 
 class Morse(CommandTest):
@@ -333,6 +333,32 @@ class Morse(CommandTest):
 
 
 class Failures(CommandTest):
+    def test_marching_cubes_are_told_for_what_they_are(self):
+        words = (self.ring, "--method", "marching-cubes")
+        report = self.mesh_json(*words, "-o", "ring.ply", code=5)
+        self.assertEqual(self.names(), ["ring.ply.unverified"])
+        self.assertEqual(report["method"], "marching-cubes")
+        self.assertFalse(report["certified"])
+        self.assertLess(report["min_angle_deg"], 10)
+        self.assertEqual(report["smoothing"]["moved"], 0)
+        wide = self.mesh_json(*words, "-o", "wide.ply", "--grid", "0.6", code=5)
+        self.assertEqual(wide["grid_step"], 0.6)
+        self.assertLess(report["grid_step"], 0.6)
+        self.assertLess(wide["triangles"], report["triangles"])
+
+    def test_a_grid_of_too_many_cells_gives_6(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "marching-cubes",
+                         "--grid", "1e-9", code=6)
+        self.assertEqual(self.names(), [])
+
+    def test_the_angle_goal_is_met_and_0_leaves_the_mesh_as_refined(self):
+        smooth, rough, more = (self.mesh_json(self.ring, "-o", "ring.ply", *words) for words in
+                               ((), ("--angle-goal", "0"), ("--angle-goal", "33")))
+        self.assertGreater(smooth["min_angle_deg"], 30 - 1e-9)
+        self.assertEqual(rough["smoothing"]["moved"], 0)
+        self.assertLess(rough["min_angle_deg"], smooth["min_angle_deg"])
+        self.assertGreater(more["min_angle_deg"], 33 - 1e-9)
+
     def test_wrong_arguments_give_2(self):
         good = ("mesh", self.ring, "-o", "ring.ply")
         for words in [(), ("melt",), ("mesh",), ("mesh", self.ring), (*good, "--probe", "-1"),
@@ -340,7 +366,10 @@ class Failures(CommandTest):
                       (*good, "-C", "inf"), (*good, "-Q", "1"), (*good, "-C", "1"),
                       (*good, "--height", "0,0,0"), (*good, "--height", "1,2"),
                       (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
-                      (*good, "--method", "static"), (*good, "--progress", "often"),
+                      (*good, "--method", "melt"), (*good, "--progress", "often"),
+                      (*good, "--grid", "0.3"), (*good, "--angle-goal", "61"),
+                      (*good, "--method", "marching-cubes", "--grid", "0"),
+                      (*good, "--method", "marching-cubes", "--grid", "nan"),
                       (*good, "-o", "ring.ply"), (*good, "-o", "ring.txt"), (*good, "--threads"),
                       ("mesh", self.ring, "-o", "-", "--json"),
                       (*good, "--function", "height"), (*good, "--function", "height:1,2"),
@@ -656,6 +685,17 @@ class OtherCommands(CommandTest):
             numbers = [float(w) for w in (self.folder / "out.xyzr").read_text().split()]
             self.assertEqual(numbers[:3], [1, 2, 3])
             self.assertAlmostEqual(numbers[3], radius)
+
+    def test_a_coarse_mesh_is_certified_and_the_report_says_what_is_not_proved_beforehand(self):
+        result = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18",
+                                  "--json")
+        report = json.loads(result.stdout)
+        self.assertFalse(report["C_Q_in_proved_range"])
+        self.assertGreater(report["Q"], 1.8)
+        self.assertIn(b"the certificate decides", result.stderr)
+        self.run_morskin("check", "out.ply", "--against", MOLECULES / "caffeine.xyz", "-C", "0.18")
+        people = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18")
+        self.assertIn(b"certified all the same", people.stdout)
 
     def test_info_counts_the_elements(self):
         info = json.loads(self.run_morskin("info", MOLECULES / "caffeine.xyz", "--json").stdout)

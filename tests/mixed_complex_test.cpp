@@ -223,6 +223,69 @@ TEST_CASE("a wall seen from the other side is the same plane") {
   }
 }
 
+TEST_CASE("walls made on demand are the kept ones, in the same order") {
+  std::size_t kept = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    const MixedComplex& complex = test.skin.complex();
+    kept += complex.kept_size();
+    for (std::uint32_t i = 0; i < complex.kept_size(); ++i) {
+      const std::vector<Wall> made = complex.make_walls(CellId{i});
+      CHECK(
+          std::ranges::equal(made, complex.kept_walls(CellId{i}), [](const Wall& a, const Wall& b) {
+            return a.normal == b.normal && a.offset == b.offset && a.beyond == b.beyond;
+          }));
+    }
+  }
+  CHECK(kept > 1000);  // the law was put to the test
+}
+
+TEST_CASE("a cell's dimension and place lead back to the cell, and every simplex has one") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    const MixedComplex& complex = test.skin.complex();
+    const auto& t = complex.triangulation();
+    const std::array sizes{t.vertices.size(), t.edges.size(), t.triangles.size(),
+                           t.tetrahedra.size()};
+    std::vector<char> is_met(complex.size(), 0);
+    for (std::size_t d = 0; d < 4; ++d) {
+      for (std::size_t place = 0; place < sizes[d]; ++place) {
+        const CellId cell = complex.cell(static_cast<int>(d), place);
+        REQUIRE(cell.index() < complex.size());
+        is_met[cell.index()] = 1;
+        CHECK(complex.dimension(cell) == static_cast<int>(d));
+        CHECK(complex.place(cell) == place);
+      }
+    }
+    CHECK(std::ranges::count(is_met, 0) == 0);
+  }
+}
+
+TEST_CASE("every point of the skin, and near it, lies in a cell that is kept") {
+  std::size_t near = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Case test(seed);
+    const MixedComplex& complex = test.skin.complex();
+    for (int i = 0; i < 40; ++i) {
+      const Point x = test.box.sample(test.random);
+      const CellId cell = test.cell_of(x);
+      if (const auto p = test.skin.project(x, cell)) CHECK(complex.is_kept(p->cell));
+      double heaviest = -std::numeric_limits<double>::infinity();
+      for (const AtomId a : test.skin.atoms(cell)) {
+        heaviest = std::max(heaviest, test.skin.points()[a.index()].weight);
+      }
+      const double g = complex.patch(cell).value(x);
+      if (std::abs(g) > 0.99 * MixedComplex::nearness * std::abs(heaviest)) continue;
+      ++near;
+      CHECK(complex.is_kept(cell));
+    }
+  }
+  CHECK(near > 100);  // the law was put to the test
+}
+
 TEST_CASE(
     "every point lies in exactly one cell, up to walls, and the walk finds it from any start") {
   for (unsigned seed = 0; seed < 300; ++seed) {

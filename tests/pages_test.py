@@ -11,6 +11,9 @@
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
 - Every figure is well-formed and shown on some page.
+- The pages of the course have all their parts, every excerpt is marked in the sources and shown,
+  and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
+  commands too).
 
 Prints one line and exits with 1 on any failure.
 """
@@ -21,9 +24,11 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "papers" / "course"))
 PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
-CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake"]
+CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake",
+                "papers"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")
@@ -170,6 +175,36 @@ def check_figures(checks):
             checks.expect(False, where, str(error))
 
 
+def declarations(path):
+    """What is to be answered in a file of answers: types and names."""
+    text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
+    return re.findall(r"\b((?:Number|Count|Counts|Formula<[^>]*>) \w+) =", text)
+
+
+def check_course(checks):
+    from page import Page, complaints
+    from sources import all_excerpts
+    pages = [Page(page) for page in PAGES if page.parent.name == "papers" and page.exists()]
+    for page in pages:
+        found = complaints(page)
+        checks.expect(not found, page.path.name, "; ".join(found))
+    try:
+        shown = {(file, name) for page in pages for name, file in page.excerpts()}
+        for file, name in all_excerpts():
+            where = str(file.relative_to(ROOT))
+            checks.expect((file, name) in shown, where, f"excerpt {name}: on no page")
+    except ValueError as error:
+        checks.expect(False, "excerpts", str(error))
+    for task in sorted((ROOT / "papers" / "exercises").glob("[0-9]*.h")):
+        solution = ROOT / "papers" / "solutions" / task.name
+        where = f"papers/exercises/{task.name}"
+        checks.expect((ROOT / "papers" / f"{task.stem}.md").exists(), where, "no page")
+        checks.expect(solution.exists() and declarations(task) == declarations(solution), where,
+                      "not what the solution answers")
+        checks.expect(task.read_text().count("= unanswered;") == len(declarations(task)), where,
+                      "an answer is given away")
+
+
 def main():
     checks = Checks()
     sources = Sources()
@@ -182,6 +217,7 @@ def main():
             for match in LINK.finditer(block):
                 check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
     check_figures(checks)
+    check_course(checks)
     for failure in checks.failures:
         print(failure)
     print(f"{checks.passed} passed, {len(checks.failures)} failed")

@@ -101,3 +101,15 @@ TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
     CHECK(sizing.triangle_ratio(rho_a, rho_b) == sizing.triangle_ratio(2 * rho_a, 2 * rho_b));
   }
 }
+
+TEST_CASE("for every C up to 0.2 the Q that goes with it lets refinement end and certifies") {
+  CHECK(Sizing::quality_for(0.08) == 1.65);
+  for (double C = 0.001; C <= Sizing::largest_proved_C; C += 0.001) {
+    CAPTURE(C);
+    const Sizing sizing{C, Sizing::quality_for(C)};
+    CHECK(sizing.is_refinement_proved_to_end());
+    CHECK(sizing.is_tube_proved());
+  }
+  const Sizing beyond{0.205, 2 * 0.205 + std::sqrt(4 * 0.205 * 0.205 + 2)};
+  CHECK_FALSE(beyond.is_tube_proved());
+}

@@ -1,9 +1,12 @@
 // Meshes many seeded sets of balls and counts how they came out. Each has a process of its own, so
 // that a crash or an endless loop is one failure among the others.
 //
-//   morskin_stress SETS [FIRST_SEED]     all of them, with a line now and then and a total
-//   morskin_stress --balls SEED          one set's balls as XYZR, for the command (--model vdw)
+//   morskin_stress SETS [FIRST_SEED [METHOD]]   all of them, with a line now and then and a total;
+//                                               METHOD is sweep (default) or static
+//   morskin_stress --balls SEED                 one set's balls as XYZR, for the command
+//                                               (--model vdw)
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,7 +26,8 @@ using support::Outcome;
 
 namespace {
 
-constexpr unsigned most_seconds = 120;  // for one set, on a busy machine
+constexpr unsigned most_seconds = 60;  // of work on one set
+constexpr unsigned most_waiting = 20;  // times as long by the clock, on a busy machine
 
 // What the child tells its parent; short enough for one write to a pipe.
 struct Message {
@@ -32,20 +36,24 @@ struct Message {
   std::array<char, 400> why;
 };
 
-[[noreturn]] void run_child(unsigned seed, int pipe) {
-  ::alarm(most_seconds);
-  const Outcome outcome = support::outcome_of(support::nasty_set(seed));
+[[noreturn]] void run_child(unsigned seed, front::Method method, int pipe) {
+  const rlimit work{most_seconds, most_seconds};
+  ::setrlimit(RLIMIT_CPU, &work);
+  ::alarm(most_waiting * most_seconds);
+  front::MeshOptions options;
+  options.method = method;
+  const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
   Message message{outcome.kind, outcome.triangles, {}};
   outcome.why.copy(message.why.data(), message.why.size() - 1);
   const bool is_told = ::write(pipe, &message, sizeof message) == sizeof message;
   ::_exit(is_told ? 0 : 1);
 }
 
-Outcome run_set(unsigned seed) {
+Outcome run_set(unsigned seed, front::Method method) {
   int ends[2];
   if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
   const pid_t child = ::fork();
-  if (child == 0) run_child(seed, ends[1]);
+  if (child == 0) run_child(seed, method, ends[1]);
   ::close(ends[1]);
   Message message{};
   const bool is_told = ::read(ends[0], &message, sizeof message) == sizeof message;
@@ -55,9 +63,10 @@ Outcome run_set(unsigned seed) {
   if (is_told) return {message.kind, message.why.data(), message.triangles};
   if (!WIFSIGNALED(status)) return {Outcome::Kind::Failed, "ended without a word", 0};
   const int signal = WTERMSIG(status);
+  const bool is_late = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
   return {Outcome::Kind::Failed,
-          signal == SIGALRM ? "took more than " + std::to_string(most_seconds) + " s"
-                            : "crashed: " + std::string(::strsignal(signal)),
+          is_late ? "took more than " + std::to_string(most_seconds) + " s"
+                  : "crashed: " + std::string(::strsignal(signal)),
           0};
 }
 
@@ -77,13 +86,13 @@ void print(const char* name, const Tally& tally) {
               tally.certified, tally.singular, tally.failed, tally.triangles);
 }
 
-int run_all(unsigned sets, unsigned first) {
+int run_all(unsigned sets, unsigned first, front::Method method) {
   const auto start = std::chrono::steady_clock::now();
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
   for (unsigned i = 0; i < sets; ++i) {
     const unsigned seed = first + i;
-    const Outcome outcome = run_set(seed);
+    const Outcome outcome = run_set(seed, method);
     total.add(outcome);
     by_kind[seed % support::nasty_kinds].add(outcome);
     if (outcome.kind == Outcome::Kind::Failed) {
@@ -113,9 +122,10 @@ int main(int count, char** words) {
     std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
     return EXIT_SUCCESS;
   }
-  if (count < 2 || count > 3 || number(words[1]) == 0) {
-    std::fputs("usage: morskin_stress SETS [FIRST_SEED] | --balls SEED\n", stderr);
+  const auto method = count == 4 ? front::parse_method(words[3]) : front::Method::Sweep;
+  if (count < 2 || count > 4 || number(words[1]) == 0 || !method) {
+    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD]] | --balls SEED\n", stderr);
     return 2;
   }
-  return run_all(number(words[1]), count == 3 ? number(words[2]) : 0);
+  return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, *method);
 }

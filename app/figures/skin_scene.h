@@ -1,0 +1,34 @@
+#pragma once
+
+/// Skins, their meshes and their Morse theory as things to be drawn.
+
+#include "app/figures/panels.h"
+#include "front/mesh_skin.h"
+#include "morse/morse_smale_complex.h"
+
+namespace morskin::figures {
+
+/// The mesh of a skin with the skin's own normals.
+MeshLayer skin_layer(const front::PreparedSkin& skin, const front::MeshResult& result);
+/// A partial mesh: its first triangles.
+MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles);
+/// The same moved inwards by a share of the length scale, so that a coarser mesh stands before it.
+MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& function,
+                   double inwards);
+
+/// @param C, function  as in front::MeshOptions; one front, uncertified
+front::MeshResult meshed(const front::PreparedSkin& skin, double C,
+                         const std::optional<morse::MorseFunction>& function = {});
+
+/// A ball at each critical point in the colour of its kind, most of it out of the surface.
+void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points, double radius);
+
+/// Where a function takes a value on a mesh, as segments.
+/// @param lift  pictures::Line::lift
+void add_level_curve(Scene& scene, const MeshLayer& layer, const morse::MorseFunction& function,
+                     double value, const Colour& colour, double width, double lift);
+
+/// A camera that looks along the shortest principal axis of some points, the longest upright.
+Camera principal_camera(std::span<const Point> points, int width, int height);
+
+}  // namespace morskin::figures

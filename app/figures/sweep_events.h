@@ -1,0 +1,26 @@
+#pragma once
+
+/// A sweep taken down as it happens. Triangles are only ever added, so a state of the sweep is a
+/// number of triangles, and its front the edges that only one of them has.
+
+#include "front/mesh_skin.h"
+#include "front/two_fronts.h"
+#include "morse/guide.h"
+
+namespace morskin::figures {
+
+struct Event {
+  front::Operation operation;
+  std::size_t before, after;  ///< triangles
+};
+
+struct RecordedSweep {
+  morse::Guide guide;
+  skin::SkinMesh mesh;
+  std::vector<Event> events;
+};
+
+/// A sweep from below, Algorithm 1 as printed.
+RecordedSweep recorded_sweep(const front::PreparedSkin& skin, double C);
+
+}  // namespace morskin::figures

@@ -1,0 +1,54 @@
+#pragma once
+
+/// What a viewer page carries: named arrays, packed, and a JSON object that says what they are.
+/// Reader: `viewer/src/page_data.js`; the arrays of a page are listed in `papers/viewer.md`.
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/indexed_mesh.h"
+
+namespace morskin::app {
+
+/// Multiples of `step` from `origin`: a position is three integers below 2^24, which single
+/// precision holds exactly.
+struct Grid {
+  geometry::Point origin = geometry::Point::Zero();
+  double step = 1;  ///< Angstrom
+
+  std::array<std::int32_t, 3> nearest(const geometry::Point& p) const;
+};
+/// @return a grid about the mesh on which its shortest edge is `least_edge` steps long or more, as
+///         far as 24 bits go
+Grid grid_of(const geometry::IndexedMesh& mesh);
+constexpr double least_edge = 64;
+
+class PageData {
+ public:
+  /// Integers, told apart by byte so that deflate finds the high bytes, which are mostly zero.
+  void add(const std::string& name, std::span<const std::uint32_t> numbers);
+  /// The same for signed ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
+  void add(const std::string& name, std::span<const std::int32_t> numbers);
+  void add(const std::string& name, std::span<const std::uint8_t> bytes);
+  void add(const std::string& name, std::span<const double> numbers);
+  void add(const std::string& name, std::span<const float> numbers);
+
+  nlohmann::ordered_json about;  ///< for people and for the page: names, counts, options
+
+  /// The page: the viewer with these data in it.
+  /// @throws geometry::LimitReached  for more than 2 GB
+  std::string page() const;
+
+ private:
+  void add_entry(const std::string& name, std::string_view kind, std::size_t count,
+                 std::size_t planes);
+
+  nlohmann::ordered_json entries_ = nlohmann::ordered_json::array();
+  std::string bytes_;
+};
+
+}  // namespace morskin::app

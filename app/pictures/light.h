@@ -1,0 +1,49 @@
+#pragma once
+
+/// Light from a sky and a lamp: many directions, each with a depth map that tells what its light
+/// does not reach. Soft shadows and darkness in hollows come of it.
+
+#include <array>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace morskin::pictures {
+
+using geometry::Vector;
+
+/// What casts shadows, in seen space (camera.h), in any unit.
+struct Occluders {
+  std::vector<Vector> corners;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  struct SeenBall {
+    Vector centre;
+    double radius;
+  };
+  struct SeenStick {
+    Vector from, to;
+    double radius;
+  };
+  std::vector<SeenBall> balls;
+  std::vector<SeenStick> sticks;
+};
+
+/// A place that is lit. In single precision: there are millions.
+struct Spot {
+  Eigen::Vector3f position, normal;
+};
+
+struct Illumination {
+  std::vector<float> diffuse;  ///< by spot: about 1 where nothing stands in the way of the lamp
+  std::vector<float> lamp;     ///< by spot: the share of the lamp that is not hidden
+};
+
+/// Directions, towards the light, of the lamp's middle.
+Vector lamp_direction();
+
+/// @param resolution  of the depth maps, an axis
+/// @param shadows     without, everything is as if it stood alone
+Illumination illuminated(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,
+                         bool shadows);
+
+}  // namespace morskin::pictures

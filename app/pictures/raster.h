@@ -1,0 +1,106 @@
+#pragma once
+
+/// Which samples of a grid a triangle, a ball or a stick covers, seen by parallel rays, and at what
+/// depth. Sample (x, y) lies at (x + 1/2, y + 1/2); z runs towards the eye.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/point.h"
+
+namespace morskin::pictures {
+
+using geometry::Vector;
+
+struct Grid {
+  int width, height;
+};
+
+/// First and one past the last sample between two places, within the grid.
+struct Range {
+  int first, last;
+};
+inline Range samples_between(double low, double high, int count) {
+  const double first = std::clamp(std::ceil(low - 0.5), 0.0, static_cast<double>(count));
+  const double last = std::clamp(std::floor(high - 0.5) + 1, first, static_cast<double>(count));
+  return {static_cast<int>(first), static_cast<int>(last)};
+}
+
+/// Twice the area of a triangle as seen; negative when its corners run counter-clockwise for an eye
+/// that has y upwards, which is when its outer side is seen.
+inline double seen_area(const Vector& a, const Vector& b, const Vector& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// visit(x, y, depth, u, v): u and v are the weights of the first and second corner.
+template <class Visit>
+void for_each_sample_of_triangle(const Grid& grid, const Vector& a, const Vector& b,
+                                 const Vector& c, const Visit& visit) {
+  const double area = seen_area(a, b, c);
+  if (area == 0) return;
+  const Range rows = samples_between(std::min({a.y(), b.y(), c.y()}),
+                                     std::max({a.y(), b.y(), c.y()}), grid.height);
+  const Range columns =
+      samples_between(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}), grid.width);
+  const double du = (b.y() - c.y()) / area, dv = (c.y() - a.y()) / area;
+  for (int y = rows.first; y < rows.last; ++y) {
+    const Vector p(columns.first + 0.5, y + 0.5, 0);
+    double u = seen_area(p, b, c) / area, v = seen_area(a, p, c) / area;
+    for (int x = columns.first; x < columns.last; ++x, u += du, v += dv) {
+      const double w = 1 - u - v;
+      if (u >= 0 && v >= 0 && w >= 0) visit(x, y, u * a.z() + v * b.z() + w * c.z(), u, v);
+    }
+  }
+}
+
+/// visit(x, y, depth, normal)
+template <class Visit>
+void for_each_sample_of_ball(const Grid& grid, const Vector& centre, double radius,
+                             const Visit& visit) {
+  const Range rows = samples_between(centre.y() - radius, centre.y() + radius, grid.height);
+  const Range columns = samples_between(centre.x() - radius, centre.x() + radius, grid.width);
+  for (int y = rows.first; y < rows.last; ++y) {
+    for (int x = columns.first; x < columns.last; ++x) {
+      const double dx = x + 0.5 - centre.x(), dy = y + 0.5 - centre.y();
+      const double squared = radius * radius - dx * dx - dy * dy;
+      if (squared < 0) continue;
+      const double dz = std::sqrt(squared);
+      visit(x, y, centre.z() + dz, Vector(Vector(dx, dy, dz) / radius));
+    }
+  }
+}
+
+/// A cylinder without lids. visit(x, y, depth, normal)
+template <class Visit>
+void for_each_sample_of_stick(const Grid& grid, const Vector& from, const Vector& to, double radius,
+                              const Visit& visit) {
+  const Vector axis = to - from;
+  const double length = axis.norm();
+  if (length == 0) return;
+  const Vector e = axis / length;
+  const double steepness = 1 - e.z() * e.z();  // squared sine of the angle to the rays
+  if (steepness <= 0) return;                  // seen from its end: nothing but its lids
+  const Range rows = samples_between(std::min(from.y(), to.y()) - radius,
+                                     std::max(from.y(), to.y()) + radius, grid.height);
+  const Range columns = samples_between(std::min(from.x(), to.x()) - radius,
+                                        std::max(from.x(), to.x()) + radius, grid.width);
+  for (int y = rows.first; y < rows.last; ++y) {
+    for (int x = columns.first; x < columns.last; ++x) {
+      // The point q + z (0, 0, 1) is at distance `radius` from the axis, z the larger root.
+      const Vector q(x + 0.5 - from.x(), y + 0.5 - from.y(), 0);
+      const double along = q.dot(e);
+      const double half = -along * e.z();
+      const double squared =
+          half * half - steepness * (q.squaredNorm() - along * along - radius * radius);
+      if (squared < 0) continue;
+      const double z = (-half + std::sqrt(squared)) / steepness;
+      const double t = along + z * e.z();
+      if (t < 0 || t > length) continue;
+      const Vector outward = q + Vector(0, 0, z) - t * e;
+      visit(x, y, from.z() + z, Vector(outward / radius));
+    }
+  }
+}
+
+}  // namespace morskin::pictures

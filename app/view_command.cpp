@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <string>
+
+#include "app/commands.h"
+#include "app/function_argument.h"
+#include "app/molecule_input.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/staged_outputs.h"
+#include "app/version.h"
+#include "app/view_layers.h"
+#include "geometry/error.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_files.h"
+#include "geometry/mesh_shape.h"
+#include "morse/validate_complex.h"
+#include "refine/located_vertices.h"
+
+namespace morskin::app {
+namespace {
+
+// What a page shows beside the mesh, if the molecule is known.
+struct Context {
+  MoleculeInput input;
+  front::PreparedSkin skin;
+  morse::MorseFunction function;
+  morse::MorseSmaleComplex complex;
+  morse::Simplification simplified;
+};
+
+// The complex with all its points and, where rounding leaves them undecided, without its lines.
+morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double radius_share) {
+  complex.arcs.clear();
+  complex.regions.clear();
+  morse::Simplification result;
+  result.survives.assign(complex.points.size(), true);
+  for (const morse::CriticalPoint& p : complex.points) {
+    result.radius.push_back(radius_share * p.point.length_scale);
+  }
+  return result;
+}
+
+Context context(const MoleculeArguments& molecule, const ViewArguments& arguments,
+                ProgressLine& progress) {
+  MoleculeInput input = read_input(molecule);
+  front::PreparedSkin skin = prepare_skin(input);
+  Context result{std::move(input), std::move(skin), {}, {}, {}};
+  progress.show("integral lines", 0);
+  try {
+    morse::ChosenFunction chosen = morse::choose_function(
+        result.skin.surface, result.skin.topology.skin_euler_characteristic(), arguments.function);
+    result.function = chosen.function;
+    result.complex = morse::morse_smale_complex(result.skin.surface, chosen.function,
+                                                std::move(chosen.critical), arguments.threads);
+  } catch (const morse::DegenerateFunction& error) {
+    // Which exit code depends on whose choice the function was.
+    if (arguments.function) throw UsageError(error.what());
+    throw;
+  }
+  const double share = arguments.sizing.tangent_disk_share();
+  const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
+  result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
+                                 : unsimplified(result.complex, share);
+  return result;
+}
+
+void describe(PageData& page, const Context& context, const ViewArguments& arguments,
+              const MoleculeArguments& molecule) {
+  page.about["atoms"] = context.input.molecule.atoms.size();
+  page.about["model"] = skin::name_of(molecule.model);
+  page.about["probe"] = molecule.probe;
+  page.about["C"] = arguments.sizing.C;
+  page.about["Q"] = arguments.sizing.Q;
+  page.about["function"] = function_json(context.function);
+  page.about["function"]["words"] = in_words(context.function);
+  page.about["function"]["unit"] = unit_of(context.function);
+}
+
+void describe(PageData& page, const geometry::IndexedMesh& mesh) {
+  const geometry::MeshShape shape = geometry::measure_shape(mesh);
+  page.about["min_angle_deg"] = rounded(shape.min_angle_deg, 4);
+  page.about["max_angle_deg"] = rounded(shape.max_angle_deg, 4);
+}
+
+void add_context(PageData& page, const Context& context) {
+  add_molecule(page, context.input.molecule, context.skin.surface);
+  add_morse(page, context.complex, context.simplified);
+}
+
+bool has_both_extrema(const std::vector<morse::CriticalPoint>& points) {
+  const auto has = [&](int index) {
+    return std::ranges::any_of(points, [&](const auto& p) { return p.index == index; });
+  };
+  return has(0) && has(2);
+}
+
+struct Viewed {
+  geometry::IndexedMesh mesh;
+  std::optional<refine::Certificate> certificate;
+};
+
+Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLine& progress) {
+  const Context context = app::context(arguments.molecule, arguments, progress);
+  front::MeshOptions options;
+  options.sizing = arguments.sizing;
+  options.function = context.function;
+  options.threads = arguments.threads;
+  options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
+  RecordedMesh recorded = mesh_and_record(context.skin, options);
+  front::MeshResult& result = recorded.result;
+
+  progress.show("page", 0);
+  page.about["kind"] = "molecule";
+  describe(page, context, arguments, arguments.molecule);
+  describe(page, result.mesh);
+  const FrontCode code = add_mesh(page, "mesh", result.mesh);
+  add_cells(page, code, context.skin.surface.complex(), result.cells);
+  add_sweep(page, code, recorded);
+  if (result.open_edges == 0 && has_both_extrema(context.complex.points)) {
+    add_regions(page, code,
+                flow_regions(result.mesh, context.function, context.complex, arguments.threads));
+  }
+  add_context(page, context);
+  return {std::move(result.mesh), result.certificate};
+}
+
+Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& progress) {
+  Viewed viewed{geometry::read_mesh(arguments.molecule.input), {}};
+  const geometry::IndexedMesh& mesh = viewed.mesh;
+  if (mesh.triangles.empty()) {
+    throw geometry::RefusedInput(arguments.molecule.input.string() + ": has no triangles to show");
+  }
+  page.about["kind"] = "mesh";
+  describe(page, mesh);
+  if (!arguments.against) {
+    add_mesh(page, "mesh", mesh);
+    return viewed;
+  }
+  MoleculeArguments molecule = arguments.molecule;
+  molecule.input = *arguments.against;
+  const Context context = app::context(molecule, arguments, progress);
+  progress.show("page", 0);
+  describe(page, context, arguments, molecule);
+  page.about["against"] = molecule.input.filename().string();
+  const auto points = refine::locate_vertices(mesh, context.skin.surface);
+  viewed.certificate = refine::certify(mesh, points, context.skin.surface, context.skin.topology,
+                                       arguments.sizing, arguments.threads);
+  const FrontCode code = add_mesh(page, "mesh", mesh);
+  std::vector<geometry::CellId> cells;
+  for (const skin::SurfacePoint& p : points) cells.push_back(p.cell);
+  add_cells(page, code, context.skin.surface.complex(), cells);
+  if (has_both_extrema(context.complex.points) &&
+      !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {
+    add_regions(page, code,
+                flow_regions(mesh, context.function, context.complex, arguments.threads));
+  }
+  add_context(page, context);
+  return viewed;
+}
+
+void add_growth(PageData& page, const std::vector<std::filesystem::path>& files) {
+  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : files) {
+    const std::string name = "growth." + std::to_string(frames.size());
+    const geometry::IndexedMesh mesh = geometry::read_mesh(file);
+    add_mesh(page, name, mesh);
+    frames.push_back(
+        {{"name", name}, {"label", file.stem().string()}, {"triangles", mesh.triangles.size()}});
+  }
+  if (!frames.empty()) page.about["growth"]["frames"] = frames;
+}
+
+std::string people_text(const ViewArguments& arguments, const Viewed& viewed, const PageData& page,
+                        std::size_t bytes, const std::filesystem::path& name) {
+  std::string text = arguments.molecule.input.string() + " -> " + name.string() + "\n";
+  text += line("mesh", counted(viewed.mesh.triangles.size(), "triangle", "triangles") + ", " +
+                           counted(viewed.mesh.positions.size(), "vertex", "vertices"));
+  text += line("page", brief(static_cast<double>(bytes) / 1e6, 3) + " MB, of which the mesh's " +
+                           "places are rounded to " +
+                           brief(page.about["mesh"]["grid"]["step"].get<double>(), 3) + " A");
+  if (viewed.certificate) {
+    text += viewed.certificate->certified ? "certified: homeomorphic to the skin, [L] and [U] hold"
+                                          : "not certified: " + viewed.certificate->reason;
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+ExitCode view_command(const ViewArguments& arguments) {
+  StagedOutputs outputs({arguments.output});
+  ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  PageData page;
+  page.about["title"] = arguments.molecule.input.filename().string();
+  page.about["version"] = version;
+  const bool is_mesh = names_a_mesh(arguments.molecule.input);
+  const Viewed viewed =
+      is_mesh ? view_mesh(page, arguments, progress) : view_molecule(page, arguments, progress);
+  add_growth(page, arguments.growth);
+  if (viewed.certificate) {
+    page.about["certified"] = viewed.certificate->certified;
+    page.about["reason"] = viewed.certificate->reason;
+  }
+  const bool has_failed = !is_mesh && !viewed.certificate->certified;
+  const std::string bytes = page.page();
+  std::filesystem::path name = arguments.output;
+  for (geometry::PendingFile& file : outputs.files()) {
+    file.write(bytes);
+    name = file.commit(has_failed ? ".unverified" : "");
+  }
+  for (const std::filesystem::path& path : outputs.direct()) {
+    if (!has_failed) geometry::write_file_atomically(path, bytes);
+  }
+  progress.wipe();
+  if (has_failed) {
+    std::cerr << "morskin: " << arguments.output.string()
+              << ": not certified: " << viewed.certificate->reason << "; see " << name.string()
+              << "\n";
+  }
+  if (!arguments.quiet) {
+    const bool is_taken = arguments.output == "-" || arguments.output == "/dev/stdout";
+    (is_taken ? std::cerr : std::cout) << people_text(arguments, viewed, page, bytes.size(), name);
+  }
+  return has_failed ? ExitCode::NotCertified : ExitCode::Success;
+}
+
+}  // namespace morskin::app

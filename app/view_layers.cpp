@@ -1,0 +1,266 @@
+#include "app/view_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/surface_mesh.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::Point;
+using Numbers = std::vector<std::uint32_t>;
+using SignedNumbers = std::vector<std::int32_t>;
+
+nlohmann::ordered_json json(const Grid& grid) {
+  return {{"origin", {grid.origin.x(), grid.origin.y(), grid.origin.z()}}, {"step", grid.step}};
+}
+
+// By triangle in the order of the code, a value less the parent's.
+template <class Value>
+SignedNumbers against_parents(const FrontCode& code, Value value) {
+  SignedNumbers result;
+  result.reserve(code.triangles.size());
+  Numbers values;
+  values.reserve(code.triangles.size());
+  for (std::size_t i = 0; i < code.triangles.size(); ++i) {
+    values.push_back(value(code.triangles[i]));
+    const std::uint32_t parent = i == 0 ? 0 : values[code.parents[i]];
+    result.push_back(static_cast<std::int32_t>(values.back() - parent));
+  }
+  return result;
+}
+
+// Points one after the other, each less the one before, on a grid.
+void add_path(PageData& page, const std::string& name, const Grid& grid,
+              const std::vector<Point>& points) {
+  std::array<SignedNumbers, 3> axes;
+  std::array<std::int32_t, 3> last{};
+  for (const Point& p : points) {
+    const auto at = grid.nearest(p);
+    for (std::size_t k = 0; k < 3; ++k) axes[k].push_back(at[k] - last[k]);
+    last = at;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    page.add(name + "." + "xyz"[k], std::span(std::as_const(axes[k])));
+}
+
+double distance_from_line(const Point& p, const Point& a, const Point& b) {
+  const geometry::Vector along = b - a;
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
+  return (p - a - t * along).norm();
+}
+
+// Appends the points of a polyline that it is off without, by more than a tolerance (Douglas and
+// Peucker), but for the first.
+void thin(std::span<const Point> line, double tolerance, std::vector<Point>& result) {
+  if (line.size() < 2) return;
+  double farthest = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const double d = distance_from_line(line[i], line.front(), line.back());
+    if (d > farthest) {
+      farthest = d;
+      at = i;
+    }
+  }
+  if (farthest > tolerance) {
+    thin(line.first(at + 1), tolerance, result);
+    thin(line.subspan(at), tolerance, result);
+  } else {
+    result.push_back(line.back());
+  }
+}
+
+// Lines drawn on screens: half a hundredth of an Angstrom is less than a pixel.
+constexpr double line_tolerance = 0.005;
+
+void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleComplex& complex) {
+  std::vector<Point> points;
+  Numbers lengths;
+  std::vector<std::uint8_t> indices;  // of the extremum
+  for (std::size_t i = 0; i < complex.arcs.size(); ++i) {
+    const std::span<const Point> line = complex.line(morse::ArcId{i});
+    const std::size_t before = points.size();
+    points.push_back(line.front());
+    thin(line, line_tolerance, points);
+    lengths.push_back(static_cast<std::uint32_t>(points.size() - before));
+    indices.push_back(
+        static_cast<std::uint8_t>(complex.points[complex.arcs[i].extremum.index()].index));
+  }
+  Grid grid;
+  grid.step = 0x1p-11;  // a tenth of the tolerance
+  page.about[name] = {{"count", lengths.size()}, {"grid", json(grid)}};
+  page.add(name + ".lengths", std::span(std::as_const(lengths)));
+  page.add(name + ".index", std::span(std::as_const(indices)));
+  add_path(page, name, grid, points);
+}
+
+}  // namespace
+
+FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh) {
+  const Grid grid = grid_of(mesh);
+  if (!std::isfinite(grid.step) || !grid.origin.allFinite()) {
+    throw geometry::RefusedInput("the mesh is too large to be shown; give lengths in Angstrom");
+  }
+  if (mesh.triangles.size() > geometry::SurfaceMesh::most_triangles) {
+    throw geometry::LimitReached("the mesh has too many triangles for one page");
+  }
+  FrontCode code = front_code(mesh.triangles, mesh.positions.size());
+  std::vector<std::array<std::int32_t, 3>> at;
+  at.reserve(code.vertices.size());
+  for (const std::uint32_t v : code.vertices) at.push_back(grid.nearest(mesh.positions[v]));
+  page.about[name] = {{"triangles", code.triangles.size()},
+                      {"vertices", code.vertices.size()},
+                      {"grid", json(grid)}};
+  page.add(name + ".cases", std::span(std::as_const(code.cases)));
+  page.add(name + ".references", std::span(std::as_const(code.references)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    SignedNumbers off;
+    off.reserve(at.size());
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      const auto [p, q, r] = code.foretold[v];
+      const std::int32_t foretold = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
+      off.push_back(at[v][k] - foretold);
+    }
+    page.add(name + "." + "xyz"[k], std::span(std::as_const(off)));
+  }
+  return code;
+}
+
+void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,
+               const std::vector<geometry::CellId>& cells) {
+  SignedNumbers off;
+  std::uint32_t last = 0;
+  for (std::size_t v = 0; v < code.vertices.size(); ++v) {
+    const std::uint32_t cell = complex.number(cells[code.vertices[v]]);
+    off.push_back(static_cast<std::int32_t>(cell - last));
+    last = cell;
+  }
+  page.add("mesh.cell", std::span(std::as_const(off)));
+}
+
+void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded) {
+  const auto count = static_cast<std::uint32_t>(recorded.swept.size());
+  const std::uint32_t each = std::max(1U, (count + most_steps - 1) / most_steps);
+  const std::uint32_t steps = (count + each - 1) / each;
+  std::vector<std::uint8_t> operation(count, 0);  // by swept triangle
+  std::array<Numbers, 5> done;                    // by operation and step
+  for (Numbers& counts : done) counts.assign(steps, 0);
+  std::uint32_t from = 0;
+  for (const RecordedStep& step : recorded.steps) {
+    const auto kind = static_cast<std::uint8_t>(step.operation);
+    std::fill(operation.begin() + from, operation.begin() + step.triangles, kind);
+    from = step.triangles;
+    if (step.triangles > 0) ++done[kind][(step.triangles - 1) / each];
+  }
+  page.about["sweep"] = {{"steps", steps}, {"triangles_per_step", each}, {"triangles", count}};
+  for (std::size_t kind = 0; kind < done.size(); ++kind) {
+    page.add("sweep.done." + std::to_string(kind), std::span(std::as_const(done[kind])));
+  }
+  page.add("mesh.birth", std::span<const std::int32_t>(against_parents(
+                             code, [&](std::uint32_t t) { return recorded.birth[t] / each; })));
+  std::vector<std::uint8_t> of_triangle;
+  for (const std::uint32_t t : code.triangles) of_triangle.push_back(operation[recorded.birth[t]]);
+  page.add("mesh.operation", std::span(std::as_const(of_triangle)));
+}
+
+void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regions) {
+  Numbers minima, maxima;
+  for (const FlowRegion& region : regions.regions) {
+    minima.push_back(region.minimum);
+    maxima.push_back(region.maximum);
+  }
+  page.add("regions.minimum", std::span(std::as_const(minima)));
+  page.add("regions.maximum", std::span(std::as_const(maxima)));
+  page.add("mesh.region", std::span<const std::int32_t>(against_parents(
+                              code, [&](std::uint32_t t) { return regions.of_triangle[t]; })));
+}
+
+void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::SkinSurface& skin) {
+  std::vector<double> balls;
+  std::vector<float> radii;
+  std::vector<std::uint8_t> element_of;
+  std::map<std::string, std::uint8_t> place;
+  nlohmann::ordered_json elements = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+    const skin::Atom& atom = molecule.atoms[i];
+    const geometry::WeightedPoint& p = skin.points()[i];
+    balls.insert(balls.end(), {p.position.x(), p.position.y(), p.position.z(), p.weight});
+    radii.push_back(static_cast<float>(atom.radius));
+    std::string element(atom.element.view());
+    // There are fewer elements than this; a file that makes up its own shows the rest as the last.
+    if (!place.contains(element) && elements.size() < 255) {
+      place.emplace(element, static_cast<std::uint8_t>(elements.size()));
+      elements.push_back(element);
+    }
+    const auto found = place.find(element);
+    element_of.push_back(found == place.end() ? std::uint8_t{254} : found->second);
+  }
+  page.about["elements"] = elements;
+  page.add("atoms.balls", std::span(std::as_const(balls)));
+  page.add("atoms.radius", std::span(std::as_const(radii)));
+  page.add("atoms.element", std::span(std::as_const(element_of)));
+
+  const geometry::RegularTriangulation& triangulation = skin.triangulation();
+  page.about["complex"] = {{"cells", skin.complex().size()}};
+  // Corners ascend: the first is told by its difference from the simplex before, the others by
+  // theirs from the corner before.
+  const auto add_simplices = [&](const std::string& name, const auto& simplices) {
+    SignedNumbers numbers;
+    std::uint32_t last = 0;
+    for (const auto& simplex : simplices) {
+      std::uint32_t before = std::exchange(last, simplex[0].value);
+      for (const geometry::AtomId atom : simplex) {
+        numbers.push_back(
+            static_cast<std::int32_t>(atom.value - std::exchange(before, atom.value)));
+      }
+    }
+    page.add("complex." + name, std::span(std::as_const(numbers)));
+  };
+  std::vector<std::array<geometry::AtomId, 1>> vertices;
+  for (const geometry::AtomId atom : triangulation.vertices) vertices.push_back({atom});
+  add_simplices("vertices", vertices);
+  add_simplices("edges", triangulation.edges);
+  add_simplices("triangles", triangulation.triangles);
+  add_simplices("tetrahedra", triangulation.tetrahedra);
+}
+
+void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
+               const morse::Simplification& simplified) {
+  std::vector<float> places;
+  std::vector<std::uint8_t> indices, survives;
+  Numbers heirs;  // of a point that was cancelled with a saddle, what took its place; else itself
+  std::array<std::size_t, 3> counts{}, left{};
+  for (std::size_t i = 0; i < traced.points.size(); ++i) {
+    const morse::CriticalPoint& p = traced.points[i];
+    const bool stays = simplified.survives[i];
+    for (const double number : {p.point.position.x(), p.point.position.y(), p.point.position.z(),
+                                p.value, p.point.length_scale, simplified.radius[i]}) {
+      places.push_back(static_cast<float>(number));
+    }
+    indices.push_back(static_cast<std::uint8_t>(p.index));
+    survives.push_back(stays);
+    heirs.push_back(static_cast<std::uint32_t>(i));
+    ++counts[indices.back()];
+    left[indices.back()] += stays;
+  }
+  for (const morse::Cancellation& c : simplified.cancelled) {
+    heirs[c.extremum.index()] = c.heir.value;
+  }
+  page.about["critical"] = {{"found", counts}, {"left", left}};
+  page.add("critical.points", std::span(std::as_const(places)));
+  page.add("critical.index", std::span(std::as_const(indices)));
+  page.add("critical.survives", std::span(std::as_const(survives)));
+  page.add("critical.heir", std::span(std::as_const(heirs)));
+  if (!traced.arcs.empty()) {
+    add_lines(page, "lines", traced);
+    add_lines(page, "kept_lines", simplified.complex);
+  }
+}
+
+}  // namespace morskin::app

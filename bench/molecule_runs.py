@@ -1,0 +1,151 @@
+"""What the scripts of this folder share: the molecules, their arguments, one run of the command."""
+
+import argparse
+import dataclasses
+import functools
+import json
+import math
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MORSKIN = ROOT / "build" / "morskin"
+BUNDLED = ROOT / "bench" / "molecules"
+ENDINGS = {".pdb", ".ent", ".cif", ".pqr", ".xyz", ".xyzr"}
+MODELS = ["paper", "sas", "vdw"]
+
+
+def argument_parser(text, *, timeout, results, largest=None):
+    """The arguments that every script takes; it may add its own."""
+    parser = argparse.ArgumentParser(description=text,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
+                        help="folder to search (default %(default)s, else bench/molecules)")
+    parser.add_argument("--largest", type=int, metavar="N", default=largest,
+                        help="no molecule of more atoms" + (" (%(default)s)" if largest else ""))
+    parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
+    parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
+    parser.add_argument("--timeout", type=float, default=timeout,
+                        help="seconds for one run (%(default)s)")
+    parser.add_argument("--results", type=Path, default=ROOT / results,
+                        help="where to write (default: " + results + ")")
+    return parser
+
+
+def molecule_folder(asked):
+    """The folder asked for; where there is none, the bundled molecules, with a line saying so."""
+    folder = asked if asked.is_absolute() else ROOT / asked
+    if not folder.is_dir():
+        print(f"{folder} is not there; using {BUNDLED}")
+        folder = BUNDLED
+    return folder.resolve()
+
+
+def molecule_files(folder, only=""):
+    def ending(path):
+        return Path(path.stem).suffix if path.suffix == ".gz" else path.suffix
+
+    return [p for p in sorted(folder.rglob("*")) if ending(p) in ENDINGS and only in str(p)]
+
+
+@functools.cache
+def atom_count(path):
+    """The atoms that a mesh would be made of; infinitely many if `info` does not say."""
+    done = subprocess.run([MORSKIN, "info", path, "--json"], capture_output=True, text=True,
+                          check=False)
+    return json.loads(done.stdout)["atoms"] if done.returncode == 0 else math.inf
+
+
+def sized_files(folder, only=""):
+    """Pairs of atoms and file, small molecules first; and the files that cannot be read."""
+    files = sorted((atom_count(p), p) for p in molecule_files(folder, only))
+    return ([(atoms, p) for atoms, p in files if atoms < math.inf],
+            [p for atoms, p in files if atoms == math.inf])
+
+
+@dataclasses.dataclass
+class Run:
+    """What came of one run: exit code (-1 out of time), report (empty if there is none), words."""
+    code: int
+    report: dict
+    complaint: str
+    seconds: float  # by the wall clock, the program's start and end included
+    cpu_seconds: float  # of all its threads; right only while no other run is under way
+
+
+def cpu_seconds_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def run_command(words, timeout):
+    """Runs morskin with these words; what it prints on standard output is JSON."""
+    start, before = time.monotonic(), cpu_seconds_of_children()
+    try:
+        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, timeout=timeout,
+                              check=False)
+        code, output, complaint = done.returncode, done.stdout, done.stderr
+    except subprocess.TimeoutExpired:
+        code, output, complaint = -1, "", f"still running after {timeout:g} s"
+    return Run(code, json.loads(output) if output else {},
+               " ".join(complaint.split()).removeprefix("morskin: "),
+               time.monotonic() - start, cpu_seconds_of_children() - before)
+
+
+def mesh(path, model, timeout, *options, keep=None):
+    """One run of `mesh`; the mesh itself, certified or not, goes to `keep` if that is given."""
+    with tempfile.TemporaryDirectory() as temporary:
+        output = Path(temporary) / "mesh.ply"
+        done = run_command(["mesh", path, "--model", model, "--json", "--progress", "never",
+                            "-o", output, *options], timeout)
+        unverified = output.with_name(output.name + ".unverified")
+        made = output if output.exists() else unverified
+        if keep and made.exists():
+            keep.write_bytes(made.read_bytes())
+    return done
+
+
+def brief(value, digits=4):
+    return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+
+
+class Rows:
+    """Rows of results, each printed at once and written to a file of tabs."""
+
+    def __init__(self, path, columns, widths, left):
+        """widths: by column, for the eye; the first `left` columns stand to the left."""
+        self.columns, self.widths, self.left, self.rows = columns, widths, left, []
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.file = open(path, "w", encoding="utf-8")
+        self.file.write("\t".join(columns) + "\n")
+        self.show(columns)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.file.close()
+
+    def show(self, values):
+        cells = [brief(v) for v in values]
+        text = [c[:w].ljust(w) if i < self.left else c.rjust(w)
+                for i, (c, w) in enumerate(zip(cells, self.widths))]
+        print(" ".join(text[:-1]), "", cells[-1], flush=True)
+
+    def add(self, row):
+        values = [row[c] for c in self.columns]
+        self.file.write("\t".join(map(str, values)) + "\n")
+        self.file.flush()
+        self.show(values)
+        self.rows.append(row)
+
+
+def end(failures, runs):
+    """Ends the script: well if there were runs and no failures."""
+    if not runs:
+        print("nothing was run")
+    sys.exit(1 if failures or not runs else 0)

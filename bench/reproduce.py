@@ -1,0 +1,305 @@
+#!/usr/bin/env python3
+"""Reproduces section 5 of the paper: Table 1 and its comparison of methods, in one run.
+
+Into the results folder go
+
+  table1.csv        every run of every method on the three molecules, one row each
+  table1.md         medians and spread beside the paper's own rows, ratios, what was asked
+  scaling.csv       time against triangles over the corpus and over finer meshes of one molecule
+  angles.csv        how many angles there are of each degree, by molecule and method
+  agreement.csv     whether the methods agree on the topology of small sets of balls and molecules
+  environment.json  machine, compiler, flags, load at start and end
+  inputs.sha256     the inputs, so that it can be seen what was measured
+
+and bench/reproduce_plots.py draws scaling and angles from there. The methods take turns within each
+repetition, so that noise hits all alike. A method that is not built in, a run that is out of time
+and a run that was left out are told in a line and in table1.md, never passed over.
+
+With --parts only some are run; the others' rows are taken from the folder, and table1.md says so.
+With --quick (QUICK=1) the whole takes under five minutes: smaller molecules, and each part stops
+when its share of the time is used.
+"""
+
+import csv
+import hashlib
+import math
+import os
+import tempfile
+import time
+from pathlib import Path
+
+import reproduce_tables as tables
+from machine import environment
+from molecule_runs import (BUNDLED, argument_parser, brief, end, mesh, molecule_files,
+                           molecule_folder, run_command, sized_files)
+from reproduce_tables import STAGES
+
+METHODS = {
+    "sweep": ["--method", "sweep"],
+    "sweep-as-printed": ["--method", "sweep", "--fronts", "1", "--angle-goal", "0"],
+    "static": ["--method", "static"],
+    "dynamic": ["--method", "dynamic"],
+    "marching-cubes": ["--method", "marching-cubes"],
+}
+UNCERTIFIED_AS_A_RULE = {"marching-cubes"}
+
+TABLE1 = {"5TMN": "5tmn_ligand.pdb", "9DNA": "9dna.pdb", "1GRM": "1grm_model1.pdb"}
+TABLE1_COLUMNS = ["molecule", "method", "repetition", "triangles", "min_angle_deg",
+                  "max_angle_deg", "worst_L", "worst_U", "seconds", "peak_memory_bytes",
+                  "certified", *("seconds_" + s for s in STAGES), "cpu_seconds", "floor_ratio",
+                  "homeomorphic", "euler_characteristic", "components", "genus", "violations_L",
+                  "violations_U", "reason"]
+SCALING_COLUMNS = ["molecule", "series", "atoms", "C", "method", "repetition", "triangles",
+                   "seconds", "cpu_seconds", "peak_memory_bytes", "certified", "reason"]
+AGREEMENT_COLUMNS = ["molecule", "model", "method", "certified", "euler_characteristic",
+                     "components", "genus", "expected_euler_characteristic", "expected_components",
+                     "expected_genus", "triangles", "min_angle_deg", "seconds", "reason"]
+FINER = "5tmn_ligand.pdb"  # meshed with ever smaller C
+SMALL_MOLECULES = ["benzene.pdb", "c60.xyz", "caffeine.xyz", "cube8.xyzr", "ring12.xyzr",
+                   "shell_hollow.xyzr", "5tmn_ligand.pdb", "9dna.pdb", "1grm_model1.pdb",
+                   "1crn.pdb", "1ubq.pdb"]
+
+
+def arguments():
+    parser = argument_parser(__doc__, timeout=1800, results="papers/results", largest=8000)
+    parser.add_argument("--repetitions", type=int, default=5, help="of every run (%(default)s)")
+    parser.add_argument("--quick", action="store_true", default=os.environ.get("QUICK") == "1",
+                        help="under five minutes; also with QUICK=1 in the environment")
+    parser.add_argument("--finest", type=float, default=0.004, metavar="C",
+                        help="of the series of finer and finer meshes (%(default)s)")
+    parser.add_argument("--parts", default="table1,scaling,agreement", help="default %(default)s")
+    parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
+    options = parser.parse_args()
+    if options.quick:
+        options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
+        options.finest = max(options.finest, 0.02)
+    return options
+
+
+class Notes:
+    """What table1.md must not keep quiet about."""
+
+    def __init__(self):
+        self.lines = []
+
+    def add(self, text):
+        if text not in self.lines:
+            self.lines.append(text)
+            print("note: " + text, flush=True)
+
+
+class Part:
+    """One part of the whole: its rows, its file, its share of the time."""
+
+    def __init__(self, name, columns, options, notes, quick_seconds):
+        self.name, self.notes, self.timeout = name, notes, options.timeout
+        self.deadline = time.monotonic() + (quick_seconds if options.quick else math.inf)
+        self.left_out = 0
+        self.failures = []
+        self.file = open(options.results / f"{name}.csv", "w", encoding="utf-8", newline="")
+        self.writer = csv.DictWriter(self.file, columns, restval="", extrasaction="ignore",
+                                     lineterminator="\n")
+        self.writer.writeheader()
+        self.rows = []
+
+    def is_late(self):
+        late = time.monotonic() > self.deadline
+        self.left_out += late
+        return late
+
+    def run(self, path, model, method, fixed, *options, keep=None):
+        """Meshes once; the row has what was measured beside what is fixed."""
+        done = mesh(path, model, self.timeout, *METHODS[method], *options, keep=keep)
+        report = done.report
+        row = {**report, **fixed, "method": method, "cpu_seconds": brief(done.cpu_seconds),
+               "seconds": report.get("seconds", {}).get("total", brief(done.seconds)),
+               "certified": report.get("certified", False)}
+        row |= {"seconds_" + k: v for k, v in report.get("seconds", {}).items()}
+        row["reason"] = report.get("reason") or done.complaint
+        row["code"] = done.code
+        self.writer.writerow(row)
+        self.file.flush()
+        self.rows.append(row)
+        if done.code not in (0, 5):
+            self.notes.add(f"{self.name}: {method} on {fixed['molecule']}: {row['reason']}")
+        if not row["certified"] and method not in UNCERTIFIED_AS_A_RULE:
+            self.failures.append(f"{self.name}: {method} on {fixed['molecule']}: {row['reason']}")
+        print(f"{self.name:10} {fixed['molecule']:24} {method:16} {row.get('triangles', '-'):>10} "
+              f"{row['seconds']:>10} s  {'certified' if row['certified'] else row['reason'][:60]}",
+              flush=True)
+        return row
+
+    def end(self):
+        if self.left_out:
+            self.notes.add(f"{self.name}: {self.left_out} runs were left out for lack of time "
+                           "(QUICK=1)")
+        self.file.close()
+
+
+def methods_there_are(options, notes):
+    """The methods that were asked for and that this build has; the others are told."""
+    there = []
+    for method, words in METHODS.items():
+        if method not in options.methods.split(","):
+            notes.add(f"the method {method} was not asked for")
+            continue
+        with tempfile.TemporaryDirectory() as temporary:
+            done = run_command(["mesh", BUNDLED / "two_balls.xyzr", "-o",
+                                Path(temporary) / "mesh.ply", "--json", *words], 60)
+        if done.code == 2:
+            notes.add(f"the method {method} is left out: {done.complaint}")
+        else:
+            there.append(method)
+    return there
+
+
+def turns(methods, repetition):
+    """The methods, another one first in each repetition."""
+    first = repetition % len(methods)
+    return methods[first:] + methods[:first]
+
+
+def table1(options, methods, notes, meshes):
+    part = Part("table1", TABLE1_COLUMNS, options, notes, 110)
+    hopeless = set()
+    for repetition in range(1, options.repetitions + 1):
+        for molecule, file in TABLE1.items():
+            for method in turns(methods, repetition):
+                if (molecule, method) in hopeless or part.is_late():
+                    continue
+                keep = meshes / f"{molecule}.{method}.ply" if repetition == 1 else None
+                row = part.run(BUNDLED / file, "paper", method,
+                               {"molecule": molecule, "repetition": repetition}, keep=keep)
+                if row["code"] not in (0, 5):
+                    hopeless.add((molecule, method))
+    part.end()
+    return part
+
+
+def evenly_spaced(files, least, most, count):
+    """About `count` of the files, their atoms evenly spaced on a logarithmic scale."""
+    chosen = []
+    for i in range(count):
+        wanted = least * (most / least) ** (i / (count - 1))
+        nearest = min(files, key=lambda f: abs(math.log(f[0] / wanted)))
+        if nearest not in chosen:
+            chosen.append(nearest)
+    return chosen
+
+
+def scaling(options, methods, notes, folder):
+    """Small things first within a repetition; a method out of time is not tried on larger ones."""
+    files, unreadable = sized_files(folder, options.only)
+    part = Part("scaling", SCALING_COLUMNS, options, notes, 70)
+    for path in unreadable:
+        notes.add(f"scaling: {path.name} cannot be read")
+    fitting = [f for f in files if 10 <= f[0] <= options.largest]
+    chosen = evenly_spaced(fitting, 10, options.largest, 8 if options.quick else 14)
+    cases = [(p, {"molecule": p.name, "series": "corpus", "atoms": atoms, "C": 0.08})
+             for atoms, p in chosen]
+    for C in (0.1, 0.08, 0.056, 0.04, 0.028, 0.02, 0.014, 0.01, 0.007, 0.005, 0.004):
+        if C >= options.finest:
+            cases.append((BUNDLED / FINER, {"molecule": FINER, "series": "finer", "atoms": 32,
+                                            "C": C}))
+    limit = {}  # by series and method, where the first run was out of time
+    for repetition in range(1, options.repetitions + 1):
+        for place, (path, fixed) in enumerate(cases):
+            for method in turns(methods, repetition):
+                if place >= limit.get((fixed["series"], method), math.inf) or part.is_late():
+                    continue
+                row = part.run(path, "paper", method, {**fixed, "repetition": repetition},
+                               "-C", str(fixed["C"]))
+                if row["code"] not in (0, 5):
+                    limit[fixed["series"], method] = place
+    part.end()
+    return part
+
+
+def made_up_balls(model, folder):
+    """One ball; two with a neck, almost touching and apart. Files of radii that go through the
+    model, so the distance is chosen for the weight that comes of it."""
+    r = 1.5
+    weight = {"paper": math.sqrt(2) * (r + 1.4), "sas": 2 * (r + 1.4) ** 2, "vdw": 2 * r * r}[model]
+    shares = {"one": None, "two-neck": 0.9, "two-almost-touching": 1.01, "two-apart": 1.2}
+    for name, share in shares.items():
+        path = folder / f"{name}-{model}.xyzr"
+        lines = [f"0 0 0 {r}"]
+        if share:
+            lines.append(f"{share * 2 * math.sqrt(weight):.6f} 0.1 0.05 {r}")
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        yield name, path
+
+
+def agreement(options, methods, notes, folder, temporary):
+    part = Part("agreement", AGREEMENT_COLUMNS, options, notes, 60)
+    files = {p.name: p for p in molecule_files(BUNDLED) + molecule_files(folder)}
+    late = set()
+    for model in options.models.split(","):
+        cases = list(made_up_balls(model, temporary))
+        for name in SMALL_MOLECULES:
+            if name in files:
+                cases.append((name, files[name]))
+            else:
+                notes.add(f"agreement: {name} is not in {folder}")
+        for name, path in cases:
+            for method in methods:
+                if (name, method) in late or part.is_late():
+                    continue
+                row = part.run(path, model, method, {"molecule": name, "model": model})
+                if row["code"] == -1:
+                    late.add((name, method))
+    part.end()
+    return part
+
+
+def write_hashes(folder, options):
+    files = {*molecule_files(BUNDLED), *molecule_files(folder)}
+    with open(options.results / "inputs.sha256", "w", encoding="utf-8") as out:
+        for path in sorted(files):
+            digest = hashlib.sha256(path.read_bytes()).hexdigest()
+            base = folder if path.is_relative_to(folder) else BUNDLED
+            out.write(f"{digest}  {path.relative_to(base)}\n")
+
+
+def main():
+    options = arguments()
+    options.results.mkdir(parents=True, exist_ok=True)
+    notes = Notes()
+    started = environment()
+    folder = molecule_folder(options.molecules)
+    if folder == BUNDLED.resolve():
+        notes.add(f"{options.molecules} is not there: the corpus is bench/molecules only")
+    if options.quick:
+        notes.add("QUICK=1: smaller molecules, less time; the figures are rougher")
+    methods = methods_there_are(options, notes)
+    write_hashes(folder, options)
+    wanted = options.parts.split(",")
+    failures = []
+    with tempfile.TemporaryDirectory() as name:
+        temporary = Path(name)
+        parts = {}
+        if "table1" in wanted:
+            parts["table1"] = table1(options, methods, notes, temporary)
+            tables.write_angles(options.results / "angles.csv", temporary, list(TABLE1), methods)
+        if "scaling" in wanted:
+            parts["scaling"] = scaling(options, methods, notes, folder)
+        if "agreement" in wanted:
+            parts["agreement"] = agreement(options, methods, notes, folder, temporary)
+    ended = environment()
+    tables.write_environment(options.results / "environment.json", started, ended, options)
+    rows = {name: part.rows for name, part in parts.items()}
+    for name in ("table1", "scaling", "agreement"):
+        if name not in rows and (earlier := tables.read_rows(options.results / f"{name}.csv")):
+            rows[name] = earlier
+            notes.add(f"{name}: these are the rows of an earlier run")
+    text = tables.table1_text(rows, methods, notes.lines, started)
+    (options.results / "table1.md").write_text(text, encoding="utf-8")
+    print("\n" + text)
+    failures = [f for part in parts.values() for f in part.failures]
+    for failure in failures:
+        print("NOT CERTIFIED: " + failure)
+    end(failures, any(rows.values()))
+
+
+if __name__ == "__main__":
+    main()

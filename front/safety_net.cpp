@@ -1,0 +1,256 @@
+#include "front/safety_net.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/union_find.h"
+#include "skin/skin_components.h"
+
+namespace morskin::front {
+
+namespace {
+
+using geometry::IndexedMesh;
+using geometry::Vector;
+using skin::SurfacePoint;
+using Sides = skin::SkinComponents::Sides;
+
+/// A mesh with the mixed cells of its vertices.
+struct Piece {
+  IndexedMesh mesh;
+  std::vector<geometry::CellId> cells;
+
+  void append(const Piece& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.mesh.positions.begin(),
+                          other.mesh.positions.end());
+    cells.insert(cells.end(), other.cells.begin(), other.cells.end());
+    for (const auto& [a, b, c] : other.mesh.triangles) {
+      mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+  }
+};
+
+/// By vertex, the number of the piece of the mesh it belongs to: what hangs together by triangles.
+struct Pieces {
+  std::vector<std::uint32_t> of_vertex;
+  std::uint32_t count = 0;
+};
+Pieces pieces_of(const IndexedMesh& mesh) {
+  geometry::UnionFind sets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  Pieces pieces{std::vector<std::uint32_t>(sets.size()), 0};
+  for (std::uint32_t v = 0; v < sets.size(); ++v) {
+    const std::uint32_t first = sets.root(v);
+    pieces.of_vertex[v] = first == v ? pieces.count++ : pieces.of_vertex[first];
+  }
+  return pieces;
+}
+
+/// The expected topology of one component alone.
+skin::DualComplex component_topology(long euler_characteristic) {
+  const auto genus = static_cast<std::size_t>(1 - euler_characteristic / 2);
+  skin::DualComplex topology;
+  topology.simplices = {1, genus, 0, 0};
+  topology.betti = {1, genus, 0};
+  return topology;
+}
+
+/// The skin's components, each with its topology, or all of them as one where they cannot be told
+/// apart.
+class Parts {
+ public:
+  Parts(const PreparedSkin& skin, const morse::MorseFunction& function)
+      : skin_(skin), components_(skin.surface) {
+    const morse::CriticalPoints critical = morse::critical_points(skin.surface, function);
+    std::map<Sides, long> characteristic;
+    bool is_known = critical.degeneracies.empty();
+    for (const morse::CriticalPoint& p : critical.points) {
+      const std::optional<Sides> sides = components_.sides(p.point);
+      is_known = is_known && sides;
+      if (sides) characteristic[*sides] += p.index == 1 ? -1 : 1;
+    }
+    long sum = 0;
+    for (const auto& [sides, chi] : characteristic) {
+      sum += chi;
+      is_known = is_known && chi <= 2 && chi % 2 == 0;
+      topologies_.push_back(component_topology(chi));
+      index_.emplace(sides, index_.size());
+    }
+    if (is_known && sum == skin.topology.skin_euler_characteristic() &&
+        index_.size() == skin.topology.skin_components()) {
+      return;
+    }
+    index_.clear();
+    topologies_ = {skin.topology};
+  }
+
+  std::size_t count() const { return topologies_.size(); }
+  const skin::DualComplex& topology(std::size_t part) const { return topologies_[part]; }
+
+  /// The mesh cut up: all that lies on each part. A piece that lies on several is in each of them.
+  std::vector<Piece> cut(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) const {
+    if (index_.empty()) return {Piece{mesh, {cells.begin(), cells.end()}}};
+    const Pieces pieces = pieces_of(mesh);
+    std::vector<std::vector<char>> is_on(count(), std::vector<char>(pieces.count, 0));
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      const auto sides = components_.sides(skin_.surface.at(mesh.positions[v], cells[v]));
+      const auto place = sides ? index_.find(*sides) : index_.end();
+      if (place != index_.end()) is_on[place->second][pieces.of_vertex[v]] = 1;
+    }
+    std::vector<Piece> result;
+    for (const std::vector<char>& chosen : is_on) {
+      result.push_back(selected(mesh, cells, pieces, chosen));
+    }
+    return result;
+  }
+
+ private:
+  static Piece selected(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+                        const Pieces& pieces, const std::vector<char>& chosen) {
+    Piece piece;
+    std::vector<std::uint32_t> place(mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      if (chosen[pieces.of_vertex[v]] == 0) continue;
+      place[v] = static_cast<std::uint32_t>(piece.cells.size());
+      piece.mesh.positions.push_back(mesh.positions[v]);
+      piece.cells.push_back(cells[v]);
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      if (chosen[pieces.of_vertex[a]] == 0) continue;
+      piece.mesh.triangles.push_back({place[a], place[b], place[c]});
+    }
+    return piece;
+  }
+
+  const PreparedSkin& skin_;
+  skin::SkinComponents components_;
+  std::map<Sides, std::size_t> index_;  ///< empty where all is one part
+  std::vector<skin::DualComplex> topologies_;
+};
+
+/// What is left to do, part by part.
+class Mending {
+ public:
+  Mending(const PreparedSkin& skin, const MeshOptions& options, const Parts& parts,
+          const MeshResult& result)
+      : skin_(skin),
+        options_(options),
+        parts_(parts),
+        pieces_(parts.cut(result.mesh, result.cells)) {
+    for (std::size_t part = 0; part < parts.count(); ++part) {
+      const std::string why = defect(part, pieces_[part]);
+      if (why.empty()) continue;
+      broken_.push_back(part);
+      fallbacks_.push_back({part, std::string(name_of(options.method)), "nothing", why});
+    }
+  }
+
+  bool is_done() const { return unmended() == 0; }
+  std::vector<Fallback> fallbacks() const { return fallbacks_; }
+
+  /// Takes what another run made of the broken parts, where it is certified.
+  void take(const skin::SkinMesh& mesh, const std::string& name) {
+    IndexedMesh plain;
+    plain.triangles = mesh.surface.triangle_list();
+    std::vector<geometry::CellId> cells;
+    for (const SurfacePoint& p : mesh.points) {
+      plain.positions.push_back(p.position);
+      cells.push_back(p.cell);
+    }
+    std::vector<Piece> others = parts_.cut(plain, cells);
+    for (std::size_t i = 0; i < broken_.size(); ++i) {
+      Piece& other = others[broken_[i]];
+      if (fallbacks_[i].to != "nothing" || !defect(broken_[i], other).empty()) continue;
+      fallbacks_[i].to = name;
+      pieces_[broken_[i]] = std::move(other);
+    }
+  }
+
+  /// All parts together, if any was replaced.
+  std::optional<Piece> joined() const {
+    if (unmended() == fallbacks_.size()) return std::nullopt;
+    Piece whole;
+    for (const Piece& piece : pieces_) whole.append(piece);
+    return whole;
+  }
+
+ private:
+  std::size_t unmended() const {
+    return static_cast<std::size_t>(std::ranges::count(fallbacks_, "nothing", &Fallback::to));
+  }
+  /// Why a mesh of a part is not certified; empty if it is.
+  std::string defect(std::size_t part, const Piece& piece) const {
+    return refine::certify(piece.mesh, skin_.surface, parts_.topology(part), options_.sizing,
+                           options_.threads)
+        .reason;
+  }
+
+  const PreparedSkin& skin_;
+  const MeshOptions& options_;
+  const Parts& parts_;
+  std::vector<Piece> pieces_;        ///< by part
+  std::vector<std::size_t> broken_;  ///< parts
+  std::vector<Fallback> fallbacks_;  ///< one for each of them
+};
+
+/// Heights to sweep along instead: off the axes, off the default and off each other.
+std::vector<morse::MorseFunction> other_directions() {
+  std::vector<morse::MorseFunction> functions;
+  for (const Vector& v : {Vector(1, 0.0443, -0.0291), Vector(-0.0367, 0.0519, 1),
+                          Vector(0.5711, 0.6133, 0.5453), Vector(0.5237, -0.6011, 0.6047)}) {
+    functions.push_back(morse::MorseFunction::height(v));
+  }
+  return functions;
+}
+
+std::string sweep_along(const morse::MorseFunction& function) {
+  std::array<char, 80> text{};
+  const Vector& v = function.direction;
+  std::snprintf(text.data(), text.size(), "sweep along (%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
+  return text.data();
+}
+
+}  // namespace
+
+bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& result) {
+  if (options.method != Method::Sweep || options.guard != Guard::Everywhere) return false;
+  const Parts parts(skin, result.function);
+  Mending mending(skin, options, parts, result);
+  MeshOptions again = options;
+  again.snapshots = 0;
+  again.snapshot_values.clear();
+  int tried = 0;
+  for (const morse::MorseFunction& function : other_directions()) {
+    if (mending.is_done() || tried == 2) break;
+    again.function = function;
+    try {
+      const MethodResult made = run_method(skin, again);
+      ++tried;
+      if (made.open_edges == 0) mending.take(made.mesh, sweep_along(made.function));
+    } catch (const morse::DegenerateFunction&) {
+      continue;  // the next direction
+    }
+  }
+  if (!mending.is_done()) {
+    again.function = result.function;
+    again.method = Method::Static;
+    again.mesher = {};
+    mending.take(run_method(skin, again).mesh, "static");
+  }
+  result.fallbacks = mending.fallbacks();
+  std::optional<Piece> whole = mending.joined();
+  if (!whole) return false;
+  result.mesh = std::move(whole->mesh);
+  result.cells = std::move(whole->cells);
+  return true;
+}
+
+}  // namespace morskin::front

@@ -1,0 +1,21 @@
+#pragma once
+
+/// What to do when the sweep's mesh does not pass the certificate: component by component of the
+/// skin, try two other directions, then the static method. A fallback is a bug of the sweep to be
+/// understood; until it is, the user has a certified mesh and the report says how it came to be.
+
+#include "front/mesh_skin.h"
+
+namespace morskin::front {
+
+/// Replaces the components that are not certified by certified ones of another run and notes each
+/// in result.fallbacks. Components are told apart by what they part (skin/skin_components.h), and
+/// their genus is the critical points'; where rounding leaves either undecided the whole mesh
+/// counts as one component.
+///
+/// Only after a sweep with the general guard: what other methods and guards do is their own affair.
+/// @param options  those of the run; their mesher makes the other sweeps
+/// @return whether the mesh was changed
+bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& result);
+
+}  // namespace morskin::front

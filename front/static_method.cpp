@@ -1,0 +1,131 @@
+#include "front/static_method.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "front/stopwatch.h"
+#include "geometry/kd_tree.h"
+#include "geometry/predicates.h"
+#include "refine/delaunay_refinement.h"
+
+namespace morskin::front {
+
+namespace {
+
+using geometry::Vector;
+using skin::SurfacePoint;
+
+using SeedId = geometry::Id<struct SeedTag>;
+
+/// Least distance of two seeds over C Q times the larger length scale. A new sample keeps a
+/// distance of C Q / (1 + C Q) from all others, so less than 1 costs nothing.
+constexpr double least_spacing = 0.9;
+/// Circumradius of a seed triangle over C Q rho: its edges are 0.7 sqrt(3) = 1.21 C Q rho long.
+/// Nothing is inserted into its ball, since what is inserted keeps farther away than the radius.
+constexpr double seed_radius = 0.7;
+
+/// A critical point and two more, 60 degrees apart seen from it.
+std::optional<std::array<SurfacePoint, 3>> seed_triangle(const skin::SkinSurface& skin,
+                                                         const SurfacePoint& p,
+                                                         const refine::Sizing& sizing) {
+  Eigen::Index axis = 0;
+  p.normal.cwiseAbs().minCoeff(&axis);
+  const Vector x = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
+  const Vector y = p.normal.cross(x);
+  const double edge = std::sqrt(3.0) * seed_radius * sizing.C * sizing.Q * p.length_scale;
+  std::array<SurfacePoint, 3> triangle{p, p, p};
+  for (std::size_t k = 1; k < 3; ++k) {
+    const double angle = static_cast<double>(k) * M_PI / 3;
+    const auto q =
+        skin.project(p.position + edge * (std::cos(angle) * x + std::sin(angle) * y), p.cell);
+    if (!q) return std::nullopt;
+    triangle[k] = *q;
+    triangle[k].position = q->position.unaryExpr(&geometry::on_exact_grid);
+  }
+  return triangle;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
+                                         const std::vector<morse::CriticalPoint>& critical,
+                                         const refine::Sizing& sizing) {
+  // Three places for each critical point; those of a triangle that could not be laid stay unused.
+  std::vector<SurfacePoint> candidates;
+  std::vector<geometry::Point> places;
+  std::vector<char> has_triangle;
+  for (const morse::CriticalPoint& c : critical) {
+    SurfacePoint p = c.point;
+    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+    const auto triangle = seed_triangle(skin, p, sizing);
+    has_triangle.push_back(triangle ? 1 : 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      candidates.push_back(triangle ? (*triangle)[k] : p);
+      places.push_back(candidates.back().position);
+    }
+  }
+  const geometry::KdTree<SeedId> tree(places);
+  std::vector<char> is_seed(candidates.size(), 0);
+  const double share = least_spacing * sizing.C * sizing.Q;
+  const auto is_free = [&](std::size_t i) {
+    const SurfacePoint& p = candidates[i];
+    // rho is 1-Lipschitz: a point nearer than share times its own rho is nearer than this.
+    const double reach = share / (1 - std::min(share, 0.5)) * p.length_scale;
+    bool free = true;
+    tree.for_each_within(p.position, reach, [&](const auto& near) {
+      const SurfacePoint& q = candidates[near.id.index()];
+      const double least = share * std::max(p.length_scale, q.length_scale);
+      if (is_seed[near.id.index()] != 0 && near.squared_distance <= least * least) free = false;
+    });
+    return free;
+  };
+  // Whole triangles first: then every component gets one, for points of other components are
+  // farther away than a length scale.
+  for (std::size_t i = 0; i < critical.size(); ++i) {
+    if (has_triangle[i] == 0) continue;
+    if (!is_free(3 * i) || !is_free(3 * i + 1) || !is_free(3 * i + 2)) continue;
+    for (std::size_t k = 0; k < 3; ++k) is_seed[3 * i + k] = 1;
+  }
+  for (std::size_t i = 0; i < critical.size(); ++i) {
+    if (is_free(3 * i)) is_seed[3 * i] = 1;
+  }
+  std::vector<SurfacePoint> seeds;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (is_seed[i] != 0) seeds.push_back(candidates[i]);
+  }
+  return seeds;
+}
+
+MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options) {
+  MethodResult result;
+  const auto progress = [&](std::string_view stage) {
+    if (options.progress) options.progress(stage, geometry::unknown_share);
+  };
+  progress("critical points");
+  morse::ChosenFunction chosen;
+  timed(result.seconds.critical_points, [&] {
+    chosen = morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
+                                    options.function);
+  });
+  result.minima = result.surviving_minima = chosen.critical.count(0);
+  result.saddles = result.surviving_saddles = chosen.critical.count(1);
+  result.maxima = result.surviving_maxima = chosen.critical.count(2);
+  result.function = chosen.function;
+  progress("refine");
+  timed(result.seconds.refine, [&] {
+    const std::vector<SurfacePoint> seeds =
+        delaunay_seeds(skin.surface, chosen.critical.points, options.sizing);
+    refine::DelaunayRefinement refinement(skin.surface, options.sizing, seeds);
+    refinement.run();
+    result.mesh = refinement.mesh();
+    const refine::DelaunayRefinementCounts& done = refinement.counts();
+    result.refinement.insert = done.too_big + done.topological;
+    result.refinement.refused = done.refused;
+  });
+  return result;
+}
+
+}  // namespace morskin::front

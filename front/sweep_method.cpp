@@ -1,0 +1,51 @@
+#include <utility>
+
+#include "front/method.h"
+#include "front/stopwatch.h"
+#include "front/two_fronts.h"
+
+namespace morskin::front {
+
+MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) {
+  MethodResult result;
+  const auto progress = [&](std::string_view stage, double share) {
+    if (options.progress) options.progress(stage, share);
+  };
+  morse::Guide guide;
+  timed(result.seconds.critical_points, [&] {
+    guide =
+        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
+                          options.sizing.tangent_disk_share(), options.threads, progress);
+  });
+  result.minima = guide.found[0];
+  result.saddles = guide.found[1];
+  result.maxima = guide.found[2];
+  result.surviving_minima = guide.count(0);
+  result.surviving_saddles = guide.count(1);
+  result.surviving_maxima = guide.count(2);
+  result.function = guide.function;
+
+  timed(result.seconds.sweep, [&] {
+    SweepOptions sweeping{.sizing = options.sizing,
+                          .guard = options.guard,
+                          .progress = [&](double share) { progress("sweep", share); },
+                          .snapshot_values = options.snapshot_values,
+                          .snapshots = options.snapshots,
+                          .snapshot = options.snapshot};
+    SweepResult swept = options.fronts == 1
+                            ? sweep_once(skin.surface, guide, sweeping)
+                            : sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);
+    result.mesh = std::move(swept.mesh);
+    result.operations = swept.operations;
+    result.open_edges = swept.open_edges;
+  });
+  if (result.open_edges > 0) return result;
+  timed(result.seconds.refine, [&] {
+    refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
+    refinement.run([&](double share) { progress("refine", share); });
+    result.refinement = refinement.counts();
+  });
+  return result;
+}
+
+}  // namespace morskin::front

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+/// Predict. The cube of Figure 4 has 6 minima and all survive. With one front, how many triangles
+/// lie on it when all bowls are laid and nothing has crept?
+Count triangles_of_bowls = unanswered;
+
+/// Run. `9dna.pdb`, --fronts 1: how many bowls are created?
+Count bowls = unanswered;
+
+/// Explain. On a sphere of radius rho a bowl is made with a disk of radius r, and its rim projected
+/// along the gradient: how long is a rim edge?
+Formula<double(double r, double rho)> rim_edge = unanswered;
+
+}  // namespace morskin::course

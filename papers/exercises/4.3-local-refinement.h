@@ -1,0 +1,17 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+/// Predict. An insertion splits a triangle at a new vertex: how many triangles more?
+Count triangles_of_an_insertion = unanswered;
+
+/// Run. `caffeine.xyz`, all options as they are: how many insertions does the refinement make?
+Count insertions = unanswered;
+
+/// Explain. In a plane, should the edge between two triangles be flipped, given the angles opposite
+/// it (radians)?
+Formula<bool(double one, double other)> flip = unanswered;
+
+}  // namespace morskin::course

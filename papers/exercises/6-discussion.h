@@ -1,0 +1,18 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+/// Predict. minima - saddles + maxima of the squared distance from (1, 9, 2) on the cube's skin,
+/// whose height gives 6 - 8 + 6.
+Count distance_sum = unanswered;
+
+/// Run. `caffeine.xyz`, swept with --function distance:0,0,0: how many minima has the distance?
+Count distance_minima = unanswered;
+
+/// Explain. The squared distance f from a point R away along -V. Scale and shift it so that it
+/// tends to the height along V as R grows: from f and R.
+Formula<double(double f, double R)> as_height = unanswered;
+
+}  // namespace morskin::course

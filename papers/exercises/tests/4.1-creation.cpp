@@ -1,0 +1,41 @@
+#include "front/two_fronts.h"
+#include "morse/guide.h"
+#include "papers/exercises/tests/course_support.h"
+#include "refine/sizing.h"
+
+// The answers: of papers/exercises or of papers/solutions.
+#include "answers/4.1-creation.h"
+
+using namespace morskin;
+using namespace morskin::course;
+
+TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the first creep" *
+          until(triangles_of_bowls)) {
+  front::MeshOptions options = one_front();
+  options.certify = false;
+  long triangles = 0;
+  options.snapshot_values = {-1e9};  // shown before the first departure
+  options.snapshot = [&](const front::Snapshot& state) {
+    triangles = static_cast<long>(state.mesh.surface.triangle_count());
+  };
+  meshed("cube8.xyzr", options);
+  CHECK(*triangles_of_bowls == triangles);
+}
+
+TEST_CASE("4.1-creation, run: so many bowls are made on 9DNA" * until(bowls)) {
+  CHECK(*bowls == static_cast<long>(meshed("9dna.pdb", one_front()).operations.creation));
+}
+
+TEST_CASE("4.1-creation, explain: a projected hexagon's edges have this length" * until(rim_edge)) {
+  for (const double rho : {0.1, 1.0, 3.0}) {
+    const skin::SkinSurface skin({support::ball(0, 0, 0, rho)});
+    for (const double share : {0.05, 0.1, 0.2, 0.4}) {
+      const auto rim = [&](double angle) {
+        const skin::Point q(share * rho * std::cos(angle), -rho, share * rho * std::sin(angle));
+        return skin.project(q, geometry::CellId{0U})->position;
+      };
+      const double edge = (rim(0.3) - rim(0.3 + M_PI / 3)).norm();
+      CHECK((*rim_edge)(share * rho, rho) == doctest::Approx(edge).epsilon(1e-9));
+    }
+  }
+}

@@ -1,0 +1,38 @@
+#include "morse/critical_points.h"
+#include "papers/exercises/tests/course_support.h"
+
+// The answers: of papers/exercises or of papers/solutions.
+#include "answers/6-discussion.h"
+
+using namespace morskin;
+using namespace morskin::course;
+
+TEST_CASE("6-discussion, predict: the critical points of a distance on the cube add up to this" *
+          until(distance_sum)) {
+  const skin::SkinSurface skin(support::molecule("cube8.xyzr", skin::Model::Paper));
+  const auto critical =
+      morse::critical_points(skin, morse::MorseFunction::squared_distance({1, 9, 2}));
+  REQUIRE(critical.degeneracies.empty());
+  CHECK(*distance_sum == critical.euler_characteristic());
+}
+
+TEST_CASE("6-discussion, run: the distance has so many minima, and the mesh is certified" *
+          until(distance_minima)) {
+  front::MeshOptions options;
+  options.function = morse::MorseFunction::squared_distance({0, 0, 0});
+  const front::MeshResult result = meshed("caffeine.xyz", options);
+  CHECK(result.certificate.certified);
+  CHECK(*distance_minima == static_cast<long>(result.minima));
+}
+
+TEST_CASE("6-discussion, explain: from far away the distance is the height" * until(as_height)) {
+  support::Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const skin::Vector V = random.direction();
+    const skin::Point x(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
+    for (const double R : {1e3, 1e4, 1e5}) {
+      const auto f = morse::MorseFunction::squared_distance(-R * V);
+      CHECK(std::abs((*as_height)(f(x), R) - V.dot(x)) <= x.squaredNorm() / R);
+    }
+  }
+}

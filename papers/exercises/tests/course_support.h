@@ -1,0 +1,43 @@
+#pragma once
+
+/// What the exercises' tests share. They run from the project's root.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "front/mesh_skin.h"
+#include "papers/exercises/course.h"
+#include "tests/support/meshes.h"
+#include "tests/support/molecules.h"
+
+namespace morskin::course {
+
+/// A test is off until its exercise has an answer.
+template <class... Answers>
+doctest::skip until(const Answers&... answers) {
+  return doctest::skip(!(answers.has_value() && ...));
+}
+
+/// Algorithm 1 as printed.
+inline front::MeshOptions one_front() {
+  front::MeshOptions options;
+  options.fronts = 1;
+  return options;
+}
+
+inline front::MeshResult meshed(std::string_view file, const front::MeshOptions& options = {},
+                                skin::Model model = skin::Model::Paper) {
+  return front::mesh_skin(support::molecule(file, model), options);
+}
+
+/// Skins of random ball sets.
+template <class Body>
+void for_skins(unsigned count, Body body) {
+  for (unsigned seed = 0; seed < count; ++seed) {
+    CAPTURE(seed);
+    if (const auto skin = support::prepared(support::ball_set(seed))) body(*skin);
+  }
+}
+
+}  // namespace morskin::course

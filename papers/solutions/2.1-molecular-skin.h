@@ -1,0 +1,24 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+// The edge's orthocentre is the middle, its weight w = 2 - (d/2)^2. The skin is singular where that
+// is zero: d = 2 sqrt(2). The balls of radius sqrt(2) touch there, and so do the two patches, which
+// the shrinking has left with the two sheets of a cone between them.
+Number touching_distance = 2 * std::sqrt(2.0);
+
+// A surface and a void within: two spheres, 2 + 2.
+Count cube_components = 2;
+Count cube_euler_characteristic = 4;
+
+// The meridian r^2 - s^2 = w/2 has the normal (r, -s)/|u| and the tangent (s, r)/|u|. With
+// f = r^2 - s^2 the curvature is t.Hess f.t / |grad f| = 2 (s^2 - r^2)/|u|^2 / (2 |u|), which is
+// (w/2)/|u|^3 in size. On the hyperboloid |u|^2 >= |w/2|, so this is at most 1/|u|.
+Formula<double(double half_weight, double distance)> smaller_curvature = [](double half_weight,
+                                                                            double distance) {
+  return std::abs(half_weight) / (distance * distance * distance);
+};
+
+}  // namespace morskin::course

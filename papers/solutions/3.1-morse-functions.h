@@ -1,0 +1,18 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+// A minimum under each ball and a maximum on each; the neck's waist is a saddle below, since the
+// neck rises towards its middle, and a saddle above. 2 - 2 + 2 = 2, a sphere's.
+Counts dumbbell = {{2, 2, 2}};
+
+Count caffeine_saddles = 6;
+
+// u = lambda M V, so G = u . M u - w/2 = lambda^2 (M V) . V - w/2, since M M = I. G = 0.
+Formula<double(double half_weight, double D)> squared_lambda = [](double half_weight, double D) {
+  return half_weight / D;
+};
+
+}  // namespace morskin::course

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+// The lowest minimum and the highest maximum, and two saddles for each handle.
+Count left_on_gramicidin = 1 + 1 + 2 * 35;
+
+Count saddles_left = 51;
+
+// b is the younger of the two that a joins, and a is its way out. Otherwise the change of f that
+// removes a and b would have to go through something else first.
+Formula<bool(double b, double c, double a, double lowest_other)> may_cancel =
+    [](double b, double c, double a, double lowest_other) {
+      return c <= b && b < a && a <= lowest_other;
+    };
+
+}  // namespace morskin::course

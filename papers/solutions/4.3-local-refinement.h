@@ -1,0 +1,18 @@
+#pragma once
+
+#include "papers/exercises/course.h"
+
+namespace morskin::course {
+
+// One becomes three.
+Count triangles_of_an_insertion = 2;
+
+Count insertions = 233;
+
+// On the circle through a, b, c the far corner sees ab under pi minus the angle at c; inside it
+// sees ab under more.
+Formula<bool(double one, double other)> flip = [](double one, double other) {
+  return one + other > M_PI;
+};
+
+}  // namespace morskin::course

@@ -1,0 +1,228 @@
+// The part of DelaunayRefinement that looks at the triangulation as a whole: the facets that are
+// left, all crossings of their dual edges, and whether they make a surface.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/surface_mesh.h"
+#include "refine/delaunay_refinement.h"
+#include "skin/line_crossings.h"
+
+namespace morskin::refine {
+
+using geometry::Triangulator;
+
+/// Looks at all crossings of the dual edges that are new since the last time.
+/// @return whether a surface ball was found that is too big
+bool DelaunayRefinement::follow_dual_edges() {
+  std::size_t found = 0;
+  for (std::uint32_t t = 0; t < duals_.size(); ++t) {
+    if (!delaunay_.is_live(t) || is_ghost(t)) continue;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
+      if (other < t && !is_ghost(other)) continue;
+      if (std::max(duals_[t].born, duals_[other].born) <= followed_) continue;
+      found += follow(t << 2 | k);
+    }
+  }
+  followed_ = now_;
+  counts_.hidden_crossings += found;
+  return found > 0;
+}
+
+/// Queues the facet for each crossing of its dual edge whose ball is too big.
+/// @return how many there are
+std::size_t DelaunayRefinement::follow(Facet f) {
+  const std::uint32_t t = Triangulator::tetrahedron_of(f);
+  const std::uint32_t u = Triangulator::tetrahedron_of(behind(f));
+  const Dual &from = duals_[t], &to = duals_[u];
+  if (!is_ghost(u) && is_inside(t) == is_inside(u) &&
+      skin::is_surely_clear((from.centre - to.centre).norm(), std::abs(from.root),
+                            std::abs(to.root))) {
+    return 0;
+  }
+  const FacetGeometry facet = geometry_of(f);
+  // The dual edge over the facet, cut off where it leaves the ball that contains the body.
+  const Vector off_middle = facet.circle.centre - middle_;
+  const double along = off_middle.dot(facet.normal);
+  const double squared = along * along - off_middle.squaredNorm() + reach_ * reach_;
+  if (!(squared > 0)) return 0;
+  const double low = std::max(-along - std::sqrt(squared), facet.height(from.centre));
+  const double high =
+      std::min(-along + std::sqrt(squared), is_ghost(u) ? INFINITY : facet.height(to.centre));
+  if (!(low < high)) return 0;
+  const Point p = facet.circle.centre + low * facet.normal;
+  const Point q = facet.circle.centre + high * facet.normal;
+  std::size_t found = 0;
+  for (const skin::LineCrossing& crossing : skin::line_crossings(skin_, p, q, from.cell).all) {
+    const Ball ball = ball_at(facet, low + crossing.at * (high - low), crossing.cell);
+    if (ball.ratio < 1) continue;
+    push(ball, f);
+    ++found;
+  }
+  return found;
+}
+
+/// The facets between an inside and an outside tetrahedron, from the inside.
+std::vector<DelaunayRefinement::Facet> DelaunayRefinement::restricted_facets() const {
+  std::vector<Facet> facets;
+  for (std::uint32_t t = 0; t < duals_.size(); ++t) {
+    if (!delaunay_.is_live(t) || !is_inside(t)) continue;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      if (!is_inside(Triangulator::tetrahedron_of(behind(t << 2 | k))))
+        facets.push_back(t << 2 | k);
+    }
+  }
+  return facets;
+}
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The triangles with their corners numbered anew, in the order in which they come.
+struct Numbered {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> corners;  ///< by new number, the old one
+};
+Numbered numbered(const std::vector<Triangle>& triangles, std::size_t corner_count) {
+  constexpr std::uint32_t none = 0xffffffff;
+  Numbered result{triangles, {}};
+  std::vector<std::uint32_t> place(corner_count, none);
+  for (Triangle& t : result.triangles) {
+    for (std::uint32_t& corner : t) {
+      if (place[corner] == none) {
+        place[corner] = static_cast<std::uint32_t>(result.corners.size());
+        result.corners.push_back(corner);
+      }
+      corner = place[corner];
+    }
+  }
+  return result;
+}
+
+/// The triangles in the order in which they are met going over edges, so that what is near in the
+/// mesh is near in memory.
+std::vector<Triangle> neighbours_together(const SurfaceMesh& surface) {
+  std::vector<Triangle> ordered;
+  std::vector<std::uint32_t> order;
+  std::vector<char> is_taken(surface.triangle_count(), 0);
+  const auto take = [&](TriangleId t) {
+    if (std::exchange(is_taken[t.index()], 1) == 0) order.push_back(t.value);
+  };
+  for (std::uint32_t first = 0; first < surface.triangle_count(); ++first) {
+    const std::size_t before = order.size();
+    take(TriangleId{first});
+    for (std::size_t i = before; i < order.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        take(SurfaceMesh::triangle(surface.twin(SurfaceMesh::half_edge(TriangleId{order[i]}, k))));
+      }
+    }
+  }
+  for (const std::uint32_t t : order) {
+    const auto [a, b, c] = surface.corners(TriangleId{t});
+    ordered.push_back({a.value, b.value, c.value});
+  }
+  return ordered;
+}
+
+/// The corners where triangles do not make one disk: ends of edges with more than two triangles,
+/// and corners whose triangles fall into several fans.
+std::vector<std::uint32_t> corners_without_disk(const std::vector<Triangle>& triangles) {
+  // An edge seen from one of its ends.
+  struct Spoke {
+    std::uint32_t corner, other, triangle;
+    auto operator<=>(const Spoke&) const = default;
+  };
+  std::vector<Spoke> spokes;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      spokes.push_back({triangles[t][k], triangles[t][(k + 1) % 3], t});
+      spokes.push_back({triangles[t][k], triangles[t][(k + 2) % 3], t});
+    }
+  }
+  std::sort(spokes.begin(), spokes.end());
+  std::vector<std::uint32_t> bad;
+  for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
+    while (end < spokes.size() && spokes[end].corner == spokes[begin].corner) ++end;
+    // Goes round from spoke to spoke: each has two triangles, each triangle two spokes here.
+    bool is_disk = true;
+    for (std::size_t i = begin; i < end && is_disk; i += 2) {
+      is_disk = spokes[i].other == spokes[i + 1].other &&
+                (i + 2 == end || spokes[i + 2].other != spokes[i].other);
+    }
+    const auto partner = [&](std::size_t i) { return begin + ((i - begin) ^ 1); };
+    std::size_t at = begin, turns = 0;
+    while (is_disk) {
+      const std::size_t on_other_side = partner(at);
+      ++turns;
+      // The other spoke of that triangle.
+      std::size_t next = begin;
+      while (next == on_other_side || spokes[next].triangle != spokes[on_other_side].triangle)
+        ++next;
+      at = next;
+      if (at == begin || turns > end - begin) break;
+    }
+    if (!is_disk || 2 * turns != end - begin) bad.push_back(spokes[begin].corner);
+  }
+  return bad;
+}
+
+}  // namespace
+
+/// At each sample whose facets do not make a disk the largest surface ball is broken, whatever its
+/// size: the sample is too coarse there to show the skin's topology.
+/// @return whether there was one
+bool DelaunayRefinement::make_disks() {
+  const std::vector<Facet> facets = restricted_facets();
+  std::vector<Triangle> triangles;
+  for (const Facet f : facets) triangles.push_back(triangle(f));
+  const Numbered compact = numbered(triangles, samples_.size());
+  if (!geometry::closed_mesh(compact.corners.size(), compact.triangles).defect) return false;
+  const std::vector<std::uint32_t> bad = corners_without_disk(triangles);
+  if (counts_.topological + bad.size() > samples_.size()) return false;
+  struct Largest {
+    Ball ball{};
+    Facet facet = 0;
+  };
+  std::vector<Largest> largest(bad.size());
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (const std::uint32_t corner : triangles[i]) {
+      const auto place = std::lower_bound(bad.begin(), bad.end(), corner);
+      if (place == bad.end() || *place != corner) continue;
+      const std::optional<Ball> ball = ball_of(facets[i]);
+      Largest& known = largest[static_cast<std::size_t>(place - bad.begin())];
+      if (ball && ball->ratio > known.ball.ratio) known = {*ball, facets[i]};
+    }
+  }
+  for (const Largest& one : largest) {
+    if (one.ball.ratio > 0) push(one.ball, one.facet);
+  }
+  counts_.topological += bad.size();
+  return !bad.empty();
+}
+
+SkinMesh DelaunayRefinement::mesh() const {
+  std::vector<Triangle> triangles;
+  for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
+  Numbered compact = numbered(triangles, samples_.size());
+  geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
+  SkinMesh mesh;
+  std::vector<std::uint32_t> corners = compact.corners;
+  if (built.defect) {
+    for (std::size_t v = 0; v < corners.size(); ++v) mesh.surface.add_vertex();
+    for (const auto& [a, b, c] : compact.triangles) {
+      mesh.surface.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
+    }
+  } else {
+    compact = numbered(neighbours_together(built.mesh), corners.size());
+    mesh.surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
+    for (std::uint32_t& corner : compact.corners) corner = corners[corner];
+    corners = std::move(compact.corners);
+  }
+  for (const std::uint32_t corner : corners) mesh.points.push_back(samples_[corner]);
+  return mesh;
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,274 @@
+#include "refine/delaunay_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/expansion.h"
+#include "geometry/predicates.h"
+#include "geometry/predicates_internal.h"
+
+namespace morskin::refine {
+
+namespace {
+
+using geometry::Triangulator;
+using geometry::WeightedPoint;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Buckets of work, one to an octave of the ball's ratio.
+constexpr std::size_t buckets = 8;
+
+WeightedPoint unweighted(const Point& p) { return {p, 0}; }
+
+/// The circumcentre as the first corner plus a vector: Cramer's rule in numbers of any kind.
+template <class Number>
+Vector circumcentre_offset(const std::array<const Point*, 4>& p) {
+  std::array<std::array<Number, 3>, 3> e{
+      {{Number::difference(p[1]->x(), p[0]->x()), Number::difference(p[1]->y(), p[0]->y()),
+        Number::difference(p[1]->z(), p[0]->z())},
+       {Number::difference(p[2]->x(), p[0]->x()), Number::difference(p[2]->y(), p[0]->y()),
+        Number::difference(p[2]->z(), p[0]->z())},
+       {Number::difference(p[3]->x(), p[0]->x()), Number::difference(p[3]->y(), p[0]->y()),
+        Number::difference(p[3]->z(), p[0]->z())}}};
+  const auto squared = [&](std::size_t i) {
+    return e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
+  };
+  const std::array<Number, 3> s{squared(0), squared(1), squared(2)};
+  const double twice = 2 * geometry::internal::determinant(e).rounded();
+  Vector offset;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto m = e;
+    for (std::size_t i = 0; i < 3; ++i) m[i][axis] = s[i];
+    offset[static_cast<Eigen::Index>(axis)] = geometry::internal::determinant(m).rounded() / twice;
+  }
+  return offset;
+}
+
+/// In doubles the centre is off by some 10 u L^4 / V, L the longest edge and 6 V the determinant:
+/// below 1e-5 L unless the tetrahedron is flatter than this share of L^3. Those that are flatter
+/// are computed with 106 bits.
+constexpr double flat_share = 1e-10;
+
+Point circumcentre(const std::array<const Point*, 4>& p) {
+  const Vector a = *p[1] - *p[0], b = *p[2] - *p[0], c = *p[3] - *p[0];
+  const double aa = a.squaredNorm(), bb = b.squaredNorm(), cc = c.squaredNorm();
+  const Vector bc = b.cross(c);
+  const double det = a.dot(bc);
+  const double longest = std::max({aa, bb, cc});
+  if (det * det <= flat_share * flat_share * longest * longest * longest) {
+    return *p[0] + circumcentre_offset<geometry::DoubleDouble>(p);
+  }
+  return *p[0] + (aa * bc + bb * c.cross(a) + cc * a.cross(b)) / (2 * det);
+}
+
+}  // namespace
+
+DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizing& sizing,
+                                       std::span<const SurfacePoint> seeds)
+    : skin_(skin),
+      sizing_(sizing),
+      delaunay_([&] {
+        std::vector<WeightedPoint> points;
+        for (const SurfacePoint& p : seeds) points.push_back(unweighted(p.position));
+        return points;
+      }()),
+      work_(buckets) {
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    samples_.push_back(seeds[delaunay_.atom(static_cast<Corner>(i))->index()]);
+  }
+  counts_.seeds = seeds.size();
+  Point low = Point::Constant(infinity), high = -low;
+  double most_weight = 0;
+  for (const WeightedPoint& p : skin.points()) {
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
+    most_weight = std::max(most_weight, p.weight);
+  }
+  middle_ = (low + high) / 2;
+  reach_ = 1.01 * ((high - low).norm() / 2 + std::sqrt(most_weight));
+}
+
+void DelaunayRefinement::run() {
+  if (delaunay_.dimension() < 3) return;  // no tetrahedra of samples only, no facets
+  ++now_;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t t = 0; t < delaunay_.tetrahedra().size(); ++t) {
+    if (delaunay_.is_live(t)) all.push_back(t);
+  }
+  duals_.resize(delaunay_.tetrahedra().size());
+  look_at_new(all);
+  do {
+    insert_all();
+  } while (follow_dual_edges() || make_disks());
+}
+
+/// Notes which side of the skin the circumcentre lies on and how far, in the sense of
+/// is_surely_clear(). Beyond the ball that contains the body it is outside; very far out the way
+/// there is not worth the walk.
+void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
+  constexpr double far = 100;
+  Dual& dual = duals_[t];
+  dual = {Point::Zero(), infinity, start, now_};
+  if (is_ghost(t)) return;
+  const auto& corners = delaunay_.tetrahedra()[t].corners;
+  dual.centre = circumcentre({&samples_[corners[0]].position, &samples_[corners[1]].position,
+                              &samples_[corners[2]].position, &samples_[corners[3]].position});
+  dual.root = 0;
+  if (!((dual.centre - middle_).squaredNorm() < far * far * reach_ * reach_)) return;
+  dual.cell = skin_.locate(dual.centre, start);
+  const double g = skin_.complex().patch(dual.cell).value(dual.centre);
+  dual.root = std::copysign(std::sqrt(std::abs(g)), g);
+}
+
+/// A cell near the circumcentre of a new tetrahedron: a neighbour's that is known, else a corner's.
+geometry::CellId DelaunayRefinement::near_dual(std::uint32_t t) const {
+  const Triangulator::Tetrahedron& tetrahedron = delaunay_.tetrahedra()[t];
+  for (const Facet f : tetrahedron.neighbours) {
+    const Dual& neighbour = duals_[Triangulator::tetrahedron_of(f)];
+    if (neighbour.born != 0 && neighbour.root < infinity) return neighbour.cell;
+  }
+  return samples_[tetrahedron.corners[0]].cell;
+}
+
+void DelaunayRefinement::look_at_new(std::span<const std::uint32_t> tetrahedra) {
+  counts_.tetrahedra += tetrahedra.size();
+  for (const std::uint32_t t : tetrahedra) find_dual(t, near_dual(t));
+  for (const std::uint32_t t : tetrahedra) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
+      if (duals_[other].born == now_ && other < t) continue;  // looked at from there
+      look_at(t << 2 | k);
+    }
+  }
+}
+
+void DelaunayRefinement::look_at(Facet f) {
+  const Facet g = behind(f);
+  const bool is_inner = is_inside(Triangulator::tetrahedron_of(f));
+  if (is_inner == is_inside(Triangulator::tetrahedron_of(g))) return;
+  const Facet inner = is_inner ? f : g;
+  const std::optional<Ball> ball = ball_of(inner);
+  if (ball && ball->ratio >= 1) push(*ball, inner);
+}
+
+void DelaunayRefinement::push(const Ball& ball, Facet facet) {
+  const double octaves = std::log2(ball.ratio);
+  const auto bucket = static_cast<std::size_t>(std::clamp(octaves - 1, 0.0, buckets - 1.0));
+  work_[bucket].push_back({ball, facet, duals_[facet >> 2].born, duals_[behind(facet) >> 2].born});
+}
+
+DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const {
+  FacetGeometry facet;
+  const Triangle corners = triangle(f);
+  for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = &samples_[corners[i]];
+  const auto& [a, b, c] = facet.corners;
+  facet.circle = circumcircle(a->position, b->position, c->position);
+  facet.normal = facet.circle.doubled_area.normalized();
+  facet.largest =
+      sizing_.C * sizing_.Q * std::min({a->length_scale, b->length_scale, c->length_scale});
+  return facet;
+}
+
+/// The corners of a facet, counter-clockwise seen from outside of its tetrahedron.
+DelaunayRefinement::Triangle DelaunayRefinement::triangle(Facet f) const {
+  constexpr std::array<std::array<std::size_t, 3>, 4> outward{
+      {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+  const auto& corners = delaunay_.tetrahedra()[Triangulator::tetrahedron_of(f)].corners;
+  const auto& places = outward[Triangulator::place_of(f)];
+  return {corners[places[0]], corners[places[1]], corners[places[2]]};
+}
+
+DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet, double height,
+                                                     CellId cell) const {
+  // Both, so that rounding cannot leave a circumradius above its bound.
+  const double radius = std::max(facet.circle.radius, std::hypot(facet.circle.radius, height));
+  return {facet.circle.centre + height * facet.normal, cell, height, radius / facet.largest};
+}
+
+/// A crossing of the dual edge from the circumcentre of an inside tetrahedron to that of an outside
+/// one, by Newton's steps kept between heights where G is below and above zero.
+///
+/// Where the circumradius is far from its bound the first step is enough: G differs from its linear
+/// part by at most the square of the way, so a step of d <= R / 10 and slope s has a zero within
+/// 2 d^2 / s of its end.
+std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner) const {
+  constexpr int most_steps = 100;
+  constexpr double clearly_small = 0.95, short_step = 0.1;
+  const FacetGeometry facet = geometry_of(inner);
+  const Dual& from = duals_[Triangulator::tetrahedron_of(inner)];
+  const std::uint32_t outer = Triangulator::tetrahedron_of(behind(inner));
+  double low = facet.height(from.centre);
+  // Where the line leaves the ball that contains the body it is outside.
+  const Vector to_middle = facet.circle.centre - middle_;
+  const double along = to_middle.dot(facet.normal);
+  const double squared = along * along - to_middle.squaredNorm() + reach_ * reach_;
+  double high = -along + std::sqrt(std::max(squared, 0.0));
+  if (!is_ghost(outer)) high = std::min(high, facet.height(duals_[outer].centre));
+  const double radius = facet.circle.radius;
+  double height = std::clamp(0.0, std::min(low, high), high);
+  CellId cell = facet.corners[0]->cell;
+  for (int step = 0; step < most_steps; ++step) {
+    const Point x = facet.circle.centre + height * facet.normal;
+    cell = skin_.locate(x, cell);
+    const skin::Patch& patch = skin_.complex().patch(cell);
+    const Vector n = patch.half_gradient(x);
+    const double g = (x - patch.centre).dot(n) - patch.half_weight;
+    if (std::abs(g) <= skin_.residual_bound(n.norm())) return ball_at(facet, height, cell);
+    (g < 0 ? low : high) = height;
+    const double slope = 2 * n.dot(facet.normal);
+    double next = height - g / slope;
+    if (!(next > low && next < high)) {
+      next = low + (high - low) / 2;
+    } else if (step == 0 && radius < clearly_small * facet.largest &&
+               std::abs(next) < short_step * radius && std::abs(slope) > 4 * std::abs(next)) {
+      return ball_at(facet, next, cell);
+    }
+    if (next == height) return ball_at(facet, height, cell);
+    height = next;
+  }
+  return std::nullopt;
+}
+
+/// Makes a surface ball's centre a sample point.
+/// @return false where there is a sample already, or the centre is not found on the skin.
+bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
+  std::optional<SurfacePoint> x = skin_.project(ball.centre, ball.cell);
+  if (!x) return false;
+  x->position = x->position.unaryExpr(&geometry::on_exact_grid);
+  // The centre lies in the circumball of the tetrahedron on whose side of the facet it is.
+  std::array<std::uint32_t, 2> hints{Triangulator::tetrahedron_of(facet),
+                                     Triangulator::tetrahedron_of(behind(facet))};
+  if (ball.height > 0) std::swap(hints[0], hints[1]);
+  if (!delaunay_.add(unweighted(x->position), hints)) return false;
+  samples_.push_back(*x);
+  ++now_;
+  duals_.resize(delaunay_.tetrahedra().size());
+  look_at_new(delaunay_.added());
+  return true;
+}
+
+/// Breaks facets, the biggest first, until none is too big.
+void DelaunayRefinement::insert_all() {
+  for (std::size_t bucket = buckets; bucket-- > 0;) {
+    while (!work_[bucket].empty()) {
+      const Work work = work_[bucket].back();
+      work_[bucket].pop_back();
+      const std::uint32_t inner = Triangulator::tetrahedron_of(work.facet);
+      if (!delaunay_.is_live(inner) || duals_[inner].born != work.born) continue;
+      if (duals_[Triangulator::tetrahedron_of(behind(work.facet))].born != work.born_behind)
+        continue;
+      if (!insert(work.ball, work.facet)) {
+        ++counts_.refused;
+        continue;
+      }
+      ++counts_.too_big;
+      bucket = buckets;
+      break;
+    }
+  }
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,137 @@
+#pragma once
+
+/// Restricted Delaunay refinement on the skin: the static method (papers/5-static.md).
+///
+/// A sample of the skin is kept in a Delaunay triangulation of space. A facet of it is restricted
+/// when its dual Voronoi edge, between the circumcentres of the two tetrahedra behind it, crosses
+/// the skin; the crossing is the centre of an empty ball through the facet's corners, its surface
+/// ball. While some restricted facet's ball is too big for [U], the centre becomes a sample point.
+/// The restricted facets that are left are the mesh.
+///
+/// A tetrahedron is inside or outside by the sign of G at its circumcentre, found once. A facet
+/// between an inside and an outside one has an odd number of crossings, so the mesh is the boundary
+/// of the inside tetrahedra: closed, whatever rounding does to flat ones. Dual edges that cross the
+/// skin an even number of times are found by following them piece by piece (skin/line_crossings.h).
+///
+/// No point is ever deleted. Where Q^2 > 2 + 4 C Q no insertion makes a pair too short for [L], so
+/// short edges could come from the seeds only, and there they are kept apart
+/// (`front/static_method`). For all other constants the spacing of the points still has a lower
+/// bound, so the process ends.
+///
+/// Source: Chew 1993; Boissonnat & Oudot 2005; Cheng, Dey, Edelsbrunner & Sullivan 2001 ([L], [U]).
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/triangulator.h"
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+struct DelaunayRefinementCounts {
+  std::size_t seeds = 0;
+  std::size_t too_big = 0;           ///< insertions into surface balls too big for [U]
+  std::size_t topological = 0;       ///< insertions because the facets at a vertex were no disk
+  std::size_t hidden_crossings = 0;  ///< of these, found only by following whole dual edges
+  std::size_t refused = 0;           ///< balls too big that could not be broken
+  std::size_t tetrahedra = 0;        ///< made in all
+};
+
+class DelaunayRefinement {
+ public:
+  /// @param seeds  points of the skin, among them on every component three with a surface ball
+  /// small
+  ///               enough for [U]; should they lie in one plane, as only seeds without those can,
+  ///               nothing is done and the mesh is empty
+  /// @throws geometry::LimitReached
+  DelaunayRefinement(const skin::SkinSurface& skin, const Sizing& sizing,
+                     std::span<const SurfacePoint> seeds);
+
+  /// Refines until every surface ball is small enough and the facets are a surface.
+  void run();
+
+  /// The restricted facets as they are, samples that have none left out, in an order in which
+  /// neighbours are near each other. Where they are no closed manifold no two are glued.
+  SkinMesh mesh() const;
+
+  const DelaunayRefinementCounts& counts() const { return counts_; }
+  const geometry::Triangulator& triangulation() const { return delaunay_; }
+  /// Whether the tetrahedron's circumcentre lies in the body; false for ghosts.
+  bool is_inside(std::uint32_t tetrahedron) const { return duals_[tetrahedron].root < 0; }
+  const SurfacePoint& sample(geometry::Triangulator::Corner corner) const {
+    return samples_[corner];
+  }
+
+ private:
+  using Facet = geometry::Triangulator::Facet;
+  using Corner = geometry::Triangulator::Corner;
+  using CellId = geometry::CellId;
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// What is kept about a tetrahedron: its dual point, the circumcentre.
+  struct Dual {
+    Point centre;
+    double root = 0;         ///< sqrt |G| with G's sign: below zero inside the body
+    CellId cell;             ///< that contains the centre, or is near it
+    std::uint32_t born = 0;  ///< the insertion that made the tetrahedron
+  };
+  /// A restricted facet's surface ball.
+  struct Ball {
+    Point centre;
+    CellId cell;
+    double height;  ///< of the centre over the facet, along its dual edge, outwards
+    double ratio;   ///< radius over the largest that [U] allows: below 1 is good
+  };
+  /// A facet to break.
+  struct Work {
+    Ball ball;
+    Facet facet;
+    std::uint32_t born, born_behind;  ///< of its two tetrahedra: as long as they live it stands
+  };
+
+  /// A facet seen from one of its two tetrahedra.
+  struct FacetGeometry {
+    std::array<const SurfacePoint*, 3> corners;  ///< counter-clockwise seen from outside of it
+    Circumcircle circle;
+    Vector normal;   ///< unit, along the dual edge, out of the tetrahedron
+    double largest;  ///< radius that [U] allows
+
+    double height(const Point& x) const { return normal.dot(x - circle.centre); }
+  };
+  FacetGeometry geometry_of(Facet f) const;
+  Facet behind(Facet f) const { return delaunay_.tetrahedra()[f >> 2].neighbours[f & 3]; }
+  bool is_ghost(std::uint32_t t) const { return delaunay_.is_ghost(delaunay_.tetrahedra()[t]); }
+  CellId near_dual(std::uint32_t t) const;
+  void find_dual(std::uint32_t t, CellId start);
+  void look_at_new(std::span<const std::uint32_t> tetrahedra);
+  void look_at(Facet f);
+  std::optional<Ball> ball_of(Facet inner) const;
+  Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
+  bool insert(const Ball& ball, Facet facet);
+  void push(const Ball& ball, Facet facet);
+  void insert_all();
+  bool follow_dual_edges();
+  std::size_t follow(Facet f);
+  bool make_disks();
+  std::vector<Facet> restricted_facets() const;
+  Triangle triangle(Facet inner) const;
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  std::vector<SurfacePoint> samples_;  ///< by corner
+  geometry::Triangulator delaunay_;
+  std::vector<Dual> duals_;  ///< by tetrahedron
+  Point middle_;             ///< of a ball that contains the body
+  double reach_ = 0;         ///< its radius
+  /// Facets to break, by size of their ball, the largest octave last.
+  std::vector<std::vector<Work>> work_;
+  std::uint32_t now_ = 0;       ///< insertions so far
+  std::uint32_t followed_ = 0;  ///< dual edges of older tetrahedra have been followed
+  DelaunayRefinementCounts counts_;
+};
+
+}  // namespace morskin::refine

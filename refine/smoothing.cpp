@@ -1,0 +1,218 @@
+#include "refine/smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "geometry/parallel.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// How often the triangles that are left are tried. After each round only those next to a moved
+/// vertex are tried again, so later rounds are short.
+constexpr int most_rounds = 8;
+
+/// Tried from a place: so many directions, at steps from a quarter of the shortest edge down to a
+/// tenth of that.
+constexpr int directions = 8;
+constexpr double longest_step = 0.25, shortest_step = 0.025;
+
+/// A move must raise the squared sine of the worst angle by this factor, so that moves end.
+constexpr double least_gain = 1.001;
+
+/// What is asked of a triangle.
+struct Shape {
+  double squared_sine;  ///< of its smallest angle
+  double radius;        ///< of its circumcircle, Angstrom
+  Vector normal;        ///< twice its area long
+};
+Shape shape(const Point& a, const Point& b, const Point& c) {
+  const Vector n = (b - a).cross(c - a);
+  const double nn = n.squaredNorm();
+  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  const double product = ab * bc * ca;
+  return {nn * std::min({ab, bc, ca}) / product, std::sqrt(product / nn) / 2, n};
+}
+
+class Smoothing {
+ public:
+  Smoothing(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal_deg)
+      : skin_(skin),
+        sizing_(sizing),
+        mesh_(mesh),
+        goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)) {}
+
+  SmoothingCounts run(unsigned threads) {
+    SmoothingCounts counts;
+    std::vector<TriangleId> waiting = find_all(threads);
+    counts.below = waiting.size();
+    std::vector<TriangleId> seen = waiting;
+    for (int round = 0; round < most_rounds && !waiting.empty(); ++round) {
+      std::vector<TriangleId> next;
+      for (const TriangleId t : waiting) counts.moved += improve(t, next);
+      keep_those_below(next);
+      seen.insert(seen.end(), next.begin(), next.end());
+      waiting = std::move(next);
+    }
+    keep_those_below(seen);
+    counts.left = seen.size();
+    return counts;
+  }
+
+ private:
+  bool is_below(TriangleId t) const {
+    const auto [a, b, c] = mesh_.surface.corners(t);
+    return shape(mesh_.position(a), mesh_.position(b), mesh_.position(c)).squared_sine < goal_;
+  }
+
+  std::vector<TriangleId> find_all(unsigned threads) const {
+    const std::size_t count = mesh_.surface.triangle_count();
+    std::vector<std::vector<TriangleId>> found(geometry::chunk_count(threads, count));
+    geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto chunk) {
+      for (std::size_t t = begin; t < end; ++t) {
+        if (is_below(TriangleId{t})) found[chunk].push_back(TriangleId{t});
+      }
+    });
+    for (std::size_t k = 1; k < found.size(); ++k) {
+      found[0].insert(found[0].end(), found[k].begin(), found[k].end());
+    }
+    return std::move(found[0]);
+  }
+
+  /// In the order of their ids, each once.
+  void keep_those_below(std::vector<TriangleId>& triangles) const {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    std::erase_if(triangles, [this](TriangleId t) { return !is_below(t); });
+  }
+
+  /// Moves the corners of t in turn until it is good enough, and adds all that changed to
+  /// `changed`; returns how many were moved.
+  std::size_t improve(TriangleId t, std::vector<TriangleId>& changed) {
+    std::size_t moved = 0;
+    for (const VertexId v : mesh_.surface.corners(t)) {
+      if (!is_below(t)) break;
+      if (!move(v)) continue;
+      ++moved;
+      mesh_.surface.for_each_outgoing(
+          v, [&](HalfEdgeId h) { changed.push_back(SurfaceMesh::triangle(h)); });
+    }
+    return moved;
+  }
+
+  /// The vertices around v, counter-clockwise, and those beyond the edges between them.
+  void look_around(VertexId v) {
+    ring_.clear();
+    beyond_.clear();
+    mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+      ring_.push_back(mesh_.surface.target(h));
+      beyond_.push_back(mesh_.surface.apex(mesh_.surface.twin(SurfaceMesh::next(h))));
+    });
+  }
+
+  /// The smallest squared sine around v were it at x; nothing unless it is above `asked`, [L] and
+  /// [U] hold and all triangles face outward.
+  std::optional<double> quality(const SurfacePoint& x, double asked) const {
+    double least = 1;
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      const SurfacePoint& p = mesh_.at(ring_[i]);
+      const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
+      const Shape s = shape(x.position, p.position, q.position);
+      const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
+      const bool is_good = s.squared_sine > asked && sizing_.edge_ratio(x, p) > 1 &&
+                           sizing_.triangle_ratio(s.radius, rho) < 1 &&
+                           faces_outward(s.normal, x, p, q);
+      if (!is_good) return std::nullopt;
+      least = std::min(least, s.squared_sine);
+    }
+    return least;
+  }
+
+  static bool faces_outward(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,
+                            const SurfacePoint& c) {
+    const double least = 0.3 * n.norm();
+    return n.dot(a.normal) > least && n.dot(b.normal) > least && n.dot(c.normal) > least;
+  }
+
+  /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
+  bool keeps_delaunay(const SurfacePoint& x) const {
+    const std::size_t n = ring_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point& p = mesh_.position(ring_[i]);
+      const Point& q = mesh_.position(ring_[(i + 1) % n]);
+      const SurfaceBall inner = exact_surface_ball(skin_, x, p, q);
+      const SurfaceBall outer = exact_surface_ball(skin_, mesh_.at(beyond_[i]), q, p);
+      if (!inner.is_exact || !outer.is_exact || outer.intrusion(x.position) > 0 ||
+          inner.intrusion(mesh_.position(beyond_[i])) > 0 ||
+          inner.intrusion(mesh_.position(ring_[(i + n - 1) % n])) > 0 ||
+          inner.intrusion(mesh_.position(ring_[(i + 2) % n])) > 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The best place a step away from x; nothing if none is better than `asked`.
+  std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,
+                                                           double asked) const {
+    const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
+    std::vector<std::pair<double, SurfacePoint>> better;
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * M_PI * k / directions;
+      const auto y =
+          skin_.project(x.position + step * (std::cos(angle) * e + std::sin(angle) * f), x.cell);
+      if (!y) continue;
+      if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
+    }
+    std::stable_sort(better.begin(), better.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    const auto found = std::find_if(better.begin(), better.end(),
+                                    [this](const auto& b) { return keeps_delaunay(b.second); });
+    return found == better.end() ? std::nullopt : std::optional(*found);
+  }
+
+  /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
+  /// enough; true if it has moved.
+  bool move(VertexId v) {
+    look_around(v);
+    SurfacePoint& at = mesh_.points[v.index()];
+    double now = 1, shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      const Point& p = mesh_.position(ring_[i]);
+      const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
+      now = std::min(now, shape(at.position, p, q).squared_sine);
+      shortest = std::min(shortest, (p - at.position).norm());
+    }
+    bool has_moved = false;
+    for (double step = longest_step * shortest; step > shortest_step * shortest && now < goal_;) {
+      if (const auto found = step_from(at, step, least_gain * now)) {
+        std::tie(now, at) = *found;
+        has_moved = true;
+      } else {
+        step /= 2;
+      }
+    }
+    return has_moved;
+  }
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  SkinMesh& mesh_;
+  const double goal_;                    // squared sine
+  std::vector<VertexId> ring_, beyond_;  // of look_around()
+};
+
+}  // namespace
+
+SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+                       double goal_deg, unsigned threads) {
+  return Smoothing(skin, sizing, mesh, goal_deg).run(threads);
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,32 @@
+#pragma once
+
+/// Smoothing: raises the smallest angles of a refined mesh by moving vertices along the skin. Not
+/// in the paper, whose [L] and [U] bound the angles and leave the rest to chance.
+///
+/// Only vertices of triangles with an angle below the goal are moved, one at a time, to where the
+/// smallest angle of the triangles around them is larger. A move that breaks [L] or [U], turns a
+/// triangle over or lets a vertex into a surface ball is not made. So the connectivity stays, the
+/// worst triangle around a moved vertex is always better than before, and every law of the refined
+/// mesh still holds. That the goal is reached is not proved; how often it is, is measured
+/// (papers/4.3-local-refinement.md).
+
+#include <cstddef>
+
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+struct SmoothingCounts {
+  std::size_t below = 0;  ///< triangles with an angle below the goal, before
+  std::size_t moved = 0;  ///< moves of a vertex
+  std::size_t left = 0;   ///< triangles with an angle below the goal, after
+};
+
+/// @param goal_deg  degrees, at most 60
+/// @param threads   at most, for the first look at the mesh; the outcome is the same for any number
+/// @pre the mesh is closed and compact, its vertices are points of the skin.
+SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+                       double goal_deg, unsigned threads = 1);
+
+}  // namespace morskin::refine

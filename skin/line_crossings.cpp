@@ -1,0 +1,95 @@
+#include "skin/line_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace morskin::skin {
+
+namespace {
+
+/// The share of the segment at which it leaves the cell, after `from`.
+double exit_of(const MixedComplex& complex, CellId cell, const Point& p, const Vector& d,
+               double from) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : complex.walls(cell)) {
+    const double slope = wall.normal.dot(d);
+    if (!(slope > 0)) continue;
+    least = std::min(least, (wall.offset - wall.normal.dot(p)) / slope);
+  }
+  return std::max(least, from);
+}
+
+/// G along the segment inside one cell: a + b t + c t^2, t from the middle of the piece, so that a
+/// far end does not drown the near.
+struct Piece {
+  double middle, a, b, c;
+
+  Piece(const Patch& patch, const Point& p, const Vector& d, double at) : middle(at) {
+    const Point m = p + middle * d;
+    const Vector n = patch.half_gradient(m);
+    a = (m - patch.centre).dot(n) - patch.half_weight;
+    b = 2 * n.dot(d);
+    c = d.dot(patch.reflect(d));
+  }
+  bool is_outside(double share) const {
+    const double t = share - middle;
+    return a + t * (b + t * c) > 0;
+  }
+  double turning_point() const { return middle - b / (2 * c); }
+  /// The zero between two shares where G has different signs and is monotone.
+  double zero(double low, double high) const {
+    const double root = std::sqrt(std::max(b * b - 4 * a * c, 0.0));
+    const double twice = -(b + std::copysign(root, b));  // without cancellation
+    double best = high, least = std::numeric_limits<double>::infinity();
+    for (const double t : {middle + twice / (2 * c), middle + 2 * a / twice}) {
+      const double inside = std::clamp(t, low, high);
+      if (!(std::abs(t - inside) < least)) continue;  // nor one that is no number
+      least = std::abs(t - inside);
+      best = inside;
+    }
+    return best;
+  }
+};
+
+}  // namespace
+
+LineCrossings line_crossings(const SkinSurface& skin, const Point& p, const Point& q,
+                             CellId start) {
+  const MixedComplex& complex = skin.complex();
+  const Vector d = q - p;
+  const double length = d.norm();
+  LineCrossings result;
+  if (!(length > 0)) return result;
+  // Past a wall by twice the tolerance, so that the walk cannot be held back by it.
+  const double least_step = 2 * complex.wall_tolerance() / length;
+  const std::size_t most_steps = 1000 + 8 * complex.size();
+  CellId cell = skin.locate(p, start);
+  double from = 0;
+  bool is_outside = false;
+  for (std::size_t step = 0; from < 1; ++step) {
+    if (step == most_steps) {
+      result.is_complete = false;
+      break;
+    }
+    const double to = std::min(exit_of(complex, cell, p, d, from), 1.0);
+    const Piece piece(complex.patch(cell), p, d, from + (to - from) / 2);
+    if (step == 0) is_outside = piece.is_outside(0);
+    // Signs are carried from piece to piece, so that a zero on a wall is found once.
+    double low = from;
+    for (const double high : {piece.turning_point(), to}) {
+      if (!(high > low && high <= to)) continue;
+      if (piece.is_outside(high) != is_outside) {
+        is_outside = !is_outside;
+        const double at = piece.zero(low, high);
+        result.all.push_back({at, p + at * d, cell});
+      }
+      low = high;
+    }
+    from = std::max(to, from + least_step);
+    if (from < 1) cell = skin.locate(p + from * d, cell);
+  }
+  return result;
+}
+
+}  // namespace morskin::skin

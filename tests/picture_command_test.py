@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""render and figure from outside. Usage: picture_command_test.py path/to/morskin"""
+
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+MOLECULES = Path(__file__).resolve().parent.parent / "bench" / "molecules"
+MORSKIN = "build/morskin"
+
+
+def size_of(png):
+    assert png[:8] == b"\x89PNG\r\n\x1a\n", png[:20]
+    return struct.unpack(">II", png[16:24])
+
+
+class PictureCommandTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def run_morskin(self, *words, code=0):
+        done = subprocess.run([MORSKIN, *map(str, words)], capture_output=True, cwd=self.folder,
+                              timeout=120)
+        self.assertEqual(done.returncode, code, repr(done.stderr))
+        return done
+
+    def picture(self, *words):
+        self.run_morskin(*words, "-o", "x.png")
+        return (self.folder / "x.png").read_bytes()
+
+    def mesh(self, *words, name="ring.ply"):
+        self.run_morskin("mesh", MOLECULES / "ring12.xyzr", "-o", name, "-q", *words)
+        return name
+
+    def test_every_format_that_the_mesh_reader_reads_is_drawn_alike(self):
+        self.run_morskin("mesh", MOLECULES / "two_balls.xyzr", "-q", *(
+            word for end in ("ply", "off", "obj", "stl") for word in ("-o", "x." + end)))
+        first = self.picture("render", "x.ply", "--size", "90")
+        self.assertEqual(size_of(first), (90, 90))
+        for end in ("off", "obj"):
+            self.assertEqual(self.picture("render", "x." + end, "--size", "90"), first)
+        self.assertEqual(size_of(self.picture("render", "x.stl", "--size", "90")), (90, 90))
+
+    def test_the_same_mesh_gives_the_same_bytes(self):
+        mesh = self.mesh()
+        words = ("render", mesh, "--size", "120x80", "--view", "1,2,3")
+        self.assertEqual(self.picture(*words), self.picture(*words))
+
+    def test_several_meshes_get_a_panel_each_and_an_inset_one_more(self):
+        mesh = self.mesh()
+        width, height = size_of(self.picture("render", mesh, mesh, mesh, mesh, "--size", "60"))
+        self.assertEqual((width, height), (3 * 60 + 2 * 16, 2 * 60 + 16))
+        words = ("render", mesh, "--size", "60x40", "--inset", "0.5,0.2,8")
+        self.assertEqual(size_of(self.picture(*words)), (2 * 60 + 16, 40))
+
+    def test_options_change_the_picture(self):
+        mesh = self.mesh()
+        base = ("render", mesh, "--size", "80")
+        seen = {self.picture(*base)}
+        for words in (("--colour", "#cc2200"), ("--by", "angle"), ("--flat",), ("--zoom", "2"),
+                      ("--edges", "always"), ("--view", "1,0,1"), ("--up", "1,0,0"),
+                      ("--at", "1,1,0"), ("--no-shadows",), ("--by", "component")):
+            picture = self.picture(*base, *words)
+            self.assertNotIn(picture, seen, words)
+            seen.add(picture)
+
+    def test_a_picture_goes_to_standard_output(self):
+        mesh = self.mesh()
+        out = self.run_morskin("render", mesh, "--size", "50", "-o", "-").stdout
+        self.assertEqual(size_of(out), (50, 50))
+
+    def test_wrong_arguments_are_told(self):
+        mesh = self.mesh()
+        for words in (("--size", "0"), ("--size", "9x"), ("--size", "100000x100000"),
+                      ("--view", "0,0,0"), ("--view", "1,2"), ("--up", "1,x,0"), ("--zoom", "0"),
+                      ("--colour", "red"), ("--by", "mood"), ("--inset", "0.5,0.5"),
+                      ("--inset", "0.5,0.5,-1"), ("--columns", "0"), ("--zoom", "nan")):
+            self.run_morskin("render", mesh, "-o", "x.png", *words, code=2)
+        self.run_morskin("render", mesh, "-o", "x.jpg", code=2)
+        self.run_morskin("figure", "12", "-o", "x.png", code=2)
+        self.run_morskin("figure", "9", "-o", "x.png", "--scale", "9", code=2)
+        self.run_morskin("render", "missing.ply", "-o", "x.png", code=3)
+        self.run_morskin("render", mesh, "-o", "missing/x.png", code=7)
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_a_mesh_of_nothing_is_drawn_as_nothing(self):
+        (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
+        (self.folder / "point.off").write_text("OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n")
+        for name in ("empty.off", "point.off"):
+            self.assertEqual(size_of(self.picture("render", name, "--size", "30")), (30, 30))
+
+    def test_coordinates_near_the_ends_of_the_doubles_are_refused(self):
+        for size in ("1e300", "1e-300"):
+            (self.folder / "far.off").write_text(
+                f"OFF\n3 1 0\n0 0 0\n{size} 0 0\n0 {size} 0\n3 0 1 2\n")
+            self.run_morskin("render", "far.off", "-o", "x.png", "--size", "30", code=3)
+
+    def test_a_figure_needs_no_file(self):
+        self.assertEqual(size_of(self.picture("figure", "6", "--scale", "0.25")),
+                         size_of(self.picture("figure", "7", "--scale", "0.25")))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        MORSKIN = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,300 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "app/pictures/light.h"
+#include "app/pictures/png.h"
+#include "app/pictures/raster.h"
+#include "app/pictures/render.h"
+#include "tests/support/ball_sets.h"
+#include "tests/support/png_reading.h"
+
+using namespace morskin;
+using namespace morskin::pictures;
+using support::Random;
+
+namespace {
+
+constexpr Colour red{1, 0, 0}, blue{0, 0, 1};
+
+Vector random_vector(Random& random, double low, double high) {
+  return {random.between(low, high), random.between(low, high), random.between(low, high)};
+}
+
+Camera front_camera(int size) { return camera_from(Vector::UnitZ(), Vector::UnitY(), size, size); }
+
+std::size_t covered(const Image& image) {
+  std::size_t count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const Colour& c = image.at(x, y);
+      count += c.r + c.g + c.b < 3;
+    }
+  }
+  return count;
+}
+
+// How much of the picture is black, in pixels.
+double blackness(const Image& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) sum += 1 - image.at(x, y).g;
+  }
+  return sum;
+}
+
+Scene triangle_scene(const Vector& a, const Vector& b, const Vector& c, const Colour& colour) {
+  MeshLayer layer;
+  layer.mesh = {{a, b, c}, {{0, 1, 2}}};
+  layer.coat.colour = layer.coat.back = colour;
+  Scene scene;
+  scene.meshes.push_back(layer);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a ball's silhouette has the area pi r^2, but for its rim") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const double radius = random.between(5, 40);
+    Scene scene;
+    scene.balls.push_back({random_vector(random, -8, 8), radius, red});
+    const Image image = render(scene, front_camera(100), {.samples = 1, .shadows = false});
+    // Pixels whose centres are inside: off by less than the length of the rim (Gauss's circle).
+    CHECK(std::abs(static_cast<double>(covered(image)) - M_PI * radius * radius) < M_PI * radius);
+  }
+}
+
+TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Vector a = random_vector(random, -10, 50), b = random_vector(random, -10, 50),
+                 c = random_vector(random, -10, 50);
+    const Grid grid{40, 40};
+    std::vector<int> visits(1600);
+    const Vector normal = (b - a).cross(c - a);
+    for_each_sample_of_triangle(grid, a, b, c, [&](int x, int y, double depth, double, double) {
+      ++visits[static_cast<std::size_t>(40 * y + x)];
+      const double height =
+          a.z() - (normal.x() * (x + 0.5 - a.x()) + normal.y() * (y + 0.5 - a.y())) / normal.z();
+      CHECK(depth == doctest::Approx(height).epsilon(1e-6));
+    });
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        const Vector p(x + 0.5, y + 0.5, 0);
+        const double u = seen_area(p, b, c), v = seen_area(a, p, c), w = seen_area(a, b, p);
+        const double least = std::min({std::abs(u), std::abs(v), std::abs(w)});
+        if (least < 1e-6) continue;  // on an edge, where rounding may decide
+        const bool is_inside = (u > 0) == (v > 0) && (v > 0) == (w > 0);
+        CHECK(visits[static_cast<std::size_t>(40 * y + x)] == (is_inside ? 1 : 0));
+      }
+    }
+  }
+}
+
+TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Vector from = random_vector(random, 5, 35), to = random_vector(random, 5, 35);
+    const double radius = random.between(0.5, 6);
+    const Vector e = (to - from).normalized();
+    std::size_t count = 0;
+    for_each_sample_of_stick({40, 40}, from, to, radius,
+                             [&](int x, int y, double depth, const Vector& normal) {
+                               const Vector d = Vector(x + 0.5, y + 0.5, depth) - from;
+                               const double t = d.dot(e);
+                               CHECK((d - t * e).norm() == doctest::Approx(radius).epsilon(1e-6));
+                               CHECK(normal.dot(e) == doctest::Approx(0).epsilon(1e-6));
+                               CHECK(normal.z() > -1e-9);
+                               ++count;
+                             });
+    // The side seen of a cylinder is a rectangle; lids would add half ellipses.
+    const double flat = (to - from).head<2>().norm(), area = 2 * radius * flat;
+    const bool is_all_in_view = std::min({from.x(), to.x(), from.y(), to.y()}) > radius &&
+                                std::max({from.x(), to.x(), from.y(), to.y()}) < 40 - radius;
+    if (is_all_in_view && flat > 2 * radius) {
+      CHECK(std::abs(static_cast<double>(count) - area) < 2 * (2 * radius + flat));
+    }
+  }
+}
+
+TEST_CASE("what is nearer is seen, in whatever order things are drawn") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    // Two triangles that both cover the middle, red at height `z` there and blue at 0.
+    const double z = (random.uniform() < 0.5 ? -1 : 1) * random.between(0.5, 10);
+    const auto over_middle = [&](double height) {
+      const double tilt = random.between(-0.5, 0.5), lean = random.between(-0.5, 0.5);
+      const auto lifted = [&](double x, double y) {
+        return Vector(x, y, height + tilt * x + lean * y);
+      };
+      return std::array{lifted(-15, -12), lifted(14, -13), lifted(1, 16)};
+    };
+    const auto r = over_middle(z), b = over_middle(0);
+    Scene scene = triangle_scene(r[0], r[1], r[2], red);
+    scene.meshes.push_back(triangle_scene(b[0], b[1], b[2], blue).meshes[0]);
+    Scene other = scene;
+    std::swap(other.meshes[0], other.meshes[1]);
+    const Camera camera = front_camera(41);
+    const Image image = render(scene, camera, {.samples = 1});
+    CHECK((image.at(20, 20).r > image.at(20, 20).b) == (z > 0));
+    CHECK(png(image) == png(render(other, camera, {.samples = 1})));
+  }
+}
+
+TEST_CASE("the same scene gives the same bytes") {
+  Random random(7);
+  Scene scene;
+  for (int i = 0; i < 30; ++i) {
+    scene.balls.push_back({random_vector(random, -5, 5), random.between(0.5, 2), blue});
+    scene.sticks.push_back({random_vector(random, -5, 5), random_vector(random, -5, 5), 0.3, red});
+  }
+  scene.lines.push_back({{Vector(-5, -5, 9), Vector(5, 5, 9)}, ink, 3});
+  scene.labels.push_back({Vector::Zero(), "p_0 = ρ", Vector2(0, 0), 14});
+  const Camera camera = front_camera(120).fitted(scene.extent());
+  CHECK(png(render(scene, camera)) == png(render(scene, camera)));
+}
+
+TEST_CASE("a scene of nothing is the bare background") {
+  const Image image = render({}, front_camera(20));
+  CHECK(covered(image) == 0);
+}
+
+TEST_CASE("a ball in the open casts no shadow on itself") {
+  // Shadows come from depth maps with samples of their own; where nothing else stands in the way
+  // they must leave a smooth surface as it is.
+  Occluders ball;
+  ball.balls.push_back({Vector(50, 50, 0), 40});
+  std::vector<Spot> spots;
+  for_each_sample_of_ball(
+      {100, 100}, Vector(50, 50, 0), 40, [&](int x, int y, double depth, const Vector& normal) {
+        spots.push_back({Vector(x + 0.5, y + 0.5, depth).cast<float>(), normal.cast<float>()});
+      });
+  const Illumination with = illuminated(ball, spots, 100, true);
+  const Illumination without = illuminated(ball, spots, 100, false);
+  double largest = 0;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    largest =
+        std::max(largest, std::abs(static_cast<double>(with.diffuse[i] - without.diffuse[i])));
+  }
+  CHECK(largest < 0.05);
+}
+
+TEST_CASE("a place under a roof is darker the lower the roof is") {
+  const std::vector<Spot> spots{{{0, 0, 0}, {0, 0, 1}}, {{300, 300, 0}, {0, 0, 1}}};
+  double before = 0;
+  for (const double height : {20.0, 40.0, 80.0, 160.0}) {
+    CAPTURE(height);
+    Occluders roof;
+    roof.corners = {Vector(-60, -60, height), Vector(60, -60, height), Vector(60, 60, height),
+                    Vector(-60, 60, height)};
+    roof.triangles = {{0, 1, 2}, {0, 2, 3}};
+    const Illumination light = illuminated(roof, spots, 400, true);
+    CHECK(static_cast<double>(light.diffuse[0]) > before);
+    CHECK(light.diffuse[0] < light.diffuse[1]);
+    before = static_cast<double>(light.diffuse[0]);
+  }
+}
+
+TEST_CASE("a fitted camera sees all points, and lengths across the view are true") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Point> points;
+    for (int i = 0; i < 20; ++i) points.push_back(random_vector(random, -7, 9));
+    const Camera camera =
+        camera_from(random.direction(), random.direction(), 200, 120).fitted(points);
+    for (const Point& p : points) {
+      const Vector at = camera.seen(p);
+      CHECK(at.x() >= 0);
+      CHECK(at.x() <= 200);
+      CHECK(at.y() >= 0);
+      CHECK(at.y() <= 120);
+      CHECK((at - camera.seen(points[0])).norm() ==
+            doctest::Approx(camera.scale * (p - points[0]).norm()));
+    }
+  }
+}
+
+TEST_CASE("a line of a width and a length covers its area and two half disks") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Vector2 a(random.between(20, 80), random.between(20, 80)),
+        b(random.between(20, 80), random.between(20, 80));
+    const double width = random.between(1, 12);
+    Image image(100, 100);
+    draw_line(image, std::array{a, b}, {{0, 0, 0}, width});
+    const double area = width * (b - a).norm() + M_PI * width * width / 4;
+    CHECK(blackness(image) == doctest::Approx(area).epsilon(0.08));
+  }
+}
+
+TEST_CASE("a polygon covers its area, however it lies on the pixels") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Vector2> corners;
+    double area = 0;
+    const std::size_t n = 3 + random.below(6);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(n);
+      corners.push_back(Vector2(50, 50) +
+                        random.between(10, 45) * Vector2(std::cos(angle), std::sin(angle)));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector2 p = corners[i] - Vector2(50, 50), q = corners[(i + 1) % n] - Vector2(50, 50);
+      area += (p.x() * q.y() - p.y() * q.x()) / 2;
+    }
+    Image image(100, 100);
+    fill_polygon(image, corners, {0, 0, 0});
+    CHECK(blackness(image) == doctest::Approx(area).epsilon(0.02));
+  }
+}
+
+TEST_CASE("letters keep to their line, and all that figures use have a glyph of their own") {
+  const Lettering box = lettering("\x01");
+  const std::string used =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.,:;-+=()[]/|<>'\"!?#%*";
+  for (const char c : used) {
+    CAPTURE(c);
+    const Lettering line = lettering(std::string(1, c));
+    REQUIRE(!line.strokes.empty());
+    for (const Stroke& stroke : line.strokes) {
+      REQUIRE(!stroke.empty());
+      for (const Vector2& p : stroke) {
+        CHECK(p.x() >= 0);
+        CHECK(p.x() <= line.width + 1e-9);
+        CHECK(p.y() >= -0.34);
+        CHECK(p.y() <= 1.12);
+      }
+    }
+    CHECK(line.strokes != box.strokes);
+  }
+  for (const char* c : {"ρ", "θ", "Å", "°", "×"}) CHECK(lettering(c).strokes != box.strokes);
+  CHECK(lettering("R_{ab}").width < lettering("Rab").width);
+  CHECK(lettering("R_{ab}").strokes.size() == lettering("Rab").strokes.size());
+}
+
+TEST_CASE("a PNG holds the picture's bytes") {
+  Random random(3);
+  Image image(37, 23);
+  for (int y = 0; y < 23; ++y) {
+    for (int x = 0; x < 37; ++x) {
+      image.at(x, y) = {random.uniform(), random.uniform(), random.uniform()};
+    }
+  }
+  const auto pixels = support::read_png(png(image));
+  REQUIRE(pixels);
+  CHECK(pixels->width == 37);
+  CHECK(pixels->height == 23);
+  CHECK(pixels->bytes == image.bytes());
+}

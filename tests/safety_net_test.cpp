@@ -1,0 +1,156 @@
+#include "front/safety_net.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using front::Mesher;
+using front::MeshOptions;
+using front::MeshResult;
+using front::MethodResult;
+using front::PreparedSkin;
+using geometry::VertexId;
+using support::WeightedPoints;
+
+namespace {
+
+/// Two balls far apart and a hollow shell: three bodies, four components of the skin, one within
+/// another.
+WeightedPoints four_components() {
+  WeightedPoints points = support::molecule("shell_hollow.xyzr", skin::Model::Sas);
+  points.push_back(support::ball(100, 0, 0, 1));
+  points.push_back(support::ball(-100, 0, 0, 2));
+  return points;
+}
+
+/// A sweep that leaves out the triangles that `is_lost` says: (corner's position, how many sweeps
+/// there have been).
+template <class IsLost>
+Mesher sweep_without(IsLost is_lost) {
+  auto count = std::make_shared<int>(0);
+  return [=](const PreparedSkin& skin, const MeshOptions& options) {
+    MethodResult result = front::sweep_method(skin, options);
+    ++*count;
+    skin::SkinMesh broken;
+    broken.points = result.mesh.points;
+    for (std::size_t v = 0; v < broken.points.size(); ++v) broken.surface.add_vertex();
+    for (const auto& [a, b, c] : result.mesh.surface.triangle_list()) {
+      if (is_lost(broken.points[a].position, *count)) continue;
+      broken.surface.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
+    }
+    result.mesh = broken;
+    return result;
+  };
+}
+
+MeshResult mesh_by(const WeightedPoints& points, const Mesher& mesher) {
+  MeshOptions options;
+  options.mesher = mesher;
+  return front::mesh_skin(points, options);
+}
+
+/// The positions of a mesh's vertices that are far out on one side, in order.
+std::vector<std::array<double, 3>> far_out(const MeshResult& result, double side) {
+  std::vector<std::array<double, 3>> list;
+  for (const geometry::Point& p : result.mesh.positions) {
+    if (side * p.x() > 50) list.push_back({p.x(), p.y(), p.z()});
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("a component that the sweep spoils is swept in another direction") {
+  const WeightedPoints points = four_components();
+  const MeshResult plain = front::mesh_skin(points);
+  REQUIRE(plain.certificate.certified);
+  CHECK(plain.fallbacks.empty());
+  const MeshResult mended = mesh_by(points, sweep_without([](const auto& p, int sweeps) {
+                                      return sweeps == 1 && p.x() > 100.5;
+                                    }));
+  CHECK(mended.certificate.certified);
+  REQUIRE(mended.fallbacks.size() == 1);
+  CHECK(mended.fallbacks[0].from == "sweep");
+  CHECK(mended.fallbacks[0].to.starts_with("sweep along"));
+  CHECK(mended.fallbacks[0].why.find("manifold") != std::string::npos);
+  // Only that component was replaced.
+  CHECK(far_out(mended, -1) == far_out(plain, -1));
+  CHECK(far_out(mended, 1) != far_out(plain, 1));
+}
+
+TEST_CASE("a component that every sweep spoils is meshed by the static method") {
+  const MeshResult mended =
+      mesh_by(four_components(),
+              sweep_without([](const auto& p, int) { return p.norm() < 20 && p.z() > 0.1; }));
+  CHECK(mended.certificate.certified);
+  REQUIRE(mended.fallbacks.size() == 2);  // both sides of the shell
+  for (const front::Fallback& fallback : mended.fallbacks) CHECK(fallback.to == "static");
+  CHECK(mended.fallbacks[0].component != mended.fallbacks[1].component);
+}
+
+TEST_CASE("a component that the sweep does not find at all is meshed by the static method") {
+  const MeshResult mended =
+      mesh_by(four_components(), sweep_without([](const auto& p, int) { return p.x() < -50; }));
+  CHECK(mended.certificate.certified);
+  REQUIRE(mended.fallbacks.size() == 1);
+  CHECK(mended.fallbacks[0].to == "static");
+}
+
+TEST_CASE("a mesh that runs from one component to another is replaced on both") {
+  // One triangle between the two balls.
+  const Mesher joining = [](const PreparedSkin& skin, const MeshOptions& options) {
+    MethodResult result = front::sweep_method(skin, options);
+    const auto by_x = [](const auto& p, const auto& q) { return p.position.x() < q.position.x(); };
+    const auto& points = result.mesh.points;
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_x);
+    const auto id = [&](auto it) {
+      return VertexId{static_cast<std::size_t>(it - points.begin())};
+    };
+    const VertexId next = result.mesh.surface.target(*result.mesh.surface.outgoing(id(low)));
+    result.mesh.surface.add_triangle(id(low), next, id(high));
+    return result;
+  };
+  const MeshResult mended = mesh_by(
+      {support::ball(0, 0, 0, 1), support::ball(9, 0, 0, 2), support::ball(4, 7, 0, 1)}, joining);
+  CHECK(mended.certificate.certified);
+  CHECK(mended.fallbacks.size() == 2);
+}
+
+TEST_CASE("the net holds in the nasty case of two components that nearly touch") {
+  const double apart = 2 * std::sqrt(2.0) * (1 + 1e-6);
+  const WeightedPoints points{support::ball(0, 0, 0, 1), support::ball(apart, 0, 0, 1)};
+  const MeshResult mended =
+      mesh_by(points, sweep_without([](const auto& p, int) { return p.x() < 0.3; }));
+  CHECK(mended.certificate.certified);
+  REQUIRE(mended.fallbacks.size() == 1);
+  CHECK(mended.fallbacks[0].to == "static");
+}
+
+TEST_CASE("when nothing helps the report says so and the mesh stays as it was") {
+  MeshOptions options;
+  options.sizing = {.C = 0.9, .Q = 1.9};  // triangles as big as the surface's features
+  const MeshResult result = front::mesh_skin(support::octahedron_balls(), options);
+  CHECK_FALSE(result.certificate.certified);
+  REQUIRE(result.fallbacks.size() == 1);
+  CHECK(result.fallbacks[0].to == "nothing");
+}
+
+TEST_CASE("what other methods and narrow guards do is not mended") {
+  MeshOptions options;
+  options.method = front::Method::Static;
+  options.mesher = sweep_without([](const auto&, int) { return true; });
+  MeshResult result = front::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  CHECK_FALSE(result.certificate.certified);
+  CHECK(result.fallbacks.empty());
+  options.method = front::Method::Sweep;
+  options.guard = front::Guard::Spheres;
+  result = front::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  CHECK_FALSE(result.certificate.certified);
+  CHECK(result.fallbacks.empty());
+}

@@ -1,0 +1,126 @@
+#include "refine/smoothing.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "refine/restricted_delaunay.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::refine;
+using front::PreparedSkin;
+using support::ball;
+
+namespace {
+
+constexpr double goal_deg = 30;
+
+/// A mesh of the sweep, refined and not smoothed.
+SkinMesh rough_mesh(const PreparedSkin& skin) {
+  front::MeshOptions options = support::uncertified();
+  options.angle_goal_deg = 0;
+  return support::skin_mesh(skin.surface, front::mesh_skin(skin, options));
+}
+
+geometry::IndexedMesh indexed(const SkinMesh& mesh) {
+  geometry::IndexedMesh result;
+  result.triangles = mesh.surface.triangle_list();
+  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  return result;
+}
+
+Certificate certificate(const PreparedSkin& skin, const SkinMesh& mesh) {
+  return certify(indexed(mesh), skin.surface, skin.topology);
+}
+
+std::size_t triangles_below(const SkinMesh& mesh, double angle_deg) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+    count +=
+        angle_range(mesh.position(a), mesh.position(b), mesh.position(c)).smallest_deg < angle_deg;
+  }
+  return count;
+}
+
+std::vector<PreparedSkin> skins() {
+  std::vector<PreparedSkin> result;
+  for (const char* file : {"cube8.xyzr", "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"}) {
+    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
+      result.push_back(front::prepare_skin(support::molecule(file, model)));
+    }
+  }
+  for (unsigned seed = 0; seed < 15; ++seed) {
+    if (auto skin = support::prepared(support::ball_set(seed))) result.push_back(*std::move(skin));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("smoothing leaves no angle below 30 degrees, and the mesh certified") {
+  std::size_t moved = 0;
+  for (const PreparedSkin& skin : skins()) {
+    SkinMesh mesh = rough_mesh(skin);
+    const SmoothingCounts counts = smooth(skin.surface, {}, mesh, goal_deg);
+    moved += counts.moved;
+    CHECK(counts.left == 0);
+    const Certificate c = certificate(skin, mesh);
+    CHECK(c.reason == "");
+    CHECK(c.min_angle_deg > goal_deg - 1e-9);
+  }
+  CHECK(moved > 20);
+}
+
+TEST_CASE("smoothing keeps every triangle's corners and lets no vertex into a surface ball") {
+  for (const PreparedSkin& skin : skins()) {
+    SkinMesh mesh = rough_mesh(skin);
+    const auto before = mesh.surface.triangle_list();
+    smooth(skin.surface, {}, mesh, goal_deg);
+    CHECK(mesh.surface.triangle_list() == before);
+    CHECK(restricted_delaunay(indexed(mesh), skin.surface, mesh.points).violations == 0);
+  }
+}
+
+TEST_CASE("the counts before and after are those of a look at every triangle") {
+  for (const PreparedSkin& skin : skins()) {
+    SkinMesh mesh = rough_mesh(skin);
+    constexpr double high_deg = 36;  // so that some are left
+    const std::size_t before = triangles_below(mesh, high_deg);
+    const SmoothingCounts counts = smooth(skin.surface, {}, mesh, high_deg);
+    CHECK(counts.below == before);
+    CHECK(counts.left == triangles_below(mesh, high_deg));
+  }
+}
+
+TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks nothing") {
+  const PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
+  SkinMesh mesh = rough_mesh(skin);
+  const double before = certificate(skin, mesh).min_angle_deg;
+  const SmoothingCounts counts = smooth(skin.surface, {}, mesh, 60);
+  CHECK(counts.left > 0);
+  const Certificate after = certificate(skin, mesh);
+  CHECK(after.certified);
+  CHECK(after.min_angle_deg > before);
+}
+
+TEST_CASE("a mesh without an angle below the goal is left as it is, and so is any for the goal 0") {
+  const PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1)});
+  SkinMesh mesh = rough_mesh(skin);
+  smooth(skin.surface, {}, mesh, goal_deg);
+  const geometry::IndexedMesh once = indexed(mesh);
+  CHECK(smooth(skin.surface, {}, mesh, goal_deg).moved == 0);
+  CHECK(smooth(skin.surface, {}, mesh, 0).below == 0);
+  CHECK(indexed(mesh).positions == once.positions);
+}
+
+TEST_CASE("smoothing is the same with any number of threads") {
+  const PreparedSkin skin =
+      front::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  SkinMesh first = rough_mesh(skin);
+  SkinMesh second = first;
+  smooth(skin.surface, {}, first, goal_deg, 1);
+  smooth(skin.surface, {}, second, goal_deg, 3);
+  CHECK(indexed(first).positions == indexed(second).positions);
+}

@@ -1,0 +1,105 @@
+#include "front/static_method.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "front/mesh_skin.h"
+#include "tests/support/meshes.h"
+#include "tests/support/nasty_sets.h"
+#include "tests/support/outcome.h"
+
+using namespace morskin;
+using front::MeshOptions;
+using front::Method;
+using support::Outcome;
+
+namespace {
+
+MeshOptions by_static_method() {
+  MeshOptions options;
+  options.method = Method::Static;
+  return options;
+}
+
+void check_static(const std::vector<geometry::WeightedPoint>& points) {
+  const Outcome outcome = support::outcome_of(points, by_static_method());
+  CHECK_MESSAGE(outcome.kind != Outcome::Kind::Failed, outcome.why);
+}
+
+constexpr std::array all_models{skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw};
+
+void check_molecule(const char* file) {
+  CAPTURE(std::string(file));
+  for (const skin::Model model : all_models) {
+    CAPTURE(std::string(skin::name_of(model)));
+    check_static(support::molecule(file, model));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a method's name says which it is") {
+  for (const Method method : {Method::Sweep, Method::Static, Method::Dynamic}) {
+    CHECK(front::parse_method(front::name_of(method)) == method);
+  }
+  CHECK_FALSE(front::parse_method("fast"));
+}
+
+TEST_CASE("the static method meshes one ball, two with and without a neck, and nearly touching") {
+  check_static({support::ball(0, 0, 0, 1)});
+  const double touching = 2 * std::sqrt(2.0);  // patches of radius 1 meet where spheres touch
+  for (const double gap : {-1.0, -0.1, -1e-3, -1e-6, 1e-6, 1e-3, 0.1, 1.0, 100.0}) {
+    CAPTURE(gap);
+    check_static({support::ball(0, 0, 0, 1), support::ball(touching + gap, 0, 0, 1)});
+  }
+}
+
+TEST_CASE("the static method meshes small molecules in every model") {
+  for (const char* file : {"benzene.pdb", "caffeine.xyz", "cube8.xyzr", "ring12.xyzr"}) {
+    check_molecule(file);
+  }
+}
+
+TEST_CASE("the static method meshes inner voids") {
+  check_static(support::molecule("c60.xyz", skin::Model::Paper));
+  check_static(support::molecule("shell_hollow.xyzr", skin::Model::Sas));
+}
+
+TEST_CASE("the static method gives the same bytes every time") {
+  const auto points = support::molecule("caffeine.xyz", skin::Model::Paper);
+  const auto first = front::mesh_skin(points, by_static_method());
+  front::mesh_skin(support::ball_set(1), by_static_method());
+  MeshOptions one_thread = by_static_method();
+  one_thread.threads = 1;
+  const auto second = front::mesh_skin(points, one_thread);
+  CHECK(first.mesh.triangles == second.mesh.triangles);
+  CHECK(first.mesh.positions == second.mesh.positions);
+}
+
+TEST_CASE("a method that lives outside the library is refused without its mesher") {
+  MeshOptions options;
+  options.method = Method::Dynamic;
+  CHECK_THROWS_AS(front::mesh_skin({support::ball(0, 0, 0, 1)}, options), geometry::RefusedInput);
+  options.mesher = front::static_method;
+  CHECK(front::mesh_skin({support::ball(0, 0, 0, 1)}, options).certificate.certified);
+}
+
+TEST_SUITE("slow") {
+  TEST_CASE("the static method meshes the molecules of Table 1 and more in every model") {
+    for (const char* file : {"5tmn_ligand.pdb", "9dna.pdb", "1grm_model1.pdb", "1crn.pdb",
+                             "c60.xyz", "shell_hollow.xyzr", "two_balls.xyzr"}) {
+      check_molecule(file);
+    }
+  }
+  TEST_CASE("the static method certifies 600 nasty and 200 random ball sets") {
+    for (unsigned seed = 0; seed < 600; ++seed) {
+      CAPTURE(seed);
+      check_static(support::nasty_set(seed));
+    }
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      CAPTURE(seed);
+      check_static(support::ball_set(seed));
+    }
+  }
+}

@@ -1,0 +1,424 @@
+#!/usr/bin/env python3
+"""`morskin view` from outside: pages are whole, load nothing from elsewhere, and hold the mesh.
+
+The mesh of a page is read by a decoder of its own, written from the description in
+app/front_code.h. What the page does in a browser is tried by `make test-viewer`.
+
+Usage: view_test.py path/to/morskin
+"""
+
+import base64
+import gzip
+import html.parser
+import itertools
+import json
+import math
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+MOLECULES = Path(__file__).resolve().parent.parent / "bench" / "molecules"
+MORSKIN = "build/morskin"
+OPERATIONS = ["creation", "creep", "wing", "bridge", "seal"]
+
+
+class PageParser(html.parser.HTMLParser):
+    """Scripts by id, and every address that a tag names."""
+
+    def __init__(self):
+        super().__init__()
+        self.scripts, self.addresses, self.tags = {}, [], Counter()
+        self.open_script = None
+
+    def handle_starttag(self, tag, attributes):
+        self.tags[tag] += 1
+        named = dict(attributes)
+        self.addresses += [named[key] for key in ("src", "href", "data", "action") if key in named]
+        if tag == "script":
+            self.open_script = named.get("id", "viewer")
+            self.scripts[self.open_script] = ""
+
+    def handle_data(self, data):
+        if self.open_script is not None:
+            self.scripts[self.open_script] += data
+
+    def handle_endtag(self, tag):
+        if tag == "script":
+            self.open_script = None
+
+
+class Page:
+    def __init__(self, path):
+        self.text = path.read_text(encoding="utf-8")
+        self.parser = PageParser()
+        self.parser.feed(self.text)
+        self.about = json.loads(self.parser.scripts["about"])
+        self.bytes = gzip.decompress(base64.b64decode(self.parser.scripts["data"], validate=True))
+        self.entries = {entry["name"]: entry for entry in self.about["arrays"]}
+
+    def array(self, name):
+        entry = self.entries[name]
+        kind, at, count, planes = (entry[key] for key in ("kind", "at", "count", "planes"))
+        data = self.bytes[at:at + count * planes]
+        if kind in ("float", "double"):
+            return struct.unpack(f"<{count}{kind[0]}", data)
+        numbers = [sum(data[k * count + i] << 8 * k for k in range(planes)) for i in range(count)]
+        if kind == "unsigned":
+            return numbers
+        return [n // 2 if n % 2 == 0 else -(n + 1) // 2 for n in numbers]
+
+    def mesh(self, name="mesh"):
+        """Places as whole steps of the grid, triangles, and by triangle its parent."""
+        count = self.about[name]["triangles"]
+        corners, parents, foretold = decode(
+            self.array(f"{name}.cases"), self.array(f"{name}.references"), count)
+        places = []
+        axes = [self.array(f"{name}.{axis}") for axis in "xyz"]
+        for v, (p, q, r) in enumerate(foretold):
+            near = [0, 0, 0] if v == 0 else [a + b - c for a, b, c in
+                                             zip(places[p], places[q], places[r])]
+            places.append([n + axis[v] for n, axis in zip(near, axes)])
+        return places, corners, parents
+
+    def by_triangle(self, name, parents):
+        values = []
+        for off, parent in zip(self.array(name), parents):
+            values.append(off + (values[parent] if values else 0))
+        return values
+
+
+def decode(cases, references, triangle_count):
+    cases, references = iter(cases), iter(references)
+    corners, parents, foretold, edges = [], [], [], []
+
+    def link(e, f):
+        e["next"], f["previous"] = f, e
+
+    def edge(origin, target, apex, triangle):
+        edges.append({"origin": origin, "target": target, "apex": apex, "triangle": triangle,
+                      "open": True})
+        return edges[-1]
+
+    def new(*near):
+        foretold.append(near)
+        return len(foretold) - 1
+
+    def old():
+        return len(foretold) - 1 - next(references)
+
+    head = 0
+    while len(corners) < triangle_count:
+        first = []
+        for _ in range(3):
+            near = max(len(foretold) - 1, 0)
+            first.append(new(near, near, near) if next(cases) == 1 else old())
+        parents.append(max(len(corners) - 1, 0))
+        corners.append(tuple(first))
+        n = len(corners) - 1
+        started = [edge(first[k], first[(k + 1) % 3], first[(k + 2) % 3], n) for k in range(3)]
+        for k in range(3):
+            link(started[k], started[(k + 1) % 3])
+        while head < len(edges):
+            e = edges[head]
+            head += 1
+            if not e["open"]:
+                continue
+            e["open"] = False
+            case = next(cases)
+            if case == 0:
+                continue
+            a, b, after, before = e["origin"], e["target"], e["next"], e["previous"]
+            touched = None
+            if case in (2, 4):
+                v = after["target"]
+            elif case == 3:
+                v = before["origin"]
+            elif case == 1:
+                v = new(a, b, e["apex"])
+            elif case == 5:
+                touched = edges[len(edges) - 1 - next(references)]
+                v = touched["origin"]
+            else:
+                v = old()
+            parents.append(e["triangle"])
+            corners.append((b, a, v))
+            n = len(corners) - 1
+            if case in (2, 4):
+                after["open"] = False
+            if case in (3, 4):
+                before["open"] = False
+            if case == 4:
+                link(before["previous"], after["next"])
+            elif case == 2:
+                f = edge(a, v, b, n)
+                link(before, f)
+                link(f, after["next"])
+            elif case == 3:
+                f = edge(v, b, a, n)
+                link(before["previous"], f)
+                link(f, after)
+            else:
+                f, g = edge(a, v, b, n), edge(v, b, a, n)
+                entered = touched["previous"] if touched else None
+                link(before, f)
+                link(g, after)
+                if touched:
+                    link(f, touched)
+                    link(entered, g)
+                else:
+                    link(f, g)
+    return corners, parents, foretold
+
+
+def from_smallest(corners):
+    k = corners.index(min(corners))
+    return corners[k:] + corners[:k]
+
+
+class ViewTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.ring = self.folder / "ring.xyzr"
+        self.ring.write_bytes((MOLECULES / "ring12.xyzr").read_bytes())
+
+    def run_morskin(self, *words, code=0):
+        done = subprocess.run([MORSKIN, *map(str, words)], capture_output=True, cwd=self.folder,
+                              timeout=120)
+        self.assertEqual(done.returncode, code, repr(done.stderr + done.stdout[-2000:]))
+        return done
+
+    def view(self, *words, code=0):
+        self.run_morskin("view", *words, "-o", "page.html", "-q", code=code)
+        return Page(self.folder / "page.html")
+
+    def write_off(self, name, places, triangles):
+        lines = ["OFF", f"{len(places)} {len(triangles)} 0"]
+        lines += [" ".join(map(repr, place)) for place in places]
+        lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
+        path = self.folder / name
+        path.write_text("\n".join(lines) + "\n")
+        return path
+
+    def read_off(self, path):
+        rows = [line.split() for line in path.read_text().splitlines()]
+        vertices, triangles = int(rows[1][0]), int(rows[1][1])
+        return ([[float(x) for x in row] for row in rows[2:2 + vertices]],
+                [tuple(map(int, row[1:4])) for row in rows[2 + vertices:2 + vertices + triangles]])
+
+    def check_same_mesh(self, page, places, triangles, name="mesh"):
+        """The page's triangles are these, each corner within half a step of its place."""
+        grid = page.about[name]["grid"]
+        found, corners, _ = page.mesh(name)
+
+        def on_grid(place):
+            return tuple((x - o) / grid["step"] for x, o in zip(place, grid["origin"]))
+
+        def rounded(place):  # half steps are decided by the command alone; none falls on one
+            return tuple(round(x) for x in on_grid(place))
+
+        expected = Counter(from_smallest(tuple(rounded(places[v]) for v in t)) for t in triangles)
+        shown = Counter(from_smallest(tuple(tuple(found[v]) for v in t)) for t in corners)
+        self.assertEqual(shown, expected)
+        used = {v for t in triangles for v in t}
+        self.assertEqual(len(found), len(used))
+
+
+class Pages(ViewTest):
+    def test_a_page_is_one_file_that_loads_nothing(self):
+        page = self.view(self.ring)
+        self.assertTrue(page.text.startswith("<!doctype html>"))
+        self.assertTrue(page.text.rstrip().endswith("</html>"))
+        self.assertEqual(page.parser.addresses, ["data:,"])
+        self.assertEqual(set(page.parser.scripts), {"about", "data", "viewer"})
+        self.assertEqual([page.parser.tags[tag] for tag in ("img", "iframe", "object", "embed")],
+                         [0, 0, 0, 0])
+        for sign in ("@import", "url(http", "importScripts(", "XMLHttpRequest(", "WebSocket("):
+            self.assertNotIn(sign, page.text.replace("new XMLHttpRequest()", ""), sign)
+        self.assertIn("The MIT License", page.text)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["page.html", "ring.xyzr"])
+
+    def test_a_file_name_cannot_break_out_of_the_page(self):
+        nasty = self.folder / "<b>&\"'<script>x"
+        nasty.mkdir()
+        ring = nasty / "a<!--<script>b.xyzr"
+        ring.write_bytes(self.ring.read_bytes())
+        page = self.view(ring)
+        self.assertEqual(page.about["title"], "a<!--<script>b.xyzr")
+        self.assertEqual(set(page.parser.scripts), {"about", "data", "viewer"})
+
+    def test_the_same_input_gives_the_same_page_for_any_number_of_threads(self):
+        page = self.view(MOLECULES / "caffeine.xyz", "--threads", "1")
+        self.assertEqual(page.text, self.view(MOLECULES / "caffeine.xyz", "--threads", "2").text)
+
+    def test_a_page_takes_few_bytes_to_a_triangle(self):
+        mesh = self.view(MOLECULES / "5tmn_ligand.pdb")
+        packed = len(mesh.parser.scripts["data"])
+        # 5 MB for 300,000 triangles leave 13 beside the viewer's 0.6 MB.
+        self.assertLess(packed / mesh.about["mesh"]["triangles"], 9)
+        self.assertLess(len(mesh.text) - packed, 800_000)
+
+
+class Meshes(ViewTest):
+    def test_a_page_holds_the_mesh_of_one_front_and_says_that_it_is_certified(self):
+        page = self.view(self.ring)
+        self.run_morskin("mesh", self.ring, "-o", "ring.off", "--fronts", "1", "-q")
+        places, triangles = self.read_off(self.folder / "ring.off")
+        self.assertEqual(page.about["mesh"]["triangles"], len(triangles))
+        self.check_same_mesh(page, places, triangles)
+        self.assertIs(page.about["certified"], True)
+
+    def test_the_cell_of_a_vertex_on_an_atoms_sphere_is_that_atoms(self):
+        page = self.view(MOLECULES / "5tmn_ligand.pdb")
+        places, _, _ = page.mesh()
+        grid = page.about["mesh"]["grid"]
+        balls = page.array("atoms.balls")
+        atoms = list(itertools.accumulate(page.array("complex.vertices")))
+        cells = list(itertools.accumulate(page.array("mesh.cell")))
+        self.assertEqual(len(cells), len(places))
+        seen = 0
+        for place, cell in zip(places, cells):
+            if cell >= len(atoms):
+                continue
+            *centre, weight = balls[4 * atoms[cell]:4 * atoms[cell] + 4]
+            x = [o + grid["step"] * p for o, p in zip(grid["origin"], place)]
+            self.assertAlmostEqual(math.dist(x, centre), math.sqrt(weight / 2), delta=grid["step"])
+            seen += 1
+        self.assertGreater(seen, 500)
+
+    def test_a_mesh_of_another_tool_comes_out_as_it_went_in(self):
+        tetrahedron = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                       [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+        page = self.view(self.write_off("closed.off", *tetrahedron))
+        self.check_same_mesh(page, *tetrahedron)
+        self.assertEqual(page.about["kind"], "mesh")
+        self.assertEqual(set(page.entries), {f"mesh.{name}" for name in
+                                             ("cases", "references", "x", "y", "z")})
+
+    def test_whatever_the_connectivity_every_triangle_is_kept(self):
+        """Borders, edges with three triangles, doubled, reversed and degenerate triangles."""
+        for seed in range(40):
+            chance = random.Random(seed)
+            count = chance.choice([3, 4, 6, 9, 20])
+            places = [[chance.randrange(1000) / 64 for _ in range(3)] for _ in range(count)]
+            triangles = [tuple(chance.randrange(count) for _ in range(3))
+                         for _ in range(chance.randrange(1, 4 * count))]
+            with self.subTest(seed=seed):
+                page = self.view(self.write_off("soup.off", places, triangles))
+                self.check_same_mesh(page, places, triangles)
+
+    def test_places_are_rounded_to_a_64th_of_the_shortest_edge(self):
+        page = self.view(MOLECULES / "caffeine.xyz")
+        places, corners, _ = page.mesh()
+        shortest = min(sum((a - b) ** 2 for a, b in zip(places[t[k]], places[t[k - 1]])) ** 0.5
+                       for t in corners for k in range(3))
+        self.assertGreater(shortest, 63)
+
+
+class Layers(ViewTest):
+    def test_the_sweep_of_the_page_is_the_sweep_of_the_run(self):
+        page = self.view(MOLECULES / "caffeine.xyz")
+        report = json.loads(self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "c.ply",
+                                             "--fronts", "1", "--json").stdout)
+        done = {name: sum(page.array(f"sweep.done.{kind}"))
+                for kind, name in enumerate(OPERATIONS)}
+        self.assertEqual(done, {name: report["operations"][name] for name in OPERATIONS})
+        _, corners, parents = page.mesh()
+        birth = page.by_triangle("mesh.birth", parents)
+        self.assertEqual(len(birth), len(corners))
+        self.assertGreaterEqual(min(birth), 0)
+        self.assertLess(max(birth), page.about["sweep"]["steps"])
+        # Six triangles to a bowl; refinement may have turned or broken a few.
+        bowls = Counter(page.array("mesh.operation"))[0]
+        self.assertAlmostEqual(bowls / (6 * done["creation"]), 1, delta=0.25)
+
+    def test_the_mesh_grows_from_bowls_and_stays_a_surface_with_a_front(self):
+        """At every step each edge has one triangle or two, and few edges have one."""
+        page = self.view(self.ring)
+        _, corners, parents = page.mesh()
+        birth = page.by_triangle("mesh.birth", parents)
+        triangles = len(corners)
+        for share in (0.1, 0.3, 0.5, 0.7, 0.9):
+            step = share * page.about["sweep"]["steps"]
+            there = [t for t, b in zip(corners, birth) if b < step]
+            self.assertAlmostEqual(len(there) / triangles, share, delta=0.1)
+            edges = Counter(frozenset((t[k], t[k - 1])) for t in there for k in range(3))
+            self.assertLessEqual(max(edges.values()), 2)
+            border = sum(1 for n in edges.values() if n == 1)
+            self.assertGreater(border, 0)
+            self.assertLess(border, 12 * triangles ** 0.5)
+
+    def test_critical_points_and_lines_are_those_of_the_morse_command(self):
+        page = self.view(self.ring)
+        self.run_morskin("morse", self.ring, "-o", "ring.json", "-q")
+        told = json.loads((self.folder / "ring.json").read_text())
+        self.assertEqual(page.about["critical"]["found"],
+                         [told["before"][name] for name in ("minima", "saddles", "maxima")])
+        self.assertEqual(page.about["critical"]["left"],
+                         [told["after"][name] for name in ("minima", "saddles", "maxima")])
+        self.assertEqual(page.about["lines"]["count"], told["before"]["arcs"])
+        self.assertEqual(page.about["kept_lines"]["count"], told["after"]["arcs"])
+        points = page.array("critical.points")
+        for i, point in enumerate(told["critical_points"]):
+            for k in range(3):
+                self.assertAlmostEqual(points[6 * i + k], point["position"][k], places=4)
+
+    def test_regions_lie_between_a_minimum_and_a_maximum(self):
+        page = self.view(self.ring)
+        _, corners, parents = page.mesh()
+        region = page.by_triangle("mesh.region", parents)
+        index = page.array("critical.index")
+        self.assertTrue(all(index[i] == 0 for i in page.array("regions.minimum")))
+        self.assertTrue(all(index[i] == 2 for i in page.array("regions.maximum")))
+        self.assertEqual(set(region), set(range(len(page.array("regions.minimum")))))
+
+    def test_a_mesh_with_its_molecule_shows_all_but_the_sweep(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.stl", "-q")
+        page = self.view("ring.stl", "--against", self.ring)
+        for name in ("mesh.cell", "mesh.region", "atoms.balls", "critical.index", "lines.x"):
+            self.assertIn(name, page.entries)
+        self.assertNotIn("mesh.birth", page.entries)
+        self.assertIs(page.about["certified"], True)
+
+    def test_frames_of_a_growing_skin_come_in_the_order_given(self):
+        small = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [(0, 1, 2)])
+        large = ([[0, 0, 0], [3, 0, 0], [0, 3, 0], [3, 3, 0]], [(0, 1, 2), (1, 3, 2)])
+        first, second = self.write_off("b.off", *small), self.write_off("a.off", *large)
+        page = self.view(second, "--grow", first, second)
+        frames = page.about["growth"]["frames"]
+        self.assertEqual([(f["label"], f["triangles"]) for f in frames], [("b", 1), ("a", 2)])
+        self.check_same_mesh(page, *small, name="growth.0")
+        self.check_same_mesh(page, *large, name="growth.1")
+
+
+class Failures(ViewTest):
+    def failure(self, *words, code):
+        done = self.run_morskin("view", *words, code=code)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), self.before)
+        self.assertTrue(done.stderr.startswith(b"morskin: "), done.stderr)
+        return done.stderr.decode()
+
+    def test_each_failure_has_its_exit_code_and_leaves_nothing(self):
+        (self.folder / "broken.ply").write_text("ply\nnonsense\n")
+        (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
+        self.before = sorted(p.name for p in self.folder.iterdir())
+        self.failure(self.ring, "-o", "page.txt", code=2)
+        self.failure(self.ring, "-o", self.ring, code=2)
+        self.failure(self.ring, "-o", "page.html", "--against", self.ring, code=2)
+        self.failure(self.ring, "-o", "page.html", "--function", "height:0,0,0", code=2)
+        self.failure("missing.pdb", "-o", "page.html", code=3)
+        self.failure("broken.ply", "-o", "page.html", code=3)
+        self.failure("empty.off", "-o", "page.html", code=4)
+        self.failure(self.ring, "-o", "nowhere/page.html", code=7)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        MORSKIN = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main()

@@ -1,0 +1,63 @@
+// Small helpers to build the panel.
+
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, '');
+    else if (value !== false && value != null) made.setAttribute(name, value);
+  }
+  made.append(...children.filter((child) => child != null));
+  return made;
+}
+
+// Drawn, because not every machine has a font with these signs.
+const shapes = {
+  fit: 'M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3M8 6v4M6 8h4',
+  theme: 'M8 2.5a5.5 5.5 0 1 0 0 11zM8 2.5a5.5 5.5 0 0 1 0 11',
+  help: 'M5.5 6a2.5 2.5 0 1 1 3.6 2.2C8.3 8.7 8 9.1 8 10M8 12.4v.2',
+  fold: 'M4 6l4 4 4-4',
+  play: 'M5.5 3.5v9l7-4.5z',
+  pause: 'M5.5 3.5v9M10.5 3.5v9',
+};
+
+export function icon(name) {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  svg.setAttribute('viewBox', '0 0 16 16');
+  svg.setAttribute('class', `shape shape-${name}`);
+  svg.setAttribute('aria-hidden', 'true');
+  const path = document.createElementNS(space, 'path');
+  path.setAttribute('d', shapes[name]);
+  svg.append(path);
+  return svg;
+}
+
+export const number = (n) => n.toLocaleString('en');
+
+// A row of buttons of which one is pressed.
+export function choice(label, options, now, pick) {
+  const buttons = options.map(([value, text, key]) =>
+    element('button', { type: 'button', 'aria-pressed': String(value === now), 'data-value': value,
+      title: key ? `${text} (${key})` : text, onclick: () => pick(value) }, text));
+  const row = element('div', { class: 'choice', role: 'group', 'aria-label': label }, ...buttons);
+  row.show = (value) => buttons.forEach((button) =>
+    button.setAttribute('aria-pressed', String(button.dataset.value === value)));
+  return row;
+}
+
+// A layer's switch: a checkbox, swatches, a name and how many there are.
+export function toggle({ id, label, key, colours = [], count, title, change }) {
+  const box = element('input', { type: 'checkbox', id, onchange: () => change(box.checked) });
+  const row = element('label', { class: 'toggle', for: id, title: title ?? (key && `Key ${key}`) },
+    box, element('span', { class: 'name' }, label),
+    ...colours.map((colour) => element('i', { class: 'dot', style: `background:${colour}` })),
+    element('span', { class: 'count' }, count ?? ''));
+  row.box = box;
+  row.count = row.querySelector('.count');
+  return row;
+}
+
+export function section(title, ...children) {
+  return element('section', {}, element('h2', {}, title), ...children);
+}

@@ -1,0 +1,231 @@
+// The viewer: the state of everything that can be switched, and what follows from a change of it.
+
+import { colourings } from './colourings.js';
+import { Growth } from './growth.js';
+import { atomLayer, lineLayer, pointLayer, SectionLayer, sphereLayer } from './layers.js';
+import { Panel } from './panel.js';
+import { Scene } from './scene.js';
+import { Stage } from './stage.js';
+import { Surface } from './surface.js';
+import { Sweep } from './sweep.js';
+
+const playSeconds = 18;
+const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+export class Viewer {
+  constructor(page, container, panelRoot) {
+    this.scene = new Scene(page);
+    this.stage = new Stage(container, this.scene.bounds);
+    this.surface = new Surface(this.scene.mesh, this.scene.normals(), this.scene.order());
+    this.stage.world.add(this.surface.group);
+    this.colourings = colourings(this.scene);
+    if (page.has('mesh.birth')) this.sweep = new Sweep(this.scene);
+    if (page.about.growth) this.growth = new Growth(this.scene);
+    if (this.scene.complex) this.section = new SectionLayer(this.scene.complex);
+    this.layers = {}; // made when they are first shown
+    this.state = {
+      style: 'smooth', colouring: this.colourings[0].id, edges: false, seeThrough: false,
+      atoms: false, points: false, lines: false, spheres: false, simplified: false,
+      section: false, cut: false, axis: 'z', offset: 0, panel: true,
+      step: this.sweep?.steps ?? 0, playing: false,
+      frame: this.growth?.frames.length ?? 0, growing: false,
+    };
+    this.normal = axes.z;
+    this.panel = new Panel(panelRoot, this);
+    this.#paint();
+    this.panel.update();
+    this.stage.draw();
+  }
+
+  has(layer) {
+    const { page, points } = this.scene;
+    if (layer === 'atoms' || layer === 'section') return Boolean(this.scene.complex);
+    if (layer === 'lines') return page.has('lines.index');
+    return Boolean(points && points.length > 0);
+  }
+
+  get colouring() {
+    return this.colourings.find(({ id }) => id === this.state.colouring);
+  }
+
+  // The critical points that are shown.
+  shownPoints() {
+    return this.scene.points.filter(({ survives }) => survives || !this.state.simplified);
+  }
+
+  set(changes) {
+    const what = new Set(Object.keys(changes).filter((name) => this.state[name] !== changes[name]));
+    if (what.size === 0) return;
+    Object.assign(this.state, changes);
+    const changed = (...names) => names.some((name) => what.has(name));
+    this.scene.isSimplified = this.state.simplified;
+    const isRegion = this.state.colouring === 'region';
+    if (changed('colouring') || (changed('simplified') && isRegion)) this.#paint();
+    if (changed('style', 'edges', 'seeThrough', 'cut')) this.#dress();
+    if (changed('section', 'cut', 'axis', 'offset')) this.#cut();
+    if (changed('atoms', 'points', 'lines', 'spheres', 'simplified', 'section')) this.#showLayers();
+    if (changed('step')) this.#showStep();
+    if (changed('frame')) this.#showFrame();
+    this.panel.update(what);
+    if (changed('panel')) requestAnimationFrame(() => this.stage.resize());
+    this.stage.draw(changed('offset', 'step', 'frame'));
+  }
+
+  #paint() {
+    this.surface.paint(this.colouring);
+    this.growth?.paint(this.colouring);
+  }
+
+  #dress() {
+    this.surface.group.visible = this.state.style !== 'off';
+    for (const surface of [this.surface, ...(this.growth?.surfaces() ?? [])]) {
+      surface.set(this.state);
+      surface.body.visible = this.state.style !== 'off';
+    }
+  }
+
+  setAxis(axis) {
+    if (axis === 'view') {
+      const off = this.stage.camera.position.clone().sub(this.stage.controls.target).normalize();
+      this.normal = off.toArray();
+    } else {
+      this.normal = axes[axis];
+    }
+    // The same name again, for a new view, is a change too.
+    if (axis === this.state.axis) this.state.axis = '';
+    this.set({ axis });
+  }
+
+  #cut() {
+    const { middle, radius } = this.scene.bounds;
+    const along = this.normal.reduce((sum, n, k) => sum + n * middle[k], 0);
+    const offset = along + this.state.offset * radius;
+    this.surface.uniforms.plane.value.set(...this.normal, offset);
+    for (const surface of this.growth?.surfaces() ?? []) {
+      surface.uniforms.plane.value.set(...this.normal, offset);
+    }
+    if (this.state.section) this.section.update(this.normal, offset, middle, 1.12 * radius);
+  }
+
+  #layer(name, make) {
+    if (!this.layers[name]) {
+      this.layers[name] = make();
+      this.stage.world.add(this.layers[name]);
+    }
+    return this.layers[name];
+  }
+
+  // Shows or hides a layer that has a form of its own for the simplified complex.
+  #showForm(name, make) {
+    for (const simplified of [false, true]) {
+      const form = simplified ? `${name}, simplified` : name;
+      const isShown = this.state[name] && this.state.simplified === simplified;
+      if (isShown) this.#layer(form, () => make(simplified)).visible = true;
+      else if (this.layers[form]) this.layers[form].visible = false;
+    }
+  }
+
+  #showLayers() {
+    const { scene, state, stage } = this;
+    if (state.atoms) this.#layer('atoms', () => atomLayer(scene));
+    if (this.layers.atoms) this.layers.atoms.visible = state.atoms;
+    this.#showForm('points', () => pointLayer(this.shownPoints(), stage.finest));
+    this.#showForm('lines', (simplified) =>
+      lineLayer(scene.page, simplified ? 'kept_lines' : 'lines', scene.centre));
+    this.#showForm('spheres', () => sphereLayer(this.shownPoints()));
+    if (this.section) {
+      if (state.section) this.#layer('section', () => this.section.group);
+      this.section.group.visible = state.section;
+    }
+  }
+
+  goTo(step) {
+    this.set({ step: Math.max(0, Math.min(this.sweep.steps, Math.round(step))), playing: false });
+  }
+
+  #showStep() {
+    this.sweep.go(this.state.step);
+    if (this.sweep.front && !this.sweep.frontObject.parent) {
+      this.stage.world.add(this.sweep.frontObject);
+    }
+    this.surface.show(this.sweep.triangles());
+  }
+
+  togglePlay() {
+    if (!this.sweep) return;
+    if (this.state.playing) {
+      this.set({ playing: false });
+      return;
+    }
+    const isAtEnd = this.state.step >= this.sweep.steps;
+    this.set({ playing: true, step: isAtEnd ? 0 : this.state.step });
+    let last = performance.now(), place = this.state.step;
+    const tick = (now) => {
+      if (!this.state.playing) return;
+      // The time between two frames, but not more than looks smooth when frames are slow.
+      place += Math.min(now - last, 250) / 1000 * this.sweep.steps / playSeconds;
+      last = now;
+      const isOver = place >= this.sweep.steps;
+      this.set({ step: Math.min(Math.round(place), this.sweep.steps), playing: !isOver });
+      if (!isOver) requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  goToFrame(frame) {
+    this.set({ frame, growing: false });
+  }
+
+  #showFrame() {
+    this.growth.show(this.state.frame, this.stage.world, this.state);
+    const isGrown = this.state.frame === this.growth.frames.length;
+    this.surface.body.visible = isGrown && this.state.style !== 'off';
+    this.surface.group.visible = isGrown && this.state.style !== 'off';
+  }
+
+  toggleGrowth() {
+    if (!this.growth) return;
+    if (this.state.growing) {
+      this.set({ growing: false });
+      return;
+    }
+    const { length } = this.growth.frames;
+    this.set({ growing: true, frame: this.state.frame >= length ? 0 : this.state.frame });
+    const tick = () => {
+      if (!this.state.growing) return;
+      const frame = this.state.frame + 1;
+      this.set({ frame, growing: frame < length });
+      if (frame < length) setTimeout(tick, 6000 / length);
+    };
+    setTimeout(tick, 6000 / length);
+  }
+
+  nextColouring(by) {
+    const ids = this.colourings.map(({ id }) => id);
+    const at = ids.indexOf(this.state.colouring);
+    this.set({ colouring: ids[(at + by + ids.length) % ids.length] });
+  }
+
+  turnTheme() {
+    const root = document.documentElement;
+    root.dataset.theme = this.isDark() ? 'light' : 'dark';
+    this.showTheme();
+  }
+
+  isDark() {
+    const asked = document.documentElement.dataset.theme;
+    return asked ? asked === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  }
+
+  // The canvas takes its background from the style sheet.
+  showTheme() {
+    const style = getComputedStyle(document.documentElement);
+    this.stage.setBackground(style.getPropertyValue('--canvas').trim());
+  }
+
+  toggleHelp() {
+    const help = document.getElementById('help');
+    if (help.open) help.close();
+    else help.showModal();
+  }
+}
