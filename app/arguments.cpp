@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -64,6 +65,7 @@ struct Typed {
   std::string guard = "everywhere";
   std::optional<int> fronts;
   std::optional<double> Q;
+  std::optional<std::string> grow;
 };
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
@@ -137,6 +139,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--grid", mesh.grid_step,
                      "Step of the grid of marching-cubes, Angstrom (default: as many\n"
                      "triangles as the sweep makes)");
+  command.add_option("--grow", typed.grow,
+                     "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
+                     "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
+                     "largest weight). What is meshed and certified is the skin at T1");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
@@ -245,8 +251,9 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
       ->required();
   command.add_option("--against", view.against,
                      "The molecule whose skin the mesh is: then all layers but the sweep");
-  command.add_option("--grow", view.growth,
-                     "Meshes of a growing skin, in order, to play through beside");
+  command.add_option("--frames", view.growth,
+                     "Meshes of a growing skin to play through beside, in order; a folder\n"
+                     "stands for its snapshot-1.ply, snapshot-2.ply ...");
   add_molecule_options(command, view.molecule, typed);
   add_sizing_options(command, view.sizing, typed);
   add_function_option(command, typed);
@@ -395,6 +402,24 @@ void finish(ViewArguments& view, const Typed& typed) {
   view.progress = parsed_progress(typed.progress);
 }
 
+/// --grow T0..T1
+void parse_growth(MeshArguments& mesh, const std::string& text) {
+  if (mesh.method != front::Method::Dynamic) throw UsageError("--grow is for --method dynamic");
+  double from = 0, to = 0;
+  // "-3..0" would read "-3." as a number: cut at the two dots.
+  const std::size_t dots = text.find("..");
+  if (dots != std::string::npos) {
+    std::istringstream first(text.substr(0, dots)), last(text.substr(dots + 2));
+    if (first >> from && first.eof() && last >> to && last.eof() && std::isfinite(from) &&
+        std::isfinite(to) && from < to) {
+      mesh.growth_shown_from = from;
+      mesh.grow_to = to;
+      return;
+    }
+  }
+  throw UsageError("--grow needs two times, the earlier first, as in --grow -3..0");
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
@@ -408,14 +433,13 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
     throw UsageError("--grid must be above 0");
   }
-  if (mesh.method == front::Method::Dynamic) {
-    throw UsageError("--method " + typed.method + " is not built in yet");
-  }
+  if (typed.grow) parse_growth(mesh, *typed.grow);
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();
-  mesh.fronts = typed.fronts.value_or(has_snapshots ? 1 : 2);
-  if (has_snapshots && mesh.fronts != 1) {
+  const bool is_dynamic = mesh.method == front::Method::Dynamic;
+  mesh.fronts = typed.fronts.value_or(has_snapshots && !is_dynamic ? 1 : 2);
+  if (has_snapshots && !is_dynamic && mesh.fronts != 1) {
     throw UsageError("snapshots are of a sweep from below only: leave out --fronts 2");
   }
   for (const double value : mesh.snapshot_values) {

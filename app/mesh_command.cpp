@@ -15,10 +15,12 @@
 #include "app/report.h"
 #include "app/snapshots.h"
 #include "app/staged_outputs.h"
+#include "bench/baselines/dynamic_skin.h"
 #include "bench/baselines/marching_cubes.h"
 #include "front/safety_net.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
+#include "geometry/predicates.h"
 
 namespace morskin::app {
 namespace {
@@ -45,12 +47,39 @@ bool can_be_certified(MeshFormat format) {
   return format != MeshFormat::Stl && format != MeshFormat::Vtu;
 }
 
-front::MeshOptions options_of(const MeshArguments& arguments, std::optional<double> grid_step) {
+// The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
+front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                             MeshReport& report) {
+  baselines::GrowthOptions growth;
+  double largest = 0;
+  for (const auto& p : skin.surface.points()) largest = std::max(largest, p.weight);
+  const double from =
+      arguments.growth_shown_from ? *arguments.growth_shown_from - arguments.grow_to : -largest;
+  for (std::size_t k = 1; k <= arguments.snapshots; ++k) {
+    const double left = static_cast<double>(arguments.snapshots - k);
+    growth.snapshot_times.push_back(from * left / static_cast<double>(arguments.snapshots));
+  }
+  for (const double t : arguments.snapshot_values) {
+    growth.snapshot_times.push_back(t - arguments.grow_to);
+  }
+  std::ranges::sort(growth.snapshot_times);
+  growth.snapshot = [&arguments, number = std::size_t{0}](double,
+                                                          const skin::SkinMesh& mesh) mutable {
+    write_snapshot(arguments.snapshot_folder, ++number, mesh);
+  };
+  return baselines::dynamic_mesher(growth, &report.growth.emplace());
+}
+
+front::MeshOptions options_of(const front::PreparedSkin& skin, const MeshArguments& arguments,
+                              MeshReport& report) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
-  if (grid_step) options.mesher = baselines::marching_cubes_mesher(*grid_step);
+  if (report.grid_step) options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
+  if (arguments.method == front::Method::Dynamic) {
+    options.mesher = dynamic_mesher(skin, arguments, report);
+  }
   options.function = arguments.function;
   options.fronts = arguments.fronts;
   options.threads = arguments.threads;
@@ -62,8 +91,7 @@ front::MeshOptions options_of(const MeshArguments& arguments, std::optional<doub
 }
 
 front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       std::optional<double> grid_step, const front::Progress& progress) {
-  front::MeshOptions options = options_of(arguments, grid_step);
+                       front::MeshOptions options, const front::Progress& progress) {
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     write_snapshot(arguments.snapshot_folder, ++number, snapshot);
@@ -219,6 +247,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
 
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
+  for (auto& p : input.points) p.weight = geometry::on_exact_grid(p.weight + arguments.grow_to);
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
 
@@ -244,7 +273,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  front::MeshResult result = mesh(skin, arguments, report.grid_step, progress);
+  const front::MeshOptions options = options_of(skin, arguments, report);
+  front::MeshResult result = mesh(skin, arguments, options, progress);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
 
@@ -255,8 +285,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch certifying;
   progress("certify", geometry::unknown_share);
   report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
-  if (!report.certificate.certified &&
-      front::mend(skin, options_of(arguments, report.grid_step), result)) {
+  if (!report.certificate.certified && front::mend(skin, options, result)) {
     write(files, result.mesh);
     report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
   }

@@ -30,6 +30,18 @@ ordered_json operations_json(const MeshReport& report) {
           {"refused", report.refinement.refused}};
 }
 
+ordered_json growth_json(const baselines::GrowthCounts& growth) {
+  return {{"births", growth.metamorphoses[0]},
+          {"necks", growth.metamorphoses[1]},
+          {"tunnels_closed", growth.metamorphoses[2]},
+          {"voids_gone", growth.metamorphoses[3]},
+          {"failed", growth.failed},
+          {"flip", growth.operations.flip},
+          {"contract", growth.operations.contract},
+          {"insert", growth.operations.insert},
+          {"looks", growth.looks}};
+}
+
 ordered_json seconds_json(const RunSeconds& seconds) {
   return {{"read", rounded(seconds.read)},
           {"triangulate", rounded(seconds.stages.triangulate)},
@@ -166,6 +178,7 @@ std::string json_text(const MeshReport& report) {
                        {"below", report.smoothing.below},
                        {"moved", report.smoothing.moved},
                        {"left", report.smoothing.left}};
+  if (report.growth) json["growth"] = growth_json(*report.growth);
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
@@ -243,11 +256,25 @@ std::string sweep_text(const front::Operations& done) {
                              grouped(done.vain_outside_protecting) + " in vain");
 }
 
+/// What the growth did.
+std::string growth_text(const baselines::GrowthCounts& growth) {
+  const auto& [births, necks, tunnels, voids] = growth.metamorphoses;
+  return line("growth", grouped(births) + " born, " + counted(necks, "neck", "necks") + ", " +
+                            counted(tunnels, "tunnel", "tunnels") + " closed, " +
+                            counted(voids, "void", "voids") + " gone, " + grouped(growth.failed) +
+                            " failed") +
+         line("", counted(growth.operations.flip, "flip", "flips") + ", " +
+                      counted(growth.operations.contract, "contraction", "contractions") + ", " +
+                      counted(growth.operations.insert, "insertion", "insertions") + " in " +
+                      counted(growth.looks, "look", "looks"));
+}
+
 /// What the method did.
 std::string method_text(const MeshReport& report) {
   if (report.grid_step) {
     return line("grid", "marching cubes, step " + brief(*report.grid_step) + " A");
   }
+  if (report.growth) return growth_text(*report.growth);
   const bool is_sweep = report.method == front::Method::Sweep;
   return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +

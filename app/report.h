@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/molecule_input.h"
+#include "bench/baselines/growth.h"
 #include "front/mesh_skin.h"
 #include "skin/molecule.h"
 
@@ -36,7 +37,8 @@ struct MeshReport {
   std::size_t minima = 0, saddles = 0, maxima = 0;
   std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
   front::Method method = front::Method::Sweep;
-  std::optional<double> grid_step;  ///< of marching cubes, Angstrom
+  std::optional<double> grid_step;                ///< of marching cubes, Angstrom
+  std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;

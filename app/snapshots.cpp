@@ -9,6 +9,13 @@
 namespace morskin::app {
 namespace {
 
+geometry::IndexedMesh indexed(const skin::SkinMesh& mesh) {
+  geometry::IndexedMesh result;
+  for (const skin::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  result.triangles = mesh.surface.triangle_list();
+  return result;
+}
+
 std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& front,
                       const morse::MorseFunction& function) {
   geometry::VtuGrid grid;
@@ -39,12 +46,17 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
 
 }  // namespace
 
+void write_snapshot(const std::filesystem::path& folder, std::size_t number,
+                    const skin::SkinMesh& mesh) {
+  geometry::write_file_atomically(
+      folder / ("snapshot-" + std::to_string(number) + ".ply"),
+      geometry::serialized(indexed(mesh), geometry::MeshFormat::PlyBinary));
+}
+
 std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
                                                   std::size_t number,
                                                   const front::Snapshot& snapshot) {
-  geometry::IndexedMesh mesh;
-  for (const skin::SurfacePoint& p : snapshot.mesh.points) mesh.positions.push_back(p.position);
-  mesh.triangles = snapshot.mesh.surface.triangle_list();
+  const geometry::IndexedMesh mesh = indexed(snapshot.mesh);
   const std::string stem = "snapshot-" + std::to_string(number);
   const std::filesystem::path ply = folder / (stem + ".ply"), vtu = folder / (stem + ".vtu");
   geometry::write_file_atomically(ply, geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));

@@ -16,5 +16,9 @@ namespace morskin::app {
 std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
                                                   std::size_t number,
                                                   const front::Snapshot& snapshot);
+/// Writes snapshot-K.ply, a state of the growing skin.
+/// @throws geometry::UnwritableOutput
+void write_snapshot(const std::filesystem::path& folder, std::size_t number,
+                    const skin::SkinMesh& mesh);
 
 }  // namespace morskin::app

@@ -160,7 +160,27 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   return viewed;
 }
 
-void add_growth(PageData& page, const std::vector<std::filesystem::path>& files) {
+// The files meant by --frames.
+std::vector<std::filesystem::path> frame_files(const std::vector<std::filesystem::path>& asked) {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& path : asked) {
+    if (!std::filesystem::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    for (std::size_t k = 1;; ++k) {
+      std::filesystem::path file = path / ("snapshot-" + std::to_string(k) + ".ply");
+      if (!std::filesystem::exists(file)) {
+        if (k == 1) geometry::read_mesh(file);  // says what is missing
+        break;
+      }
+      files.push_back(std::move(file));
+    }
+  }
+  return files;
+}
+
+void add_frames(PageData& page, const std::vector<std::filesystem::path>& files) {
   nlohmann::ordered_json frames = nlohmann::ordered_json::array();
   for (const std::filesystem::path& file : files) {
     const std::string name = "growth." + std::to_string(frames.size());
@@ -199,7 +219,7 @@ ExitCode view_command(const ViewArguments& arguments) {
   const bool is_mesh = names_a_mesh(arguments.molecule.input);
   const Viewed viewed =
       is_mesh ? view_mesh(page, arguments, progress) : view_molecule(page, arguments, progress);
-  add_growth(page, arguments.growth);
+  add_frames(page, frame_files(arguments.growth));
   if (viewed.certificate) {
     page.about["certified"] = viewed.certificate->certified;
     page.about["reason"] = viewed.certificate->reason;

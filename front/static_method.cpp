@@ -104,10 +104,12 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
   const auto progress = [&](std::string_view stage) {
     if (options.progress) options.progress(stage, geometry::unknown_share);
   };
+  // Circumcentres of the coarse samples lie in all cells.
+  const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
   progress("critical points");
   morse::ChosenFunction chosen;
   timed(result.seconds.critical_points, [&] {
-    chosen = morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
+    chosen = morse::choose_function(surface, skin.topology.skin_euler_characteristic(),
                                     options.function);
   });
   result.minima = result.surviving_minima = chosen.critical.count(0);
@@ -117,10 +119,13 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
   progress("refine");
   timed(result.seconds.refine, [&] {
     const std::vector<SurfacePoint> seeds =
-        delaunay_seeds(skin.surface, chosen.critical.points, options.sizing);
-    refine::DelaunayRefinement refinement(skin.surface, options.sizing, seeds);
+        delaunay_seeds(surface, chosen.critical.points, options.sizing);
+    refine::DelaunayRefinement refinement(surface, options.sizing, seeds);
     refinement.run();
     result.mesh = refinement.mesh();
+    for (SurfacePoint& p : result.mesh.points) {
+      p.cell = skin.surface.complex().same(p.cell, surface.complex());
+    }
     const refine::DelaunayRefinementCounts& done = refinement.counts();
     result.refinement.insert = done.too_big + done.topological;
     result.refinement.refused = done.refused;

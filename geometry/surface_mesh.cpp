@@ -117,6 +117,28 @@ void SurfaceMesh::unsplit(VertexId v) {
   outgoing_[v.index()] = HalfEdgeId{kBoundary};
 }
 
+void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
+  for (const TriangleId t : triangles) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      outgoing_[origin_[half_edge(t, k).index()].index()] = HalfEdgeId{kBoundary};
+    }
+  }
+  for (const TriangleId t : triangles) {
+    for (std::uint32_t k = 0; k < 3; ++k) origin_[half_edge(t, k).index()] = VertexId{kBoundary};
+  }
+  // A fan that is left begins at the half-edge whose twin is gone.
+  for (const TriangleId t : triangles) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      HalfEdgeId& twin = twin_[half_edge(t, k).index()];
+      if (twin.value != kBoundary && origin_[twin.index()].value != kBoundary) {
+        twin_[twin.index()] = HalfEdgeId{kBoundary};
+        outgoing_[origin_[twin.index()].index()] = twin;
+      }
+      twin = HalfEdgeId{kBoundary};
+    }
+  }
+}
+
 std::size_t SurfaceMesh::degree(VertexId v) const {
   std::size_t count = 0;
   for_each_outgoing(v, [&](HalfEdgeId) { ++count; });

@@ -80,6 +80,11 @@ class SurfaceMesh {
       h = twin_[previous(h).index()];
     } while (h != first);
   }
+  /// Takes triangles out of the mesh and leaves their edges to the others as boundary. Vertices
+  /// left without triangles are removed.
+  /// @pre every vertex keeps at most one fan of triangles.
+  void remove(std::span<const TriangleId> triangles);
+
   std::size_t degree(VertexId v) const;
   /// Whether an edge joins a and b. @pre a has no boundary.
   bool has_edge(VertexId a, VertexId b) const;

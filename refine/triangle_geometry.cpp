@@ -1,5 +1,7 @@
 #include "refine/triangle_geometry.h"
 
+#include "skin/level_set.h"
+
 namespace morskin::refine {
 
 namespace {
@@ -21,18 +23,17 @@ SurfaceBall ball_about(const Point& centre, const SurfacePoint& a, bool is_exact
 
 }  // namespace
 
-SurfaceBall quick_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a,
+template <class Surface>
+SurfaceBall quick_surface_ball(const Surface& skin, const SurfacePoint& a,
                                const Circumcircle& circle) {
-  const skin::MixedComplex& complex = skin.complex();
-  const auto step_in = [&](const skin::Patch& patch) {
+  const auto step = skin.with_patch(a.cell, [&](const skin::Patch& patch) {
     return newton_step(patch, circle.centre, circle.doubled_area, circle.radius);
-  };
-  const auto step = complex.is_kept(a.cell) ? step_in(complex.kept_patch(a.cell))
-                                            : step_in(complex.patch(a.cell));
+  });
   return ball_about(circle.centre + step.value_or(0) * circle.doubled_area, a, false);
 }
 
-SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a, const Point& b,
+template <class Surface>
+SurfaceBall exact_surface_ball(const Surface& skin, const SurfacePoint& a, const Point& b,
                                const Point& c) {
   const Circumcircle circle = circumcircle(a.position, b, c);
   constexpr int most_steps = 12;
@@ -41,7 +42,7 @@ SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint
   bool is_on_skin = false;
   for (int i = 0; i < most_steps; ++i) {
     cell = skin.locate(x, cell);
-    const skin::Patch& patch = skin.complex().patch(cell);
+    const skin::Patch& patch = skin.patch(cell);
     const double rho = patch.length_scale(x);
     is_on_skin = std::abs(patch.value(x)) <= skin.residual_bound(rho);
     if (is_on_skin) break;
@@ -51,5 +52,14 @@ SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint
   }
   return ball_about(x, a, is_on_skin);
 }
+
+template SurfaceBall quick_surface_ball(const skin::SkinSurface&, const SurfacePoint&,
+                                        const Circumcircle&);
+template SurfaceBall quick_surface_ball(const skin::LevelSet&, const SurfacePoint&,
+                                        const Circumcircle&);
+template SurfaceBall exact_surface_ball(const skin::SkinSurface&, const SurfacePoint&, const Point&,
+                                        const Point&);
+template SurfaceBall exact_surface_ball(const skin::LevelSet&, const SurfacePoint&, const Point&,
+                                        const Point&);
 
 }  // namespace morskin::refine

@@ -59,10 +59,13 @@ struct SurfaceBall {
 
 /// The ball with its centre found in one patch, that of a vertex a: off by a few hundredths of the
 /// squared radius where the skin changes patches under the triangle.
-SurfaceBall quick_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a,
+/// @param skin  a skin::SkinSurface or a skin::LevelSet
+template <class Surface>
+SurfaceBall quick_surface_ball(const Surface& skin, const SurfacePoint& a,
                                const Circumcircle& circle);
 /// The ball with its centre on the skin to rounding.
-SurfaceBall exact_surface_ball(const skin::SkinSurface& skin, const SurfacePoint& a, const Point& b,
+template <class Surface>
+SurfaceBall exact_surface_ball(const Surface& skin, const SurfacePoint& a, const Point& b,
                                const Point& c);
 
 }  // namespace morskin::refine

@@ -56,7 +56,8 @@ decltype(auto) MixedComplex::simplices() const {
   if constexpr (N == 4) return (triangulation_.tetrahedra);
 }
 
-MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulation triangulation)
+MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulation triangulation,
+                           Keep keep)
     : points_(std::move(points)), triangulation_(std::move(triangulation)) {
   const std::array sizes{triangulation_.vertices.size(), triangulation_.edges.size(),
                          triangulation_.triangles.size(), triangulation_.tetrahedra.size()};
@@ -73,7 +74,7 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
   }
   wall_tolerance_ = std::ldexp(largest, -42);
   list_edges();
-  choose_kept();
+  choose_kept(keep);
   build_patches();
   build_walls();
 }
@@ -168,7 +169,7 @@ std::vector<double> MixedComplex::largest_powers(const std::vector<double>& weig
 /// atoms at q less the weight of the ball about c that is orthogonal to theirs. The power is at
 /// least minus the orthocentre's weight, the ball's weight at least the orthocentre's and at most
 /// the heaviest atom's; so G has a zero only where these ranges overlap.
-void MixedComplex::choose_kept() {
+void MixedComplex::choose_kept(Keep keep) {
   const std::vector<double> weight = weights();
   const std::vector<double> largest_power = largest_powers(weight);
   kept_bits_.assign(size() / 64 + 1, 0);
@@ -179,7 +180,7 @@ void MixedComplex::choose_kept() {
       const double slack = 4 * nearness * std::abs(heaviest);
       const bool is_outside = -weight[n] > heaviest + slack;
       const bool is_inside = largest_power[n] + slack < weight[n];
-      if (is_outside || is_inside) continue;
+      if (keep == Keep::NearSkin && (is_outside || is_inside)) continue;
       kept_bits_[n / 64] |= std::uint64_t{1} << n % 64;
       number_of_.push_back(n);
     }

@@ -55,9 +55,13 @@ class Walls {
 
 class MixedComplex {
  public:
+  /// Which cells are kept: those near the skin or, for the skins of all times, all.
+  enum class Keep { NearSkin, All };
+
   /// @param points         the weighted points
   /// @param triangulation  theirs
-  MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation);
+  MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation,
+               Keep keep = Keep::NearSkin);
 
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
@@ -98,6 +102,9 @@ class MixedComplex {
                     static_cast<std::uint32_t>(place));
   }
 
+  /// The cell here of a simplex that has another cell in a complex of the same points.
+  CellId same(CellId cell, const MixedComplex& other) const { return numbered(other.number(cell)); }
+
   /// Distance, Angstrom, within which a point counts as inside a cell: 2^-42 of the largest
   /// coordinate, above the rounding of a wall's offset. G is C^1 across walls, so a point taken on
   /// the wrong side by d has its G wrong by at most d^2 (papers/2.1-molecular-skin.md).
@@ -112,7 +119,7 @@ class MixedComplex {
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
 
-  void choose_kept();
+  void choose_kept(Keep keep);
   std::vector<double> weights() const;
   std::vector<double> largest_powers(const std::vector<double>& weights) const;
   void list_edges();

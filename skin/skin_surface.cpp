@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "skin/slide.h"
 
 namespace morskin::skin {
 
@@ -16,12 +17,6 @@ auto timed(double& seconds, Work work) {
   auto result = work();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
-}
-
-/// Work with the patch of a cell, without a copy of one that is kept.
-template <class Work>
-void with_patch(const MixedComplex& complex, CellId cell, Work work) {
-  complex.is_kept(cell) ? work(complex.kept_patch(cell)) : work(complex.patch(cell));
 }
 
 const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& points) {
@@ -36,7 +31,8 @@ const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& poin
 
 }  // namespace
 
-SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress)
+SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress,
+                         MixedComplex::Keep keep)
     : complex_([&] {
         const auto told = [&](double share) {
           if (progress) progress("triangulate", share);
@@ -46,8 +42,9 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Prog
           return geometry::regular_triangulation(checked(points), told);
         });
         if (progress) progress("mixed complex", geometry::unknown_share);
-        return timed(mixed_complex_seconds_,
-                     [&] { return MixedComplex(std::move(points), std::move(triangulation)); });
+        return timed(mixed_complex_seconds_, [&] {
+          return MixedComplex(std::move(points), std::move(triangulation), keep);
+        });
       }()) {}
 
 std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
@@ -124,28 +121,12 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
 }
 
 std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) const {
-  // Two or three rounds settle a point within rho / 2; the cap is for points that are out of reach.
-  constexpr int most_rounds = 40;
-  Point y = x;
-  CellId cell = locate(y, start);
-  for (int round = 0; round < most_rounds; ++round) {
-    with_patch(complex_, cell, [&](const Patch& patch) { y = patch.slide(y); });
-    cell = locate(y, cell);
-    Vector n;
-    double g = 0;
-    with_patch(complex_, cell, [&](const Patch& patch) {
-      n = patch.half_gradient(y);
-      g = (y - patch.centre).dot(n) - patch.half_weight;
-    });
-    const double rho = n.norm();
-    if (std::abs(g) <= residual_bound(rho)) return SurfacePoint{y, n / rho, rho, cell};
-  }
-  return std::nullopt;
+  return slide_onto(*this, x, start);
 }
 
 SurfacePoint SkinSurface::at(const Point& x, CellId cell) const {
   Vector n;
-  with_patch(complex_, cell, [&](const Patch& patch) { n = patch.half_gradient(x); });
+  with_patch(cell, [&](const Patch& patch) { n = patch.half_gradient(x); });
   const double rho = n.norm();
   return {x, n / rho, rho, cell};
 }

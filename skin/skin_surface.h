@@ -25,11 +25,18 @@ class SkinSurface {
  public:
   /// @pre  every coordinate and weight lies on the exact grid (geometry/predicates.h).
   /// @throws geometry::RefusedInput when there is no point with a positive weight.
-  explicit SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress = {});
+  explicit SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress = {},
+                       MixedComplex::Keep keep = MixedComplex::Keep::NearSkin);
 
   const std::vector<WeightedPoint>& points() const { return complex_.points(); }
   const geometry::RegularTriangulation& triangulation() const { return complex_.triangulation(); }
   const MixedComplex& complex() const { return complex_; }
+  Patch patch(CellId cell) const { return complex_.patch(cell); }
+  /// Work with the patch of a cell, without a copy of one that is kept.
+  template <class Work>
+  decltype(auto) with_patch(CellId cell, Work work) const {
+    return complex_.is_kept(cell) ? work(complex_.kept_patch(cell)) : work(complex_.patch(cell));
+  }
   /// The weighted points whose simplex the cell belongs to, one to four.
   std::vector<AtomId> atoms(CellId cell) const;
   /// Seconds spent in the regular triangulation and in the mixed complex.

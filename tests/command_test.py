@@ -109,6 +109,28 @@ class Mesh(CommandTest):
         self.assertGreater(min(open_edges[1:4]), 0)
         self.assertEqual(open_edges[4], 0)
 
+    def test_a_ring_grows_from_balls_to_a_torus(self):
+        words = ("-o", "ring.ply", "--model", "vdw", "--method", "dynamic")
+        report = self.mesh_json(self.ring, *words, "--snapshots", "3")
+        self.assertTrue(report["certified"])
+        self.assertEqual(report["method"], "dynamic")
+        growth = report["growth"]
+        self.assertEqual((growth["births"], growth["necks"], growth["failed"]), (12, 12, 0))
+        faces = []
+        for k in range(1, 4):
+            mesh = (self.folder / f"snapshot-{k}.ply").read_bytes()
+            faces.append(int(re.search(rb"element face (\d+)", mesh).group(1)))
+        self.assertGreater(faces[0], 0)
+        # Stopped before the balls meet: twelve spheres.
+        report = self.mesh_json(self.ring, *words, "--grow", "-6..-4.5")
+        self.assertTrue(report["certified"])
+        self.assertEqual((report["components"], report["genus"]), (12, 0))
+
+    def test_growth_wants_two_times_and_the_dynamic_method(self):
+        for words in (("--grow", "-1..0"), ("--method", "dynamic", "--grow", "0..-1"),
+                      ("--method", "dynamic", "--grow", "x..0")):
+            self.run_morskin("mesh", self.ring, "-o", "ring.ply", *words, code=2)
+
     def test_snapshots_want_one_front(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--snapshots", "2",
                                 "--fronts", "2", code=2)

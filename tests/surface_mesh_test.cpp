@@ -121,6 +121,42 @@ TEST_CASE("a half-edge flipped twice runs the other way between the same triangl
   }
 }
 
+TEST_CASE("triangles taken out leave a boundary that new ones can be glued to") {
+  SurfaceMesh mesh = octahedron_mesh();
+  // The four triangles about vertex 4 and, so, the vertex.
+  std::vector<TriangleId> gone;
+  mesh.for_each_outgoing(VertexId{4U},
+                         [&](HalfEdgeId h) { gone.push_back(SurfaceMesh::triangle(h)); });
+  mesh.remove(gone);
+  CHECK(validate(mesh, Expect::Any).value_or("") == "");
+  CHECK(validate(mesh, Expect::Closed).has_value());
+  CHECK_FALSE(mesh.outgoing(VertexId{4U}).has_value());
+  std::vector<HalfEdgeId> open;
+  for (std::uint32_t h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    if (!mesh.is_removed(SurfaceMesh::triangle(HalfEdgeId{h})) && mesh.is_boundary(HalfEdgeId{h})) {
+      open.push_back(HalfEdgeId{h});
+    }
+  }
+  REQUIRE(open.size() == 4);
+  const VertexId v = mesh.add_vertex();
+  std::vector<HalfEdgeId> spokes;
+  for (const HalfEdgeId h : open) {
+    const TriangleId t = mesh.add_triangle(mesh.target(h), mesh.origin(h), v);
+    mesh.glue(SurfaceMesh::half_edge(t, 0), h);
+    spokes.push_back(SurfaceMesh::half_edge(t, 1));
+    spokes.push_back(SurfaceMesh::half_edge(t, 2));
+  }
+  for (const HalfEdgeId g : spokes) {
+    for (const HalfEdgeId h : spokes) {
+      if (mesh.is_boundary(g) && mesh.is_boundary(h) && mesh.origin(g) == mesh.target(h) &&
+          mesh.target(g) == mesh.origin(h)) {
+        mesh.glue(g, h);
+      }
+    }
+  }
+  CHECK(validate(mesh, Expect::Closed).value_or("") == "");
+}
+
 TEST_CASE("an unsplit undoes a split") {
   for (unsigned seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);

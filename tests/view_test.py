@@ -390,11 +390,22 @@ class Layers(ViewTest):
         small = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [(0, 1, 2)])
         large = ([[0, 0, 0], [3, 0, 0], [0, 3, 0], [3, 3, 0]], [(0, 1, 2), (1, 3, 2)])
         first, second = self.write_off("b.off", *small), self.write_off("a.off", *large)
-        page = self.view(second, "--grow", first, second)
+        page = self.view(second, "--frames", first, second)
         frames = page.about["growth"]["frames"]
         self.assertEqual([(f["label"], f["triangles"]) for f in frames], [("b", 1), ("a", 2)])
         self.check_same_mesh(page, *small, name="growth.0")
         self.check_same_mesh(page, *large, name="growth.1")
+
+    def test_a_folder_of_snapshots_is_taken_in_the_order_of_their_numbers(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--snapshots", "11", "-q")
+        page = self.view("ring.ply", "--frames", ".")
+        frames = page.about["growth"]["frames"]
+        self.assertEqual([f["label"] for f in frames], [f"snapshot-{k}" for k in range(1, 12)])
+        triangles = [f["triangles"] for f in frames]
+        self.assertEqual(triangles, sorted(triangles))
+        # What is still open is kept too.
+        _, corners, _ = page.mesh("growth.4")
+        self.assertEqual(len(corners), triangles[4])
 
 
 class Failures(ViewTest):
@@ -413,6 +424,8 @@ class Failures(ViewTest):
         self.failure(self.ring, "-o", "page.html", "--against", self.ring, code=2)
         self.failure(self.ring, "-o", "page.html", "--function", "height:0,0,0", code=2)
         self.failure("missing.pdb", "-o", "page.html", code=3)
+        self.failure(self.ring, "-o", "page.html", "--frames", ".", code=3)
+        self.failure(self.ring, "-o", "page.html", "--frames", "missing.ply", code=3)
         self.failure("broken.ply", "-o", "page.html", code=3)
         self.failure("empty.off", "-o", "page.html", code=4)
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)

@@ -308,7 +308,7 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     for (const key of 'axkmsul ,.') await page.keyboard.press(key);
     await picture(page, 'mesh');
   });
-  await withPage(make('growing', fine, '--grow', coarse, fine), small, async (page) => {
+  await withPage(make('growing', fine, '--frames', coarse, fine), small, async (page) => {
     const move = (to) => page.locator('#frame').evaluate((slider, frame) => {
       slider.value = frame;
       slider.dispatchEvent(new Event('input'));

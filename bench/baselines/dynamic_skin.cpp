@@ -1,0 +1,36 @@
+#include "bench/baselines/dynamic_skin.h"
+
+#include "front/stopwatch.h"
+
+namespace morskin::baselines {
+
+front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) {
+  return [growth, counts](const front::PreparedSkin& skin, const front::MeshOptions& options) {
+    GrowthOptions growing = growth;
+    growing.sizing = options.sizing;
+    if (options.progress) {
+      growing.progress = [&](double share) { options.progress("grow", share); };
+    }
+    front::MethodResult result;
+    front::timed(result.seconds.sweep, [&] {
+      // The skins of all times pass through all cells.
+      const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
+      Growth run(surface, growing);
+      run.run();
+      result.mesh = run.mesh();
+      for (skin::SurfacePoint& p : result.mesh.points) {
+        p.cell = skin.surface.complex().same(p.cell, surface.complex());
+      }
+      if (counts != nullptr) *counts = run.counts();
+    });
+    front::timed(result.seconds.refine, [&] {
+      if (options.progress) options.progress("refine", 0);
+      refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
+      refinement.run();
+      result.refinement = refinement.counts();
+    });
+    return result;
+  };
+}
+
+}  // namespace morskin::baselines

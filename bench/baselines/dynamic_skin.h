@@ -1,0 +1,19 @@
+#pragma once
+
+/// The dynamic baseline as a method of the mesher.
+
+#include "bench/baselines/growth.h"
+#include "front/method.h"
+
+namespace morskin::baselines {
+
+/// Grows the skin's mesh to time 0 (growth.h), then refines it once with the operations that all
+/// methods share (refine/refinement.h): between two looks the growing mesh may break [L] and [U] a
+/// little, and nobody looks at time 0.
+///
+/// @param growth  its sizing is the mesher's
+/// @param counts  where to leave what the growth counted, or nullptr
+/// @pre growth.end == 0
+front::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);
+
+}  // namespace morskin::baselines

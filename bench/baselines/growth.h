@@ -1,0 +1,88 @@
+#pragma once
+
+/// The dynamic skin triangulation of Cheng, Dey, Edelsbrunner and Sullivan, the paper's baseline:
+/// the skin grows from nothing to its final shape and its mesh with it. A queue says when each
+/// triangle must be looked at again; then it is flipped, contracted or broken where needed. Where
+/// the topology changes, the mesh about the critical point is replaced (papers/5-dynamic.md).
+
+#include <functional>
+#include <queue>
+#include <vector>
+
+#include "bench/baselines/hot_region.h"
+
+namespace morskin::baselines {
+
+struct GrowthOptions {
+  refine::Sizing sizing;
+  Slack slack;
+  double end = 0;  ///< the time to stop at, Angstrom^2 added to every weight
+  std::function<void(double share)> progress;  ///< of the metamorphoses; may be empty
+  /// Called before and after every metamorphosis; may be empty.
+  std::function<void(const Metamorphosis&, const SurfaceMesh&, bool is_after)> observer;
+  /// Times at which `snapshot` is to see the mesh, ascending.
+  std::vector<double> snapshot_times;
+  std::function<void(double time, const skin::SkinMesh&)> snapshot;
+};
+
+struct GrowthCounts {
+  refine::RefinementCounts operations;
+  std::array<std::size_t, 4> metamorphoses{};  ///< by Kind
+  std::size_t failed = 0;  ///< metamorphoses whose hot region was not as it should be
+  std::size_t looks = 0;   ///< at a triangle
+};
+
+class Growth {
+ public:
+  /// @param skin  at time 0; must outlive this object
+  Growth(const SkinSurface& skin, const GrowthOptions& options);
+
+  /// Grows from the empty mesh to options.end.
+  void run();
+
+  /// The mesh at the end, removed elements dropped.
+  skin::SkinMesh mesh();
+  const GrowthCounts& counts() const { return counts_; }
+
+ private:
+  struct Look {
+    double time;
+    TriangleId triangle;
+    bool operator>(const Look& other) const {
+      return time != other.time ? time > other.time : triangle > other.triangle;
+    }
+  };
+  /// The mesh about a critical point that is to go.
+  struct HotRegion {
+    std::vector<VertexId> vertices;
+    std::vector<TriangleId> triangles;
+    std::vector<HalfEdgeId> open;  ///< of triangles that stay
+    std::vector<Ring> loops;       ///< with the region on their left
+  };
+
+  void look(TriangleId t, double time);
+  void mend_changed(double time);
+  bool is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners, double time,
+                                    double& until);
+  double next_look(const std::array<VertexId, 3>& corners, double ratio_L, double ratio_U);
+  void schedule(TriangleId t, double time);
+
+  void undergo(const Metamorphosis& m, std::uint32_t watch);
+  HotRegion hot_region(const Metamorphosis& m, std::uint32_t watch, double radius);
+  bool find_loops(HotRegion& region);
+  bool replace(const Metamorphosis& m, std::uint32_t watch);
+  bool refill(const Metamorphosis& m, HotRegion& region);
+  void show(double time);
+
+  const SkinSurface& skin_;
+  const GrowthOptions options_;
+  MovingMesh mesh_;
+  std::vector<Metamorphosis> metamorphoses_;
+  std::vector<char> is_over_;  ///< by metamorphosis
+  std::priority_queue<Look, std::vector<Look>, std::greater<>> queue_;
+  std::vector<double> next_look_;  ///< by triangle; an entry of the queue with another time is void
+  std::vector<char> is_seen_;      ///< by vertex; all 0 but during hot_region()
+  GrowthCounts counts_;
+};
+
+}  // namespace morskin::baselines

@@ -1,0 +1,173 @@
+#include "bench/baselines/hot_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace morskin::baselines {
+
+namespace {
+
+/// Rings stay this far, in units of the length scale, from the loop that they meet: nearly a
+/// spacing, as the loop's vertices lie up to one spacing farther out.
+constexpr double gap_to_loop = 0.7 * template_spacing;
+
+/// How many steps of about one spacing a length, over the length scale, is cut into.
+int steps_along(double length) {
+  return std::max(1, static_cast<int>(std::lround(length / template_spacing)));
+}
+
+}  // namespace
+
+Frame::Frame(const Patch& patch, double direction) : centre(patch.centre) {
+  axis = direction * (patch.axis.squaredNorm() > 0.5 ? patch.axis : Vector(Vector::UnitZ()));
+  Eigen::Index least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  e1 = Vector::Unit(least).cross(axis).normalized();
+  e2 = axis.cross(e1);
+}
+
+Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, double axial,
+              double turn) {
+  const double around = 2 * std::numbers::pi * radial / std::hypot(radial, axial);
+  const int count = std::max(5, static_cast<int>(std::lround(around / template_spacing)));
+  Ring ring;
+  for (int i = 0; i < count; ++i) {
+    const double azimuth = turn + 2 * std::numbers::pi * i / count;
+    const Point x = frame.point(radial, azimuth, axial);
+    const auto p = mesh.level().project(x, cell);
+    ring.push_back(mesh.add_vertex(p ? *p : mesh.level().at(x, cell)));
+  }
+  return ring;
+}
+
+void join(MovingMesh& mesh, const Ring& outer, const Ring& inner, std::vector<Corners>& triangles) {
+  const auto squared = [&](VertexId a, VertexId b) {
+    return (mesh.position(a) - mesh.position(b)).squaredNorm();
+  };
+  std::size_t start = 0;
+  for (std::size_t j = 1; j < inner.size(); ++j) {
+    if (squared(outer[0], inner[j]) < squared(outer[0], inner[start])) start = j;
+  }
+  std::size_t i = 0, j = 0;
+  const auto out = [&](std::size_t k) { return outer[k % outer.size()]; };
+  const auto in = [&](std::size_t k) { return inner[(start + k) % inner.size()]; };
+  while (i < outer.size() || j < inner.size()) {
+    const bool along_outer =
+        j == inner.size() ||
+        (i < outer.size() && squared(out(i + 1), in(j)) < squared(out(i), in(j + 1)));
+    if (along_outer) {
+      triangles.push_back({out(i), out(i + 1), in(j)});
+      ++i;
+    } else {
+      triangles.push_back({out(i), in(j + 1), in(j)});
+      ++j;
+    }
+  }
+}
+
+void close(const Ring& ring, VertexId centre, std::vector<Corners>& triangles) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    triangles.push_back({ring[i], ring[(i + 1) % ring.size()], centre});
+  }
+}
+
+bool add_triangles(SurfaceMesh& surface, const std::vector<Corners>& triangles,
+                   const std::vector<HalfEdgeId>& open) {
+  std::map<std::pair<VertexId, VertexId>, HalfEdgeId> waiting;
+  for (const HalfEdgeId h : open) waiting[{surface.origin(h), surface.target(h)}] = h;
+  bool is_sound = true;
+  for (const auto& [a, b, c] : triangles) {
+    const TriangleId t = surface.add_triangle(a, b, c);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+      const auto twin = waiting.find({surface.target(h), surface.origin(h)});
+      if (twin != waiting.end()) {
+        surface.glue(h, twin->second);
+        waiting.erase(twin);
+      } else {
+        is_sound =
+            waiting.emplace(std::pair{surface.origin(h), surface.target(h)}, h).second && is_sound;
+      }
+    }
+  }
+  return is_sound && waiting.empty();
+}
+
+std::vector<Corners> sphere_template(MovingMesh& mesh, const Frame& frame, CellId cell,
+                                     double radius) {
+  const int steps = steps_along(std::numbers::pi);
+  const auto pole = [&](double side) {
+    const Point x = frame.point(0, 0, side * radius);
+    const auto p = mesh.level().project(x, cell);
+    return mesh.add_vertex(p ? *p : mesh.level().at(x, cell));
+  };
+  std::vector<Corners> triangles;
+  const VertexId south = pole(-1), north = pole(+1);
+  Ring last;
+  for (int k = 1; k < steps; ++k) {
+    const double latitude = std::numbers::pi * k / steps;
+    const Ring ring = add_ring(mesh, frame, cell, radius * std::sin(latitude),
+                               -radius * std::cos(latitude), 0.5 * k * template_spacing);
+    if (k == 1) {
+      close(Ring(ring.rbegin(), ring.rend()), south, triangles);
+    } else {
+      join(mesh, last, ring, triangles);
+    }
+    last = ring;
+  }
+  close(last, north, triangles);
+  // Spheres that are voids are seen from inside.
+  if (mesh.skin().patch(cell).sign < 0) {
+    for (Corners& t : triangles) std::swap(t[0], t[1]);
+  }
+  return triangles;
+}
+
+std::vector<Corners> cap_template(MovingMesh& mesh, const Frame& frame, CellId cell, double h,
+                                  const Ring& loop) {
+  double reach = std::numeric_limits<double>::infinity();
+  for (const VertexId v : loop) reach = std::min(reach, frame.radial(mesh.position(v)));
+  // With radial = h sinh(a), axial = h cosh(a), a is the length along a meridian over the length
+  // scale.
+  const double first = std::max(std::asinh(reach / h) - gap_to_loop, template_spacing);
+  const int steps = steps_along(first);
+  std::vector<Corners> triangles;
+  Ring last = loop;
+  for (int k = steps; k >= 1; --k) {
+    const double a = first * k / steps;
+    const Ring ring =
+        add_ring(mesh, frame, cell, h * std::sinh(a), h * std::cosh(a), 0.5 * k * template_spacing);
+    join(mesh, last, ring, triangles);
+    last = ring;
+  }
+  const auto tip = mesh.level().project(frame.point(0, 0, h), cell);
+  close(last, mesh.add_vertex(tip ? *tip : mesh.level().at(frame.point(0, 0, h), cell)), triangles);
+  return triangles;
+}
+
+std::vector<Corners> tube_template(MovingMesh& mesh, const Frame& frame, CellId cell, double h,
+                                   const Ring& lower, const Ring& upper) {
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (const VertexId v : lower) low = std::max(low, frame.axial(mesh.position(v)));
+  for (const VertexId v : upper) high = std::min(high, frame.axial(mesh.position(v)));
+  // With axial = h sinh(a), radial = h cosh(a), a is the length along a meridian over the length
+  // scale.
+  const double first = std::asinh(low / h) + gap_to_loop, end = std::asinh(high / h) - gap_to_loop;
+  const int steps = steps_along(end - first);
+  std::vector<Corners> triangles;
+  Ring last = lower;
+  for (int k = 0; k <= steps; ++k) {
+    const double a = first + (end - first) * k / steps;
+    const Ring ring =
+        add_ring(mesh, frame, cell, h * std::cosh(a), h * std::sinh(a), 0.5 * k * template_spacing);
+    join(mesh, last, ring, triangles);
+    last = ring;
+  }
+  join(mesh, last, Ring(upper.rbegin(), upper.rend()), triangles);
+  return triangles;
+}
+
+}  // namespace morskin::baselines

@@ -1,0 +1,144 @@
+#include "bench/baselines/metamorphoses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace morskin::baselines {
+
+namespace {
+
+using geometry::CellId;
+using skin::Patch;
+using skin::Point;
+using skin::SkinSurface;
+using skin::Vector;
+using skin::Wall;
+
+/// The ball of this many h about the orthocentre must lie in the cell: the hot sphere, at most 1.15
+/// of its radius; the triangles that leave it, whose edges are at most 0.23 of the length scale by
+/// [U]; and 0.1 h by which the jump moves them. Spheres of radius h stay inside at 2 h.
+double room_over_half_width(Kind kind) {
+  return kind == Kind::Birth || kind == Kind::Void ? 2 : 1.15 * 1.23 * hot_radius + 0.1;
+}
+
+class Finder {
+ public:
+  Finder(const SkinSurface& skin, double end)
+      : skin_(skin),
+        end_(end),
+        least_(least_half_width(skin)),
+        room_(skin.complex().size()),
+        is_taken_(skin.complex().size(), 0) {
+    for (std::size_t c = 0; c < room_.size(); ++c) room_[c] = room(CellId{c});
+  }
+
+  std::vector<Metamorphosis> run() {
+    for (std::size_t c = 0; c < room_.size(); ++c) {
+      if (is_near_wall(CellId{c}) && is_taken_[c] == 0) add_cluster(CellId{c});
+    }
+    for (std::size_t c = 0; c < room_.size(); ++c) {
+      if (room_[c] > 5 * least_ && is_taken_[c] == 0) add(CellId{c}, room_[c], {CellId{c}});
+    }
+    std::sort(found_.begin(), found_.end(), [](const Metamorphosis& a, const Metamorphosis& b) {
+      return std::tie(a.time, a.cell) < std::tie(b.time, b.cell);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  /// How far inside its own cell an orthocentre lies; negative outside.
+  double room(CellId cell) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Wall& wall : skin_.complex().walls(cell)) {
+      least = std::min(least, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
+    }
+    return least;
+  }
+  bool is_near_wall(CellId cell) const { return std::abs(room_[cell.index()]) <= 5 * least_; }
+
+  void add(CellId cell, double room, const std::vector<CellId>& cells) {
+    Metamorphosis m;
+    m.cell = cell;
+    m.cells = cells;
+    m.time = -2 * skin_.patch(cell).half_weight;
+    m.kind = static_cast<Kind>(skin_.complex().dimension(cell));
+    if (m.time >= end_) return;
+    // After the jump most of the time is still to come; and a single ball has no wall at all.
+    m.half_width = std::min(room / room_over_half_width(m.kind), std::sqrt((end_ - m.time) / 16));
+    found_.push_back(m);
+  }
+
+  /// The cells whose orthocentres are this cell's but for rounding: one quadric of them may hold in
+  /// a whole ball.
+  void add_cluster(CellId first) {
+    std::vector<CellId> members{first};
+    is_taken_[first.index()] = 1;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      for (const Wall& wall : skin_.complex().walls(members[i])) {
+        const double apart =
+            (skin_.patch(wall.beyond).centre - skin_.patch(members[i]).centre).norm();
+        if (apart > 20 * least_ || is_taken_[wall.beyond.index()] != 0) continue;
+        is_taken_[wall.beyond.index()] = 1;
+        members.push_back(wall.beyond);
+      }
+    }
+    std::sort(members.begin(), members.end());
+    double reach = 0;
+    for (const CellId cell : members) {
+      for (const Wall& wall : skin_.complex().walls(cell)) {
+        reach = std::max(reach, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
+      }
+    }
+    if (!std::isfinite(reach)) reach = 1;
+    for (double radius = reach; radius > 5 * least_; radius *= 0.75) {
+      for (const CellId cell : members) {
+        if (!holds_in_ball(cell, radius)) continue;
+        add(cell, radius, members);
+        return;
+      }
+    }
+  }
+
+  /// Whether the cell's quadric describes the skin in a ball about its orthocentre, as far as 300
+  /// samples of the gradient tell, which is 1-Lipschitz.
+  bool holds_in_ball(CellId cell, double radius) const {
+    constexpr int directions = 100;
+    const Patch& patch = skin_.patch(cell);
+    for (int i = 0; i < directions; ++i) {
+      const double z = 1 - (2 * i + 1.0) / directions, azimuth = 2.399963229728653 * i;
+      const double r = std::sqrt(1 - z * z);
+      const Vector d(r * std::cos(azimuth), r * std::sin(azimuth), z);
+      CellId here = cell;
+      for (const double share : {0.25, 0.5, 1.0}) {
+        const Point x = patch.centre + share * radius * d;
+        here = skin_.locate(x, here);
+        const Vector difference = skin_.patch(here).half_gradient(x) - patch.half_gradient(x);
+        if (difference.norm() > 0.01 * share * radius) return false;
+      }
+    }
+    return true;
+  }
+
+  const SkinSurface& skin_;
+  const double end_;
+  const double least_;
+  std::vector<double> room_;
+  std::vector<char> is_taken_;
+  std::vector<Metamorphosis> found_;
+};
+
+}  // namespace
+
+double least_half_width(const SkinSurface& skin) {
+  double largest = 0;
+  for (const auto& p : skin.points()) largest = std::max(largest, std::abs(p.weight));
+  return std::ldexp(std::sqrt(largest), -21);
+}
+
+std::vector<Metamorphosis> find_metamorphoses(const SkinSurface& skin, double end) {
+  return Finder(skin, end).run();
+}
+
+}  // namespace morskin::baselines

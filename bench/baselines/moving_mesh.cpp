@@ -1,0 +1,180 @@
+#include "bench/baselines/moving_mesh.h"
+
+#include <limits>
+
+namespace morskin::baselines {
+
+using refine::circumcircle;
+
+VertexId MovingMesh::add_vertex(const SurfacePoint& p) {
+  points_.push_back(p);
+  clock_.push_back(now_);
+  paths_.emplace_back(skin_, p.position, p.cell, now_);
+  const VertexId v = surface_.add_vertex();
+  enter(v, p.cell);
+  return v;
+}
+
+void MovingMesh::move(VertexId v) {
+  Trajectory& path = paths_[v.index()];
+  if (path.begins() > now_) return;
+  if (path.leaves() <= now_) {
+    path = path.followed_to(skin_, now_);
+    enter(v, path.cell());
+  }
+  points_[v.index()] = path.at(skin_, now_);
+  clock_[v.index()] = now_;
+}
+
+std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
+  const auto w = static_cast<std::uint32_t>(visitors_.size());
+  visitors_.emplace_back();
+  for (const CellId cell : cells) watch_[cell.index()] = w;
+  return w;
+}
+
+/// Whether the triangle's normal agrees with the skin's at all its corners.
+bool MovingMesh::faces_outward(VertexId a, VertexId b, VertexId c) {
+  const Vector n = (position(b) - position(a)).cross(position(c) - position(a));
+  const double least = 0.3 * n.norm();
+  return n.dot(at(a).normal) > least && n.dot(at(b).normal) > least && n.dot(at(c).normal) > least;
+}
+
+bool MovingMesh::can_flip(HalfEdgeId h) {
+  const HalfEdgeId g = surface_.twin(h);
+  const VertexId a = surface_.origin(h), b = surface_.origin(g);
+  const VertexId c = surface_.apex(h), d = surface_.apex(g);
+  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface_.has_edge(c, d);
+}
+
+void MovingMesh::flip(HalfEdgeId h) {
+  const HalfEdgeId g = surface_.twin(h);
+  surface_.flip(h);
+  ++counts.flip;
+  changed.push_back(SurfaceMesh::triangle(h));
+  changed.push_back(SurfaceMesh::triangle(g));
+}
+
+bool MovingMesh::flip_if_better(HalfEdgeId h) {
+  const HalfEdgeId g = surface_.twin(h);
+  const VertexId a = surface_.origin(h), b = surface_.origin(g);
+  const VertexId c = surface_.apex(h), d = surface_.apex(g);
+  const refine::SurfaceBall left = exact_ball(a, b, c), right = exact_ball(b, a, d);
+  const double now = std::max(left.intrusion(position(d)), right.intrusion(position(c)));
+  // A share that rounding and motion do not turn at once.
+  constexpr double least_gain = 1e-3;
+  const double gain = least_gain * std::min(left.squared_radius, right.squared_radius);
+  if (now <= gain || !can_flip(h)) return false;
+  const double then = std::max(exact_ball(a, d, c).intrusion(position(b)),
+                               exact_ball(b, c, d).intrusion(position(a)));
+  if (then >= now - gain) return false;
+  flip(h);
+  return true;
+}
+
+bool MovingMesh::contract(HalfEdgeId h) {
+  const VertexId a = surface_.origin(h), b = surface_.target(h);
+  // The end with the larger length scale is the one that finds the edge too short.
+  const bool a_first = at(a).length_scale >= at(b).length_scale;
+  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
+  counts.contract += is_removed;
+  return is_removed;
+}
+
+/// Takes a vertex out. The polygon of its neighbours is cut into ears first, the smallest first,
+/// and only if that succeeds the edges are flipped away in this order: what is refused changes
+/// nothing.
+bool MovingMesh::remove(VertexId v) {
+  link_.clear();
+  surface_.for_each_outgoing(v, [&](HalfEdgeId h) { link_.push_back(surface_.target(h)); });
+  cuts_.clear();
+  while (link_.size() > 3) {
+    std::size_t best = link_.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < link_.size(); ++i) {
+      const VertexId d = link_[(i + link_.size() - 1) % link_.size()], x = link_[i];
+      const VertexId c = link_[(i + 1) % link_.size()];
+      const double size = circumcircle(position(d), position(x), position(c)).radius;
+      if (size >= least || surface_.degree(x) <= 3 || !faces_outward(d, x, c) ||
+          surface_.has_edge(c, d)) {
+        continue;
+      }
+      least = size;
+      best = i;
+    }
+    if (best == link_.size()) return false;
+    cuts_.push_back(link_[best]);
+    link_.erase(link_.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  if (!faces_outward(link_[0], link_[1], link_[2])) return false;
+  for (const VertexId corner : link_) {
+    if (surface_.degree(corner) <= 3) return false;
+  }
+  for (const VertexId x : cuts_) {
+    surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
+      if (surface_.target(h) == x) to_cut_ = h;
+    });
+    flip(to_cut_);
+  }
+  const HalfEdgeId first = *surface_.outgoing(v);
+  surface_.unsplit(v);
+  changed.push_back(SurfaceMesh::triangle(first));
+  return true;
+}
+
+bool MovingMesh::insert(TriangleId t, double least_L) {
+  const auto [a, b, c] = surface_.corners(t);
+  const auto x = level_.project(exact_ball(a, b, c).centre, at(a).cell);
+  if (!x) return false;
+
+  // Walk to the triangle under x, seen along the normal at x.
+  constexpr int most_steps = 64;
+  TriangleId under = t;
+  for (int step = 0; step < most_steps; ++step) {
+    double least = 0;
+    std::optional<HalfEdgeId> through;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
+      const Point& p = position(surface_.origin(h));
+      const Point& q = position(surface_.target(h));
+      const double side = (q - p).cross(x->position - p).dot(x->normal);
+      if (side < least) {
+        least = side;
+        through = h;
+      }
+    }
+    if (!through) break;
+    if (step + 1 == most_steps) return false;
+    under = SurfaceMesh::triangle(surface_.twin(*through));
+  }
+  for (const VertexId v : surface_.corners(under)) {
+    if (sizing_.edge_ratio(at(v), *x) < least_L) return false;
+  }
+  // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
+  constexpr double beside = 0.1;  // of the edge's length
+  std::optional<std::uint32_t> nearest;
+  double least = beside;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
+    const Point& p = position(surface_.origin(h));
+    const Vector edge = position(surface_.target(h)) - p;
+    const double height = edge.cross(x->position - p).dot(x->normal) / edge.squaredNorm();
+    if (height >= least) continue;
+    least = height;
+    nearest = k;
+  }
+  const std::size_t before = surface_.triangle_count();
+  const VertexId v = add_vertex(*x);
+  surface_.split(under, v);
+  const std::array<TriangleId, 3> around{under, TriangleId{before}, TriangleId{before + 1}};
+  changed.insert(changed.end(), around.begin(), around.end());
+  // The k-th of the three has the k-th edge of the triangle that was split as its first.
+  if (nearest) {
+    const HalfEdgeId h = SurfaceMesh::half_edge(around[*nearest], 0);
+    if (can_flip(h)) flip(h);
+  }
+  ++counts.insert;
+  return true;
+}
+
+}  // namespace morskin::baselines
