@@ -41,10 +41,14 @@ std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, cons
       {(296 + 169 * s) / 1800, (88 + 7 * s) / 360, (-2 - 3 * s) / 225},
       {(16 - s) / 36, (16 + s) / 36, 1.0 / 9}};
   constexpr int most_corrections = 12;
+  // Off the patch the flow leads neither back nor away where it is slow, so that rounding times a
+  // long step would stay. A pull that vanishes on the patch, as fast as the flow can be, ends that.
+  const double gradient = flow.gradient(u).norm();
+  const double pull = flow.rate(u, gradient) / u.squaredNorm();
   // Rounding of the velocity, a few units of the gradient's, moves the end along the line by that
   // much times the time; corrections below it gain nothing there. Across the line they still do,
   // so that one more is taken.
-  const double rounding = 1e-14 * u.norm() + 1e-15 * time * flow.gradient(u).norm();
+  const double rounding = 1e-14 * u.norm() + 1e-15 * time * gradient;
   bool is_near = false;
   Eigen::Matrix<double, 9, 1> z, residual;
   for (int i = 0; i < 3; ++i) z.segment<3>(3 * i) = nodes[i] * time * velocity;
@@ -54,8 +58,9 @@ std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, cons
     derivative.setIdentity();
     for (int j = 0; j < 3; ++j) {
       const Vector x = u + z.segment<3>(3 * j);
-      const Vector stage = flow(x);
-      const Eigen::Matrix3d slope = flow.derivative(x);
+      const Vector normal = flow.normal(x);
+      const Vector stage = flow(x) - pull / 2 * flow.off(x) * normal;
+      const Eigen::Matrix3d slope = flow.derivative(x) - pull * normal * normal.transpose();
       for (int i = 0; i < 3; ++i) {
         residual.segment<3>(3 * i) -= time * weights[i][j] * stage;
         derivative.block<3, 3>(3 * i, 3 * j) -= time * weights[i][j] * slope;

@@ -77,7 +77,11 @@ class GradientFlow {
   double value(const Vector& u) const {
     return across_ * u.x() + along_ * u.z() + linear_ / 2 * u.squaredNorm();
   }
-  /// N, half the gradient of the patch's G.
+  /// The patch's G, zero on it.
+  double off(const Vector& u) const {
+    return sign_ * (u.x() * u.x() + u.y() * u.y() - twist_ * u.z() * u.z() - level_);
+  }
+  /// N, half the gradient of G.
   Vector normal(const Vector& u) const {
     return {sign_ * u.x(), sign_ * u.y(), -sign_ * twist_ * u.z()};
   }
