@@ -65,6 +65,14 @@ MorseCase along_own_stream(unsigned seed, int which) {
   return {support::ball_set(seed), MorseFunction::height(direction)};
 }
 
+/// From a place that need not lie near the patch: the first times may miss it. Off it the formula
+/// of the velocity has a pole.
+Vector on_patch(const GradientFlow& flow, Vector u) {
+  for (int i = 0; i < 8; ++i) u = flow.settled(u);
+  REQUIRE(std::abs(flow.off(u)) < 1e-12 * u.squaredNorm());
+  return u;
+}
+
 }  // namespace
 
 TEST_CASE("the derivative of the flow is that of its differences") {
@@ -79,10 +87,7 @@ TEST_CASE("the derivative of the flow is that of its differences") {
                                 ? MorseFunction::height(random.direction())
                                 : MorseFunction::squared_distance(5 * random.direction());
     const GradientFlow flow(patch, f, random.uniform() < 0.5 ? Way::Up : Way::Down);
-    Vector u = random.between(2, 3) * random.direction();
-    // The first times may miss the quadric; off it the velocity's formula has a pole.
-    for (int i = 0; i < 8; ++i) u = flow.settled(u);
-    REQUIRE(std::abs(patch.value(flow.to_space(u))) < 1e-12 * u.squaredNorm());
+    const Vector u = on_patch(flow, random.between(2, 3) * random.direction());
     const Eigen::Matrix3d derivative = flow.derivative(u);
     for (int i = 0; i < 3; ++i) {
       const Vector step = 1e-5 * Vector::Unit(i);
@@ -99,7 +104,7 @@ TEST_CASE("an implicit step is of order 5: half the time divides its error by mo
     support::Random random(seed);
     const skin::Patch patch{Vector::Zero(), random.direction(), 1, 1};
     const GradientFlow flow(patch, MorseFunction::height(random.direction()), Way::Up);
-    const Vector u = flow.settled(1.5 * random.direction());
+    const Vector u = on_patch(flow, 1.5 * random.direction());
     const auto error = [&](double time) {
       Vector exact = u;
       for (int i = 0; i < 16; ++i) exact = runge_kutta_step(flow, exact, flow(exact), time / 16);
@@ -130,7 +135,7 @@ TEST_CASE(
 
 TEST_CASE("lines that creep down a neck that is nearly a cone find their minimum") {
   for (const double overlap : {1e-4, 1e-6}) {
-    for (int k = 1; k < 16; ++k) {
+    for (int k = 1; k < 16; k += 2) {
       for (const double sign : {1.0, -1.0}) {
         const double angle = sign * std::pow(10.0, -k);
         CAPTURE(overlap);
