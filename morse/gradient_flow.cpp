@@ -1,5 +1,7 @@
 #include "morse/gradient_flow.h"
 
+#include <Eigen/LU>
+
 namespace morskin::morse {
 
 Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
@@ -28,6 +30,49 @@ Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector&
       flow(u + h * ((-42 + 7 * s) / 18 * k5 + (-18 + 28 * s) / 45 * k6 + (-273 - 53 * s) / 72 * k7 +
                     (301 + 53 * s) / 72 * k8 + (28 - 28 * s) / 45 * k9 + (49 - 7 * s) / 18 * k10));
   return u + h * (k1 / 20 + 49.0 / 180 * k8 + 16.0 / 45 * k9 + 49.0 / 180 * k10 + k11 / 20);
+}
+
+std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
+                                 double time) {
+  constexpr double s = 2.449489742783178098197284074706;  // the square root of 6
+  constexpr double nodes[3] = {(4 - s) / 10, (4 + s) / 10, 1};
+  constexpr double weights[3][3] = {
+      {(88 - 7 * s) / 360, (296 - 169 * s) / 1800, (-2 + 3 * s) / 225},
+      {(296 + 169 * s) / 1800, (88 + 7 * s) / 360, (-2 - 3 * s) / 225},
+      {(16 - s) / 36, (16 + s) / 36, 1.0 / 9}};
+  constexpr int most_corrections = 12;
+  // Off the patch the flow leads neither back nor away where it is slow, so that rounding times a
+  // long step would stay. A pull that vanishes on the patch, as fast as the flow can be, ends that.
+  const double gradient = flow.gradient(u).norm();
+  const double pull = flow.rate(u, gradient) / u.squaredNorm();
+  // Rounding of the velocity, a few units of the gradient's, moves the end along the line by that
+  // much times the time; corrections below it gain nothing there. Across the line they still do,
+  // so that one more is taken.
+  const double rounding = 1e-14 * u.norm() + 1e-15 * time * gradient;
+  bool is_near = false;
+  Eigen::Matrix<double, 9, 1> z, residual;
+  for (int i = 0; i < 3; ++i) z.segment<3>(3 * i) = nodes[i] * time * velocity;
+  Eigen::Matrix<double, 9, 9> derivative;
+  for (int correction = 0; correction < most_corrections; ++correction) {
+    residual = z;
+    derivative.setIdentity();
+    for (int j = 0; j < 3; ++j) {
+      const Vector x = u + z.segment<3>(3 * j);
+      const Vector normal = flow.normal(x);
+      const Vector stage = flow(x) - pull / 2 * flow.off(x) * normal;
+      const Eigen::Matrix3d slope = flow.derivative(x) - pull * normal * normal.transpose();
+      for (int i = 0; i < 3; ++i) {
+        residual.segment<3>(3 * i) -= time * weights[i][j] * stage;
+        derivative.block<3, 3>(3 * i, 3 * j) -= time * weights[i][j] * slope;
+      }
+    }
+    const Eigen::Matrix<double, 9, 1> change = derivative.partialPivLu().solve(residual);
+    z -= change;
+    if (!(z.norm() < u.norm())) return std::nullopt;
+    if (is_near) return u + z.tail<3>();
+    is_near = change.norm() < rounding;
+  }
+  return std::nullopt;
 }
 
 }  // namespace morskin::morse

@@ -16,6 +16,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 
 #include "geometry/orthogonal.h"
 #include "morse/morse_function.h"
@@ -57,6 +58,15 @@ class GradientFlow {
     const double shrink = way_ * (linear_ - l);
     return {shrink * r + way_ * across_, shrink * b, way_ * ((linear_ + twist_ * l) * s + along_)};
   }
+  /// The derivative of the velocity, row by component of the velocity. @pre as above
+  Eigen::Matrix3d derivative(const Vector& u) const {
+    const double r = u.x(), s = u.z(), below = (1 + twist_) * s * s + level_;
+    const double l = (linear_ * level_ + across_ * r - along_ * s) / below;
+    const Vector of_l(across_ / below, 0, -(along_ + 2 * (1 + twist_) * l * s) / below);
+    Eigen::Matrix3d result = Vector(-r, -u.y(), twist_ * s) * of_l.transpose();
+    result.diagonal() += Vector(linear_ - l, linear_ - l, linear_ + twist_ * l);
+    return way_ * result;
+  }
   /// The gradient of f in space.
   Vector gradient(const Vector& u) const { return linear_ * u + Vector(across_, 0, along_); }
   /// How fast the velocity can change: its derivative is a small multiple of this at most.
@@ -67,7 +77,11 @@ class GradientFlow {
   double value(const Vector& u) const {
     return across_ * u.x() + along_ * u.z() + linear_ / 2 * u.squaredNorm();
   }
-  /// N, half the gradient of the patch's G.
+  /// The patch's G, zero on it.
+  double off(const Vector& u) const {
+    return sign_ * (u.x() * u.x() + u.y() * u.y() - twist_ * u.z() * u.z() - level_);
+  }
+  /// N, half the gradient of G.
   Vector normal(const Vector& u) const {
     return {sign_ * u.x(), sign_ * u.y(), -sign_ * twist_ * u.z()};
   }
@@ -92,5 +106,13 @@ class GradientFlow {
 /// Source: Cooper and Verner, SIAM Journal on Numerical Analysis 9 (1972).
 Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
                         double time);
+
+/// One step of length `time` by Radau's implicit method of order 5 with 3 stages, for lines that
+/// creep: its length is not bounded by how fast the flow draws them to the slow way they are on.
+///
+/// @return nothing when Newton's method does not settle: a shorter step will.
+/// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
+std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
+                                 double time);
 
 }  // namespace morskin::morse

@@ -8,6 +8,9 @@
 /// where the cell ends. Elsewhere a line is followed by Runge-Kutta steps of order 8, each settled
 /// on its patch and ended where a cell wall is crossed, so that every step has one smooth flow.
 ///
+/// Where it creeps, on a way of little slope to which the flow draws all lines, the steps are
+/// implicit, so that the drawing does not bound their length.
+///
 /// A line ends only in the capture disc of an extremum, from which the flow cannot escape.
 /// Derivations: papers/3.2-morse-smale-complex.md.
 
@@ -46,11 +49,13 @@ struct Arrival {
 };
 
 /// What became of a line: it has arrived at an extremum, or it has run into a saddle to within the
-/// merge distance, so that nobody knows on which side it passes, or, both empty, it was lost. The
-/// last does not happen but where a critical point is missing.
+/// merge distance, so that nobody knows on which side it passes, or it has come to rest where f
+/// does not change along the skin for all that doubles can tell, or it was lost. The last does not
+/// happen but where a critical point is missing.
 struct Course {
   std::optional<Arrival> arrival;
   std::optional<CriticalId> saddle;
+  bool is_at_rest = false;
 };
 
 /// A line from a saddle by its nodes.

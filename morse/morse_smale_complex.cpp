@@ -72,9 +72,12 @@ class Builder {
         continue;
       }
       all = false;
-      report("the integral line from the saddle at " + place_of(point(lines_.saddle(a))) +
-             (course.saddle ? " runs into the saddle at " + place_of(point(*course.saddle))
-                            : std::string(" finds no extremum")));
+      const std::string end =
+          course.saddle       ? "runs into the saddle at " + place_of(point(*course.saddle))
+          : course.is_at_rest ? "comes to rest where the function is flat within rounding"
+                              : "finds no extremum";
+      report("the integral line from the saddle at " + place_of(point(lines_.saddle(a))) + " " +
+             end);
     }
     if (!all) complex_.arcs.clear();
     return all;
@@ -139,7 +142,8 @@ class Builder {
              " are too near to each other to be told apart");
     }
     if (odd_faces_ > 0) {
-      report(std::to_string(odd_faces_) + " regions are not quadrangles");
+      report("rounding leaves the ends of integral lines undecided: " + std::to_string(odd_faces_) +
+             " regions are not quadrangles");
       complex_.regions.clear();
     }
   }

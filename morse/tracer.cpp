@@ -53,6 +53,7 @@ void Tracer::enter(CellId cell, const Vector& u) {
   centre_value_ = lines_.f_(centre_);
   u_ = flow_.settled(flow_.to_local(u));
   velocity_ = flow_(u_);
+  decay_ = 0;
   walls_.clear();
   for (const skin::Wall& wall : complex.walls(cell)) {
     const Vector normal = flow_.to_local(wall.normal);

@@ -3,6 +3,8 @@
 /// The follower of one integral line: where it stands, and how it goes on to the next cell wall.
 /// An inner part of integral_lines.cpp.
 
+#include <utility>
+
 #include "morse/integral_lines.h"
 
 namespace morskin::morse {
@@ -46,6 +48,8 @@ class Tracer {
   bool follow_great_circle();
   void lay_circle(const Vector& pole, const Vector& side, double from, double to);
   bool step();
+  double step_time();
+  std::pair<double, double> rates() const;
   Vector step_end(double time) const;
   template <class Function>
   double first_zero(double time, double tolerance, Function function);
@@ -55,6 +59,7 @@ class Tracer {
   void arrive(CriticalId id, const Vector& from);
   bool look_for_stop(double time);
   bool is_at_saddle();
+  bool comes_too_near(const CriticalPoint& saddle) const;
 
   const IntegralLines& lines_;
   Way way_;
@@ -70,6 +75,9 @@ class Tracer {
   std::vector<LocalWall> walls_;
   std::optional<double> stop_;
   bool at_level_ = false;
+  double decay_ = 0;       ///< since it creeps: how much of what was off the slow way has died out
+  double creep_time_ = 0;  ///< of the last step while it creeps
+  bool is_implicit_ = false;          ///< how steps are taken
   std::optional<CriticalId> origin_;  ///< the saddle that the line has left
   Course course_;
 };
