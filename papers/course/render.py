@@ -124,6 +124,13 @@ def relinked(text, page, stems, listings):
     return re.sub(r'href="([^"]+)"', target, text)
 
 
+def upright(text):
+    """Words in formulas as one element: browsers set letters by themselves in italics, whatever
+    their style says."""
+    word = re.compile(r'<mstyle mathvariant="normal">((?:<mi>[A-Za-z]</mi>)+)</mstyle>')
+    return word.sub(lambda m: f'<mi mathvariant="normal">{re.sub("<[^>]*>", "", m[1])}</mi>', text)
+
+
 def rendered(page, stems, listings, resources, missing):
     """The page as one HTML file that needs nothing else; pictures are looked for in `resources`."""
     command = ["pandoc", "--from=gfm+tex_math_dollars", "--to=html5", "--mathml", "--standalone",
@@ -134,4 +141,4 @@ def rendered(page, stems, listings, resources, missing):
                           capture_output=True, check=False)
     problems = [line for line in done.stderr.splitlines() if line.strip()]
     missing.extend(f"{page.path.name}: pandoc: {line}" for line in problems)
-    return relinked(done.stdout, page, stems, listings)
+    return relinked(upright(done.stdout), page, stems, listings)
