@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from page import RUNNABLE
 from sources import ROOT
 
-TIMEOUT = 600  # seconds for one command
+TIMEOUT = 1800  # seconds for one command: a busy machine is slow, and that is no failure
 
 
 def sandbox_for(page, folder, binary):
