@@ -124,11 +124,15 @@ def relinked(text, page, stems, listings):
     return re.sub(r'href="([^"]+)"', target, text)
 
 
-def upright(text):
-    """Words in formulas as one element: browsers set letters by themselves in italics, whatever
-    their style says."""
-    word = re.compile(r'<mstyle mathvariant="normal">((?:<mi>[A-Za-z]</mi>)+)</mstyle>')
-    return word.sub(lambda m: f'<mi mathvariant="normal">{re.sub("<[^>]*>", "", m[1])}</mi>', text)
+def with_words(text):
+    """Words in formulas as one element each, upright or slanted as asked: browsers set letters by
+    themselves, all in italics, whatever their style says."""
+    word = re.compile(r'<mstyle mathvariant="(normal|italic)">((?:<mi>[A-Za-z]</mi>){2,})</mstyle>')
+
+    def joined(match):
+        style = ' style="font-style: italic"' if match[1] == "italic" else ""
+        return f'<mi{style}>{re.sub("<[^>]*>", "", match[2])}</mi>'
+    return word.sub(joined, text)
 
 
 def rendered(page, stems, listings, resources, missing):
@@ -141,4 +145,4 @@ def rendered(page, stems, listings, resources, missing):
                           capture_output=True, check=False)
     problems = [line for line in done.stderr.splitlines() if line.strip()]
     missing.extend(f"{page.path.name}: pandoc: {line}" for line in problems)
-    return relinked(upright(done.stdout), page, stems, listings)
+    return relinked(with_words(done.stdout), page, stems, listings)
