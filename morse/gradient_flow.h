@@ -12,7 +12,7 @@
 ///     l  = (c k + V r - v s) / ((1 + e) s^2 + k),
 ///
 /// the denominator being |u|^2. It is analytic and vanishes at the critical points only.
-/// Erratum: papers/README.md, E2.
+/// Erratum: papers/errata.md, E2.
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -14,7 +14,7 @@
 /// front then moves down by at most |f(a) - f(b)| and meets itself without an event. That is
 /// harmless while the basin is not larger than about a triangle; `distance` tells.
 ///
-/// Errata: papers/README.md, E10 (spheres that no cancellation can separate shrink) and E11 (pairs
+/// Errata: papers/errata.md, E10 (spheres that no cancellation can separate shrink) and E11 (pairs
 /// are not chosen by distance alone).
 
 #include <cstddef>

@@ -60,7 +60,7 @@ struct Sizing {
   /// placed, over the length scale there: 0.208 with the default constants.
   ///
   /// Source:  section 4.2, r_a = 2 R sqrt(1 - (R / rho)^2) with R = C Q / (1 + 2 C Q).
-  /// Erratum: the closed form printed there lacks the factor 2 (papers/README.md, E3).
+  /// Erratum: the closed form printed there lacks the factor 2 (papers/errata.md, E3).
   double tangent_disk_share() const {
     const double R = C * Q / (1 + 2 * C * Q);
     return 2 * R * std::sqrt(1 - R * R);

@@ -11,6 +11,7 @@
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
 - Every figure is well-formed and shown on some page.
+- Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
   commands too).
@@ -205,6 +206,18 @@ def check_course(checks):
                       "an answer is given away")
 
 
+def check_steps(checks):
+    from page import STEP, Page
+    commands = {command for path in PAGES if path.parent.name == "papers"
+                for _, command, output in Page(path).commands() if output}
+    shown = {match[1] for match in map(STEP.match, commands) if match}
+    for program in sorted((ROOT / "papers" / "steps").glob("*.cpp")):
+        where = str(program.relative_to(ROOT))
+        checks.expect(program.stem in shown, where, "on no page with what it prints")
+        lines = len(program.read_text(encoding="utf-8").splitlines())
+        checks.expect(lines <= 80, where, f"{lines} lines, not a small program")
+
+
 def main():
     checks = Checks()
     sources = Sources()
@@ -218,6 +231,7 @@ def main():
                 check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
     check_figures(checks)
     check_course(checks)
+    check_steps(checks)
     for failure in checks.failures:
         print(failure)
     print(f"{checks.passed} passed, {len(checks.failures)} failed")

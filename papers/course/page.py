@@ -8,8 +8,9 @@ from sources import ROOT, excerpts_in
 PAPERS = ROOT / "papers"
 FENCE = re.compile(r"^\s*(```|~~~)\s*(\w*)")
 EXCERPT = re.compile(r"^\[excerpt: ([\w-]+)\]\(\.\./([\w./-]+)\)$", re.MULTILINE)
+STEP = re.compile(r"build/papers/steps/step_(\w+)$")  # one of the small programs of papers/steps
 # What a command on a page may start with; `make` ones are looked up, not run.
-RUNNABLE = ("build/morskin ", "python3 ", "mkdir ")
+RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "mkdir ")
 COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
 
 # Every page of the course has these, in this order.
@@ -98,6 +99,9 @@ def complaints(page):
         makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
         if target and not re.search(rf"^{target[1]}:", makefile, re.MULTILINE):
             found.append(f"{where}:{number}: no such target: {command}")
+        step = STEP.match(command)
+        if step and not (PAPERS / "steps" / f"{step[1]}.cpp").exists():
+            found.append(f"{where}:{number}: no such program: {command}")
     if not page.is_of_course:
         return found
     places = [page.text.find(f"\n{part}\n") for part in PARTS]

@@ -124,6 +124,17 @@ def relinked(text, page, stems, listings):
     return re.sub(r'href="([^"]+)"', target, text)
 
 
+def with_words(text):
+    """Words in formulas as one element each, upright or slanted as asked: browsers set letters by
+    themselves, all in italics, whatever their style says."""
+    word = re.compile(r'<mstyle mathvariant="(normal|italic)">((?:<mi>[A-Za-z]</mi>){2,})</mstyle>')
+
+    def joined(match):
+        style = ' style="font-style: italic"' if match[1] == "italic" else ""
+        return f'<mi{style}>{re.sub("<[^>]*>", "", match[2])}</mi>'
+    return word.sub(joined, text)
+
+
 def rendered(page, stems, listings, resources, missing):
     """The page as one HTML file that needs nothing else; pictures are looked for in `resources`."""
     command = ["pandoc", "--from=gfm+tex_math_dollars", "--to=html5", "--mathml", "--standalone",
@@ -134,4 +145,4 @@ def rendered(page, stems, listings, resources, missing):
                           capture_output=True, check=False)
     problems = [line for line in done.stderr.splitlines() if line.strip()]
     missing.extend(f"{page.path.name}: pandoc: {line}" for line in problems)
-    return relinked(done.stdout, page, stems, listings)
+    return relinked(with_words(done.stdout), page, stems, listings)

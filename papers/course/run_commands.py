@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from page import RUNNABLE
 from sources import ROOT
 
-TIMEOUT = 600  # seconds for one command
+TIMEOUT = 1800  # seconds for one command: a busy machine is slow, and that is no failure
 
 
 def sandbox_for(page, folder, binary):
@@ -17,8 +17,9 @@ def sandbox_for(page, folder, binary):
     folder = folder / page.stem
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "papers" / "figures").mkdir(parents=True)
-    (folder / "build").mkdir()
+    (folder / "build" / "papers").mkdir(parents=True)
     (folder / "build" / "morskin").symlink_to(binary)
+    (folder / "build" / "papers" / "steps").symlink_to(binary.parent / "papers" / "steps")
     for name in ("bench", "tests", "app", "front", "refine", "morse", "skin", "geometry"):
         (folder / name).symlink_to(ROOT / name)
     return folder

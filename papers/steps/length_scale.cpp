@@ -21,11 +21,13 @@ int main() {
     for (int i = 0; i < 360; ++i) {
       constexpr double step = 1e-5;
       const double angle = i * M_PI / 360;
+      // [excerpt: step-length-scale]
       const Vector t = std::cos(angle) * first + std::sin(angle) * second;
       const auto a = skin.project(p->position - step * t, p->cell);
       const auto b = skin.project(p->position + step * t, p->cell);
       // The part of the turn in the plane of t and the normal: the normal curvature.
       most = std::max(most, std::abs((b->normal - a->normal).dot(t)) / (2 * step));
+      // [/excerpt]
     }
     std::printf("x = %.2f: length scale %.6f, 1 / largest curvature measured %.6f\n",
                 p->position.x(), p->length_scale, 1 / most);

@@ -12,11 +12,13 @@ int main() {
   const SkinSurface skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}});
   bool holds = true;
   for (const Point& x : {Point(-1.2, 0.5, 0), Point(0, 0.4, 0.3), Point(0.9, 0, -0.2)}) {
+    // [excerpt: step-mixed-cell]
     const CellId cell = skin.locate(x, CellId{});
     const Patch& patch = skin.complex().patch(cell);
     // N = (q - c) / 2 and x = (c + q) / 2.
     const Vector n = patch.half_gradient(x);
     const Point c = x - n, q = x + n;
+    // [/excerpt]
     std::printf(
         "x = (%4.1f, %4.1f, %4.1f): cell of %zu atom%s, c = (%5.2f, %5.2f, %5.2f), "
         "q = (%5.2f, %5.2f, %5.2f)\n",

@@ -19,12 +19,14 @@ int main() {
   const auto quick = internal::filtered_orthosphere(p, q, c, d, e);
   std::printf("floating point with an error bound: %s\n", quick ? "decides" : "cannot tell");
 
+  // [excerpt: step-tie]
   const auto side = [&](std::uint32_t id_of_e) {
     std::array<AtomId, 5> ids;
     for (std::uint32_t i = 0; i < 4; ++i) ids[i] = AtomId{10 + i};
     ids[4] = AtomId{id_of_e};
     return orthosphere_side(p, q, c, d, e, ids);
   };
+  // [/excerpt]
   const bool is_inside_when_first = side(0) == Side::Inside;
   const bool is_inside_when_last = side(99) == Side::Inside;
   std::printf("e with the smallest id: %s\n", is_inside_when_first ? "inside" : "outside");

@@ -30,7 +30,6 @@ export class Stage {
     this.lastFrame = 0;
     this.renderer.setPixelRatio(this.finest);
     new ResizeObserver(() => this.resize()).observe(container);
-    this.resize();
     this.fit();
   }
 
@@ -40,13 +39,18 @@ export class Stage {
   }
 
   resize() {
+    if (this.#measure()) this.drawNow();
+  }
+
+  // Takes over the window's size; false when it has none.
+  #measure() {
     const { clientWidth: width, clientHeight: height } = this.container;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0) return false;
     this.camera.aspect = width / height;
     this.#keepInView();
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);
-    this.drawNow();
+    return true;
   }
 
   // A narrow window sees as much to the sides as a square one.
@@ -59,6 +63,7 @@ export class Stage {
   // Looks at all of it, the Morse function's default direction up, from the side where it is
   // widest, a little from the right and from above.
   fit() {
+    this.#measure();
     const { middle, radius, widest, sample } = this.bounds;
     const away = new THREE.Vector3(0, 0, 1).applyAxisAngle(up, widest + 0.22);
     away.addScaledVector(up, 0.17).normalize();

@@ -34,7 +34,7 @@ export class Viewer {
     this.panel = new Panel(panelRoot, this);
     this.#paint();
     this.panel.update();
-    this.stage.draw();
+    this.stage.fit(); // again: on a phone the panel has just taken its share of the window
   }
 
   has(layer) {

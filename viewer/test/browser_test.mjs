@@ -6,7 +6,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -278,6 +278,28 @@ test('a phone shows the stage above the panel, and touch works it', { timeout: 9
       .filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().height));
     assert.ok(Math.min(...heights) >= 30, `${heights}`);
   });
+});
+
+test('all of a tall molecule is in view, on a desk and on a phone', { timeout: 900000 }, async () => {
+  const stack = join(folder, 'stack.xyzr');
+  writeFileSync(stack, [0, 2, 4, 6, 8].map((y) => `0 ${y} 0 1\n`).join(''));
+  const file = make('stack', stack);
+  for (const size of [small, { width: 390, height: 844, touch: true }]) {
+    await withPage(file, size, async (page) => {
+      // The farthest place from the middle: 1 is the window's rim.
+      const farthest = await page.evaluate(() => {
+        const { bounds, camera, controls } = window.viewer.stage;
+        const place = controls.target.clone();
+        let most = 0;
+        for (let i = 0; i < bounds.sample.length; i += 3) {
+          place.fromArray(bounds.sample, i).project(camera);
+          most = Math.max(most, Math.abs(place.x), Math.abs(place.y));
+        }
+        return most;
+      });
+      assert.ok(farthest > 0.8 && farthest < 1, `the farthest place is at ${farthest}`);
+    });
+  }
 });
 
 test('dragging turns the surface', { timeout: 900000 }, async () => {
