@@ -11,23 +11,27 @@ sources = $(shell find geometry skin morse refine front app bench tests papers -
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
 	cmake --build build --parallel $(JOBS)
 
+command: deps
+	cmake --preset release
+	cmake --build build --parallel $(JOBS) --target morskin_command
+
 deps:  ## install the Debian packages that are missing
 	@cmake/install_packages.sh
 
-demo: build  ## mesh the bundled gramicidin A and print the report
+demo: command  ## mesh the bundled gramicidin A and print the report
 	build/morskin mesh bench/molecules/1grm_model1.pdb -o build/1grm.ply
 	@build/morskin view bench/molecules/1grm_model1.pdb -o build/1grm.html -q
 	@echo
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
 	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."
 
-figures: build  ## draw the paper's figures into papers/figures/
+figures: command  ## draw the paper's figures into papers/figures/
 	@for n in $(FIGURES); do echo "figure $$n"; \
 	  build/morskin figure $$n -o papers/figures/figure-$$n.png || exit 1; done
 
@@ -73,17 +77,17 @@ bench: deps  ## build and run the benchmarks; raw figures in build/bench/*.json
 	@for program in build/bench/*_bench; do \
 	  $$program --benchmark_out=$$program.json --benchmark_out_format=json || exit 1; done
 
-corpus: build  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
+corpus: command  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
 	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
 
-morse-corpus: build  ## trace Morse-Smale complexes of MOLECULES (see bench/morse_corpus.py --help)
+morse-corpus: command  ## trace Morse-Smale complexes of MOLECULES (see bench/morse_corpus.py --help)
 	python3 bench/morse_corpus.py --molecules $(MOLECULES) $(CORPUS)
 
-prediction: build  ## count which touches of the front theory foretells (see bench/prediction.py --help)
+prediction: command  ## count which touches of the front theory foretells (see bench/prediction.py --help)
 	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
 
 # The plots take matplotlib, which Debian installs for its own Python.
-reproduce: build  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
+reproduce: command  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
 	@cmake/install_packages.sh cmake/plot_packages.txt
 	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
 	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome

@@ -1,269 +1,22 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "app/complex_files.h"
 #include "app/function_argument.h"
 #include "app/limits.h"
-#include "app/version.h"
-#include "geometry/mesh_files.h"
+#include "app/options.h"
+#include "app/output_names.h"
 #include "geometry/text_lines.h"
 
 namespace morskin::app {
 namespace {
 
 constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
-
-constexpr const char* about =
-    "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
-    "the\n"
-    "surface, has no angle below 21 degrees, and can be checked again from the written file.\n"
-    "\n"
-    "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
-    "are\n"
-    "in Angstrom, angles in degrees. The first model is read, of alternate places the likeliest,\n"
-    "and no water unless asked.\n";
-
-constexpr const char* closing =
-    "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
-    "atom's sphere patch has the radius sqrt(W/2)):\n"
-    "  paper   W = sqrt(2) (r + p), as the paper prints it (default)\n"
-    "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
-    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part\n"
-    "\n"
-    "Examples:\n"
-    "  morskin mesh 1crn.pdb -o 1crn.ply\n"
-    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model vdw --report 1crn.json\n"
-    "  morskin check 1crn.ply --against 1crn.pdb\n"
-    "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
-    "  morskin info 1crn.pdb --json\n"
-    "  morskin view 1crn.pdb -o 1crn.html\n"
-    "\n"
-    "Exit codes:\n"
-    "  0  meshed and certified           5  not certified: see OUT.unverified\n"
-    "  2  wrong arguments                6  a limit of memory or time was reached\n"
-    "  3  input unreadable               7  output not writable\n"
-    "  4  input refused (names atoms)   70  internal error\n";
-
-// The options as typed, before they are checked.
-struct Typed {
-  std::string model = "paper";
-  std::optional<std::string> height, function;
-  std::optional<double> persistence;
-  bool is_raw = false;
-  std::string progress = "auto";
-  std::string method = "sweep";
-  std::string max_memory;
-  std::string guard = "everywhere";
-  std::optional<int> fronts;
-  std::optional<double> Q;
-  std::optional<std::string> grow;
-};
-
-void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
-  command.add_option("--model", typed.model, "How radii become weights: paper, sas or vdw")
-      ->check(CLI::IsMember({"paper", "sas", "vdw"}))
-      ->capture_default_str();
-  command.add_option("--probe", molecule.probe, "Probe radius, Angstrom; 0 for none")
-      ->capture_default_str();
-  command.add_flag("--waters", molecule.waters, "Keep the waters");
-}
-
-void add_sizing_options(CLI::App& command, refine::Sizing& sizing, Typed& typed) {
-  command
-      .add_option("-C", sizing.C,
-                  "Size of the triangles over the curvature radius;\n"
-                  "half of it makes four times as many")
-      ->capture_default_str();
-  command.add_option("-Q", typed.Q,
-                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
-                     "with C above 0.109, the least that C allows)");
-}
-
-void add_function_option(CLI::App& command, Typed& typed) {
-  command.add_option("--function", typed.function,
-                     "The Morse function: height:x,y,z along a direction, or\n"
-                     "distance:x,y,z, squared, from a point\n"
-                     "(default: height along y, tilted a little)");
-}
-
-void add_progress_option(CLI::App& command, Typed& typed) {
-  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
-}
-
-void add_threads_option(CLI::App& command, unsigned& threads) {
-  threads = std::max(1U, std::thread::hardware_concurrency());
-  command
-      .add_option("--threads", threads,
-                  "Threads at most (all cores); two do most of the work, and\n"
-                  "what is written is the same for any number")
-      ->check(CLI::Range(1U, 1024U));
-}
-
-void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
-  CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
-  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
-  command
-      .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply, .off, .obj, .vtu (exact)\n"
-                  "or .stl (single precision); repeat for several.\n"
-                  "\"-\", /dev/null and the like take PLY")
-      ->required()
-      ->allow_extra_args(false);
-  add_molecule_options(command, mesh.molecule, typed);
-  add_sizing_options(command, mesh.sizing, typed);
-  command
-      .add_option("--angle-goal", mesh.angle_goal_deg,
-                  "Degrees: vertices are moved along the skin until no angle is smaller,\n"
-                  "as far as -C and -Q allow it; 0 for not at all")
-      ->capture_default_str();
-  add_function_option(command, typed);
-  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
-  command
-      .add_option("--method", typed.method,
-                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement; dynamic, growth from nothing; marching-cubes,\n"
-                  "for comparison: without quality, so as a rule not certified")
-      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
-      ->capture_default_str();
-  command.add_option("--grid", mesh.grid_step,
-                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
-                     "triangles as the sweep makes)");
-  command.add_option("--grow", typed.grow,
-                     "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
-                     "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
-                     "largest weight). What is meshed and certified is the skin at T1");
-  command
-      .add_option("--fronts", typed.fronts,
-                  "2 sweeps from below and from above at once; 1 from below only,\n"
-                  "Algorithm 1 as the paper prints it")
-      ->check(CLI::IsMember({1, 2}))
-      ->default_str("2");
-  command
-      .add_option("--guard", typed.guard,
-                  "Where the front looks for collisions: everywhere; adjacent or\n"
-                  "spheres are experiments that fail on most molecules")
-      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
-      ->capture_default_str();
-  command.add_option("--snapshots", mesh.snapshots,
-                     "Write so many states of the growing mesh and its front, at even steps of\n"
-                     "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
-  command
-      .add_option("--snapshot-at", mesh.snapshot_values,
-                  "Also, or instead, at these values: v,v,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
-  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
-  command.add_flag("--json", mesh.json, "Print the report as JSON");
-  command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
-  add_threads_option(command, mesh.threads);
-  command.add_option("--timeout", mesh.timeout, "Seconds after which to give up, with exit code 6");
-  command.add_option("--max-memory", typed.max_memory,
-                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
-                     "2 GiB (default: what the machine has)");
-  add_progress_option(command, typed);
-  command.footer(
-      "The mesh takes its name only when the bytes written have been read back and certified:\n"
-      "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
-      "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
-}
-
-void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
-  CLI::App& command = *app.add_subcommand(
-      "morse", "Write the Morse-Smale complex of a height or distance on the skin");
-  command.add_option("INPUT", morse.molecule.input, "The molecule")->required();
-  command
-      .add_option("-o,--output", morse.output,
-                  ".json, everything, or .vtu, lines and points for ParaView;\n"
-                  "\"-\", /dev/null and the like take JSON")
-      ->required();
-  add_molecule_options(command, morse.molecule, typed);
-  add_function_option(command, typed);
-  command.add_flag("--raw", typed.is_raw, "Do not simplify");
-  command.add_option("--persistence", typed.persistence,
-                     "Cancel all pairs of at most this persistence, Angstrom for\n"
-                     "a height, Angstrom^2 for a distance, and no others");
-  command.add_flag("-q,--quiet", morse.quiet, "Print nothing but errors");
-  add_progress_option(command, typed);
-  command.footer(
-      "Unless told otherwise, arcs between overlapping protecting spheres are contracted, as in\n"
-      "section 3.2 of the paper, where the persistence condition allows it.");
-}
-
-void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
-  CLI::App& command = *app.add_subcommand(
-      "balls", "Write the balls really used, x y z r, r the radius of the atom's patch");
-  command.add_option("INPUT", balls.molecule.input, "The molecule")->required();
-  command.add_option("-o,--output", balls.output, "XYZR file, or - for standard output")
-      ->required();
-  add_molecule_options(command, balls.molecule, typed);
-  command.add_flag("-q,--quiet", balls.quiet, "Print nothing but errors");
-}
-
-void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
-  CLI::App& command =
-      *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
-  command.add_option("INPUT", info.molecule.input, "The molecule")->required();
-  add_molecule_options(command, info.molecule, typed);
-  add_sizing_options(command, info.sizing, typed);
-  command.add_flag("--json", info.json, "Print JSON");
-}
-
-void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
-  CLI::App& command = *app.add_subcommand(
-      "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
-  command
-      .add_option("MESH", check.mesh,
-                  "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
-      ->required();
-  command.add_option("--against", against.input, "The molecule; runs the whole certificate");
-  add_molecule_options(command, against, typed);
-  add_sizing_options(command, check.sizing, typed);
-  command.add_flag("!--no-self-intersections", check.self_intersections,
-                   "Do not search for self-intersections");
-  command.add_flag("--json", check.json, "Print all that was found as JSON");
-  add_threads_option(command, check.threads);
-  command.footer(
-      "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
-      "triangles and, with --against, certified; 5: not, and the reason names the first element.");
-}
-
-void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
-  CLI::App& command = *app.add_subcommand(
-      "view", "Write a page that shows the mesh and how it came to be, in any browser");
-  command
-      .add_option("INPUT", view.molecule.input,
-                  "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
-                  "STL or MSMS, by its ending")
-      ->required();
-  command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
-      ->required();
-  command.add_option("--against", view.against,
-                     "The molecule whose skin the mesh is: then all layers but the sweep");
-  command.add_option("--frames", view.growth,
-                     "Meshes of a growing skin to play through beside, in order; a folder\n"
-                     "stands for its snapshot-1.ply, snapshot-2.ply ...");
-  add_molecule_options(command, view.molecule, typed);
-  add_sizing_options(command, view.sizing, typed);
-  add_function_option(command, typed);
-  add_threads_option(command, view.threads);
-  command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
-  add_progress_option(command, typed);
-  command.footer(
-      "A molecule is meshed from one front, as Algorithm 1 is printed, so that the page can run\n"
-      "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
-}
 
 // --height and --function, of which at most one may be given.
 std::optional<morse::MorseFunction> parsed(const Typed& typed) {
@@ -305,61 +58,6 @@ void finish(MoleculeArguments& molecule, const Typed& typed) {
   molecule.model = *skin::parse_model(typed.model);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
     throw UsageError("--probe must be from 0 to 10000 Angstrom");
-  }
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-bool is_standard_output(const std::filesystem::path& path) {
-  return path == "-" || path == "/dev/stdout";
-}
-
-bool is_special(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return is_standard_output(path) || (std::filesystem::exists(path, ignored) &&
-                                      !std::filesystem::is_regular_file(path, ignored));
-}
-
-// The one name of a file, whatever way its path is written.
-std::filesystem::path one_name(const std::filesystem::path& path) {
-  std::error_code failed;
-  std::filesystem::path name = std::filesystem::weakly_canonical(path, failed);
-  return failed ? std::filesystem::absolute(path).lexically_normal() : name;
-}
-
-void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule) {
-  if (output.empty()) throw UsageError("an output's name is empty");
-  if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
-    throw UsageError(output.string() + " would replace the input; choose another name");
-  }
-}
-
-void check_outputs(const MeshArguments& mesh) {
-  std::vector<std::filesystem::path> names = mesh.outputs;
-  if (mesh.report) names.push_back(*mesh.report);
-  std::size_t standard_outputs = mesh.json ? 1 : 0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    check_not_input(names[i], mesh.molecule);
-    if (is_standard_output(names[i])) ++standard_outputs;
-    if (is_special(names[i])) continue;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (one_name(names[i]) == one_name(names[j])) {
-        throw UsageError(names[i].string() + " is named twice");
-      }
-    }
-  }
-  if (standard_outputs > 1) throw UsageError("only one thing can go to standard output");
-  for (const std::filesystem::path& output : mesh.outputs) {
-    if (!is_special(output) && !geometry::mesh_format_of(output)) {
-      throw UsageError(output.string() +
-                       ": the ending stands for no mesh format; use .ply, .off, .obj, .stl or "
-                       ".vtu");
-    }
   }
 }
 
@@ -445,84 +143,55 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   for (const double value : mesh.snapshot_values) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }
+  if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
+    throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
+  }
+  if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
   check_outputs(mesh);
+}
+
+/// The arguments of the command that was given, checked.
+Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
+  for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
+                                      &all.info.molecule, &all.against, &all.view.molecule}) {
+    finish(*molecule, typed);
+  }
+  for (refine::Sizing* sizing :
+       {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
+    sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
+    check_sizing(*sizing);
+  }
+  const auto finished = [&](auto& arguments, const auto& as_typed) {
+    finish(arguments, as_typed);
+    return arguments;
+  };
+  if (app.got_subcommand("mesh")) return finished(all.mesh, typed);
+  if (app.got_subcommand("morse")) return finished(all.morse, typed);
+  if (app.got_subcommand("view")) return finished(all.view, typed);
+  if (app.got_subcommand("render")) return finished(all.render, typed.picture);
+  if (app.got_subcommand("balls")) return all.balls;
+  if (app.got_subcommand("info")) return all.info;
+  if (app.got_subcommand("figure")) {
+    finish(all.figure);
+    return all.figure;
+  }
+  if (!all.against.input.empty()) all.check.against = all.against;
+  return all.check;
 }
 
 }  // namespace
 
-bool names_a_mesh(const std::filesystem::path& path) {
-  std::string ending = lower_extension(path);
-  if (ending == ".gz") ending = lower_extension(path.stem());
-  constexpr std::array<std::string_view, 6> endings{".ply", ".off",  ".obj",
-                                                    ".stl", ".vert", ".face"};
-  return std::ranges::find(endings, ending) != endings.end();
-}
-
 Arguments parse_arguments(int count, const char* const* words) {
-  CLI::App app(about, "morskin");
-  app.footer(closing);
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "morskin " + std::string(version));
+  CLI::App app("", "morskin");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return "morskin: " + std::string(error.what()) + "; see morskin --help\n";
   });
-  MeshArguments mesh;
-  MorseArguments morse;
-  BallsArguments balls;
-  InfoArguments info;
-  CheckArguments check;
-  ViewArguments view;
-  MoleculeArguments against;
+  AllArguments all;
   Typed typed;
-  add_mesh(app, mesh, typed);
-  add_morse(app, morse, typed);
-  add_balls(app, balls, typed);
-  add_info(app, info, typed);
-  add_check(app, check, against, typed);
-  add_view(app, view, typed);
-  RenderArguments render;
-  TypedPicture typed_picture;
-  add_render(app, render, typed_picture);
-  FigureArguments figure;
-  add_figure(app, figure);
+  add_commands(app, all, typed);
   try {
     app.parse(count, words);
-    for (MoleculeArguments* molecule : {&mesh.molecule, &morse.molecule, &balls.molecule,
-                                        &info.molecule, &against, &view.molecule}) {
-      finish(*molecule, typed);
-    }
-    for (refine::Sizing* sizing : {&mesh.sizing, &info.sizing, &check.sizing, &view.sizing}) {
-      sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
-      check_sizing(*sizing);
-    }
-    if (app.got_subcommand("balls")) return balls;
-    if (app.got_subcommand("info")) return info;
-    if (app.got_subcommand("render")) {
-      finish(render, typed_picture);
-      return render;
-    }
-    if (app.got_subcommand("figure")) {
-      finish(figure);
-      return figure;
-    }
-    if (app.got_subcommand("check")) {
-      if (!against.input.empty()) check.against = against;
-      return check;
-    }
-    if (app.got_subcommand("view")) {
-      finish(view, typed);
-      return view;
-    }
-    if (app.got_subcommand("morse")) {
-      finish(morse, typed);
-      return morse;
-    }
-    if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
-      throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
-    }
-    if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
-    finish(mesh, typed);
-    return mesh;
+    return chosen(app, all, typed);
   } catch (const CLI::ParseError& error) {
     const bool is_complaint = error.get_exit_code() != 0;
     app.exit(error, std::cout, std::cerr);

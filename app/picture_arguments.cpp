@@ -7,6 +7,7 @@
 
 #include "app/arguments.h"
 #include "app/figures/figures.h"
+#include "app/output_names.h"
 #include "geometry/text_lines.h"
 
 namespace morskin::app {
@@ -66,10 +67,6 @@ void set_size(RenderArguments& render, std::string_view text) {
   }
   render.width = static_cast<int>(width);
   render.height = static_cast<int>(height);
-}
-
-bool is_standard_output(const std::filesystem::path& path) {
-  return path == "-" || path == "/dev/stdout";
 }
 
 void check_png(const std::filesystem::path& output) {

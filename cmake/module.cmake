@@ -27,4 +27,16 @@ function(apply_project_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
                                    PUBLIC -ffp-contract=off)
+  if(NOT target STREQUAL eigen_headers)
+    target_precompile_headers(${target} REUSE_FROM eigen_headers)
+  endif()
+endfunction()
+
+# Eigen takes longer to read than most of our sources to compile, so it is read once for all.
+function(add_eigen_headers)
+  file(WRITE ${PROJECT_BINARY_DIR}/generated/eigen_headers.cpp "")
+  add_library(eigen_headers OBJECT ${PROJECT_BINARY_DIR}/generated/eigen_headers.cpp)
+  target_link_libraries(eigen_headers PRIVATE Eigen3::Eigen)
+  apply_project_options(eigen_headers)
+  target_precompile_headers(eigen_headers PRIVATE <Eigen/Geometry>)
 endfunction()

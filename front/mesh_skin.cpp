@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "front/safety_net.h"
-#include "front/stopwatch.h"
 #include "geometry/predicates.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::front {
 
@@ -61,7 +61,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.seconds.triangulate = skin.surface.triangulate_seconds();
   result.seconds.mixed_complex = skin.surface.mixed_complex_seconds();
   result.expected = skin.topology;
-  timed(result.seconds.refine, [&] {
+  geometry::timed(result.seconds.refine, [&] {
     result.mesh.triangles = made.mesh.surface.triangle_list();
     made.mesh.surface = {};
     result.mesh.positions.reserve(made.mesh.points.size());
@@ -74,7 +74,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   });
   if (!options.certify) return result;
   if (options.progress) options.progress("certify", geometry::unknown_share);
-  timed(result.seconds.certify, [&] {
+  geometry::timed(result.seconds.certify, [&] {
     const auto certified = [&] {
       return refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
                              options.threads);
@@ -95,7 +95,7 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
   constexpr double share = 0.1;
   double checksum = 0;
   double seconds = 0;
-  timed(seconds, [&] {
+  geometry::timed(seconds, [&] {
     const std::size_t count = std::min(result.cells.size(), result.mesh.positions.size());
     // [excerpt: floor]
     for (std::size_t v = 0; v < count; ++v) {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "front/static_method.h"
-#include "front/stopwatch.h"
 #include "geometry/error.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::front {
 
@@ -42,7 +42,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options) {
   // Another's mesh is left as it is, and so is one that could not be closed.
   if (options.mesher || made.open_edges > 0 || options.angle_goal_deg == 0) return made;
   if (options.progress) options.progress("smooth", geometry::unknown_share);
-  timed(made.seconds.smooth, [&] {
+  geometry::timed(made.seconds.smooth, [&] {
     made.smoothing = refine::smooth(skin.surface, options.sizing, made.mesh, options.angle_goal_deg,
                                     options.threads);
   });

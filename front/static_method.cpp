@@ -6,9 +6,9 @@
 #include <numeric>
 #include <optional>
 
-#include "front/stopwatch.h"
 #include "geometry/kd_tree.h"
 #include "geometry/predicates.h"
+#include "geometry/stopwatch.h"
 #include "refine/delaunay_refinement.h"
 
 namespace morskin::front {
@@ -108,7 +108,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
   const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
   progress("critical points");
   morse::ChosenFunction chosen;
-  timed(result.seconds.critical_points, [&] {
+  geometry::timed(result.seconds.critical_points, [&] {
     chosen = morse::choose_function(surface, skin.topology.skin_euler_characteristic(),
                                     options.function);
   });
@@ -117,7 +117,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
   result.maxima = result.surviving_maxima = chosen.critical.count(2);
   result.function = chosen.function;
   progress("refine");
-  timed(result.seconds.refine, [&] {
+  geometry::timed(result.seconds.refine, [&] {
     const std::vector<SurfacePoint> seeds =
         delaunay_seeds(surface, chosen.critical.points, options.sizing);
     refine::DelaunayRefinement refinement(surface, options.sizing, seeds);

@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "front/method.h"
-#include "front/stopwatch.h"
 #include "front/two_fronts.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::front {
 
@@ -12,7 +12,7 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
     if (options.progress) options.progress(stage, share);
   };
   morse::Guide guide;
-  timed(result.seconds.critical_points, [&] {
+  geometry::timed(result.seconds.critical_points, [&] {
     guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
                           options.sizing.tangent_disk_share(), options.threads, progress);
@@ -25,7 +25,7 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   result.surviving_maxima = guide.count(2);
   result.function = guide.function;
 
-  timed(result.seconds.sweep, [&] {
+  geometry::timed(result.seconds.sweep, [&] {
     SweepOptions sweeping{.sizing = options.sizing,
                           .guard = options.guard,
                           .progress = [&](double share) { progress("sweep", share); },
@@ -40,7 +40,7 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
     result.open_edges = swept.open_edges;
   });
   if (result.open_edges > 0) return result;
-  timed(result.seconds.refine, [&] {
+  geometry::timed(result.seconds.refine, [&] {
     refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
     refinement.run([&](double share) { progress("refine", share); });
     result.refinement = refinement.counts();

@@ -119,9 +119,11 @@ class DelaunayCheck {
 
 std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
                                                       RestrictedDelaunay& result) const {
-  const auto [a, b, c] = mesh_.triangles[t];
-  const auto is_corner = [&](std::uint32_t v) { return v == a || v == b || v == c; };
-  const std::array at{&points_[a], &points_[b], &points_[c]};
+  const auto& corner = mesh_.triangles[t];
+  const auto is_corner = [&](std::uint32_t v) {
+    return std::ranges::find(corner, v) != corner.end();
+  };
+  const std::array at{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
   const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
   std::optional<SurfaceBall> ball;
   const auto find_ball = [&] {

@@ -1,23 +1,15 @@
 #include "skin/skin_surface.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "geometry/error.h"
+#include "geometry/stopwatch.h"
 #include "skin/slide.h"
 
 namespace morskin::skin {
 
 namespace {
-
-template <class Work>
-auto timed(double& seconds, Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = work();
-  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
 
 const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& points) {
   const bool any = std::any_of(points.begin(), points.end(),
@@ -38,11 +30,11 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Prog
           if (progress) progress("triangulate", share);
         };
         told(0);
-        auto triangulation = timed(triangulate_seconds_, [&] {
+        auto triangulation = geometry::timed(triangulate_seconds_, [&] {
           return geometry::regular_triangulation(checked(points), told);
         });
         if (progress) progress("mixed complex", geometry::unknown_share);
-        return timed(mixed_complex_seconds_, [&] {
+        return geometry::timed(mixed_complex_seconds_, [&] {
           return MixedComplex(std::move(points), std::move(triangulation), keep);
         });
       }()) {}

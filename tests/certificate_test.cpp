@@ -8,6 +8,7 @@
 #include <set>
 
 #include "refine/triangle_geometry.h"
+#include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -45,23 +46,10 @@ void check_rejected(const Certificate& certificate, const std::string& reason) {
   CHECK_MESSAGE(certificate.reason.find(reason) != std::string::npos, certificate.reason);
 }
 
-/// The triangles of a mesh that keep(first corner) allows, without the vertices they leave behind.
-template <class Keep>
-IndexedMesh part(const IndexedMesh& mesh, Keep keep) {
-  IndexedMesh result;
-  std::vector<std::optional<std::uint32_t>> name(mesh.positions.size());
-  for (auto triangle : mesh.triangles) {
-    if (!keep(mesh.positions[triangle[0]])) continue;
-    for (std::uint32_t& v : triangle) {
-      if (!name[v]) {
-        name[v] = static_cast<std::uint32_t>(result.positions.size());
-        result.positions.push_back(mesh.positions[v]);
-      }
-      v = *name[v];
-    }
-    result.triangles.push_back(triangle);
-  }
-  return result;
+/// The components of a mesh of two_apart() to the left of the middle, or to the right.
+IndexedMesh side(const IndexedMesh& mesh, bool left) {
+  return support::mesh_part(
+      mesh, [&](std::size_t t) { return (mesh.positions[mesh.triangles[t][0]].x() < 4) == left; });
 }
 
 /// Both meshes as one.
@@ -144,7 +132,7 @@ TEST_CASE("a mesh with a missing component is rejected, whichever it is") {
   const Good good = two_apart();
   for (const bool left : {true, false}) {
     CAPTURE(left);
-    const IndexedMesh bad = part(good.mesh, [&](const Point& p) { return (p.x() < 4) == left; });
+    const IndexedMesh bad = side(good.mesh, left);
     const Certificate certificate = good.certify(bad);
     check_rejected(certificate, "components is 1, the skin's is 2");
     CHECK(certificate.covering_degree_ok);
@@ -163,7 +151,7 @@ TEST_CASE("a mesh with a missing inner void is rejected, and so is the void alon
       for (std::size_t t = 0; t < good.mesh.triangles.size(); ++t) {
         if (parts.of_triangle[t] == kept) chosen.triangles.push_back(good.mesh.triangles[t]);
       }
-      const IndexedMesh bad = part(chosen, [](const Point&) { return true; });
+      const IndexedMesh bad = support::mesh_part(chosen, [](std::size_t) { return true; });
       check_rejected(good.certify(bad), "components is 1, the skin's is 2");
     }
   }
@@ -177,7 +165,7 @@ TEST_CASE("a mesh laid twice over the skin is rejected") {
   }
   // One of two components doubled, the other missing: components and Euler characteristic agree.
   const Good good = two_apart();
-  const IndexedMesh left = part(good.mesh, [](const Point& p) { return p.x() < 4; });
+  const IndexedMesh left = side(good.mesh, true);
   const Certificate certificate = good.certify(together(left, left));
   check_rejected(certificate, "could not be shown to cover the skin once");
   CHECK(certificate.components == certificate.expected_components);
@@ -186,7 +174,7 @@ TEST_CASE("a mesh laid twice over the skin is rejected") {
 
 TEST_CASE("a second sheet whose vertices lie elsewhere on the skin is rejected") {
   const Good good = two_apart();
-  const IndexedMesh left = part(good.mesh, [](const Point& p) { return p.x() < 4; });
+  const IndexedMesh left = side(good.mesh, true);
   IndexedMesh turned = left;
   for (Point& p : turned.positions) p = Point(p.y(), p.z(), p.x());  // about the ball's centre
   check_rejected(good.certify(together(left, turned)), "could not be shown to cover the skin once");

@@ -15,6 +15,7 @@
 #include "refine/located_vertices.h"
 #include "refine/restricted_delaunay.h"
 #include "skin/skin_components.h"
+#include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -49,27 +50,6 @@ Good vdw(const char* file) { return Good(support::molecule(file, skin::Model::Vd
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-/// The triangles of some components of a mesh, with their vertices alone.
-template <class Keep>
-IndexedMesh part(const IndexedMesh& mesh, Keep keep) {
-  const geometry::MeshCheck check = geometry::check_mesh(mesh);
-  IndexedMesh result;
-  std::vector<std::optional<std::uint32_t>> name(mesh.positions.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!keep(check.component_of_triangle[t])) continue;
-    auto triangle = mesh.triangles[t];
-    for (std::uint32_t& v : triangle) {
-      if (!name[v]) {
-        name[v] = static_cast<std::uint32_t>(result.positions.size());
-        result.positions.push_back(mesh.positions[v]);
-      }
-      v = *name[v];
-    }
-    result.triangles.push_back(triangle);
-  }
-  return result;
 }
 
 /// By component of the mesh, the component of the skin that its first vertex lies on.
@@ -113,7 +93,7 @@ IndexedMesh without_handle(const IndexedMesh& ring) {
       cut.triangles.push_back({loop[0], loop[i - 1], loop[i]});
     }
   }
-  return part(cut, [](std::uint32_t) { return true; });
+  return support::mesh_part(cut, [](std::size_t) { return true; });
 }
 
 }  // namespace
@@ -262,7 +242,9 @@ TEST_CASE("every vertex of a component lies on the same component of the skin") 
 TEST_CASE("a missing inner void and a doubled component are told by the skin's components") {
   const Good good = vdw("shell_hollow.xyzr");
   REQUIRE(geometry::check_mesh(good.mesh).components.size() == 2);
-  const IndexedMesh outer = part(good.mesh, [](std::uint32_t c) { return c == 0; });
+  const geometry::MeshCheck check = geometry::check_mesh(good.mesh);
+  const IndexedMesh outer = support::mesh_part(
+      good.mesh, [&](std::size_t t) { return check.component_of_triangle[t] == 0; });
   CHECK(contains(good.certify(outer).broken_by(Claim::Counts), "components is 1, the skin's is 2"));
   CHECK_FALSE(sides_of(good, outer)[0].cavity.has_value());
   IndexedMesh doubled = outer;

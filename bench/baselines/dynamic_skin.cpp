@@ -1,6 +1,6 @@
 #include "bench/baselines/dynamic_skin.h"
 
-#include "front/stopwatch.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::baselines {
 
@@ -12,7 +12,7 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
       growing.progress = [&](double share) { options.progress("grow", share); };
     }
     front::MethodResult result;
-    front::timed(result.seconds.sweep, [&] {
+    geometry::timed(result.seconds.sweep, [&] {
       // The skins of all times pass through all cells.
       const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
       Growth run(surface, growing);
@@ -23,7 +23,7 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
       }
       if (counts != nullptr) *counts = run.counts();
     });
-    front::timed(result.seconds.refine, [&] {
+    geometry::timed(result.seconds.refine, [&] {
       if (options.progress) options.progress("refine", 0);
       refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
       refinement.run();

@@ -10,8 +10,8 @@
 
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
-#include "front/stopwatch.h"
 #include "geometry/error.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::baselines {
 
@@ -199,7 +199,7 @@ front::Mesher marching_cubes_mesher(double step) {
   return [step](const front::PreparedSkin& skin, const front::MeshOptions& options) {
     if (options.progress) options.progress("marching cubes", 0);
     front::MethodResult result;
-    front::timed(result.seconds.sweep, [&] {
+    geometry::timed(result.seconds.sweep, [&] {
       const GridMesh made = marching_cubes(skin.surface, step);
       result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;
       result.mesh.points.reserve(made.cells.size());

@@ -1,0 +1,257 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
+
+#include "app/version.h"
+
+namespace morskin::app {
+namespace {
+
+constexpr const char* about =
+    "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
+    "the\n"
+    "surface, has no angle below 21 degrees, and can be checked again from the written file.\n"
+    "\n"
+    "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
+    "are\n"
+    "in Angstrom, angles in degrees. The first model is read, of alternate places the likeliest,\n"
+    "and no water unless asked.\n";
+
+constexpr const char* closing =
+    "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
+    "atom's sphere patch has the radius sqrt(W/2)):\n"
+    "  paper   W = sqrt(2) (r + p), as the paper prints it (default)\n"
+    "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
+    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part\n"
+    "\n"
+    "Examples:\n"
+    "  morskin mesh 1crn.pdb -o 1crn.ply\n"
+    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model vdw --report 1crn.json\n"
+    "  morskin check 1crn.ply --against 1crn.pdb\n"
+    "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
+    "  morskin info 1crn.pdb --json\n"
+    "  morskin view 1crn.pdb -o 1crn.html\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  meshed and certified           5  not certified: see OUT.unverified\n"
+    "  2  wrong arguments                6  a limit of memory or time was reached\n"
+    "  3  input unreadable               7  output not writable\n"
+    "  4  input refused (names atoms)   70  internal error\n";
+
+void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
+  command.add_option("--model", typed.model, "How radii become weights: paper, sas or vdw")
+      ->check(CLI::IsMember({"paper", "sas", "vdw"}))
+      ->capture_default_str();
+  command.add_option("--probe", molecule.probe, "Probe radius, Angstrom; 0 for none")
+      ->capture_default_str();
+  command.add_flag("--waters", molecule.waters, "Keep the waters");
+}
+
+void add_sizing_options(CLI::App& command, refine::Sizing& sizing, Typed& typed) {
+  command
+      .add_option("-C", sizing.C,
+                  "Size of the triangles over the curvature radius;\n"
+                  "half of it makes four times as many")
+      ->capture_default_str();
+  command.add_option("-Q", typed.Q,
+                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
+                     "with C above 0.109, the least that C allows)");
+}
+
+void add_function_option(CLI::App& command, Typed& typed) {
+  command.add_option("--function", typed.function,
+                     "The Morse function: height:x,y,z along a direction, or\n"
+                     "distance:x,y,z, squared, from a point\n"
+                     "(default: height along y, tilted a little)");
+}
+
+void add_progress_option(CLI::App& command, Typed& typed) {
+  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+}
+
+void add_threads_option(CLI::App& command, unsigned& threads) {
+  threads = std::max(1U, std::thread::hardware_concurrency());
+  command
+      .add_option("--threads", threads,
+                  "Threads at most (all cores); two do most of the work, and\n"
+                  "what is written is the same for any number")
+      ->check(CLI::Range(1U, 1024U));
+}
+
+void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
+  CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
+  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", mesh.outputs,
+                  "The mesh, by its ending: .ply, .off, .obj, .vtu (exact)\n"
+                  "or .stl (single precision); repeat for several.\n"
+                  "\"-\", /dev/null and the like take PLY")
+      ->required()
+      ->allow_extra_args(false);
+  add_molecule_options(command, mesh.molecule, typed);
+  add_sizing_options(command, mesh.sizing, typed);
+  command
+      .add_option("--angle-goal", mesh.angle_goal_deg,
+                  "Degrees: vertices are moved along the skin until no angle is smaller,\n"
+                  "as far as -C and -Q allow it; 0 for not at all")
+      ->capture_default_str();
+  add_function_option(command, typed);
+  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
+  command
+      .add_option("--method", typed.method,
+                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
+                  "Delaunay refinement; dynamic, growth from nothing; marching-cubes,\n"
+                  "for comparison: without quality, so as a rule not certified")
+      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
+      ->capture_default_str();
+  command.add_option("--grid", mesh.grid_step,
+                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
+                     "triangles as the sweep makes)");
+  command.add_option("--grow", typed.grow,
+                     "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
+                     "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
+                     "largest weight). What is meshed and certified is the skin at T1");
+  command
+      .add_option("--fronts", typed.fronts,
+                  "2 sweeps from below and from above at once; 1 from below only,\n"
+                  "Algorithm 1 as the paper prints it")
+      ->check(CLI::IsMember({1, 2}))
+      ->default_str("2");
+  command
+      .add_option("--guard", typed.guard,
+                  "Where the front looks for collisions: everywhere; adjacent or\n"
+                  "spheres are experiments that fail on most molecules")
+      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
+      ->capture_default_str();
+  command.add_option("--snapshots", mesh.snapshots,
+                     "Write so many states of the growing mesh and its front, at even steps of\n"
+                     "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
+  command
+      .add_option("--snapshot-at", mesh.snapshot_values,
+                  "Also, or instead, at these values: v,v,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
+  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
+  command.add_flag("--json", mesh.json, "Print the report as JSON");
+  command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
+  add_threads_option(command, mesh.threads);
+  command.add_option("--timeout", mesh.timeout, "Seconds after which to give up, with exit code 6");
+  command.add_option("--max-memory", typed.max_memory,
+                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
+                     "2 GiB (default: what the machine has)");
+  add_progress_option(command, typed);
+  command.footer(
+      "The mesh takes its name only when the bytes written have been read back and certified:\n"
+      "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
+      "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
+}
+
+void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "morse", "Write the Morse-Smale complex of a height or distance on the skin");
+  command.add_option("INPUT", morse.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", morse.output,
+                  ".json, everything, or .vtu, lines and points for ParaView;\n"
+                  "\"-\", /dev/null and the like take JSON")
+      ->required();
+  add_molecule_options(command, morse.molecule, typed);
+  add_function_option(command, typed);
+  command.add_flag("--raw", typed.is_raw, "Do not simplify");
+  command.add_option("--persistence", typed.persistence,
+                     "Cancel all pairs of at most this persistence, Angstrom for\n"
+                     "a height, Angstrom^2 for a distance, and no others");
+  command.add_flag("-q,--quiet", morse.quiet, "Print nothing but errors");
+  add_progress_option(command, typed);
+  command.footer(
+      "Unless told otherwise, arcs between overlapping protecting spheres are contracted, as in\n"
+      "section 3.2 of the paper, where the persistence condition allows it.");
+}
+
+void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "balls", "Write the balls really used, x y z r, r the radius of the atom's patch");
+  command.add_option("INPUT", balls.molecule.input, "The molecule")->required();
+  command.add_option("-o,--output", balls.output, "XYZR file, or - for standard output")
+      ->required();
+  add_molecule_options(command, balls.molecule, typed);
+  command.add_flag("-q,--quiet", balls.quiet, "Print nothing but errors");
+}
+
+void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
+  CLI::App& command =
+      *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
+  command.add_option("INPUT", info.molecule.input, "The molecule")->required();
+  add_molecule_options(command, info.molecule, typed);
+  add_sizing_options(command, info.sizing, typed);
+  command.add_flag("--json", info.json, "Print JSON");
+}
+
+void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
+  command
+      .add_option("MESH", check.mesh,
+                  "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
+      ->required();
+  command.add_option("--against", against.input, "The molecule; runs the whole certificate");
+  add_molecule_options(command, against, typed);
+  add_sizing_options(command, check.sizing, typed);
+  command.add_flag("!--no-self-intersections", check.self_intersections,
+                   "Do not search for self-intersections");
+  command.add_flag("--json", check.json, "Print all that was found as JSON");
+  add_threads_option(command, check.threads);
+  command.footer(
+      "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
+      "triangles and, with --against, certified; 5: not, and the reason names the first element.");
+}
+
+void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "view", "Write a page that shows the mesh and how it came to be, in any browser");
+  command
+      .add_option("INPUT", view.molecule.input,
+                  "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
+                  "STL or MSMS, by its ending")
+      ->required();
+  command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
+      ->required();
+  command.add_option("--against", view.against,
+                     "The molecule whose skin the mesh is: then all layers but the sweep");
+  command.add_option("--frames", view.growth,
+                     "Meshes of a growing skin to play through beside, in order; a folder\n"
+                     "stands for its snapshot-1.ply, snapshot-2.ply ...");
+  add_molecule_options(command, view.molecule, typed);
+  add_sizing_options(command, view.sizing, typed);
+  add_function_option(command, typed);
+  add_threads_option(command, view.threads);
+  command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
+  add_progress_option(command, typed);
+  command.footer(
+      "A molecule is meshed from one front, as Algorithm 1 is printed, so that the page can run\n"
+      "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
+  app.description(about);
+  app.footer(closing);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "morskin " + std::string(version));
+  add_mesh(app, all.mesh, typed);
+  add_morse(app, all.morse, typed);
+  add_balls(app, all.balls, typed);
+  add_info(app, all.info, typed);
+  add_check(app, all.check, all.against, typed);
+  add_view(app, all.view, typed);
+  add_render(app, all.render, typed.picture);
+  add_figure(app, all.figure);
+}
+
+}  // namespace morskin::app
