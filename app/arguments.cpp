@@ -54,6 +54,17 @@ void check_sizing(const refine::Sizing& sizing) {
   if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
 }
 
+/// -C, -Q and --size.
+void finish(refine::Sizing& sizing, const Typed& typed) {
+  if (typed.size && !(*typed.size > 0 && std::isfinite(*typed.size))) {
+    throw UsageError("--size must be above 0 Angstrom");
+  }
+  sizing.C = typed.C.value_or(typed.size ? refine::Sizing::largest_proved_C : sizing.C);
+  sizing.Q = typed.Q.value_or(refine::Sizing::quality_for(sizing.C));
+  check_sizing(sizing);
+  if (typed.size) sizing.set_edge_length(*typed.size);
+}
+
 void finish(MoleculeArguments& molecule, const Typed& typed) {
   molecule.model = *skin::parse_model(typed.model);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
@@ -143,6 +154,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   for (const double value : mesh.snapshot_values) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }
+  if (typed.size && mesh.method != front::Method::Sweep && mesh.method != front::Method::Static) {
+    throw UsageError("--size is for the methods sweep and static");
+  }
   if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
@@ -158,8 +172,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   }
   for (refine::Sizing* sizing :
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
-    sizing->Q = typed.Q.value_or(refine::Sizing::quality_for(sizing->C));
-    check_sizing(*sizing);
+    finish(*sizing, typed);
   }
   const auto finished = [&](auto& arguments, const auto& as_typed) {
     finish(arguments, as_typed);

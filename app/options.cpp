@@ -49,15 +49,19 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
   command.add_flag("--waters", molecule.waters, "Keep the waters");
 }
 
-void add_sizing_options(CLI::App& command, refine::Sizing& sizing, Typed& typed) {
+void add_sizing_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("-C", sizing.C,
+      .add_option("-C", typed.C,
                   "Size of the triangles over the curvature radius;\n"
                   "half of it makes four times as many")
-      ->capture_default_str();
+      ->default_str("0.08");
   command.add_option("-Q", typed.Q,
                      "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
                      "with C above 0.109, the least that C allows)");
+  command.add_option("--size", typed.size,
+                     "Edges of about this length, Angstrom, where the skin is flat enough;\n"
+                     "elsewhere, and in place of a longer one, what -C gives, then 0.2\n"
+                     "unless it is given");
 }
 
 void add_function_option(CLI::App& command, Typed& typed) {
@@ -93,7 +97,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->required()
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
-  add_sizing_options(command, mesh.sizing, typed);
+  add_sizing_options(command, typed);
   command
       .add_option("--angle-goal", mesh.angle_goal_deg,
                   "Degrees: vertices are moved along the skin until no angle is smaller,\n"
@@ -188,7 +192,7 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
       *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
   command.add_option("INPUT", info.molecule.input, "The molecule")->required();
   add_molecule_options(command, info.molecule, typed);
-  add_sizing_options(command, info.sizing, typed);
+  add_sizing_options(command, typed);
   command.add_flag("--json", info.json, "Print JSON");
 }
 
@@ -201,7 +205,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_molecule_options(command, against, typed);
-  add_sizing_options(command, check.sizing, typed);
+  add_sizing_options(command, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,
                    "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
@@ -227,7 +231,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
                      "Meshes of a growing skin to play through beside, in order; a folder\n"
                      "stands for its snapshot-1.ply, snapshot-2.ply ...");
   add_molecule_options(command, view.molecule, typed);
-  add_sizing_options(command, view.sizing, typed);
+  add_sizing_options(command, typed);
   add_function_option(command, typed);
   add_threads_option(command, view.threads);
   command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");

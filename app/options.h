@@ -25,7 +25,7 @@ struct Typed {
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<int> fronts;
-  std::optional<double> Q;
+  std::optional<double> C, Q, size;
   std::optional<std::string> grow;
   TypedPicture picture;
 };

@@ -1,6 +1,7 @@
 #include "app/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -153,6 +154,9 @@ std::string json_text(const MeshReport& report) {
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
+  if (std::isfinite(report.sizing.largest_length_scale)) {
+    json["edge_length"] = rounded(report.sizing.edge_length());
+  }
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["certified_file"] = report.certified_file;
@@ -302,7 +306,10 @@ std::string people_text(const MeshReport& report) {
       line("skin", "model " + std::string(skin::name_of(report.molecule.model)) + ", probe " +
                        brief(report.molecule.probe) + " A, patch radii " +
                        brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
-                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q) +
+                       (std::isfinite(report.sizing.largest_length_scale)
+                            ? ", edges of " + brief(report.sizing.edge_length()) + " A"
+                            : ""));
   if (const std::string doubts = doubts_about(report.sizing); !doubts.empty()) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));

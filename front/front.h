@@ -8,6 +8,7 @@
 /// so its corner, from the day the corner comes to be until it closes: ids are reused afterwards,
 /// told apart by a generation.
 
+#include <limits>
 #include <vector>
 
 #include "front/front_grid.h"
@@ -46,7 +47,10 @@ struct Loop {
 class Front {
  public:
   /// @param reach  how far the grid of corners can be asked, in units of the length scale
-  explicit Front(SkinMesh& mesh, double reach = 0.4) : mesh_(mesh), grid_(reach) {}
+  /// @param largest_length_scale  a larger one counts as this, Angstrom
+  explicit Front(SkinMesh& mesh, double reach = 0.4,
+                 double largest_length_scale = std::numeric_limits<double>::infinity())
+      : mesh_(mesh), grid_(reach, largest_length_scale) {}
 
   const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }
   const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e.index()].next.index()]; }

@@ -7,9 +7,11 @@
 /// so a corner is filed in every octave from which it can be asked for, its own and mostly one
 /// more: nothing within reach is missed.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,9 +25,13 @@ using FrontEdgeId = geometry::Id<struct FrontEdgeTag>;
 class FrontGrid {
  public:
   /// @param reach  largest query radius in units of the length scale, below 1
-  explicit FrontGrid(double reach) : reach_(reach), slots_(1024) {}
+  /// @param largest_length_scale  a larger one counts as this
+  explicit FrontGrid(double reach,
+                     double largest_length_scale = std::numeric_limits<double>::infinity())
+      : reach_(reach), largest_length_scale_(largest_length_scale), slots_(1024) {}
 
-  double reach() const { return reach_; }
+  /// The largest query radius at a place, Angstrom.
+  double reach(double length_scale) const { return reach_ * counted(length_scale); }
 
   void insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
     for_each_octave(length_scale, [&](int octave) {
@@ -55,11 +61,11 @@ class FrontGrid {
 
   /// Calls visit(corner) for every corner within `reach` of a position. When two cells share a key,
   /// a corner may be visited twice, and one that lies far away may be visited.
-  /// @pre reach <= reach() * length_scale
+  /// @pre reach <= reach(length_scale)
   template <class Visit>
   void for_each_within(const geometry::Point& p, double length_scale, double reach,
                        Visit visit) const {
-    const int octave = octave_of(length_scale);
+    const int octave = octave_of(counted(length_scale));
     const double size = cell_size(octave), s = cells_per_angstrom(octave);
     const std::array low{whole((p.x() - reach) * s), whole((p.y() - reach) * s),
                          whole((p.z() - reach) * s)};
@@ -147,11 +153,14 @@ class FrontGrid {
   }
   template <class Visit>
   void for_each_octave(double length_scale, Visit visit) const {
-    const int lowest = octave_of(length_scale / (1 + reach_));
-    const int highest = octave_of(length_scale / (1 - reach_));
+    const int lowest = octave_of(counted(length_scale) / (1 + reach_));
+    const int highest = octave_of(counted(length_scale) / (1 - reach_));
     for (int octave = lowest; octave <= highest; ++octave) visit(octave);
   }
 
+  double counted(double length_scale) const {
+    return std::min(length_scale, largest_length_scale_);
+  }
   std::size_t first_slot(std::uint32_t key) const { return key & (slots_.size() - 1); }
   std::size_t next_slot(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
   bool has_room(const Slot& slot) const {
@@ -191,7 +200,7 @@ class FrontGrid {
     }
   }
 
-  double reach_;
+  double reach_, largest_length_scale_;
   std::vector<Slot> slots_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> unused_;  ///< cells in no slot

@@ -17,9 +17,12 @@ using geometry::Vector;
 constexpr double largest_input = 1 << 30;  // the range of the exact predicates
 
 void check(const MeshOptions& options) {
-  const auto [C, Q] = options.sizing;
+  const double C = options.sizing.C, Q = options.sizing.Q;
   if (!(C > 0 && Q > 1 && 2 * C < Q && std::isfinite(C) && std::isfinite(Q))) {
     throw geometry::RefusedInput("C and Q must satisfy 0 < 2 C < Q and Q > 1");
+  }
+  if (!(options.sizing.largest_length_scale > 0)) {
+    throw geometry::RefusedInput("the largest length scale must be above 0");
   }
   if (!(options.angle_goal_deg >= 0 && options.angle_goal_deg <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");

@@ -58,7 +58,7 @@ void Neighbourhood::stand_at(const SurfacePoint& centre) {
   second_axis_ = normal_.cross(first_axis_);
   corners_.clear();
   if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
-  reach_ = front_.grid().reach() * centre.length_scale;
+  reach_ = front_.grid().reach(centre.length_scale);
 }
 
 void Neighbourhood::gather(const SurfacePoint& centre) {

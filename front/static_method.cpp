@@ -35,7 +35,8 @@ std::optional<std::array<SurfacePoint, 3>> seed_triangle(const skin::SkinSurface
   p.normal.cwiseAbs().minCoeff(&axis);
   const Vector x = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
   const Vector y = p.normal.cross(x);
-  const double edge = std::sqrt(3.0) * seed_radius * sizing.C * sizing.Q * p.length_scale;
+  const double edge =
+      std::sqrt(3.0) * seed_radius * sizing.C * sizing.Q * sizing.scale(p.length_scale);
   std::array<SurfacePoint, 3> triangle{p, p, p};
   for (std::size_t k = 1; k < 3; ++k) {
     const double angle = static_cast<double>(k) * M_PI / 3;
@@ -73,11 +74,11 @@ std::vector<SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
   const auto is_free = [&](std::size_t i) {
     const SurfacePoint& p = candidates[i];
     // rho is 1-Lipschitz: a point nearer than share times its own rho is nearer than this.
-    const double reach = share / (1 - std::min(share, 0.5)) * p.length_scale;
+    const double reach = share / (1 - std::min(share, 0.5)) * sizing.scale(p.length_scale);
     bool free = true;
     tree.for_each_within(p.position, reach, [&](const auto& near) {
       const SurfacePoint& q = candidates[near.id.index()];
-      const double least = share * std::max(p.length_scale, q.length_scale);
+      const double least = share * sizing.scale(std::max(p.length_scale, q.length_scale));
       if (is_seed[near.id.index()] != 0 && near.squared_distance <= least * least) free = false;
     });
     return free;

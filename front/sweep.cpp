@@ -9,9 +9,9 @@ namespace morskin::front {
 
 namespace {
 
-/// Nearer than this share of the length scale all skin is one nearly flat sheet: normals differ by
-/// less than asin(0.6) = 37 degrees.
-constexpr double largest_view = 0.6;
+/// Nearer than the length scale all skin is one sheet, a graph over the tangent plane: normals
+/// differ by less than a right angle. This near they differ by less than asin(0.85) = 58 degrees.
+constexpr double largest_view = 0.85;
 
 /// Of protecting spheres, for the guards that look no farther.
 constexpr double enlargement = 3;
@@ -45,7 +45,8 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const Swe
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)),
       disk_share_(spacing_.disk_share * options.sizing.tangent_disk_share()),
       mesh_(mesh),
-      front_(mesh, std::min(spacing_.view * disk_share_, largest_view)),
+      front_(mesh, std::min(spacing_.view * disk_share_, largest_view),
+             options.sizing.largest_length_scale),
       near_(mesh, front_),
       marked_(guide.points.size()),
       last_(last),
@@ -194,7 +195,7 @@ bool Sweep::is_current(const Departure& d) const {
 /// value, with a disk's radius to spare.
 bool Sweep::may_depart(const Departure& d) const {
   const SurfacePoint& t = mesh_.at(front_[d.corner].origin);
-  const double reach = 2 * disk_share_ * t.length_scale;
+  const double reach = 2 * disk_share_ * options_.sizing.scale(t.length_scale);
   return d.value + guide_.function.most_change(t.position, reach) <= last_;
 }
 

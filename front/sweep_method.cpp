@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "front/method.h"
@@ -5,6 +7,18 @@
 #include "geometry/stopwatch.h"
 
 namespace morskin::front {
+
+namespace {
+
+/// Of protecting spheres over the length scale: as the front's disks, also on the largest ball.
+double sphere_share(const skin::SkinSurface& skin, const refine::Sizing& sizing) {
+  double heaviest = 0;
+  for (const auto& p : skin.points()) heaviest = std::max(heaviest, p.weight);
+  const double rho = std::sqrt(heaviest / 2);
+  return sizing.tangent_disk_share() * (sizing.scale(rho) / rho);
+}
+
+}  // namespace
 
 MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) {
   MethodResult result;
@@ -15,7 +29,7 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   geometry::timed(result.seconds.critical_points, [&] {
     guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          options.sizing.tangent_disk_share(), options.threads, progress);
+                          sphere_share(skin.surface, options.sizing), options.threads, progress);
   });
   result.minima = guide.found[0];
   result.saddles = guide.found[1];

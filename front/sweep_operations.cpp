@@ -19,10 +19,10 @@ constexpr double sixty_degrees = M_PI / 3;
 /// the one that [U] goes by. The far end's is read off the patch, which mostly goes on.
 // [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
-  const double r = disk_share_ * centre.length_scale;
+  const double r = disk_share_ * options_.sizing.scale(centre.length_scale);
   const skin::Patch& patch = skin_.complex().patch(centre.cell);
   const double far = patch.length_scale(centre.position + r * direction);
-  return disk_share_ * std::min(centre.length_scale, far);
+  return disk_share_ * options_.sizing.scale(std::min(centre.length_scale, far));
 }
 
 std::optional<SurfacePoint> Sweep::rim_point(const SurfacePoint& centre, const Vector2& direction) {
@@ -35,10 +35,11 @@ void Sweep::create(const morse::CriticalPoint& minimum) {
   near_.gather(minimum.point);
   // A minimum this near to a bowl is left for its front to run over.
   constexpr double least_gap = 1.9;
-  const double r = disk_share_ * minimum.point.length_scale;
+  const double r = disk_share_ * options_.sizing.scale(minimum.point.length_scale);
   bool is_bare = true;
   front_.grid().for_each_within(
-      minimum.point.position, minimum.point.length_scale, least_gap * r, [&](FrontEdgeId e) {
+      minimum.point.position, minimum.point.length_scale,
+      std::min(least_gap * r, front_.grid().reach(minimum.point.length_scale)), [&](FrontEdgeId e) {
         const Vector d = front_[e].position - minimum.point.position;
         is_bare = is_bare && d.squaredNorm() > least_gap * r * least_gap * r;
       });
@@ -132,7 +133,7 @@ bool Sweep::creep(FrontEdgeId e) {
 /// on by the same angle, until the next would come too near to the front.
 // [excerpt: fan]
 void Sweep::lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count) {
-  const double r = disk_share_ * centre.length_scale;
+  const double r = disk_share_ * options_.sizing.scale(centre.length_scale);
   const double c = std::cos(angle), s = std::sin(angle);
   Vector2 direction = near_.local(front_.next(e).position).plane.normalized();
   for (int i = 0; i < count; ++i) {
@@ -156,14 +157,16 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   fresh_.push_back(added);
   const bool is_sphere =
       skin_.complex().is_kept(x->cell) && skin_.complex().kept_patch(x->cell).axis.isZero(0);
-  if (is_sphere && ++laid_[x->cell.index()] > most_on_sphere_) is_overlapping_ = true;
+  if (!is_sphere) return true;
+  const double finer = x->length_scale / options_.sizing.scale(x->length_scale);
+  if (++laid_[x->cell.index()] > most_on_sphere_ * finer * finer) is_overlapping_ = true;
   return true;
 }
 
 /// Lays a triangle with a vertex before the middle of an edge that is too long for its ends.
 void Sweep::break_long_edge(FrontEdgeId e) {
   const SurfacePoint &p = mesh_.at(front_[e].origin), &w = mesh_.at(front_.target(e));
-  const double r = disk_share_ * std::min(p.length_scale, w.length_scale);
+  const double r = disk_share_ * options_.sizing.scale(std::min(p.length_scale, w.length_scale));
   const double longest = spacing_.longest_edge * r;
   if ((p.position - w.position).squaredNorm() <= longest * longest) return;
   const Vector2 at_p = near_.local(p.position).plane, at_w = near_.local(w.position).plane;
@@ -181,7 +184,7 @@ refine::Circumcircle Sweep::ear(FrontEdgeId corner) const {
 
 /// Whether the triangle that closes a corner is not much bigger than those of a fan there.
 bool Sweep::is_ear_small(FrontEdgeId corner) const {
-  const double rho = mesh_.at(front_[corner].origin).length_scale;
+  const double rho = options_.sizing.scale(mesh_.at(front_[corner].origin).length_scale);
   return ear(corner).radius <= spacing_.largest_ear * disk_share_ * rho;
 }
 

@@ -15,6 +15,7 @@
 #include "refine/located_vertices.h"
 #include "refine/restricted_delaunay.h"
 #include "refine/triangle_geometry.h"
+#include "refine/tube.h"
 
 namespace morskin::refine {
 
@@ -119,6 +120,11 @@ class Certifier {
 
   bool turns_once(VertexId v) const;
   bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
+  /// (c1) and (c2) of a triangle with these corners, whose |G| is at most a share of rho^2.
+  TubeProof prove(const std::array<const SurfacePoint*, 3>& p, const Circumcircle& circle) const {
+    const double most_rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    return prove_tube(skin_, p, circle, largest_residual_ * most_rho * most_rho);
+  }
 
   const IndexedMesh& mesh_;
   const skin::SkinSurface& skin_;
@@ -129,7 +135,15 @@ class Certifier {
   std::vector<SurfacePoint> located_;  ///< unless they were given
   std::span<const SurfacePoint> points_;
   double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
-  double largest_share_ = 0;     ///< of sqrt(R_abc^2 + |G|) over rho_abc
+  /// From a corner to all that the flow makes of its triangle, at most, over the length scale
+  /// there; but for the triangles listed apart, for which it is more than `most_reach`.
+  double reach_ = 0;
+  static constexpr double most_reach = 0.8;
+  struct FarReaching {
+    std::uint32_t triangle;
+    double from_first_corner;  ///< Angstrom
+  };
+  std::vector<FarReaching> far_reaching_;
 };
 
 void Certifier::measure_shape() {
@@ -166,22 +180,14 @@ void Certifier::check_triangles() {
     const auto& corner = mesh_.triangles[t];
     const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
     const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-    const double area2 = circle.doubled_area.norm();
     const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
     const double u = sizing_.triangle_ratio(circle.radius, rho);
     out_.worst_U = std::max(out_.worst_U, u);
-    // The theorem's R^2 with the vertices' |G| added; rho^2 is the largest of the corners'.
-    const double most_rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-    const double reach_of_flow =
-        std::sqrt(circle.radius * circle.radius + largest_residual_ * most_rho * most_rho);
-    largest_share_ = std::max(largest_share_, reach_of_flow / rho);
     if (!(u < 1) && out_.violations_U++ == 0) {
       note(Claim::U, "triangle " + std::to_string(t), u);
     }
-    std::array<double, 3> side;  // opposite corner k
     for (std::size_t k = 0; k < 3; ++k) {
       const SurfacePoint &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
-      side[k] = (a.position - b.position).norm();
       if (corner[(k + 1) % 3] > corner[(k + 2) % 3]) continue;  // each edge from one side
       const double l = sizing_.edge_ratio(a, b);
       out_.worst_L = std::min(out_.worst_L, l);
@@ -192,18 +198,21 @@ void Certifier::check_triangles() {
              l);
       }
     }
-    const std::size_t k =
-        static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-    const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
-    const double upright =
-        p[k]->length_scale * p[k]->normal.dot(circle.doubled_area) / area2;  // N(a) . n_t
-    if (!(upright > reach)) {
+    const TubeProof proof = prove(p, circle);
+    if (!proof.is_upright) {
       fail(Claim::Upright,
            "triangle " + std::to_string(t) + " does not face the way the skin does");
     }
-    if (!(reach_of_flow < rho - circle.radius)) {
+    if (!proof.is_in_tube) {
       fail(Claim::Tube, "triangle " + std::to_string(t) +
                             " is too big for its length scale to be proved near the skin");
+    }
+    // A point of the triangle lies within R of a corner.
+    const double reach = (circle.radius + proof.way) / rho;
+    if (reach > most_reach) {
+      far_reaching_.push_back({static_cast<std::uint32_t>(t), 2 * circle.radius + proof.way});
+    } else {
+      reach_ = std::max(reach_, reach);
     }
   }
 }
@@ -242,63 +251,86 @@ double squared_distance_to_triangle(const Point& x, const Point& a, const Point&
   return is_over ? height * height / n.squaredNorm() : least;
 }
 
-/// How far the flow can have moved a point onto the skin where |G| was at most g: |N| is at least n
-/// at one end of the way and falls by no more than the way is long, so the way s has 2 n s - s^2 <=
-/// g. Infinity where that bounds nothing.
-double longest_way(double n, double g) {
-  return n * n > g ? g / (n + std::sqrt(n * n - g)) : std::numeric_limits<double>::infinity();
-}
-
 /// Whether the flow may carry a point p of a triangle to the vertex v, which is not among its
-/// corners. |G(p)| is at most R^2; |N| is rho at v, and at p at least rho - R of the nearest
-/// corner.
+/// corners. |G(p)| is at most R^2, and |N| is rho at v. Where the way from v has become s long, N
+/// has changed by s at most, so the way's direction differs from v's normal by a sine of s / rho:
+/// it ends no farther than s^2 / (2 rho) off the line along that normal.
 bool Certifier::may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const {
   const auto& [a, b, c] = triangle;
-  const double R = circumcircle(position(a), position(b), position(c)).radius;
-  const double rho =
-      std::min({points_[a].length_scale, points_[b].length_scale, points_[c].length_scale});
+  const std::array corners{&points_[a], &points_[b], &points_[c]};
+  const Circumcircle circle = circumcircle(position(a), position(b), position(c));
   const double most_rho =
       std::max({points_[a].length_scale, points_[b].length_scale, points_[c].length_scale});
-  const double g = R * R + largest_residual_ * most_rho * most_rho;
-  const double way =
-      std::min(longest_way(points_[v.index()].length_scale, g), longest_way(rho - R, g));
+  const double g = circle.radius * circle.radius + largest_residual_ * most_rho * most_rho;
+  const SurfacePoint& at = points_[v.index()];
+  constexpr double room = 1 + 1e-6;  // well above the rounding of either side
+  double way = longest_way(at.length_scale, g);
   const double d2 =
       squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-  return !(d2 > way * way * (1 + 1e-6));  // well above the rounding of either side
+  if (d2 > way * way * room) return false;
+  way = std::min(way, prove(corners, circle).way);
+  if (d2 > way * way * room) return false;
+  const double aside = way * way / (2 * at.length_scale);
+  const auto along_skin = [&](std::uint32_t corner) -> Point {
+    const Vector d = position(corner) - position(v.value);
+    return d - d.dot(at.normal) * at.normal;
+  };
+  const double d2_aside =
+      squared_distance_to_triangle(Point::Zero(), along_skin(a), along_skin(b), along_skin(c));
+  return !(d2_aside > aside * aside * room);
 }
 
 void Certifier::check_covering_degree() {
   out_.components = parts_.count;
-  // A few candidates per component: where the mesh is thin beside its length scale a neighbour's
-  // triangle may pass through the ball, and another vertex shows the degree.
-  constexpr std::size_t most_candidates = 8;
+  // A few candidates per component, from all over it: where the mesh is thin beside its length
+  // scale a neighbour's triangle may pass through the ball, and another vertex shows the degree.
+  constexpr std::size_t most_candidates = 16;
   std::vector<std::vector<VertexId>> candidates(parts_.count);
+  std::vector<std::uint32_t> size(parts_.count, 0), seen(parts_.count, 0);
+  for (const auto part : parts_.of_triangle) ++size[part];
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    auto& list = candidates[parts_.of_triangle[t]];
+    const auto part = parts_.of_triangle[t];
+    auto& list = candidates[part];
     const VertexId v{mesh_.triangles[t][0]};
-    if (list.size() == most_candidates) continue;
+    if (seen[part]++ % (size[part] / most_candidates + 1) != 0) continue;
     if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
   }
   std::vector<char> is_free(mesh_.positions.size(), 0);
-  // With q the largest R / rho, a point of a triangle lies within q rho of a corner, and the flow
-  // moves it by no more than (1 - q) - sqrt((1 - q)^2 - q^2) times rho; together:
-  const double reach = 1 - std::sqrt(std::max(0.0, 1 - 2 * largest_share_));
-  if (!(reach < 1)) return fail_to_show_degree(0);  // and no triangle is known to lie in the tube
-  CandidateGrid grid(reach);
+  CandidateGrid grid(std::max(reach_, 1e-3));
+  std::size_t count = 0;
   for (const auto& list : candidates) {
     for (const VertexId v : list) {
       is_free[v.index()] = 1;
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
+    count += list.size();
+  }
+  const auto look_at = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
+    const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
+    if (!is_own && is_free[v.index()] && may_cover(t, v)) is_free[v.index()] = 0;
+  };
+  // Few, if any: each is held against every candidate.
+  constexpr std::size_t most_looks = 1'000'000'000;
+  if (far_reaching_.size() > most_looks / std::max<std::size_t>(count, 1)) {
+    return fail_to_show_degree(0);
+  }
+  for (const auto& [t, from_first_corner] : far_reaching_) {
+    const Point& corner = position(mesh_.triangles[t][0]);
+    const double farthest = 1.01 * from_first_corner;
+    for (const auto& list : candidates) {
+      for (const VertexId v : list) {
+        if (!((position(v.value) - corner).squaredNorm() > farthest * farthest)) {
+          look_at(mesh_.triangles[t], v);
+        }
+      }
+    }
   }
   for (std::uint32_t a = 0; a < mesh_.positions.size(); ++a) {
     grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
-      const double farthest = 1.01 * reach * points_[a].length_scale;
+      const double farthest = 1.01 * reach_ * points_[a].length_scale;
       if ((position(a) - position(v.value)).squaredNorm() > farthest * farthest) return;
       surface_.for_each_outgoing(VertexId{a}, [&](HalfEdgeId h) {
-        const std::array t{a, surface_.target(h).value, surface_.apex(h).value};
-        const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
-        if (!is_own && may_cover(t, v)) is_free[v.index()] = 0;
+        look_at({a, surface_.target(h).value, surface_.apex(h).value}, v);
       });
     });
   }

@@ -167,8 +167,8 @@ DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const
   const auto& [a, b, c] = facet.corners;
   facet.circle = circumcircle(a->position, b->position, c->position);
   facet.normal = facet.circle.doubled_area.normalized();
-  facet.largest =
-      sizing_.C * sizing_.Q * std::min({a->length_scale, b->length_scale, c->length_scale});
+  facet.largest = sizing_.C * sizing_.Q *
+                  sizing_.scale(std::min({a->length_scale, b->length_scale, c->length_scale}));
   return facet;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "refine/tube.h"
 
 namespace morskin::refine {
 
@@ -102,13 +103,22 @@ Refinement::Intrusion Refinement::intrusion(TriangleId t, VertexId v) const {
   return {depth, ball.squared_radius};
 }
 
+/// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
+bool Refinement::is_big(TriangleId t, const Circumcircle& circle) const {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
+  if (sizing_.is_tube_proved()) return false;
+  return !prove_tube(skin_, p, circle, skin_.residual_bound(rho)).holds();
+}
+
 /// Finds whether a triangle breaks [L] or [U].
 Circumcircle Refinement::update(TriangleId t, Work& found) {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) found.big.push_back(t);
+  if (is_big(t, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.edge_ratio(*p[k], *p[(k + 1) % 3]) <= 1) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
@@ -209,6 +219,30 @@ bool Refinement::contract(HalfEdgeId h) {
   return is_removed;
 }
 
+/// Of a vertex with four neighbours, the edge to flip so that v leaves two good triangles behind,
+/// whatever its own look like meanwhile: v may lie outside of what its last three neighbours span.
+std::optional<HalfEdgeId> Refinement::last_flip(VertexId v) const {
+  const SurfaceMesh& surface = mesh_.surface;
+  std::optional<HalfEdgeId> best;
+  double least = std::numeric_limits<double>::infinity();
+  surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+    const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(surface.twin(h));
+    const VertexId beyond =
+        surface.target(surface.twin(SurfaceMesh::previous(surface.twin(SurfaceMesh::previous(h)))));
+    if (c == d || surface.has_edge(c, d) || surface.degree(beyond) <= 3 ||
+        !faces_outward(x, c, d) || !faces_outward(beyond, d, c)) {
+      return;
+    }
+    const double size =
+        std::max(circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius,
+                 circumcircle(mesh_.position(beyond), mesh_.position(d), mesh_.position(c)).radius);
+    if (size >= least) return;
+    least = size;
+    best = h;
+  });
+  return best;
+}
+
 /// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
 bool Refinement::remove(VertexId v) {
   SurfaceMesh& surface = mesh_.surface;
@@ -226,6 +260,7 @@ bool Refinement::remove(VertexId v) {
         best = h;
       }
     });
+    if (!best && surface.degree(v) == 4) best = last_flip(v);
     if (!best) return false;
     flip(*best);
     work_.to_flip.push_back(*best);  // no Delaunay flip: if v stays after all, it may go back
@@ -270,9 +305,7 @@ bool Refinement::insert(TriangleId t) {
   SurfaceMesh& surface = mesh_.surface;
   const auto [a, b, c] = surface.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-  const double rho =
-      std::min({mesh_.at(a).length_scale, mesh_.at(b).length_scale, mesh_.at(c).length_scale});
-  if (sizing_.triangle_ratio(circle.radius, rho) < 1) return true;
+  if (!is_big(t, circle)) return true;
   const auto x = skin_.project(exact_ball(a, b, c).centre, mesh_.at(a).cell);
   if (!x) return false;
 

@@ -2,7 +2,8 @@
 
 /// Local refinement (section 4.3): edge flips keep the mesh the restricted Delaunay triangulation
 /// of its vertices, contraction removes edges too short for [L], insertion breaks triangles too big
-/// for [U], until neither is left.
+/// for [U], until neither is left. Where [U] alone does not imply the certificate's conditions (c1)
+/// and (c2), insertion breaks what does not meet these as well.
 ///
 /// Contraction deletes one end of the edge and never moves a vertex, insertion takes the centre of
 /// the triangle's surface ball. So the number of pairs closer than [L] allows never grows, as long
@@ -57,11 +58,13 @@ class Refinement {
   void contract_short_edges();
   bool contract(HalfEdgeId h);
   bool remove(VertexId v);
+  std::optional<HalfEdgeId> last_flip(VertexId v) const;
   void insert_into_big_triangles();
   bool insert(TriangleId t);
   void tell(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
+  bool is_big(TriangleId t, const Circumcircle& circle) const;
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
   bool can_flip(HalfEdgeId h) const;
   /// How deep a vertex lies in a triangle's ball, Angstrom^2, and that ball's squared radius.

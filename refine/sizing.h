@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "skin/skin_surface.h"
 
@@ -21,16 +22,19 @@ using skin::Vector;
 struct Sizing {
   double C = 0.08;
   double Q = 1.65;
+  /// A larger length scale counts as this one, Angstrom: then C sets the size where the skin curves
+  /// strongly and this where it does not. What is left, min(rho, this), is 1-Lipschitz and at most
+  /// rho, and nothing else is asked of rho wherever [L] and [U] are used.
+  double largest_length_scale = std::numeric_limits<double>::infinity();
 
   /// The largest C for which some Q allows both that refinement is proved to end and that the
   /// certificate's conditions c1 and c2 follow from [U]; a little less than 0.2018.
   static constexpr double largest_proved_C = 0.2;
   /// The Q that goes with a C unless another is asked for: the paper's 1.65, or, where C is so
   /// large that insertion might go on for ever with it, a little more than the least Q for which
-  /// Q^2 > 2 + 4 C Q (papers/4.3-large-molecules.md). Beyond largest_proved_C, the Q of that.
+  /// Q^2 > 2 + 4 C Q (papers/4.3-large-molecules.md).
   static double quality_for(double C) {
-    const double c = std::min(C, largest_proved_C);
-    return std::max(1.65, 1.003 * (2 * c + std::sqrt(4 * c * c + 2)));
+    return std::max(1.65, 1.003 * (2 * C + std::sqrt(4 * C * C + 2)));
   }
   /// Whether refinement is proved to end: no insertion makes an edge that [L] forbids.
   bool is_refinement_proved_to_end() const { return Q * Q > 2 + 4 * C * Q; }
@@ -42,15 +46,18 @@ struct Sizing {
   /// certificate follow from it.
   bool is_tube_proved() const { return C * Q < 1 / std::sqrt(7.0); }
 
+  /// What counts as the length scale.
+  double scale(double length_scale) const { return std::min(length_scale, largest_length_scale); }
+
   // [excerpt: sizes]
   /// R_ab over its bound in [L]: above 1 is good.
   double edge_ratio(const SurfacePoint& a, const SurfacePoint& b) const {
     return Q * (a.position - b.position).norm() /
-           (2 * C * std::max(a.length_scale, b.length_scale));
+           (2 * C * scale(std::max(a.length_scale, b.length_scale)));
   }
   /// R_abc over its bound in [U]: below 1 is good.
   double triangle_ratio(double circumradius, double smallest_length_scale) const {
-    return circumradius / (C * Q * smallest_length_scale);
+    return circumradius / (C * Q * scale(smallest_length_scale));
   }
   /// The smallest angle that [L] and [U] allow, degrees: 21.55 with the default constants.
   double least_angle_deg() const { return std::asin(1 / (Q * Q)) * 180 / M_PI; }
@@ -65,6 +72,15 @@ struct Sizing {
     const double R = C * Q / (1 + 2 * C * Q);
     return 2 * R * std::sqrt(1 - R * R);
   }
+
+  /// The median edge that the front lays, over the length scale: nearly its own disk's radius, for
+  /// which it takes 0.87 of the largest.
+  double edge_share() const { return usual_edge * tangent_disk_share(); }
+  /// Edges of about this length, Angstrom, where C does not ask for shorter ones.
+  void set_edge_length(double length) { largest_length_scale = length / edge_share(); }
+  double edge_length() const { return largest_length_scale * edge_share(); }
+
+  static constexpr double usual_edge = 0.85;
 };
 
 }  // namespace morskin::refine

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/parallel.h"
+#include "refine/tube.h"
 
 namespace morskin::refine {
 
@@ -127,11 +128,18 @@ class Smoothing {
       const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
       const bool is_good = s.squared_sine > asked && sizing_.edge_ratio(x, p) > 1 &&
                            sizing_.triangle_ratio(s.radius, rho) < 1 &&
-                           faces_outward(s.normal, x, p, q);
+                           faces_outward(s.normal, x, p, q) && is_provable(x, p, q);
       if (!is_good) return std::nullopt;
       least = std::min(least, s.squared_sine);
     }
     return least;
+  }
+
+  /// Whether the certificate can prove the triangle, where [U] does not see to it.
+  bool is_provable(const SurfacePoint& x, const SurfacePoint& p, const SurfacePoint& q) const {
+    if (sizing_.is_tube_proved()) return true;
+    const Circumcircle circle = circumcircle(x.position, p.position, q.position);
+    return prove_tube(skin_, {&x, &p, &q}, circle, skin_.residual_bound(x.length_scale)).holds();
   }
 
   static bool faces_outward(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,

@@ -13,18 +13,13 @@ namespace {
 using geometry::RegularTriangulation;
 using geometry::Sign;
 
-/// The cofaces of simplices of one dimension: for each, the vertex that the coface has more, and
-/// the coface's place.
+/// The places of the cofaces of simplices of one dimension.
 struct Cofaces {
-  struct Entry {
-    AtomId apex;
-    std::uint32_t place;
-  };
   std::vector<std::uint32_t> first;
-  std::vector<Entry> entries;
+  std::vector<std::uint32_t> places;
 
-  std::span<const Entry> of(std::size_t simplex) const {
-    return {entries.data() + first[simplex], first[simplex + 1] - first[simplex]};
+  std::span<const std::uint32_t> of(std::size_t simplex) const {
+    return {places.data() + first[simplex], first[simplex + 1] - first[simplex]};
   }
 };
 
@@ -37,14 +32,21 @@ Cofaces cofaces(std::size_t facets, const std::vector<std::array<AtomId, N>>& si
     for (std::size_t k = 0; k < N; ++k) ++result.first[facet_place(s, k) + 2];
   }
   std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  result.entries.resize(result.first.back());
+  result.places.resize(result.first.back());
   for (std::uint32_t s = 0; s < simplices.size(); ++s) {
     for (std::size_t k = 0; k < N; ++k) {
-      result.entries[result.first[facet_place(s, k) + 1]++] = {simplices[s][k], s};
+      result.places[result.first[facet_place(s, k) + 1]++] = s;
     }
   }
   result.first.pop_back();
   return result;
+}
+
+/// The vertex that a coface has more.
+template <std::size_t N>
+AtomId apex_over(const std::array<AtomId, N>& simplex, const std::array<AtomId, N + 1>& coface) {
+  return *std::ranges::find_if(
+      coface, [&](AtomId a) { return std::ranges::find(simplex, a) == simplex.end(); });
 }
 
 template <std::size_t N>
@@ -69,26 +71,30 @@ bool contains_orthocentre(const std::array<WeightedPoint, N>& simplex) {
 }
 
 /// Membership in K of all simplices of one dimension, given that of the next one.
+///
+/// @param cofaces  the simplices of the next dimension; none above tetrahedra
 template <std::size_t N>
 std::vector<char> members(const SkinSurface& skin,
-                          const std::vector<std::array<AtomId, N>>& simplices, const Cofaces& above,
-                          const std::vector<char>& above_in_complex) {
+                          const std::vector<std::array<AtomId, N>>& simplices,
+                          const std::vector<std::array<AtomId, N + 1>>& cofaces,
+                          const Cofaces& above, const std::vector<char>& above_in_complex) {
   std::vector<char> result(simplices.size(), 0);
   for (std::size_t s = 0; s < simplices.size(); ++s) {
     const auto corners = weighted(skin, simplices[s]);
     const Sign weight = geometry::orthosphere_weight_sign(corners);
     bool is_face = false;  // of a simplex in K
     if constexpr (N < 4) {
-      for (const auto& coface : above.of(s)) is_face = is_face || above_in_complex[coface.place];
+      for (const std::uint32_t place : above.of(s)) is_face = is_face || above_in_complex[place];
     }
     result[s] = is_face;
     // Deep in the body nearly all are faces, and nothing else has to be asked.
     if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) continue;
     bool attached = false;
     if constexpr (N < 4) {
-      for (const auto& coface : above.of(s)) {
-        const WeightedPoint& apex = skin.points()[coface.apex.index()];
-        attached = attached || geometry::orthosphere_power_sign(corners, apex) == Sign::Negative;
+      for (const std::uint32_t place : above.of(s)) {
+        const AtomId apex = apex_over(simplices[s], cofaces[place]);
+        attached = attached || geometry::orthosphere_power_sign(
+                                   corners, skin.points()[apex.index()]) == Sign::Negative;
       }
     }
     if (!attached) result[s] = 1;
@@ -106,57 +112,66 @@ std::size_t count_roots(geometry::UnionFind& sets, std::size_t n, Counted counte
   return count;
 }
 
+/// The voids in K: tetrahedra out of K, joined through triangles out of K. The outside of the hull
+/// is one more place.
+std::size_t count_voids(const Cofaces& tetrahedra_of, const std::vector<char>& triangle_in,
+                        const std::vector<char>& tetrahedron_in) {
+  const auto outside = static_cast<std::uint32_t>(tetrahedron_in.size());
+  geometry::UnionFind complement(tetrahedron_in.size() + 1);
+  for (std::size_t f = 0; f < triangle_in.size(); ++f) {
+    if (triangle_in[f]) continue;
+    const auto around = tetrahedra_of.of(f);
+    if (around.empty()) continue;
+    complement.join(around[0], around.size() == 2 ? around[1] : outside);
+  }
+  const auto is_out = [&](std::uint32_t c) { return c == outside || tetrahedron_in[c] == 0; };
+  return count_roots(complement, tetrahedron_in.size() + 1, is_out) - 1;
+}
+
+std::size_t count(const std::vector<char>& in) {
+  return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
+}
+
 }  // namespace
 
 DualComplex dual_complex(const SkinSurface& skin) {
   const RegularTriangulation& t = skin.triangulation();
+  DualComplex result;
+  // From the top down, and of each dimension only what the next one asks for: in a big molecule
+  // these lists are the most that is held before there is a mesh.
+  auto in3 = members(skin, t.tetrahedra, {}, {}, {});
+  std::vector<char> in2, in1, in0;
+  {
+    const Cofaces tetrahedra_of =
+        cofaces(t.triangles.size(), t.tetrahedra,
+                [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
+    in2 = members(skin, t.triangles, t.tetrahedra, tetrahedra_of, in3);
+    result.betti[2] = count_voids(tetrahedra_of, in2, in3);
+  }
+  {
+    const Cofaces triangles_of =
+        cofaces(t.edges.size(), t.triangles,
+                [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
+    in1 = members(skin, t.edges, t.triangles, triangles_of, in2);
+  }
   std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
   for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
-  std::vector<std::array<AtomId, 1>> vertices(t.vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = {t.vertices[v]};
+  {
+    std::vector<std::array<AtomId, 1>> vertices(t.vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = {t.vertices[v]};
+    const Cofaces edges_of = cofaces(vertices.size(), t.edges, [&](std::size_t s, std::size_t k) {
+      return vertex_of_atom[t.edges[s][1 - k].index()];
+    });
+    in0 = members(skin, vertices, t.edges, edges_of, in1);
+  }
+  result.simplices = {count(in0), count(in1), count(in2), count(in3)};
 
-  const Cofaces edges_of = cofaces(vertices.size(), t.edges, [&](std::size_t s, std::size_t k) {
-    return vertex_of_atom[t.edges[s][1 - k].index()];
-  });
-  const Cofaces triangles_of =
-      cofaces(t.edges.size(), t.triangles,
-              [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
-  const Cofaces tetrahedra_of =
-      cofaces(t.triangles.size(), t.tetrahedra,
-              [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
-
-  const auto in3 = members(skin, t.tetrahedra, Cofaces{}, {});
-  const auto in2 = members(skin, t.triangles, tetrahedra_of, in3);
-  const auto in1 = members(skin, t.edges, triangles_of, in2);
-  const auto in0 = members(skin, vertices, edges_of, in1);
-
-  DualComplex result;
-  const auto size = [](const std::vector<char>& in) {
-    return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
-  };
-  result.simplices = {size(in0), size(in1), size(in2), size(in3)};
-
-  geometry::UnionFind body(vertices.size());
+  geometry::UnionFind body(in0.size());
   for (std::size_t e = 0; e < t.edges.size(); ++e) {
     if (!in1[e]) continue;
     body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
   }
-  result.betti[0] =
-      count_roots(body, vertices.size(), [&](std::uint32_t v) { return in0[v] == 1; });
-
-  // The complement's components: tetrahedra out of K, joined through triangles out of K; the
-  // outside of the hull is one more place.
-  const std::uint32_t outside = static_cast<std::uint32_t>(t.tetrahedra.size());
-  geometry::UnionFind complement(t.tetrahedra.size() + 1);
-  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
-    if (in2[f]) continue;
-    const auto around = tetrahedra_of.of(f);
-    if (around.empty()) continue;
-    complement.join(around[0].place, around.size() == 2 ? around[1].place : outside);
-  }
-  result.betti[2] = count_roots(complement, t.tetrahedra.size() + 1,
-                                [&](std::uint32_t c) { return c == outside || in3[c] == 0; }) -
-                    1;
+  result.betti[0] = count_roots(body, in0.size(), [&](std::uint32_t v) { return in0[v] == 1; });
   result.betti[1] = static_cast<std::size_t>(static_cast<long>(result.betti[0] + result.betti[2]) -
                                              result.euler_characteristic());
   return result;

@@ -340,7 +340,7 @@ TEST_CASE(
       CAPTURE(i);
       const Point p = random_point();
       const double rho = length_scale(p);
-      const double reach = random.between(0, grid.reach()) * rho;
+      const double reach = random.between(0, grid.reach(rho));
       std::vector<FrontEdgeId> visited, expected;
       grid.for_each_within(p, rho, reach, [&](FrontEdgeId e) { visited.push_back(e); });
       std::sort(visited.begin(), visited.end());

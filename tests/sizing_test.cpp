@@ -113,3 +113,26 @@ TEST_CASE("for every C up to 0.2 the Q that goes with it lets refinement end and
   const Sizing beyond{0.205, 2 * 0.205 + std::sqrt(4 * 0.205 * 0.205 + 2)};
   CHECK_FALSE(beyond.is_tube_proved());
 }
+
+TEST_CASE("for every C the Q that goes with it lets refinement end") {
+  for (double C = 0.001; C < 2; C *= 1.1) {
+    CAPTURE(C);
+    CHECK(Sizing{C, Sizing::quality_for(C)}.is_refinement_proved_to_end());
+  }
+}
+
+TEST_CASE("with a largest length scale the ratios are those of the smaller of it and rho") {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const Sizing plain = random_sizing(random);
+    Sizing capped = plain;
+    capped.largest_length_scale = random.between(0.1, 2);
+    const auto scale = [&](double rho) { return std::min(rho, capped.largest_length_scale); };
+    const geometry::Point a = random.direction(), b = random.direction();
+    const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
+    CHECK(capped.edge_ratio(corner(a, rho_a), corner(b, rho_b)) ==
+          plain.edge_ratio(corner(a, scale(rho_a)), corner(b, scale(rho_b))));
+    CHECK(capped.triangle_ratio(rho_a, rho_b) == plain.triangle_ratio(rho_a, scale(rho_b)));
+  }
+}

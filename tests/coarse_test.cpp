@@ -1,0 +1,79 @@
+// Meshes by length and meshes that are coarser than anything is proved of beforehand.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "refine/triangle_geometry.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using refine::Sizing;
+
+namespace {
+
+std::vector<double> edge_lengths(const geometry::IndexedMesh& mesh) {
+  std::vector<double> lengths;
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      lengths.push_back(
+          (mesh.positions[triangle[k]] - mesh.positions[triangle[(k + 1) % 3]]).norm());
+    }
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+Sizing by_length(double C, double length) {
+  Sizing sizing{C, Sizing::quality_for(C)};
+  sizing.set_edge_length(length);
+  return sizing;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "edges asked for by length have that length in the median where the skin is flat enough") {
+  const auto skin = front::prepare_skin({support::ball(0, 0, 0, 10)});
+  for (const double C : {0.08, 0.2, 0.3}) {
+    for (const double length : {0.4, 0.7, 1.2}) {
+      CAPTURE(C);
+      CAPTURE(length);
+      const Sizing sizing = by_length(C, length);
+      const front::MeshResult result = front::mesh_skin(skin, support::with(sizing));
+      REQUIRE_MESSAGE(result.certificate.certified, result.certificate.reason);
+      const std::vector<double> edges = edge_lengths(result.mesh);
+      constexpr double tenth = 0.1;
+      CHECK(std::abs(edges[edges.size() / 2] - length) < tenth * length);
+      // [L] and [U] with the length scale that the length stands for.
+      CHECK(edges.front() > 2 * C / sizing.Q * sizing.largest_length_scale);
+      CHECK(edges.back() < 2 * C * sizing.Q * sizing.largest_length_scale);
+    }
+  }
+}
+
+TEST_CASE("a length longer than C gives anywhere changes nothing") {
+  const auto skin = front::prepare_skin(support::ball_set(7));
+  const Sizing plain{0.2, Sizing::quality_for(0.2)};
+  const auto a = front::mesh_skin(skin, support::with(plain));
+  const auto b = front::mesh_skin(skin, support::with(by_length(0.2, 100)));
+  CHECK(a.mesh.positions == b.mesh.positions);
+  CHECK(a.mesh.triangles == b.mesh.triangles);
+}
+
+TEST_CASE("random ball sets are certified with edges of any length, by C and by length") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    for (const double C : {0.25, 0.35}) {
+      CAPTURE(C);
+      for (const Sizing& sizing : {Sizing{C, Sizing::quality_for(C)}, by_length(C, 0.4)}) {
+        const front::MeshResult result = front::mesh_skin(*skin, support::with(sizing));
+        CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+      }
+    }
+  }
+}

@@ -1,0 +1,104 @@
+#include "refine/tube.h"
+
+#include <doctest/doctest.h>
+
+#include <numeric>
+
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::Point;
+using refine::TubeProof;
+using skin::SurfacePoint;
+
+namespace {
+
+TubeProof proof(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p) {
+  const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
+  return refine::prove_tube(skin, {&p[0], &p[1], &p[2]}, circle, 0);
+}
+
+/// An equilateral triangle in the unit sphere with a circumradius.
+std::array<SurfacePoint, 3> on_ball(const skin::SkinSurface& skin, double R) {
+  std::array<SurfacePoint, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double angle = 2 * M_PI * static_cast<double>(k) / 3;
+    p[k] = skin.at(Point(R * std::cos(angle), R * std::sin(angle), std::sqrt(1 - R * R)),
+                   geometry::CellId{0U});
+  }
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("on a ball all triangles are proved up to nearly the last that lies in the tube") {
+  const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
+  // At the circumcentre |G| = R^2 and |N|^2 = 1 - R^2, equal where R^2 = 1/2.
+  for (double R = 0.01; R < 0.68; R += 0.01) {
+    CAPTURE(R);
+    const TubeProof found = proof(skin, on_ball(skin, R));
+    CHECK(found.holds());
+    CHECK(found.way >= 1 - std::sqrt(1 - R * R));  // from the circumcentre straight up
+  }
+  for (double R = std::sqrt(0.5) + 1e-9; R < 1; R += 0.01) {
+    CAPTURE(R);
+    CHECK_FALSE(proof(skin, on_ball(skin, R)).is_in_tube);
+  }
+}
+
+TEST_CASE("a triangle that is upside down is never proved upright") {
+  const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
+  for (double R = 0.01; R < 1; R += 0.05) {
+    auto p = on_ball(skin, R);
+    std::swap(p[0], p[1]);
+    CHECK_FALSE(proof(skin, p).is_upright);
+  }
+}
+
+TEST_CASE("what is proved of a triangle holds at each of its points, and so does the longest way") {
+  std::size_t held = 0, coarse = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    front::MeshOptions options = support::uncertified();
+    options.sizing = {0.2, refine::Sizing::quality_for(0.2)};
+    const auto mesh = support::skin_mesh(skin->surface, front::mesh_skin(*skin, options));
+    support::Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+      // A vertex and two points of the skin about it, up to a length scale off.
+      const SurfacePoint a = mesh.points[random.below(mesh.points.size())];
+      const geometry::Vector e = a.normal.unitOrthogonal(), f = a.normal.cross(e);
+      const double size = a.length_scale * random.between(0.1, 1), turn = random.between(0.5, 2);
+      const double angle = random.between(0, 6);
+      const auto around = [&](double at) {
+        return skin->surface.project(a.position + size * (std::cos(at) * e + std::sin(at) * f),
+                                     a.cell);
+      };
+      const auto b = around(angle), c = around(angle + turn);
+      if (!b || !c) continue;
+      const std::array p{a, *b, *c};
+      const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
+      const TubeProof found = proof(skin->surface, p);
+      if (!found.holds()) continue;
+      ++held;
+      coarse += circle.radius > 0.5 * std::min({a.length_scale, b->length_scale, c->length_scale});
+      const geometry::Vector n = circle.doubled_area.normalized();
+      for (int k = 0; k < 20; ++k) {
+        double s = random.uniform(), t = random.uniform();
+        if (s + t > 1) s = 1 - s, t = 1 - t;
+        const Point x =
+            a.position + s * (b->position - a.position) + t * (c->position - a.position);
+        const skin::Patch patch = skin->surface.patch(skin->surface.locate(x, a.cell));
+        const geometry::Vector N = patch.half_gradient(x);
+        CHECK(N.dot(n) > 0);
+        CHECK(std::abs(patch.value(x)) < N.squaredNorm());
+        const auto end = skin->surface.project(x, a.cell);
+        REQUIRE(end);
+        CHECK((end->position - x).norm() <= found.way * (1 + 1e-9));
+      }
+    }
+  }
+  CHECK(held > 2000);  // the law was put to the test
+  CHECK(coarse > 20);  // beyond what the corners alone can show
+}
