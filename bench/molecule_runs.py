@@ -6,6 +6,7 @@ import functools
 import json
 import math
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -105,7 +106,7 @@ def mesh(path, model, timeout, *options, keep=None):
         unverified = output.with_name(output.name + ".unverified")
         made = output if output.exists() else unverified
         if keep and made.exists():
-            keep.write_bytes(made.read_bytes())
+            shutil.move(made, keep)
     return done
 
 
