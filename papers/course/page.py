@@ -16,6 +16,8 @@ COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
 # Every page of the course has these, in this order.
 PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test",
          "## The code", "## Exercises"]
+# And one of these, on what the print does not say.
+OPEN_PARTS = ["## What the paper leaves open", "## What was chosen", "## What was not, and why"]
 KINDS = ["Predict", "Run", "Explain"]
 
 
@@ -110,6 +112,8 @@ def complaints(page):
             found.append(f"{where}: no part called {part}")
     if min(places) >= 0 and places != sorted(places):
         found.append(f"{where}: the parts are not in the usual order")
+    if not any(f"\n{part}" in page.text for part in OPEN_PARTS):
+        found.append(f"{where}: no part on what the paper leaves open")
     if not list(page.commands()):
         found.append(f"{where}: no command")
     if not page.excerpts():
