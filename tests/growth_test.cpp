@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/baselines/dynamic_skin.h"
 #include "front/mesh_skin.h"
 #include "geometry/predicates.h"
+#include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -132,6 +134,34 @@ TEST_CASE("random sets of balls grow to certified meshes") {
     if (skin) compared += grown(*skin).compared;
   }
   CHECK(compared > 50);
+}
+
+TEST_CASE("looks come out by time, whatever is put in meanwhile") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    LookQueue queue;
+    std::vector<std::pair<double, std::uint32_t>> expected;
+    double now = -10;
+    std::uint32_t put = 0;
+    for (int step = 0; step < 2000; ++step) {
+      if (expected.empty() || random.uniform() < 0.52) {
+        // Many at equal times, some far off.
+        const double later = std::ldexp(std::floor(random.between(0, 16)), -4);
+        const double time = now + (random.uniform() < 0.1 ? 100 * later : later);
+        queue.push(time, TriangleId{put});
+        expected.emplace_back(time, put++);
+        continue;
+      }
+      const double least = std::ranges::min_element(expected)->first;
+      REQUIRE(queue.next_time() == least);
+      const LookQueue::Look look = queue.pop();
+      REQUIRE(look.time == least);
+      CHECK(std::erase(expected, std::pair(least, look.triangle.value)) == 1);
+      now = least;
+      REQUIRE(queue.size() == expected.size());
+    }
+  }
 }
 
 TEST_CASE("a growth stopped early is the growth of smaller balls") {

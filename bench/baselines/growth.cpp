@@ -15,9 +15,10 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// has the edge tried for a flip.
 constexpr double suspect_intrusion = 0.01;
 
-/// What could not be mended is looked at again after this share of the squared length scale. The
-/// safe times of triangles that keep [L] and [U] are longer (papers/5-dynamic.md).
-constexpr double least_wait = 0.02;
+/// Looks are put at ticks of a clock, 16 to 64 of them in the time in which the squared length
+/// scale could grow or fall by its half; so neighbours are looked at together, and a vertex is
+/// moved once for all its triangles.
+double tick(double length_scale) { return std::exp2(2 * std::floor(std::log2(length_scale)) - 4); }
 
 }  // namespace
 
@@ -25,7 +26,7 @@ Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
     : skin_(skin),
       options_(options),
       mesh_(skin, options.sizing),
-      metamorphoses_(find_metamorphoses(skin, options.end)),
+      metamorphoses_(find_metamorphoses(skin, options.end, longest_edge(options.sizing))),
       is_over_(metamorphoses_.size(), 0) {
   for (const Metamorphosis& m : metamorphoses_) mesh_.watch(m.cells);
 }
@@ -36,11 +37,13 @@ void Growth::run() {
     const double event_time = event < metamorphoses_.size() ? metamorphoses_[event].time : never;
     const double show_time =
         shown < options_.snapshot_times.size() ? options_.snapshot_times[shown] : never;
-    const double look_time = queue_.empty() ? never : queue_.top().time;
+    const double look_time = queue_.next_time();
     if (std::min({event_time, show_time, look_time}) >= options_.end) break;
     if (event_time <= std::min(show_time, look_time)) {
       const auto watch = static_cast<std::uint32_t>(event);
       undergo(metamorphoses_[event++], watch);
+      // When most of the memory holds what is gone.
+      if (2 * mesh_.dead_count() > mesh_.surface().vertex_count()) compact();
       if (options_.progress) {
         options_.progress(static_cast<double>(event) / static_cast<double>(metamorphoses_.size()));
       }
@@ -48,8 +51,7 @@ void Growth::run() {
       show(show_time);
       ++shown;
     } else {
-      const Look next = queue_.top();
-      queue_.pop();
+      const LookQueue::Look next = queue_.pop();
       if (next_look_[next.triangle.index()] != next.time) continue;
       look(next.triangle, next.time);
       mend_changed(next.time);
@@ -86,23 +88,41 @@ void Growth::show(double time) {
 void Growth::schedule(TriangleId t, double time) {
   if (next_look_.size() <= t.index()) next_look_.resize(mesh_.surface().triangle_count(), never);
   next_look_[t.index()] = time < options_.end ? time : never;
-  if (time < options_.end) queue_.push({time, t});
+  if (time < options_.end) queue_.push(time, t);
+}
+
+/// At the last tick before `time` that is still to come.
+void Growth::schedule(TriangleId t, double time, double length_scale) {
+  const double step = tick(length_scale);
+  schedule(t, std::max(std::floor(time / step), std::floor(mesh_.time() / step) + 1) * step);
+}
+
+/// Drops removed elements, and void entries of the queue.
+void Growth::compact() {
+  const std::vector<std::optional<TriangleId>> renamed = mesh_.compact();
+  for (std::size_t t = 0; t < next_look_.size(); ++t) {
+    if (renamed[t]) next_look_[renamed[t]->index()] = next_look_[t];
+  }
+  next_look_.resize(mesh_.surface().triangle_count(), never);
+  queue_.clear();
+  for (std::size_t t = 0; t < next_look_.size(); ++t) {
+    if (next_look_[t] < never) queue_.push(next_look_[t], TriangleId{t});
+  }
+  is_seen_.clear();
 }
 
 /// Looks at what has changed until nothing changes any more.
 void Growth::mend_changed(double time) {
-  std::size_t left = 1000 + 30 * mesh_.changed.size();  // should it go round
-  while (!mesh_.changed.empty()) {
-    const TriangleId t = mesh_.changed.back();
-    mesh_.changed.pop_back();
-    if (mesh_.surface().is_removed(t)) continue;
+  std::size_t left = 1000 + 30 * mesh_.changed_count();  // should it go round
+  while (const auto t = mesh_.take_changed()) {
+    if (mesh_.surface().is_removed(*t)) continue;
     if (left == 0) {
-      const double rho = mesh_.at(mesh_.surface().corners(t)[0]).length_scale;
-      schedule(t, time + least_wait * rho * rho);
+      const double rho = mesh_.at(mesh_.surface().corners(*t)[0]).length_scale;
+      schedule(*t, time + least_wait * rho * rho);
       continue;
     }
     --left;
-    look(t, time);
+    look(*t, time);
   }
 }
 
@@ -150,24 +170,24 @@ void Growth::look(TriangleId t, double time) {
       return;
     }
   }
-  double ratio_L = never;
+  Ratios ratios;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    const double ratio = options_.sizing.edge_ratio(p[k], p[(k + 1) % 3]);
-    ratio_L = std::min(ratio_L, ratio);
-    if (ratio < options_.slack.contract_below && mesh_.contract(SurfaceMesh::half_edge(t, k))) {
+    ratios.L[k] = options_.sizing.edge_ratio(p[k], p[(k + 1) % 3]);
+    if (ratios.L[k] < options_.slack.contract_below &&
+        mesh_.contract(SurfaceMesh::half_edge(t, k))) {
       return;
     }
   }
   const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
-  const double ratio_U = options_.sizing.triangle_ratio(circle.radius, rho);
-  if (ratio_U > options_.slack.insert_above && mesh_.insert(t, options_.slack.contract_below)) {
+  ratios.U = options_.sizing.triangle_ratio(circle.radius, rho);
+  if (ratios.U > options_.slack.insert_above && mesh_.insert(t, options_.slack.contract_below)) {
     return;
   }
-  schedule(t, next_look(corners, ratio_L, ratio_U));
+  schedule(t, next_look(corners, ratios), rho);
 }
 
 /// When the triangle may next break the bounds of Slack (mathematics: papers/5-dynamic.md).
-double Growth::next_look(const std::array<VertexId, 3>& corners, double ratio_L, double ratio_U) {
+double Growth::next_look(const std::array<VertexId, 3>& corners, const Ratios& ratios) {
   const std::array<const SurfacePoint*, 3> p{&mesh_.at(corners[0]), &mesh_.at(corners[1]),
                                              &mesh_.at(corners[2])};
   const double now = mesh_.time();
@@ -179,25 +199,11 @@ double Growth::next_look(const std::array<VertexId, 3>& corners, double ratio_L,
                        mesh_.path(corners[2]).leaves()});
     }
   }
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  std::array<Vector, 3> side;  // opposite corner k
-  for (std::size_t k = 0; k < 3; ++k) {
-    side[k] = p[(k + 2) % 3]->position - p[(k + 1) % 3]->position;
-  }
-  const double area2 = side[0].cross(side[1]).norm();
-  // |d ln R / dt| <= S / (4 rho^2), S the sum of |cot A cot B|: 1 unless an angle is obtuse.
-  double S = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector &a = side[k], &b = side[(k + 1) % 3], &c = side[(k + 2) % 3];
-    S += std::abs(a.dot(b) * a.dot(c));
-  }
-  S /= area2 * area2;
-  const double room_U = std::max(options_.slack.most_U / ratio_U, 1.05);
-  const double room_L = std::max(ratio_L / options_.slack.least_L, 1.05);
-  const double until_U = 2 * rho * rho * std::log(room_U) / (S + 1);
-  const double until_L = 2 * rho * rho * (1 - 1 / room_L);
-  // A triangle that is flat, or could not be mended, would be looked at for ever.
-  return now + std::max(std::min(until_U, until_L), least_wait * rho * rho);
+  const auto corner = [&](std::size_t k) {
+    return MovingCorner{*p[k], skin_.patch(p[k]->cell).half_weight + now / 2,
+                        mesh_.path(corners[k]).leaves()};
+  };
+  return time_to_next_look({corner(0), corner(1), corner(2)}, ratios, options_.slack, now);
 }
 
 // Metamorphoses.
@@ -212,12 +218,13 @@ void Growth::undergo(const Metamorphosis& m, std::uint32_t watch) {
     is_done =
         add_triangles(mesh_.surface(), sphere_template(mesh_, frame, m.cell, m.half_width), {});
     for (std::size_t t = before; t < mesh_.surface().triangle_count(); ++t) {
-      mesh_.changed.emplace_back(t);
+      mesh_.add_changed(TriangleId{t});
     }
   } else {
     is_done = replace(m, watch);
   }
   is_over_[watch] = 1;
+  mesh_.forget(watch, m.cells);
   ++(is_done ? counts_.metamorphoses[static_cast<std::size_t>(m.kind)] : counts_.failed);
   mend_changed(m.after());
   if (options_.observer) options_.observer(m, mesh_.surface(), true);

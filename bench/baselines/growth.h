@@ -6,15 +6,16 @@
 /// the topology changes, the mesh about the critical point is replaced (papers/5-dynamic.md).
 
 #include <functional>
-#include <queue>
 #include <vector>
 
 #include "bench/baselines/hot_region.h"
+#include "bench/baselines/look_queue.h"
+#include "bench/baselines/look_times.h"
 
 namespace morskin::baselines {
 
 struct GrowthOptions {
-  refine::Sizing sizing;
+  refine::Sizing sizing;  ///< of the mesh at all times
   Slack slack;
   double end = 0;  ///< the time to stop at, Angstrom^2 added to every weight
   std::function<void(double share)> progress;  ///< of the metamorphoses; may be empty
@@ -45,13 +46,6 @@ class Growth {
   const GrowthCounts& counts() const { return counts_; }
 
  private:
-  struct Look {
-    double time;
-    TriangleId triangle;
-    bool operator>(const Look& other) const {
-      return time != other.time ? time > other.time : triangle > other.triangle;
-    }
-  };
   /// The mesh about a critical point that is to go.
   struct HotRegion {
     std::vector<VertexId> vertices;
@@ -64,8 +58,10 @@ class Growth {
   void mend_changed(double time);
   bool is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners, double time,
                                     double& until);
-  double next_look(const std::array<VertexId, 3>& corners, double ratio_L, double ratio_U);
+  double next_look(const std::array<VertexId, 3>& corners, const Ratios& ratios);
   void schedule(TriangleId t, double time);
+  void schedule(TriangleId t, double time, double length_scale);
+  void compact();
 
   void undergo(const Metamorphosis& m, std::uint32_t watch);
   HotRegion hot_region(const Metamorphosis& m, std::uint32_t watch, double radius);
@@ -79,7 +75,7 @@ class Growth {
   MovingMesh mesh_;
   std::vector<Metamorphosis> metamorphoses_;
   std::vector<char> is_over_;  ///< by metamorphosis
-  std::priority_queue<Look, std::vector<Look>, std::greater<>> queue_;
+  LookQueue queue_;
   std::vector<double> next_look_;  ///< by triangle; an entry of the queue with another time is void
   std::vector<char> is_seen_;      ///< by vertex; all 0 but during hot_region()
   GrowthCounts counts_;

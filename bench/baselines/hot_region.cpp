@@ -10,13 +10,13 @@ namespace morskin::baselines {
 
 namespace {
 
-/// Rings stay this far, in units of the length scale, from the loop that they meet: nearly a
-/// spacing, as the loop's vertices lie up to one spacing farther out.
-constexpr double gap_to_loop = 0.7 * template_spacing;
+/// Rings stay this share of the spacing from the loop that they meet: nearly a whole one, as the
+/// loop's vertices lie up to one spacing farther out.
+constexpr double gap_to_loop = 0.7;
 
 /// How many steps of about one spacing a length, over the length scale, is cut into.
-int steps_along(double length) {
-  return std::max(1, static_cast<int>(std::lround(length / template_spacing)));
+int steps_along(double length, double spacing) {
+  return std::max(1, static_cast<int>(std::lround(length / spacing)));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ Frame::Frame(const Patch& patch, double direction) : centre(patch.centre) {
 Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, double axial,
               double turn) {
   const double around = 2 * std::numbers::pi * radial / std::hypot(radial, axial);
-  const int count = std::max(5, static_cast<int>(std::lround(around / template_spacing)));
+  const int count = std::max(5, static_cast<int>(std::lround(around / mesh.spacing())));
   Ring ring;
   for (int i = 0; i < count; ++i) {
     const double azimuth = turn + 2 * std::numbers::pi * i / count;
@@ -98,7 +98,7 @@ bool add_triangles(SurfaceMesh& surface, const std::vector<Corners>& triangles,
 
 std::vector<Corners> sphere_template(MovingMesh& mesh, const Frame& frame, CellId cell,
                                      double radius) {
-  const int steps = steps_along(std::numbers::pi);
+  const int steps = steps_along(std::numbers::pi, mesh.spacing());
   const auto pole = [&](double side) {
     const Point x = frame.point(0, 0, side * radius);
     const auto p = mesh.level().project(x, cell);
@@ -110,7 +110,7 @@ std::vector<Corners> sphere_template(MovingMesh& mesh, const Frame& frame, CellI
   for (int k = 1; k < steps; ++k) {
     const double latitude = std::numbers::pi * k / steps;
     const Ring ring = add_ring(mesh, frame, cell, radius * std::sin(latitude),
-                               -radius * std::cos(latitude), 0.5 * k * template_spacing);
+                               -radius * std::cos(latitude), 0.5 * k * mesh.spacing());
     if (k == 1) {
       close(Ring(ring.rbegin(), ring.rend()), south, triangles);
     } else {
@@ -132,14 +132,15 @@ std::vector<Corners> cap_template(MovingMesh& mesh, const Frame& frame, CellId c
   for (const VertexId v : loop) reach = std::min(reach, frame.radial(mesh.position(v)));
   // With radial = h sinh(a), axial = h cosh(a), a is the length along a meridian over the length
   // scale.
-  const double first = std::max(std::asinh(reach / h) - gap_to_loop, template_spacing);
-  const int steps = steps_along(first);
+  const double first =
+      std::max(std::asinh(reach / h) - gap_to_loop * mesh.spacing(), mesh.spacing());
+  const int steps = steps_along(first, mesh.spacing());
   std::vector<Corners> triangles;
   Ring last = loop;
   for (int k = steps; k >= 1; --k) {
     const double a = first * k / steps;
     const Ring ring =
-        add_ring(mesh, frame, cell, h * std::sinh(a), h * std::cosh(a), 0.5 * k * template_spacing);
+        add_ring(mesh, frame, cell, h * std::sinh(a), h * std::cosh(a), 0.5 * k * mesh.spacing());
     join(mesh, last, ring, triangles);
     last = ring;
   }
@@ -155,14 +156,15 @@ std::vector<Corners> tube_template(MovingMesh& mesh, const Frame& frame, CellId 
   for (const VertexId v : upper) high = std::min(high, frame.axial(mesh.position(v)));
   // With axial = h sinh(a), radial = h cosh(a), a is the length along a meridian over the length
   // scale.
-  const double first = std::asinh(low / h) + gap_to_loop, end = std::asinh(high / h) - gap_to_loop;
-  const int steps = steps_along(end - first);
+  const double gap = gap_to_loop * mesh.spacing();
+  const double first = std::asinh(low / h) + gap, end = std::asinh(high / h) - gap;
+  const int steps = steps_along(end - first, mesh.spacing());
   std::vector<Corners> triangles;
   Ring last = lower;
   for (int k = 0; k <= steps; ++k) {
     const double a = first + (end - first) * k / steps;
     const Ring ring =
-        add_ring(mesh, frame, cell, h * std::cosh(a), h * std::sinh(a), 0.5 * k * template_spacing);
+        add_ring(mesh, frame, cell, h * std::cosh(a), h * std::sinh(a), 0.5 * k * mesh.spacing());
     join(mesh, last, ring, triangles);
     last = ring;
   }

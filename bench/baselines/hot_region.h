@@ -17,10 +17,6 @@ namespace morskin::baselines {
 /// A closed polygon of the mesh, counter-clockwise seen from outside, the inner side on its left.
 using Ring = std::vector<VertexId>;
 
-/// Distance of neighbouring template points over the length scale: between the bounds that [L] and
-/// [U] set for equilateral triangles, 2 C / Q = 0.097 and sqrt(3) C Q = 0.229.
-inline constexpr double template_spacing = 0.18;
-
 /// The frame of a critical point's quadric: its axis and two directions across it.
 struct Frame {
   Point centre;

@@ -68,7 +68,7 @@ bool Growth::refill(const Metamorphosis& m, HotRegion& region) {
   if (m.kind != Kind::Void && (loops[0] == nullptr || loops[1] == nullptr)) return false;
 
   const std::size_t before = mesh_.surface().triangle_count();
-  mesh_.surface().remove(region.triangles);
+  mesh_.remove(region.triangles);
   std::vector<Corners> triangles;
   if (m.kind == Kind::Neck) {
     triangles = tube_template(mesh_, frame, m.cell, m.half_width, *loops[0], *loops[1]);
@@ -81,7 +81,7 @@ bool Growth::refill(const Metamorphosis& m, HotRegion& region) {
   }
   const bool is_sound = add_triangles(mesh_.surface(), triangles, region.open);
   for (std::size_t t = before; t < mesh_.surface().triangle_count(); ++t) {
-    mesh_.changed.emplace_back(t);
+    mesh_.add_changed(TriangleId{t});
   }
   return is_sound;
 }

@@ -17,17 +17,19 @@ using skin::Vector;
 using skin::Wall;
 
 /// The ball of this many h about the orthocentre must lie in the cell: the hot sphere, at most 1.15
-/// of its radius; the triangles that leave it, whose edges are at most 0.23 of the length scale by
-/// [U]; and 0.1 h by which the jump moves them. Spheres of radius h stay inside at 2 h.
-double room_over_half_width(Kind kind) {
-  return kind == Kind::Birth || kind == Kind::Void ? 2 : 1.15 * 1.23 * hot_radius + 0.1;
+/// of its radius; the triangles that leave it; and 0.1 h by which the jump moves them. Spheres of
+/// radius h stay inside at 2 h.
+double room_over_half_width(Kind kind, double longest_edge) {
+  return kind == Kind::Birth || kind == Kind::Void ? 2
+                                                   : 1.15 * (1 + longest_edge) * hot_radius + 0.1;
 }
 
 class Finder {
  public:
-  Finder(const SkinSurface& skin, double end)
+  Finder(const SkinSurface& skin, double end, double longest_edge)
       : skin_(skin),
         end_(end),
+        longest_edge_(longest_edge),
         least_(least_half_width(skin)),
         room_(skin.complex().size()),
         is_taken_(skin.complex().size(), 0) {
@@ -66,7 +68,8 @@ class Finder {
     m.kind = static_cast<Kind>(skin_.complex().dimension(cell));
     if (m.time >= end_) return;
     // After the jump most of the time is still to come; and a single ball has no wall at all.
-    m.half_width = std::min(room / room_over_half_width(m.kind), std::sqrt((end_ - m.time) / 16));
+    m.half_width = std::min(room / room_over_half_width(m.kind, longest_edge_),
+                            std::sqrt((end_ - m.time) / 16));
     found_.push_back(m);
   }
 
@@ -123,6 +126,7 @@ class Finder {
 
   const SkinSurface& skin_;
   const double end_;
+  const double longest_edge_;
   const double least_;
   std::vector<double> room_;
   std::vector<char> is_taken_;
@@ -137,8 +141,9 @@ double least_half_width(const SkinSurface& skin) {
   return std::ldexp(std::sqrt(largest), -21);
 }
 
-std::vector<Metamorphosis> find_metamorphoses(const SkinSurface& skin, double end) {
-  return Finder(skin, end).run();
+std::vector<Metamorphosis> find_metamorphoses(const SkinSurface& skin, double end,
+                                              double longest_edge) {
+  return Finder(skin, end, longest_edge).run();
 }
 
 }  // namespace morskin::baselines

@@ -38,7 +38,11 @@ struct Metamorphosis {
 ///
 /// Cells whose orthocentre lies on a wall, as cospherical balls have them, are taken together: the
 /// skin changes there only if one quadric describes it in a whole ball about the orthocentre.
-std::vector<Metamorphosis> find_metamorphoses(const skin::SkinSurface& skin, double end);
+///
+/// @param longest_edge  of the mesh, over the length scale; by default as [U] bounds it with
+///                      C = 0.08, Q = 1.65
+std::vector<Metamorphosis> find_metamorphoses(const skin::SkinSurface& skin, double end,
+                                              double longest_edge = 0.23);
 
 /// The least h that doubles resolve, Angstrom: then h^2 is 2^11 units in the last place of the
 /// largest weight.

@@ -1,29 +1,28 @@
 #include "bench/baselines/moving_mesh.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace morskin::baselines {
 
 using refine::circumcircle;
 
 VertexId MovingMesh::add_vertex(const SurfacePoint& p) {
-  points_.push_back(p);
-  clock_.push_back(now_);
-  paths_.emplace_back(skin_, p.position, p.cell, now_);
+  moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
   const VertexId v = surface_.add_vertex();
   enter(v, p.cell);
   return v;
 }
 
-void MovingMesh::move(VertexId v) {
-  Trajectory& path = paths_[v.index()];
-  if (path.begins() > now_) return;
-  if (path.leaves() <= now_) {
-    path = path.followed_to(skin_, now_);
-    enter(v, path.cell());
+void MovingMesh::move(VertexId v, Moving& moving) {
+  if (moving.path.begins() > now_) return;
+  if (moving.path.leaves() <= now_) {
+    moving.path = moving.path.followed_to(skin_, now_);
+    enter(v, moving.path.cell());
   }
-  points_[v.index()] = path.at(skin_, now_);
-  clock_[v.index()] = now_;
+  moving.point = moving.path.at(skin_, now_);
+  moving.clock = now_;
 }
 
 std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
@@ -31,6 +30,59 @@ std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
   visitors_.emplace_back();
   for (const CellId cell : cells) watch_[cell.index()] = w;
   return w;
+}
+
+void MovingMesh::forget(std::uint32_t watch, const std::vector<CellId>& cells) {
+  visitors_[watch] = {};
+  for (const CellId cell : cells) watch_[cell.index()] = nobody;
+}
+
+std::optional<TriangleId> MovingMesh::take_changed() {
+  if (changed_.empty()) return std::nullopt;
+  const TriangleId t = changed_.back();
+  changed_.pop_back();
+  is_changed_[t.index()] = 0;
+  return t;
+}
+
+void MovingMesh::add_changed(TriangleId t) {
+  if (is_changed_.size() <= t.index()) is_changed_.resize(surface_.triangle_count(), 0);
+  if (std::exchange(is_changed_[t.index()], 1) == 0) changed_.push_back(t);
+}
+
+void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
+  std::vector<VertexId> corners;
+  for (const TriangleId t : triangles) {
+    for (const VertexId v : surface_.corners(t)) corners.push_back(v);
+  }
+  std::ranges::sort(corners);
+  const auto twice = std::ranges::unique(corners);
+  corners.erase(twice.begin(), twice.end());
+  surface_.remove(triangles);
+  for (const VertexId v : corners) dead_ += !surface_.outgoing(v).has_value();
+}
+
+std::vector<std::optional<TriangleId>> MovingMesh::compact() {
+  std::vector<std::optional<TriangleId>> triangles(surface_.triangle_count());
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!surface_.is_removed(TriangleId{t})) triangles[t] = TriangleId{left++};
+  }
+  const std::vector<std::optional<VertexId>> vertices = surface_.compact();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (vertices[v]) moving_[vertices[v]->index()] = moving_[v];
+  }
+  moving_.resize(surface_.vertex_count());
+  for (std::vector<VertexId>& visitors : visitors_) {
+    std::size_t kept = 0;
+    for (const VertexId v : visitors) {
+      if (vertices[v.index()]) visitors[kept++] = *vertices[v.index()];
+    }
+    visitors.resize(kept);
+  }
+  is_changed_.assign(left, 0);
+  dead_ = 0;
+  return triangles;
 }
 
 /// Whether the triangle's normal agrees with the skin's at all its corners.
@@ -51,8 +103,8 @@ void MovingMesh::flip(HalfEdgeId h) {
   const HalfEdgeId g = surface_.twin(h);
   surface_.flip(h);
   ++counts.flip;
-  changed.push_back(SurfaceMesh::triangle(h));
-  changed.push_back(SurfaceMesh::triangle(g));
+  add_changed(SurfaceMesh::triangle(h));
+  add_changed(SurfaceMesh::triangle(g));
 }
 
 bool MovingMesh::flip_if_better(HalfEdgeId h) {
@@ -118,7 +170,8 @@ bool MovingMesh::remove(VertexId v) {
   }
   const HalfEdgeId first = *surface_.outgoing(v);
   surface_.unsplit(v);
-  changed.push_back(SurfaceMesh::triangle(first));
+  ++dead_;
+  add_changed(SurfaceMesh::triangle(first));
   return true;
 }
 
@@ -167,7 +220,8 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
   const VertexId v = add_vertex(*x);
   surface_.split(under, v);
   const std::array<TriangleId, 3> around{under, TriangleId{before}, TriangleId{before + 1}};
-  changed.insert(changed.end(), around.begin(), around.end());
+  for (const TriangleId one : around) add_changed(one);
+  add_changed(t);  // x may lie under another
   // The k-th of the three has the k-th edge of the triangle that was split as its first.
   if (nearest) {
     const HalfEdgeId h = SurfaceMesh::half_edge(around[*nearest], 0);

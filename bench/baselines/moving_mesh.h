@@ -3,6 +3,7 @@
 /// A closed mesh on the growing skin. Vertices move only when somebody asks for them: each knows
 /// its trajectory, and is computed anew for the time that is set.
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -29,8 +30,18 @@ struct Slack {
   double most_U = 1.15;          ///< or rise above this
 };
 
+/// Distance of neighbouring points of special sampling over the length scale: this share of the
+/// longest edge that an equilateral triangle may have under [U], sqrt(3) C Q. The shortest that [L]
+/// allows, 2 C / Q, is 0.42 of that edge.
+inline constexpr double template_share = 0.79;
+/// That longest edge, over the length scale.
+inline double longest_edge(const refine::Sizing& sizing) {
+  return std::sqrt(3.0) * sizing.C * sizing.Q;
+}
+
 class MovingMesh {
  public:
+  /// @param sizing  what the growing mesh is kept to
   MovingMesh(const SkinSurface& skin, const refine::Sizing& sizing)
       : skin_(skin), sizing_(sizing), level_(skin, 0), watch_(skin.complex().size(), nobody) {}
 
@@ -47,11 +58,12 @@ class MovingMesh {
 
   /// The vertex at the time set; if it was made later than that, where it was made.
   const SurfacePoint& at(VertexId v) {
-    if (clock_[v.index()] != now_) move(v);
-    return points_[v.index()];
+    Moving& moving = moving_[v.index()];
+    if (moving.clock != now_) move(v, moving);
+    return moving.point;
   }
   const Point& position(VertexId v) { return at(v).position; }
-  const Trajectory& path(VertexId v) const { return paths_[v.index()]; }
+  const Trajectory& path(VertexId v) const { return moving_[v.index()].path; }
   /// A vertex at a point of the skin at the time set.
   VertexId add_vertex(const SurfacePoint& p);
 
@@ -59,6 +71,8 @@ class MovingMesh {
   std::uint32_t watch(const std::vector<CellId>& cells);
   /// Those that have come, and perhaps left again or been removed.
   const std::vector<VertexId>& visitors(std::uint32_t watch) const { return visitors_[watch]; }
+  /// Ends a watch.
+  void forget(std::uint32_t watch, const std::vector<CellId>& cells);
   /// The watch on a cell.
   std::optional<std::uint32_t> watch_of(CellId cell) const {
     const std::uint32_t w = watch_[cell.index()];
@@ -73,14 +87,35 @@ class MovingMesh {
   /// a ratio to [L] below `least_L`.
   bool insert(TriangleId t, double least_L);
 
-  /// Triangles that these operations have changed, for the caller to empty.
-  std::vector<TriangleId> changed;
+  /// Takes out a triangle that these operations have changed, the last one first; nothing if there
+  /// is none left. Each stands there once.
+  std::optional<TriangleId> take_changed();
+  std::size_t changed_count() const { return changed_.size(); }
+  void add_changed(TriangleId t);
+
+  /// How many places of removed vertices there are.
+  std::size_t dead_count() const { return dead_; }
+  /// The special sampling's spacing over the length scale.
+  double spacing() const { return template_share * longest_edge(sizing_); }
+  /// Takes triangles out, and with them the vertices that have no others.
+  void remove(const std::vector<TriangleId>& triangles);
+  /// Drops what has been removed. @return for each old triangle its new id, or nothing
+  /// @pre nothing is changed
+  std::vector<std::optional<TriangleId>> compact();
+
   refine::RefinementCounts counts;
 
  private:
   static constexpr std::uint32_t nobody = 0xFFFFFFFFU;
 
-  void move(VertexId v);
+  /// A vertex, in one piece of memory.
+  struct Moving {
+    SurfacePoint point;
+    double clock;  ///< the time at which it was at `point`
+    Trajectory path;
+  };
+
+  void move(VertexId v, Moving& moving);
   void enter(VertexId v, CellId cell) {
     const std::uint32_t w = watch_[cell.index()];
     if (w != nobody) visitors_[w].push_back(v);
@@ -98,10 +133,10 @@ class MovingMesh {
   LevelSet level_;
   double now_ = 0;
   SurfaceMesh surface_;
-  // By vertex.
-  std::vector<SurfacePoint> points_;
-  std::vector<double> clock_;  ///< of what points_ says
-  std::vector<Trajectory> paths_;
+  std::vector<Moving> moving_;  ///< by vertex
+  std::vector<TriangleId> changed_;
+  std::vector<char> is_changed_;  ///< by triangle, at least those in changed_
+  std::size_t dead_ = 0;
 
   // Of a removal: the neighbours left, those cut off, and the edge to the next of these.
   std::vector<VertexId> link_, cuts_;
