@@ -19,7 +19,8 @@ from molecule_runs import (MODELS, Rows, argument_parser, end, mesh, molecule_fo
 LARGEST = {"paper": 20_000, "sas": 60_000, "vdw": 20_000}  # atoms
 
 COLUMNS = ["file", "model", "atoms", "triangles", "chi", "chi_expected", "components", "genus",
-           "min_angle", "worst_L", "worst_U", "seconds", "floor_ratio", "delaunay_violations", "verdict"]
+           "min_angle", "worst_L", "worst_U", "seconds", "floor_ratio", "delaunay_violations",
+           "verdict"]
 WIDTHS = [26, 6, 7, 10, 7, 12, 10, 6, 9, 7, 7, 8, 11, 8, 0]
 
 

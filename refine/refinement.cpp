@@ -308,27 +308,10 @@ bool Refinement::insert(TriangleId t) {
   if (!is_big(t, circle)) return true;
   const auto x = skin_.project(exact_ball(a, b, c).centre, mesh_.at(a).cell);
   if (!x) return false;
-
-  // Walk to the triangle under x, seen along the normal at x.
-  constexpr int most_steps = 64;
-  TriangleId under = t;
-  for (int step = 0; step < most_steps; ++step) {
-    double least = 0;
-    std::optional<HalfEdgeId> through;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
-      const Point& p = mesh_.position(surface.origin(h));
-      const Point& q = mesh_.position(surface.target(h));
-      const double side = (q - p).cross(x->position - p).dot(x->normal);
-      if (side < least) {
-        least = side;
-        through = h;
-      }
-    }
-    if (!through) break;
-    if (step + 1 == most_steps) return false;
-    under = SurfaceMesh::triangle(surface.twin(*through));
-  }
+  const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
+  const auto found = triangle_under(surface, place, t, *x);
+  if (!found) return false;
+  const TriangleId under = *found;
   for (const VertexId v : surface.corners(under)) {
     if (sizing_.edge_ratio(mesh_.at(v), *x) <= 1) return false;
   }

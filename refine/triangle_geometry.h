@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "skin/skin_mesh.h"
 
@@ -67,5 +68,31 @@ SurfaceBall quick_surface_ball(const Surface& skin, const SurfacePoint& a,
 template <class Surface>
 SurfaceBall exact_surface_ball(const Surface& skin, const SurfacePoint& a, const Point& b,
                                const Point& c);
+
+/// The triangle that a point of the skin lies over, seen along the normal there: a walk over the
+/// mesh, always through the edge that the point is farthest beyond. Nothing if that takes too long,
+/// as it may where the mesh is far from the skin.
+/// @param position  the place of a vertex
+template <class Position>
+std::optional<TriangleId> triangle_under(const SurfaceMesh& surface, const Position& position,
+                                         TriangleId start, const SurfacePoint& x) {
+  constexpr int most_steps = 64;
+  TriangleId t = start;
+  for (int step = 0; step < most_steps; ++step) {
+    double least = 0;
+    std::optional<HalfEdgeId> through;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+      const Point &p = position(surface.origin(h)), &q = position(surface.target(h));
+      const double side = (q - p).cross(x.position - p).dot(x.normal);
+      if (side >= least) continue;
+      least = side;
+      through = h;
+    }
+    if (!through) return t;
+    t = SurfaceMesh::triangle(surface.twin(*through));
+  }
+  return std::nullopt;
+}
 
 }  // namespace morskin::refine

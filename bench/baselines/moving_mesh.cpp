@@ -179,27 +179,10 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
   const auto [a, b, c] = surface_.corners(t);
   const auto x = level_.project(exact_ball(a, b, c).centre, at(a).cell);
   if (!x) return false;
-
-  // Walk to the triangle under x, seen along the normal at x.
-  constexpr int most_steps = 64;
-  TriangleId under = t;
-  for (int step = 0; step < most_steps; ++step) {
-    double least = 0;
-    std::optional<HalfEdgeId> through;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
-      const Point& p = position(surface_.origin(h));
-      const Point& q = position(surface_.target(h));
-      const double side = (q - p).cross(x->position - p).dot(x->normal);
-      if (side < least) {
-        least = side;
-        through = h;
-      }
-    }
-    if (!through) break;
-    if (step + 1 == most_steps) return false;
-    under = SurfaceMesh::triangle(surface_.twin(*through));
-  }
+  const auto place = [&](VertexId v) -> const Point& { return position(v); };
+  const auto found = refine::triangle_under(surface_, place, t, *x);
+  if (!found) return false;
+  const TriangleId under = *found;
   for (const VertexId v : surface_.corners(under)) {
     if (sizing_.edge_ratio(at(v), *x) < least_L) return false;
   }
