@@ -12,6 +12,7 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
       growing.progress = [&](double share) { options.progress("grow", share); };
     }
     front::MethodResult result;
+    bool has_failed = false;
     geometry::timed(result.seconds.sweep, [&] {
       // The skins of all times pass through all cells.
       const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
@@ -22,7 +23,9 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
         p.cell = skin.surface.complex().same(p.cell, surface.complex());
       }
       if (counts != nullptr) *counts = run.counts();
+      has_failed = run.counts().failed > 0;
     });
+    if (has_failed) return result;  // not certified, and not to be refined: there may be a hole
     geometry::timed(result.seconds.refine, [&] {
       if (options.progress) options.progress("refine", 0);
       refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);

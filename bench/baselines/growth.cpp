@@ -42,6 +42,8 @@ void Growth::run() {
     if (event_time <= std::min(show_time, look_time)) {
       const auto watch = static_cast<std::uint32_t>(event);
       undergo(metamorphoses_[event++], watch);
+      // The topology is wrong for good, and there may be a hole, on which nothing here can go on.
+      if (counts_.failed > 0) break;
       // When most of the memory holds what is gone.
       if (2 * mesh_.dead_count() > mesh_.surface().vertex_count()) compact();
       if (options_.progress) {
