@@ -237,7 +237,8 @@ std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
   }
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const auto first = mesh.outgoing(VertexId{v});
-    if (!first) continue;
+    if (!first && corners[v] == 0) continue;
+    if (!first) return "vertex " + std::to_string(v) + " has triangles but points to none";
     if (mesh.origin(*first) != VertexId{v}) {
       return "vertex " + std::to_string(v) + " points to a half-edge that does not leave it";
     }

@@ -44,26 +44,34 @@ Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, 
 }
 
 void join(MovingMesh& mesh, const Ring& outer, const Ring& inner, std::vector<Corners>& triangles) {
-  const auto squared = [&](VertexId a, VertexId b) {
-    return (mesh.position(a) - mesh.position(b)).squaredNorm();
-  };
+  const std::size_t n = outer.size(), m = inner.size();
+  std::vector<Point> out, in;
+  for (const VertexId v : outer) out.push_back(mesh.position(v));
+  for (const VertexId v : inner) in.push_back(mesh.position(v));
   std::size_t start = 0;
-  for (std::size_t j = 1; j < inner.size(); ++j) {
-    if (squared(outer[0], inner[j]) < squared(outer[0], inner[start])) start = j;
+  for (std::size_t j = 1; j < m; ++j) {
+    if ((out[0] - in[j]).squaredNorm() < (out[0] - in[start]).squaredNorm()) start = j;
   }
-  std::size_t i = 0, j = 0;
-  const auto out = [&](std::size_t k) { return outer[k % outer.size()]; };
-  const auto in = [&](std::size_t k) { return inner[(start + k) % inner.size()]; };
-  while (i < outer.size() || j < inner.size()) {
-    const bool along_outer =
-        j == inner.size() ||
-        (i < outer.size() && squared(out(i + 1), in(j)) < squared(out(i), in(j + 1)));
-    if (along_outer) {
-      triangles.push_back({out(i), out(i + 1), in(j)});
-      ++i;
+  std::rotate(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(start), in.end());
+  // least[i][j]: of all ways from the rung (0, 0) to (i, j). A way past (n, 0) or (0, m) would put
+  // the rung (0, 0) into the strip twice.
+  constexpr double barred = std::numeric_limits<double>::infinity();
+  std::vector<double> least((n + 1) * (m + 1), barred);
+  const auto at = [&](std::size_t i, std::size_t j) -> double& { return least[i * (m + 1) + j]; };
+  at(0, 0) = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= m; ++j) {
+      if (i + j == 0 || (i == n && j == 0) || (i == 0 && j == m)) continue;
+      const double before = std::min(i > 0 ? at(i - 1, j) : barred, j > 0 ? at(i, j - 1) : barred);
+      at(i, j) = before + (out[i % n] - in[j % m]).squaredNorm();
+    }
+  }
+  for (std::size_t i = n, j = m; i + j > 0;) {
+    const VertexId a = outer[i % n], b = inner[(start + j) % m];
+    if (j == 0 || (i > 0 && at(i - 1, j) < at(i, j - 1))) {
+      triangles.push_back({outer[--i], a, b});
     } else {
-      triangles.push_back({out(i), in(j + 1), in(j)});
-      ++j;
+      triangles.push_back({a, b, inner[(start + --j) % m]});
     }
   }
 }

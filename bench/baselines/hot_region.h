@@ -39,7 +39,10 @@ Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, 
               double turn);
 
 using Corners = std::array<VertexId, 3>;
-/// The strip between two rings, the shorter diagonal at each step.
+/// The strip between two closed rings of three vertices or more: of all strips, that with the
+/// smallest sum of squared rungs, given that the outer ring's first vertex has a rung to the
+/// nearest of the inner one (Fuchs, Kedem & Uselton 1977). It is an annulus whatever the rings'
+/// shapes.
 void join(MovingMesh& mesh, const Ring& outer, const Ring& inner, std::vector<Corners>& triangles);
 /// The triangles between a ring and a vertex inside.
 void close(const Ring& ring, VertexId centre, std::vector<Corners>& triangles);

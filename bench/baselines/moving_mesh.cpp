@@ -137,18 +137,9 @@ bool MovingMesh::contract(HalfEdgeId h) {
 /// and only if that succeeds the edges are flipped away in this order: what is refused changes
 /// nothing.
 bool MovingMesh::remove(VertexId v) {
-  if (!surface_.outgoing(v)) return false;
   link_.clear();
   surface_.for_each_outgoing(v, [&](HalfEdgeId h) { link_.push_back(surface_.target(h)); });
   cuts_.clear();
-  // Joined twice to a neighbour, a vertex cannot be taken out by flips.
-  for (std::size_t i = 0; i < link_.size(); ++i) {
-    if (std::find(link_.begin(), link_.begin() + static_cast<std::ptrdiff_t>(i), link_[i]) !=
-        link_.begin() + static_cast<std::ptrdiff_t>(i)) {
-      return false;
-    }
-  }
-  if (link_.size() < 3) return false;
   while (link_.size() > 3) {
     std::size_t best = link_.size();
     double least = std::numeric_limits<double>::infinity();
