@@ -9,6 +9,21 @@
 
 namespace morskin::geometry {
 
+SurfaceMesh::SurfaceMesh(std::size_t vertices,
+                         std::span<const std::array<std::uint32_t, 3>> triangles)
+    : origin_(3 * triangles.size()),
+      twin_(3 * triangles.size(), HalfEdgeId{kBoundary}),
+      outgoing_(vertices, HalfEdgeId{kBoundary}) {
+  if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  HalfEdgeId h;
+  for (const auto& triangle : triangles) {
+    for (const std::uint32_t v : triangle) {
+      set_corner(h, VertexId{v});
+      ++h.value;
+    }
+  }
+}
+
 void SurfaceMesh::reserve(std::size_t vertices) {
   outgoing_.reserve(vertices);
   origin_.reserve(6 * vertices);
@@ -29,11 +44,11 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_room(origin_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{origin_.size()};
-  origin_.resize(origin_.size() + 3);
-  twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});
-  set_corner(first, a);
-  set_corner(HalfEdgeId{first.value + 1}, b);
-  set_corner(HalfEdgeId{first.value + 2}, c);
+  for (const VertexId v : {a, b, c}) {
+    outgoing_[v.index()] = HalfEdgeId{origin_.size()};
+    origin_.push_back(v);
+    twin_.emplace_back(kBoundary);
+  }
   return triangle(first);
 }
 
@@ -302,15 +317,19 @@ std::string gluing_defect(const SurfaceMesh& mesh) {
   return edge + ": its triangles disagree on orientation";
 }
 
-/// Whether two of the edges at a vertex lead to the same neighbour; `seen` is scratch, by vertex.
-bool has_double_edge(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
-  bool is_double = false;
+/// How many triangles a walk round a vertex meets, and whether two of its edges lead to the same
+/// neighbour; `seen` is scratch, by vertex.
+struct Round {
+  std::uint32_t triangles = 0;
+  bool has_double_edge = false;
+};
+Round walk_round(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
+  Round round;
   mesh.for_each_outgoing(v, [&](HalfEdgeId h) {
-    std::uint32_t& mark = seen[mesh.target(h).index()];
-    is_double = is_double || mark == v.value;
-    mark = v.value;
+    ++round.triangles;
+    round.has_double_edge |= std::exchange(seen[mesh.target(h).index()], v.value) == v.value;
   });
-  return is_double;
+  return round;
 }
 
 }  // namespace
@@ -318,9 +337,6 @@ bool has_double_edge(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint3
 MeshOrDefect closed_mesh(std::size_t vertices,
                          const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   MeshOrDefect result;
-  SurfaceMesh& mesh = result.mesh;
-  mesh.reserve(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) mesh.add_vertex();
   std::vector<std::uint32_t> corners(vertices, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [a, b, c] = triangles[t];
@@ -329,20 +345,22 @@ MeshOrDefect closed_mesh(std::size_t vertices,
       return result;
     }
     for (const std::uint32_t v : triangles[t]) ++corners[v];
-    mesh.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
   }
-  if (!glue_all(mesh)) {
+  const SurfaceMesh& mesh = result.mesh = SurfaceMesh(vertices, triangles);
+  if (!glue_all(result.mesh)) {
     result.defect = gluing_defect(mesh);
     return result;
   }
   std::vector<std::uint32_t> seen(vertices, 0xFFFFFFFFU);
   for (std::size_t v = 0; v < vertices && !result.defect; ++v) {
-    const auto first = mesh.outgoing(VertexId{v});
-    if (!first) {
+    if (corners[v] == 0) {
       result.defect = "vertex " + std::to_string(v) + " belongs to no triangle";
-    } else if (mesh.degree(VertexId{v}) != corners[v]) {
+      return result;
+    }
+    const Round round = walk_round(mesh, VertexId{v}, seen);
+    if (round.triangles != corners[v]) {
       result.defect = "vertex " + std::to_string(v) + " is where two sheets touch";
-    } else if (has_double_edge(mesh, VertexId{v}, seen)) {
+    } else if (round.has_double_edge) {
       result.defect = "vertex " + std::to_string(v) + " is joined twice to a neighbour";
     }
   }

@@ -21,6 +21,11 @@ using HalfEdgeId = Id<struct HalfEdgeTag>;
 
 class SurfaceMesh {
  public:
+  SurfaceMesh() = default;
+  /// Triangles of a list, in its order, none glued to another yet.
+  /// @pre every corner is below `vertices`; at most most_triangles.
+  SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
+
   std::size_t vertex_count() const { return outgoing_.size(); }
   std::size_t triangle_count() const { return origin_.size() / 3; }
   void reserve(std::size_t vertices);

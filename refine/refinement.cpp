@@ -15,10 +15,10 @@ namespace {
 /// above rounding, so that vertices on one circle settle either way.
 constexpr double least_intrusion = 1e-9;
 
-/// A vertex this far outside a quick ball, in shares of its squared radius, is outside the exact
-/// one: where the skin changes patches under a triangle the two were seen to differ by up to 0.08.
-/// Any nearer, and inside always, the exact ball decides.
-constexpr double doubtful_intrusion = 0.12;
+/// Of two balls the deeper entered.
+Depth deeper(const Depth& a, const Depth& b) {
+  return {std::max(a.least, b.least), std::max(a.most, b.most)};
+}
 
 }  // namespace
 
@@ -69,38 +69,51 @@ void Refinement::look_everywhere() {
 
 /// Notes the edges of t over which a vertex lies in its ball.
 void Refinement::look_for_flips(TriangleId t, const Circumcircle& circle, Work& found) {
-  SurfaceBall ball = quick_ball(t, circle);
+  const Corners corners = mesh_.surface.corners(t);
+  const bool is_close = is_close_to_circle(mesh_.at(corners[0]), circle);
+  std::optional<BallPencil> pencil;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
-    if (exact_depth_if_doubtful(t, ball, beyond) > 0) found.to_flip.push_back(h);
+    const double d2 = (mesh_.position(beyond) - circle.centre).squaredNorm();
+    if (is_close && d2 > 1.5 * 1.5 * circle.radius * circle.radius) continue;  // as mostly
+    if (!pencil) pencil = ball_pencil(skin_, points(corners), circle);
+    if (intrusion(corners, pencil, beyond).most > 0) found.to_flip.push_back(h);
   }
 }
 
-Circumcircle Refinement::circle_of(TriangleId t) const {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  return circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
+std::optional<BallPencil> Refinement::pencil_of(const Corners& corners) const {
+  const auto [a, b, c] = corners;
+  return ball_pencil(skin_, points(corners),
+                     circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c)));
 }
 
-SurfaceBall Refinement::quick_ball(TriangleId t, const Circumcircle& circle) const {
-  return quick_surface_ball(skin_, mesh_.at(mesh_.surface.corners(t)[0]), circle);
+/// How deep v lies in the surface ball of three vertices, between bounds if there are any.
+Depth Refinement::depth(const Corners& corners, VertexId v) const {
+  const auto pencil = pencil_of(corners);
+  return pencil ? pencil->depth(mesh_.position(v)) : exact_depth(corners, v);
 }
 
-/// How deep v lies in the surface ball of t; in doubt the ball is found to rounding, so that all
-/// answers together describe one restricted Voronoi diagram and flipping cannot go in circles.
-double Refinement::exact_depth_if_doubtful(TriangleId t, SurfaceBall& ball, VertexId v) const {
+/// The same, with the ball found to rounding.
+Depth Refinement::exact_depth(const Corners& corners, VertexId v) const {
+  const double depth = exact_ball(corners).intrusion(mesh_.position(v));
+  return {depth, depth};
+}
+
+/// The same, by bounds where they tell whether v lies inside. Where they do not, the ball is found
+/// to rounding, and when it is hardly entered it counts as empty.
+Depth Refinement::intrusion(const Corners& corners, const std::optional<BallPencil>& pencil,
+                            VertexId v) const {
+  if (pencil) {
+    const Depth bounds = pencil->depth(mesh_.position(v));
+    const double R = pencil->circle.radius;
+    if (bounds.most <= 0 || bounds.least > least_intrusion * (R * R + pencil->reach * pencil->reach))
+      return bounds;
+  }
+  const SurfaceBall ball = exact_ball(corners);
   const double depth = ball.intrusion(mesh_.position(v));
-  if (ball.is_exact || depth < -doubtful_intrusion * ball.squared_radius) return depth;
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  ball = exact_ball(a, b, c);
-  return ball.intrusion(mesh_.position(v));
-}
-
-/// Balls are found when they are asked for: few triangles are asked twice.
-Refinement::Intrusion Refinement::intrusion(TriangleId t, VertexId v) const {
-  SurfaceBall ball = quick_ball(t, circle_of(t));
-  const double depth = exact_depth_if_doubtful(t, ball, v);
-  return {depth, ball.squared_radius};
+  if (depth > 0 && depth <= least_intrusion * ball.squared_radius) return {0, 0};
+  return {depth, depth};
 }
 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
@@ -162,19 +175,26 @@ void Refinement::flip(HalfEdgeId h) {
 }
 
 // [excerpt: flip]
+/// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
+/// flip are less deeply entered. Bounds decide where they can. Where they cannot the balls are found
+/// to rounding, so that all answers together describe one restricted Voronoi diagram and flipping
+/// cannot go in circles.
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);
-  const TriangleId left = SurfaceMesh::triangle(h), right = SurfaceMesh::triangle(g);
   const VertexId a = surface.origin(h), b = surface.origin(g);
   const VertexId c = surface.apex(h), d = surface.apex(g);
-  const Intrusion in_left = intrusion(left, d), in_right = intrusion(right, c);
-  const double now = std::max(in_left.depth, in_right.depth);
-  const double smaller = std::min(in_left.squared_radius, in_right.squared_radius);
-  if (now <= least_intrusion * smaller || !can_flip(h)) return false;
-  const double then = std::max(exact_ball(a, d, c).intrusion(mesh_.position(b)),
-                               exact_ball(b, c, d).intrusion(mesh_.position(a)));
-  if (then >= now) return false;
+  const Corners left{a, b, c}, right{b, a, d}, upper{a, d, c}, lower{b, c, d};
+  const Depth now =
+      deeper(intrusion(left, pencil_of(left), d), intrusion(right, pencil_of(right), c));
+  if (now.most <= 0 || !can_flip(h)) return false;
+  const Depth then = deeper(depth(upper, b), depth(lower, a));
+  if (then.least >= now.most) return false;
+  if (then.most >= now.least) {
+    const Depth exactly_now = deeper(exact_depth(left, d), exact_depth(right, c));
+    const Depth exactly_then = deeper(exact_depth(upper, b), exact_depth(lower, a));
+    if (exactly_then.least >= exactly_now.least) return false;
+  }
   flip(h);
   return true;
 }
@@ -306,7 +326,7 @@ bool Refinement::insert(TriangleId t) {
   const auto [a, b, c] = surface.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
-  const auto x = skin_.project(exact_ball(a, b, c).centre, mesh_.at(a).cell);
+  const auto x = skin_.project(exact_ball({a, b, c}).centre, mesh_.at(a).cell);
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
   const auto found = triangle_under(surface, place, t, *x);
