@@ -1,6 +1,7 @@
 // The operations of section 4.1: creation, creep, wing, bridge, seal.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -20,8 +21,9 @@ constexpr double sixty_degrees = M_PI / 3;
 // [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = disk_share_ * options_.sizing.scale(centre.length_scale);
-  const skin::Patch& patch = skin_.complex().patch(centre.cell);
-  const double far = patch.length_scale(centre.position + r * direction);
+  const double far = skin_.with_patch(centre.cell, [&](const skin::Patch& patch) {
+    return patch.length_scale(centre.position + r * direction);
+  });
   return disk_share_ * options_.sizing.scale(std::min(centre.length_scale, far));
 }
 
@@ -203,8 +205,11 @@ std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
 /// makes small in turn.
 // [excerpt: wing]
 void Sweep::wing() {
+  std::size_t unchanged = 0;  // the first corner looked at since one was closed
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
+    const auto here = fresh_.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(fresh_.begin() + static_cast<std::ptrdiff_t>(unchanged), here, c) != here) continue;
     if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
     // One closed corner makes the next one small, and so on out of view: what lies there is not
     // known. Such a corner waits for its own turn.
@@ -212,6 +217,7 @@ void Sweep::wing() {
     if (!near_.is_in_view(circle.centre, circle.radius)) continue;
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
+    unchanged = i + 1;
     ++operations_.wing;
     note(Operation::Wing);
   }

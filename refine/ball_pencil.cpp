@@ -26,4 +26,29 @@ std::optional<BallPencil> ball_pencil(const skin::SkinSurface& skin,
   return result;
 }
 
+const std::optional<BallPencil>& QuestionedBall::pencil() {
+  if (!has_looked_) pencil_ = ball_pencil(skin_, corners_, circle_);
+  has_looked_ = true;
+  return pencil_;
+}
+
+Depth QuestionedBall::depth(const Point& p) {
+  return pencil() ? pencil()->depth(p) : exact_depth(p);
+}
+
+/// When the bounds do not tell, the ball is found to rounding, and when it is hardly entered it
+/// counts as empty.
+Depth QuestionedBall::nearer_intrusion(const Point& p) {
+  if (pencil()) {
+    const Depth bounds = pencil()->depth(p);
+    const double most_squared_radius =
+        circle_.radius * circle_.radius + pencil()->reach * pencil()->reach;
+    if (bounds.most <= 0 || bounds.least > least_intrusion * most_squared_radius) return bounds;
+  }
+  const SurfaceBall ball = exact_ball();
+  const double depth = ball.intrusion(p);
+  if (depth > 0 && depth <= least_intrusion * ball.squared_radius) return outside;
+  return {depth, depth};
+}
+
 }  // namespace morskin::refine

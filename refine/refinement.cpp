@@ -11,10 +11,6 @@ namespace morskin::refine {
 
 namespace {
 
-/// A ball counts as entered when a vertex is deeper in it than this share of its squared radius:
-/// above rounding, so that vertices on one circle settle either way.
-constexpr double least_intrusion = 1e-9;
-
 /// Of two balls the deeper entered.
 Depth deeper(const Depth& a, const Depth& b) {
   return {std::max(a.least, b.least), std::max(a.most, b.most)};
@@ -69,51 +65,18 @@ void Refinement::look_everywhere() {
 
 /// Notes the edges of t over which a vertex lies in its ball.
 void Refinement::look_for_flips(TriangleId t, const Circumcircle& circle, Work& found) {
-  const Corners corners = mesh_.surface.corners(t);
-  const bool is_close = is_close_to_circle(mesh_.at(corners[0]), circle);
-  std::optional<BallPencil> pencil;
+  QuestionedBall ball(skin_, points(t), circle);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
-    const double d2 = (mesh_.position(beyond) - circle.centre).squaredNorm();
-    if (is_close && d2 > 1.5 * 1.5 * circle.radius * circle.radius) continue;  // as mostly
-    if (!pencil) pencil = ball_pencil(skin_, points(corners), circle);
-    if (intrusion(corners, pencil, beyond).most > 0) found.to_flip.push_back(h);
+    if (ball.intrusion(mesh_.position(beyond)).most > 0) found.to_flip.push_back(h);
   }
 }
 
-std::optional<BallPencil> Refinement::pencil_of(const Corners& corners) const {
-  const auto [a, b, c] = corners;
-  return ball_pencil(skin_, points(corners),
-                     circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c)));
-}
-
-/// How deep v lies in the surface ball of three vertices, between bounds if there are any.
-Depth Refinement::depth(const Corners& corners, VertexId v) const {
-  const auto pencil = pencil_of(corners);
-  return pencil ? pencil->depth(mesh_.position(v)) : exact_depth(corners, v);
-}
-
-/// The same, with the ball found to rounding.
-Depth Refinement::exact_depth(const Corners& corners, VertexId v) const {
-  const double depth = exact_ball(corners).intrusion(mesh_.position(v));
-  return {depth, depth};
-}
-
-/// The same, by bounds where they tell whether v lies inside. Where they do not, the ball is found
-/// to rounding, and when it is hardly entered it counts as empty.
-Depth Refinement::intrusion(const Corners& corners, const std::optional<BallPencil>& pencil,
-                            VertexId v) const {
-  if (pencil) {
-    const Depth bounds = pencil->depth(mesh_.position(v));
-    const double R = pencil->circle.radius;
-    if (bounds.most <= 0 || bounds.least > least_intrusion * (R * R + pencil->reach * pencil->reach))
-      return bounds;
-  }
-  const SurfaceBall ball = exact_ball(corners);
-  const double depth = ball.intrusion(mesh_.position(v));
-  if (depth > 0 && depth <= least_intrusion * ball.squared_radius) return {0, 0};
-  return {depth, depth};
+QuestionedBall Refinement::ball(VertexId a, VertexId b, VertexId c) const {
+  return {skin_,
+          {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
+          circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
 }
 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
@@ -184,15 +147,17 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   const HalfEdgeId g = surface.twin(h);
   const VertexId a = surface.origin(h), b = surface.origin(g);
   const VertexId c = surface.apex(h), d = surface.apex(g);
-  const Corners left{a, b, c}, right{b, a, d}, upper{a, d, c}, lower{b, c, d};
-  const Depth now =
-      deeper(intrusion(left, pencil_of(left), d), intrusion(right, pencil_of(right), c));
+  const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
+  const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
+  QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
+  const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
   if (now.most <= 0 || !can_flip(h)) return false;
-  const Depth then = deeper(depth(upper, b), depth(lower, a));
+  QuestionedBall upper = ball(a, d, c), lower = ball(b, c, d);
+  const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
   if (then.least >= now.most) return false;
   if (then.most >= now.least) {
-    const Depth exactly_now = deeper(exact_depth(left, d), exact_depth(right, c));
-    const Depth exactly_then = deeper(exact_depth(upper, b), exact_depth(lower, a));
+    const Depth exactly_now = deeper(left.exact_depth(at_d), right.exact_depth(at_c));
+    const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
     if (exactly_then.least >= exactly_now.least) return false;
   }
   flip(h);
@@ -326,7 +291,9 @@ bool Refinement::insert(TriangleId t) {
   const auto [a, b, c] = surface.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
-  const auto x = skin_.project(exact_ball({a, b, c}).centre, mesh_.at(a).cell);
+  const SurfaceBall ball =
+      exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
   const auto found = triangle_under(surface, place, t, *x);

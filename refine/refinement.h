@@ -69,18 +69,10 @@ class Refinement {
   bool is_big(TriangleId t, const Circumcircle& circle) const;
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
   bool can_flip(HalfEdgeId h) const;
-  using Corners = std::array<VertexId, 3>;
-  std::optional<BallPencil> pencil_of(const Corners& corners) const;
-  Depth depth(const Corners& corners, VertexId v) const;
-  Depth exact_depth(const Corners& corners, VertexId v) const;
-  Depth intrusion(const Corners& corners, const std::optional<BallPencil>& pencil,
-                  VertexId v) const;
-  std::array<const SurfacePoint*, 3> points(const Corners& corners) const {
-    return {&mesh_.at(corners[0]), &mesh_.at(corners[1]), &mesh_.at(corners[2])};
-  }
-  SurfaceBall exact_ball(const Corners& corners) const {
-    const auto [a, b, c] = corners;
-    return exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  QuestionedBall ball(VertexId a, VertexId b, VertexId c) const;
+  std::array<const SurfacePoint*, 3> points(TriangleId t) const {
+    const auto [a, b, c] = mesh_.surface.corners(t);
+    return {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   }
 
   const skin::SkinSurface& skin_;

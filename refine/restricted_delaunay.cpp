@@ -22,7 +22,8 @@ double rounding_of(const IndexedMesh& mesh) {
   return 16 * std::ldexp(largest, -53);
 }
 
-/// How deep p lies in the ball, over its squared radius, if that is beyond rounding.
+/// How deep p lies in the ball, over its squared radius, if that is beyond the refinement's margin,
+/// with which four vertices on a circle settle either way, and beyond rounding.
 std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double rounding) {
   const double intrusion = ball.intrusion(p);
   const double margin =
