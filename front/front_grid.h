@@ -1,10 +1,11 @@
 #pragma once
 
-/// Front corners by place: a hash of cells whose size follows the length scale in octaves.
+/// Front corners by place: a hash of cells whose size follows the length scale in bands, each from
+/// a power of four to the next.
 ///
-/// A query at a point of length scale rho looks into the octave of rho. Since rho is 1-Lipschitz, a
+/// A query at a point of length scale rho looks into the band of rho. Since rho is 1-Lipschitz, a
 /// corner within reach() rho of the point has its own length scale within a known factor,
-/// so a corner is filed in every octave from which it can be asked for, its own and mostly one
+/// so a corner is filed in every band from which it can be asked for, its own and perhaps one
 /// more: nothing within reach is missed.
 
 #include <algorithm>
@@ -34,10 +35,10 @@ class FrontGrid {
   double reach(double length_scale) const { return reach_ * counted(length_scale); }
 
   void insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_octave(length_scale, [&](int octave) {
-      const double size = cell_size(octave);
-      const Box box = box_of(octave, position);
-      Cell& cell = cells_[cell_with_room(key_of(octave, box))];
+    for_each_band(length_scale, [&](int band) {
+      const double size = cell_size(band);
+      const Box box = box_of(band, position);
+      Cell& cell = cells_[cell_with_room(key_of(band, box))];
       const std::uint32_t n = cell.count++;
       cell.x[n] = offset(position.x(), box[0], size);
       cell.y[n] = offset(position.y(), box[1], size);
@@ -48,8 +49,8 @@ class FrontGrid {
 
   /// @pre the corner was inserted with the same position and length scale.
   void erase(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_octave(length_scale, [&](int octave) {
-      const std::uint32_t key = key_of(octave, box_of(octave, position));
+    for_each_band(length_scale, [&](int band) {
+      const std::uint32_t key = key_of(band, box_of(band, position));
       for (std::uint32_t* link = &first(key);; link = &cells_[*link].next) {
         Cell& cell = cells_[*link];
         if (cell.key != key || !take_out(cell, corner)) continue;
@@ -68,8 +69,8 @@ class FrontGrid {
   template <class Visit>
   void for_each_within(const geometry::Point& p, double length_scale, double reach,
                        Visit visit) const {
-    const int octave = octave_of(counted(length_scale));
-    const double size = cell_size(octave), s = cells_per_angstrom(octave);
+    const int band = band_of(counted(length_scale));
+    const double size = cell_size(band), s = cells_per_angstrom(band);
     const Box low{whole((p.x() - reach) * s), whole((p.y() - reach) * s),
                   whole((p.z() - reach) * s)};
     const Box high{whole((p.x() + reach) * s), whole((p.y() + reach) * s),
@@ -83,7 +84,7 @@ class FrontGrid {
         const float y = offset(p.y(), box[1], size);
         for (box[2] = low[2]; box[2] <= high[2]; ++box[2]) {
           const float z = offset(p.z(), box[2], size);
-          const std::uint32_t key = key_of(octave, box);
+          const std::uint32_t key = key_of(band, box);
           for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
             if (cells_[c].key == key) visit_near(cells_[c], x, y, z, squared_reach, visit);
           }
@@ -117,16 +118,16 @@ class FrontGrid {
     }
   }
 
-  /// Twice the reach at the top of the octave, so that a query touches two cells an axis at most.
-  double cell_size(int octave) const { return 4 * reach_ * power_of_two(octave); }
-  double cells_per_angstrom(int octave) const { return power_of_two(-octave) / (4 * reach_); }
-  /// 2^n and the octave of x from the bits: the library's functions are calls, and this is the
+  /// Twice the reach at the top of the band, so that a query touches two cells an axis at most.
+  double cell_size(int band) const { return 8 * reach_ * power_of_four(band); }
+  double cells_per_angstrom(int band) const { return power_of_four(-band) / (8 * reach_); }
+  /// 4^n and the band of x from the bits: the library's functions are calls, and this is the
   /// innermost loop. @pre both are normal numbers.
-  static double power_of_two(int n) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
+  static double power_of_four(int n) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + 2 * n) << 52);
   }
-  static int octave_of(double x) {
-    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023;
+  static int band_of(double x) {
+    return (static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023) >> 1;
   }
   static std::int64_t whole(double x) {
     const auto i = static_cast<std::int64_t>(x);
@@ -135,22 +136,22 @@ class FrontGrid {
   static float offset(double x, std::int64_t i, double size) {
     return static_cast<float>(x - static_cast<double>(i) * size);
   }
-  Box box_of(int octave, const geometry::Point& p) const {
-    const double s = cells_per_angstrom(octave);
+  Box box_of(int band, const geometry::Point& p) const {
+    const double s = cells_per_angstrom(band);
     return {whole(p.x() * s), whole(p.y() * s), whole(p.z() * s)};
   }
-  static std::uint32_t key_of(int octave, const Box& box) {
+  static std::uint32_t key_of(int band, const Box& box) {
     const std::uint64_t h = static_cast<std::uint64_t>(box[0]) * 0x9E3779B97F4A7C15ULL +
                             static_cast<std::uint64_t>(box[1]) * 0xC2B2AE3D27D4EB4FULL +
                             static_cast<std::uint64_t>(box[2]) * 0x165667B19E3779F9ULL +
-                            static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
+                            static_cast<std::uint64_t>(band) * 0xD6E8FEB86659FD93ULL;
     return static_cast<std::uint32_t>(((h ^ (h >> 32)) * 0xD6E8FEB86659FD93ULL) >> 32);
   }
   template <class Visit>
-  void for_each_octave(double length_scale, Visit visit) const {
-    const int lowest = octave_of(counted(length_scale) / (1 + reach_));
-    const int highest = octave_of(counted(length_scale) / (1 - reach_));
-    for (int octave = lowest; octave <= highest; ++octave) visit(octave);
+  void for_each_band(double length_scale, Visit visit) const {
+    const int lowest = band_of(counted(length_scale) / (1 + reach_));
+    const int highest = band_of(counted(length_scale) / (1 - reach_));
+    for (int band = lowest; band <= highest; ++band) visit(band);
   }
 
   double counted(double length_scale) const {

@@ -112,8 +112,8 @@ bool Sweep::creep(FrontEdgeId e) {
   look_round(e);
   fresh_.assign({front_[e].next});
   if (!is_triangle(e)) {
-    break_long_edge(e);
-    break_long_edge(front_[e].previous);
+    break_long_edge(e, centre);
+    break_long_edge(front_[e].previous, centre);
   }
   while (front_[e].is_open && front_[e].generation == generation) {
     const double angle = near_.bare_angle(e);
@@ -165,12 +165,19 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   return true;
 }
 
-/// Lays a triangle with a vertex before the middle of an edge that is too long for its ends.
-void Sweep::break_long_edge(FrontEdgeId e) {
+/// Lays a triangle with a vertex before the middle of an edge at the departure vertex that is too
+/// long for its ends.
+void Sweep::break_long_edge(FrontEdgeId e, const SurfacePoint& centre) {
+  const Vector edge = front_.next(e).position - front_[e].position;
+  const double squared_length = edge.squaredNorm();
+  // Mostly the edge is short enough for any length scale that the far end can have: rho is
+  // 1-Lipschitz.
+  const double share = spacing_.longest_edge * disk_share_, length = std::sqrt(squared_length);
+  if (length <= share * options_.sizing.scale(centre.length_scale - length)) return;
   const SurfacePoint &p = mesh_.at(front_[e].origin), &w = mesh_.at(front_.target(e));
   const double r = disk_share_ * options_.sizing.scale(std::min(p.length_scale, w.length_scale));
   const double longest = spacing_.longest_edge * r;
-  if ((p.position - w.position).squaredNorm() <= longest * longest) return;
+  if (squared_length <= longest * longest) return;
   const Vector2 at_p = near_.local(p.position).plane, at_w = near_.local(w.position).plane;
   const Vector2 along = (at_w - at_p).normalized();
   const Vector2 right(along.y(), -along.x());

@@ -219,7 +219,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
   out.worst_U = std::max(out.worst_U, u);
   if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
+    const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
     if (a > b) continue;  // each edge from one side
     const double l = sizing_.edge_ratio(points_[a], points_[b]);
     out.worst_L = std::min(out.worst_L, l);
@@ -324,14 +324,14 @@ void Certifier::check_covering_degree() {
     if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
   }
   std::vector<char> is_free(mesh_.positions.size(), 0);
-  CandidateGrid grid(std::max(reach_, 1e-3));
   std::size_t count = 0;
+  for (const auto& list : candidates) count += list.size();
+  CandidateGrid grid(std::max(reach_, 1e-3), count);
   for (const auto& list : candidates) {
     for (const VertexId v : list) {
       is_free[v.index()] = 1;
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
-    count += list.size();
   }
   const auto look_at = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
     const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;

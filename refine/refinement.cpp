@@ -96,7 +96,7 @@ Circumcircle Refinement::update(TriangleId t, Work& found) {
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   if (is_big(t, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (sizing_.edge_ratio(*p[k], *p[(k + 1) % 3]) <= 1) {
+    if (sizing_.edge_ratio(*p[k], *p[k == 2 ? 0 : k + 1]) <= 1) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
