@@ -216,7 +216,8 @@ void Sweep::wing() {
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
     const auto here = fresh_.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(fresh_.begin() + static_cast<std::ptrdiff_t>(unchanged), here, c) != here) continue;
+    if (std::find(fresh_.begin() + static_cast<std::ptrdiff_t>(unchanged), here, c) != here)
+      continue;
     if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
     // One closed corner makes the next one small, and so on out of view: what lies there is not
     // known. Such a corner waits for its own turn.

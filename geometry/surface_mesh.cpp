@@ -79,8 +79,10 @@ void SurfaceMesh::flip(HalfEdgeId h) {
   assert(!is_boundary(h));
   const HalfEdgeId g = twin(h);
   const VertexId a = origin(h), b = origin(g), c = apex(h), d = apex(g);
-  const HalfEdgeId beyond_bc = half_edges_[next(h).index()].twin, beyond_ca = half_edges_[previous(h).index()].twin;
-  const HalfEdgeId beyond_ad = half_edges_[next(g).index()].twin, beyond_db = half_edges_[previous(g).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(h).index()].twin,
+                   beyond_ca = half_edges_[previous(h).index()].twin;
+  const HalfEdgeId beyond_ad = half_edges_[next(g).index()].twin,
+                   beyond_db = half_edges_[previous(g).index()].twin;
   set_corner(previous(h), a);
   set_corner(previous(g), b);
   set_corner(next(h), c);
@@ -96,7 +98,8 @@ void SurfaceMesh::flip(HalfEdgeId h) {
 void SurfaceMesh::split(TriangleId t, VertexId v) {
   const auto [a, b, c] = corners(t);
   const HalfEdgeId ab = half_edge(t, 0);
-  const HalfEdgeId beyond_bc = half_edges_[next(ab).index()].twin, beyond_ca = half_edges_[previous(ab).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(ab).index()].twin,
+                   beyond_ca = half_edges_[previous(ab).index()].twin;
   const HalfEdgeId bc = half_edge(add_triangle(b, c, v), 0);
   const HalfEdgeId ca = half_edge(add_triangle(c, a, v), 0);
   set_corner(previous(ab), v);
@@ -114,7 +117,8 @@ void SurfaceMesh::unsplit(VertexId v) {
   const HalfEdgeId va = outgoing_[v.index()];
   const HalfEdgeId vb = twin(previous(va));
   const HalfEdgeId vc = twin(previous(vb));
-  const HalfEdgeId beyond_bc = half_edges_[next(vb).index()].twin, beyond_ca = half_edges_[next(vc).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(vb).index()].twin,
+                   beyond_ca = half_edges_[next(vc).index()].twin;
   const VertexId a = target(va), b = target(vb), c = target(vc);
   // The kept triangle's half-edges va, next(va), previous(va) become c-a, a-b, b-c.
   set_corner(va, c);
@@ -137,7 +141,8 @@ void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
     }
   }
   for (const TriangleId t : triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k) half_edges_[half_edge(t, k).index()].origin = VertexId{kBoundary};
+    for (std::uint32_t k = 0; k < 3; ++k)
+      half_edges_[half_edge(t, k).index()].origin = VertexId{kBoundary};
   }
   // A fan that is left begins at the half-edge whose twin is gone.
   for (const TriangleId t : triangles) {

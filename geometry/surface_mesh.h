@@ -51,7 +51,9 @@ class SurfaceMesh {
     return {first[0].origin, first[1].origin, first[2].origin};
   }
   /// A removed triangle keeps its place until compact(); every other one is alive.
-  bool is_removed(TriangleId t) const { return half_edges_[3 * t.index()].origin.value == kBoundary; }
+  bool is_removed(TriangleId t) const {
+    return half_edges_[3 * t.index()].origin.value == kBoundary;
+  }
 
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.

@@ -1,8 +1,8 @@
 #pragma once
 
 /// What is known of a triangle's surface ball without looking for its centre. All balls through the
-/// three corners are a pencil, with their centres on the line x = o + s n through the circumcentre o
-/// along the unit normal n. A bound on s mostly tells already on which side of the surface ball a
+/// three corners are a pencil, with their centres on the line x = o + s n through the circumcentre
+/// o along the unit normal n. A bound on s mostly tells already on which side of the surface ball a
 /// vertex lies; the ball itself is found only where it does not.
 
 #include <array>
@@ -54,8 +54,8 @@ std::optional<BallPencil> ball_pencil(const skin::SkinSurface& skin,
                                       const std::array<const SurfacePoint*, 3>& corners,
                                       const Circumcircle& circle);
 
-/// Whether the surface ball surely lies within 3/2 R of the circumcentre: where R is at most 0.15 of
-/// the length scale at a corner a and the cosine between the normal there and the triangle's at
+/// Whether the surface ball surely lies within 3/2 R of the circumcentre: where R is at most 0.15
+/// of the length scale at a corner a and the cosine between the normal there and the triangle's at
 /// least 0.97, the bound above makes |s| at most 0.403 R, and sqrt(R^2 + s^2) + |s| is 1.481 R.
 inline bool is_ball_close(const SurfacePoint& a, const Circumcircle& circle) {
   const double upright = a.normal.dot(circle.doubled_area);

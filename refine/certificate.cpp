@@ -233,8 +233,9 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
          "triangle " + std::to_string(t) + " does not face the way the skin does");
   }
   if (!proof.is_in_tube) {
-    fail(out, Claim::Tube, "triangle " + std::to_string(t) +
-                               " is too big for its length scale to be proved near the skin");
+    fail(out, Claim::Tube,
+         "triangle " + std::to_string(t) +
+             " is too big for its length scale to be proved near the skin");
   }
   // A point of the triangle lies within R of a corner.
   const double reach = (circle.radius + proof.way) / rho;

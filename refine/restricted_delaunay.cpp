@@ -161,7 +161,8 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
     bool is_entered = false;
     for (std::uint32_t k = 0; k < 3 && !is_entered; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
-      const Point& p = mesh.positions[surface.apex(surface.twin(h)).index()];
+      // As located: the corner of a neighbour, so likely at hand.
+      const Point& p = points[surface.apex(surface.twin(h)).index()].position;
       const Vector d = p - circle.centre;
       if (d.squaredNorm() > far * circle.radius * circle.radius) continue;
       if (!bound) bound = ball_pencil(skin, at, circle);
