@@ -1,10 +1,11 @@
 #pragma once
 
-/// Front corners by place: a hash of cells whose size follows the length scale in octaves.
+/// Front corners by place: a hash of cells whose size follows the length scale in bands, each from
+/// a power of four to the next.
 ///
-/// A query at a point of length scale rho looks into the octave of rho. Since rho is 1-Lipschitz, a
+/// A query at a point of length scale rho looks into the band of rho. Since rho is 1-Lipschitz, a
 /// corner within reach() rho of the point has its own length scale within a known factor,
-/// so a corner is filed in every octave from which it can be asked for, its own and mostly one
+/// so a corner is filed in every band from which it can be asked for, its own and perhaps one
 /// more: nothing within reach is missed.
 
 #include <algorithm>
@@ -28,66 +29,64 @@ class FrontGrid {
   /// @param largest_length_scale  a larger one counts as this
   explicit FrontGrid(double reach,
                      double largest_length_scale = std::numeric_limits<double>::infinity())
-      : reach_(reach), largest_length_scale_(largest_length_scale), slots_(1024) {}
+      : reach_(reach), largest_length_scale_(largest_length_scale), first_(1024, none) {}
 
   /// The largest query radius at a place, Angstrom.
   double reach(double length_scale) const { return reach_ * counted(length_scale); }
 
   void insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_octave(length_scale, [&](int octave) {
-      const Place place = place_of(octave, position);
-      Cell& cell = cells_[cell_with_room(place.key)];
-      cell.entries[cell.count++] = {place.offset, corner};
+    for_each_band(length_scale, [&](int band) {
+      const double size = cell_size(band);
+      const Box box = box_of(band, position);
+      Cell& cell = cells_[cell_with_room(key_of(band, box))];
+      const std::uint32_t n = cell.count++;
+      cell.x[n] = offset(position.x(), box[0], size);
+      cell.y[n] = offset(position.y(), box[1], size);
+      cell.z[n] = offset(position.z(), box[2], size);
+      cell.corners[n] = corner;
     });
-    if (2 * keyed_ > slots_.size()) rebuild();
   }
 
   /// @pre the corner was inserted with the same position and length scale.
   void erase(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_octave(length_scale, [&](int octave) {
-      const std::uint32_t key = place_of(octave, position).key;
-      for (std::size_t slot = first_slot(key);; slot = next_slot(slot)) {
-        if (slots_[slot].key != key || slots_[slot].cell == no_cell) continue;
-        Cell& cell = cells_[slots_[slot].cell];
-        for (std::uint32_t i = 0; i < cell.count; ++i) {
-          if (cell.entries[i].corner != corner) continue;
-          cell.entries[i] = cell.entries[--cell.count];
-          if (cell.count == 0) unused_.push_back(std::exchange(slots_[slot].cell, no_cell));
-          return;
+    for_each_band(length_scale, [&](int band) {
+      const std::uint32_t key = key_of(band, box_of(band, position));
+      for (std::uint32_t* link = &first(key);; link = &cells_[*link].next) {
+        Cell& cell = cells_[*link];
+        if (cell.key != key || !take_out(cell, corner)) continue;
+        if (cell.count == 0) {
+          unused_.push_back(*link);
+          *link = cell.next;
         }
+        return;
       }
     });
   }
 
-  /// Calls visit(corner) for every corner within `reach` of a position. When two cells share a key,
+  /// Calls visit(corner) for every corner within `reach` of a position. When two boxes share a key,
   /// a corner may be visited twice, and one that lies far away may be visited.
   /// @pre reach <= reach(length_scale)
   template <class Visit>
   void for_each_within(const geometry::Point& p, double length_scale, double reach,
                        Visit visit) const {
-    const int octave = octave_of(counted(length_scale));
-    const double size = cell_size(octave), s = cells_per_angstrom(octave);
-    const std::array low{whole((p.x() - reach) * s), whole((p.y() - reach) * s),
-                         whole((p.z() - reach) * s)};
-    const std::array high{whole((p.x() + reach) * s), whole((p.y() + reach) * s),
-                          whole((p.z() + reach) * s)};
+    const int band = band_of(counted(length_scale));
+    const double size = cell_size(band), s = cells_per_angstrom(band);
+    const Box low{whole((p.x() - reach) * s), whole((p.y() - reach) * s),
+                  whole((p.z() - reach) * s)};
+    const Box high{whole((p.x() + reach) * s), whole((p.y() + reach) * s),
+                   whole((p.z() + reach) * s)};
     // Offsets are rounded to single precision, by less than a millionth of the cell.
     const float squared_reach = static_cast<float>(reach * reach * 1.001);
-    for (std::int64_t i = low[0]; i <= high[0]; ++i) {
-      for (std::int64_t j = low[1]; j <= high[1]; ++j) {
-        for (std::int64_t k = low[2]; k <= high[2]; ++k) {
-          const Offset at = offset(p, i, j, k, size);
-          const std::uint32_t key = key_of(octave, i, j, k);
-          for (std::size_t slot = first_slot(key); slots_[slot].key != free_slot;
-               slot = next_slot(slot)) {
-            if (slots_[slot].key != key || slots_[slot].cell == no_cell) continue;
-            const Cell& cell = cells_[slots_[slot].cell];
-            for (std::uint32_t n = 0; n < cell.count; ++n) {
-              const Entry& entry = cell.entries[n];
-              const float dx = entry.offset[0] - at[0], dy = entry.offset[1] - at[1],
-                          dz = entry.offset[2] - at[2];
-              if (dx * dx + dy * dy + dz * dz <= squared_reach) visit(entry.corner);
-            }
+    Box box;
+    for (box[0] = low[0]; box[0] <= high[0]; ++box[0]) {
+      const float x = offset(p.x(), box[0], size);
+      for (box[1] = low[1]; box[1] <= high[1]; ++box[1]) {
+        const float y = offset(p.y(), box[1], size);
+        for (box[2] = low[2]; box[2] <= high[2]; ++box[2]) {
+          const float z = offset(p.z(), box[2], size);
+          const std::uint32_t key = key_of(band, box);
+          for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
+            if (cells_[c].key == key) visit_near(cells_[c], x, y, z, squared_reach, visit);
           }
         }
       }
@@ -95,116 +94,115 @@ class FrontGrid {
   }
 
  private:
-  using Offset = std::array<float, 3>;  ///< from the cell's low corner
-  struct Entry {
-    Offset offset;
-    FrontEdgeId corner;
-  };
-  static constexpr std::uint32_t free_slot = 0, no_cell = 0xFFFFFFFFU;
-  /// The table's entry: a key is never taken back until the table is rebuilt, a cell is as soon as
-  /// it is empty. A full cell goes on in a later slot under the same key.
-  struct Slot {
-    std::uint32_t key = free_slot;
-    std::uint32_t cell = no_cell;
-  };
+  using Box = std::array<std::int64_t, 3>;  ///< a cell's place, in cells from the origin
+  static constexpr std::uint32_t room = 8, none = 0xFFFFFFFFU;
+  /// Corners in one box, as offsets from its low corner. Boxes with the same place in the table of
+  /// first cells are a list, and so are the cells of a box that needs more than one.
   struct alignas(64) Cell {
-    std::uint32_t count = 0;
-    std::array<Entry, 7> entries;
-  };
-  struct Place {
-    std::uint32_t key;
-    Offset offset;
+    std::array<float, room> x{}, y{}, z{};
+    std::uint32_t key = 0, next = none, count = 0;
+    std::array<FrontEdgeId, room> corners;
   };
 
-  /// Twice the reach at the top of the octave, so that a query touches two cells an axis at most.
-  double cell_size(int octave) const { return 4 * reach_ * power_of_two(octave); }
-  double cells_per_angstrom(int octave) const { return power_of_two(-octave) / (4 * reach_); }
-  /// 2^n and the octave of x from the bits: the library's functions are calls, and this is the
-  /// innermost loop. @pre both are normal numbers.
-  static double power_of_two(int n) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
+  /// All the distances of a cell at once, so that the compiler can take four in one instruction.
+  template <class Visit>
+  static void visit_near(const Cell& cell, float x, float y, float z, float squared_reach,
+                         Visit& visit) {
+    std::array<float, room> squared;
+    for (std::uint32_t n = 0; n < room; ++n) {
+      const float dx = cell.x[n] - x, dy = cell.y[n] - y, dz = cell.z[n] - z;
+      squared[n] = dx * dx + dy * dy + dz * dz;
+    }
+    for (std::uint32_t n = 0; n < cell.count; ++n) {
+      if (squared[n] <= squared_reach) visit(cell.corners[n]);
+    }
   }
-  static int octave_of(double x) {
-    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023;
+
+  /// Twice the reach at the top of the band, so that a query touches two cells an axis at most.
+  double cell_size(int band) const { return 8 * reach_ * power_of_four(band); }
+  double cells_per_angstrom(int band) const { return power_of_four(-band) / (8 * reach_); }
+  /// 4^n and the band of x from the bits: the library's functions are calls, and this is the
+  /// innermost loop. @pre both are normal numbers.
+  static double power_of_four(int n) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + 2 * n) << 52);
+  }
+  static int band_of(double x) {
+    return (static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023) >> 1;
   }
   static std::int64_t whole(double x) {
     const auto i = static_cast<std::int64_t>(x);
     return x < static_cast<double>(i) ? i - 1 : i;
   }
-  static Offset offset(const geometry::Point& p, std::int64_t i, std::int64_t j, std::int64_t k,
-                       double size) {
-    return {static_cast<float>(p.x() - static_cast<double>(i) * size),
-            static_cast<float>(p.y() - static_cast<double>(j) * size),
-            static_cast<float>(p.z() - static_cast<double>(k) * size)};
+  static float offset(double x, std::int64_t i, double size) {
+    return static_cast<float>(x - static_cast<double>(i) * size);
   }
-  static std::uint32_t key_of(int octave, std::int64_t i, std::int64_t j, std::int64_t k) {
-    std::uint64_t h = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL +
-                      static_cast<std::uint64_t>(j) * 0xC2B2AE3D27D4EB4FULL +
-                      static_cast<std::uint64_t>(k) * 0x165667B19E3779F9ULL +
-                      static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
-    h = (h ^ (h >> 32)) * 0xD6E8FEB86659FD93ULL;
-    const auto key = static_cast<std::uint32_t>(h >> 32);
-    return key == free_slot ? 1 : key;
+  Box box_of(int band, const geometry::Point& p) const {
+    const double s = cells_per_angstrom(band);
+    return {whole(p.x() * s), whole(p.y() * s), whole(p.z() * s)};
   }
-  Place place_of(int octave, const geometry::Point& p) const {
-    const double size = cell_size(octave), s = cells_per_angstrom(octave);
-    const std::int64_t i = whole(p.x() * s), j = whole(p.y() * s), k = whole(p.z() * s);
-    return {key_of(octave, i, j, k), offset(p, i, j, k, size)};
+  static std::uint32_t key_of(int band, const Box& box) {
+    const std::uint64_t h = static_cast<std::uint64_t>(box[0]) * 0x9E3779B97F4A7C15ULL +
+                            static_cast<std::uint64_t>(box[1]) * 0xC2B2AE3D27D4EB4FULL +
+                            static_cast<std::uint64_t>(box[2]) * 0x165667B19E3779F9ULL +
+                            static_cast<std::uint64_t>(band) * 0xD6E8FEB86659FD93ULL;
+    return static_cast<std::uint32_t>(((h ^ (h >> 32)) * 0xD6E8FEB86659FD93ULL) >> 32);
   }
   template <class Visit>
-  void for_each_octave(double length_scale, Visit visit) const {
-    const int lowest = octave_of(counted(length_scale) / (1 + reach_));
-    const int highest = octave_of(counted(length_scale) / (1 - reach_));
-    for (int octave = lowest; octave <= highest; ++octave) visit(octave);
+  void for_each_band(double length_scale, Visit visit) const {
+    const int lowest = band_of(counted(length_scale) / (1 + reach_));
+    const int highest = band_of(counted(length_scale) / (1 - reach_));
+    for (int band = lowest; band <= highest; ++band) visit(band);
   }
 
   double counted(double length_scale) const {
     return std::min(length_scale, largest_length_scale_);
   }
-  std::size_t first_slot(std::uint32_t key) const { return key & (slots_.size() - 1); }
-  std::size_t next_slot(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
-  bool has_room(const Slot& slot) const {
-    return slot.cell == no_cell || cells_[slot.cell].count < cells_[slot.cell].entries.size();
+  std::uint32_t& first(std::uint32_t key) { return first_[key & (first_.size() - 1)]; }
+  std::uint32_t first(std::uint32_t key) const { return first_[key & (first_.size() - 1)]; }
+
+  static bool take_out(Cell& cell, FrontEdgeId corner) {
+    std::uint32_t i = 0;
+    while (i < cell.count && cell.corners[i] != corner) ++i;
+    if (i == cell.count) return false;
+    const std::uint32_t last = --cell.count;
+    cell.x[i] = cell.x[last];
+    cell.y[i] = cell.y[last];
+    cell.z[i] = cell.z[last];
+    cell.corners[i] = cell.corners[last];
+    return true;
   }
   std::uint32_t cell_with_room(std::uint32_t key) {
-    std::size_t i = first_slot(key);
-    while (slots_[i].key != free_slot && !(slots_[i].key == key && has_room(slots_[i]))) {
-      i = next_slot(i);
+    for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
+      if (cells_[c].key == key && cells_[c].count < room) return c;
     }
-    if (slots_[i].key == free_slot) ++keyed_;
-    slots_[i].key = key;
-    if (slots_[i].cell == no_cell) slots_[i].cell = new_cell();
-    return slots_[i].cell;
-  }
-  std::uint32_t new_cell() {
     if (unused_.empty()) {
+      unused_.push_back(static_cast<std::uint32_t>(cells_.size()));
       cells_.emplace_back();
-      return static_cast<std::uint32_t>(cells_.size() - 1);
+      if (4 * cells_.size() > first_.size()) grow();
     }
     const std::uint32_t cell = unused_.back();
     unused_.pop_back();
+    cells_[cell].key = key;
+    cells_[cell].next = std::exchange(first(key), cell);
     return cell;
   }
-  /// Forgets the keys of cells that the front has left; grows when the front has grown.
-  void rebuild() {
-    const std::size_t live = cells_.size() - unused_.size();
-    const std::size_t size = 4 * live > slots_.size() ? 2 * slots_.size() : slots_.size();
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(size));
-    keyed_ = 0;
-    for (const Slot& slot : old) {
-      if (slot.cell == no_cell) continue;
-      std::size_t i = first_slot(slot.key);
-      while (slots_[i].key != free_slot) i = next_slot(i);
-      slots_[i] = slot;
-      ++keyed_;
+  /// Doubles the table of first cells; with four places for each cell, lists are short.
+  void grow() {
+    const std::vector<std::uint32_t> old =
+        std::exchange(first_, std::vector<std::uint32_t>(2 * first_.size(), none));
+    for (std::uint32_t c : old) {
+      while (c != none) {
+        const std::uint32_t after = cells_[c].next;
+        cells_[c].next = std::exchange(first(cells_[c].key), c);
+        c = after;
+      }
     }
   }
 
   double reach_, largest_length_scale_;
-  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> first_;  ///< by key modulo its size: a cell, or none
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> unused_;  ///< cells in no slot
-  std::size_t keyed_ = 0;              ///< slots that are not free
+  std::vector<std::uint32_t> unused_;  ///< cells in no list
 };
 
 }  // namespace morskin::front

@@ -16,10 +16,14 @@ bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const 
          (cross(cd, a - c) > 0) != (cross(cd, b - c) > 0);
 }
 
-double squared_distance_to_segment(const Vector2& x, const Vector2& c, const Vector2& d) {
-  const Vector2 cd = d - c, cx = x - c;
-  const double along = std::clamp(cd.dot(cx) / cd.squaredNorm(), 0.0, 1.0);
-  return (cx - along * cd).squaredNorm();
+/// Whether x is nearer than `gap` to the segment from c along cd. Most are farther from the whole
+/// line, which takes no division to tell.
+/// @param cx, side  x - c, and cd x cx
+bool is_near_segment(const Vector2& cd, const Vector2& cx, double side, double gap) {
+  const double squared_length = cd.squaredNorm();
+  if (side * side >= gap * gap * squared_length) return false;
+  const double along = std::clamp(cd.dot(cx) / squared_length, 0.0, 1.0);
+  return (cx - along * cd).squaredNorm() < gap * gap;
 }
 
 /// The circles through the ends of an edge pw and a vertex on its right, compared by how far along
@@ -87,19 +91,24 @@ void Neighbourhood::list(FrontEdgeId e) {
   std::uint32_t& place = place_[e.index()];
   if (place < corners_.size() && corners_[place].edge == e) return;
   place = static_cast<std::uint32_t>(corners_.size());
-  corners_.push_back(seen(e));
+  look_at(e, corners_.emplace_back());
 }
 
-Neighbourhood::Corner Neighbourhood::seen(FrontEdgeId e) const {
+void Neighbourhood::look_at(FrontEdgeId e, Corner& corner) const {
   const FrontEdge &edge = front_[e], &next = front_.next(e);
-  return {e, edge.origin, next.origin, true, local(edge.position), plane(next)};
+  corner.edge = e;
+  corner.vertex = edge.origin;
+  corner.target = next.origin;
+  corner.is_open = true;
+  corner.at = local(edge.position);
+  corner.to = plane(next);
 }
 
 void Neighbourhood::refresh(FrontEdgeId e) {
   if (place_.size() <= e.index()) place_.resize(2 * front_.capacity(), 0);
   const std::uint32_t place = place_[e.index()];
   if (place < corners_.size() && corners_[place].edge == e) {
-    corners_[place] = seen(e);
+    look_at(e, corners_[place]);
   } else {
     list(e);
   }
@@ -149,7 +158,6 @@ bool Neighbourhood::opens_towards(FrontEdgeId corner, const Vector2& at, const V
 
 bool Neighbourhood::covers(const Corner& c, const Vector2& x) const {
   const Vector2& a = c.at.plane;
-  if (cross(c.to - a, x - a) <= 0) return false;  // on the bare side, as nearly always
   const Vector2 apex = local(mesh_.position(mesh_.surface.apex(front_[c.edge].half_edge))).plane;
   return cross(apex - c.to, x - c.to) >= 0 && cross(a - apex, x - apex) >= 0;
 }
@@ -168,11 +176,17 @@ bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_g
       const auto other = circles.offset(c.at.plane);
       if (other && *other < *offset && sees(e, c.edge)) return false;
     }
-    if (squared_distance_to_segment(x.plane, c.at.plane, c.to) < edge_gap * edge_gap) return false;
-    if (covers(c, x.plane)) return false;
-    const bool at_end_p = c.vertex == p || c.target == p, at_end_w = c.vertex == w || c.target == w;
-    if (!at_end_p && segments_cross(at_p, x.plane, c.at.plane, c.to)) return false;
-    if (!at_end_w && segments_cross(at_w, x.plane, c.at.plane, c.to)) return false;
+    // On which side of the front edge x lies answers the rest, but for few edges.
+    const Vector2 along = c.to - c.at.plane, to_x = x.plane - c.at.plane;
+    const double side = cross(along, to_x);
+    if (is_near_segment(along, to_x, side, edge_gap)) return false;
+    if (side > 0 && covers(c, x.plane)) return false;
+    const auto crosses = [&](VertexId end, const Vector2& at) {
+      const bool is_joined = c.vertex == end || c.target == end;
+      return !is_joined && (cross(along, at - c.at.plane) > 0) != (side > 0) &&
+             segments_cross(at, x.plane, c.at.plane, c.to);
+    };
+    if (crosses(p, at_p) || crosses(w, at_w)) return false;
   }
   return true;
 }

@@ -101,10 +101,10 @@ class Neighbourhood {
   bool is_crossed(VertexId a, const Vector2& at_a, VertexId b, const Vector2& at_b) const;
   /// Whether the direction d points into the bare sector of a corner.
   bool opens_towards(FrontEdgeId corner, const Vector2& at, const Vector2& d) const;
-  /// Whether x lies in the finished triangle behind a front edge.
+  /// Whether x lies in the finished triangle behind a front edge. @pre it is not on the bare side.
   bool covers(const Corner& c, const Vector2& x) const;
   void list(FrontEdgeId e);
-  Corner seen(FrontEdgeId e) const;
+  void look_at(FrontEdgeId e, Corner& corner) const;
   Vector2 plane(const FrontEdge& edge) const {
     const Vector d = edge.position - origin_;
     return {first_axis_.dot(d), second_axis_.dot(d)};

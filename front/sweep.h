@@ -129,7 +129,7 @@ class Sweep {
   void create(const morse::CriticalPoint& minimum);
   void creep_triangles();
   bool creep(FrontEdgeId e);
-  void break_long_edge(FrontEdgeId e);
+  void break_long_edge(FrontEdgeId e, const SurfacePoint& centre);
   bool attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, double r);
   void lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count);
   bool is_triangle(FrontEdgeId e) const;

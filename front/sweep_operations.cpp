@@ -1,6 +1,7 @@
 // The operations of section 4.1: creation, creep, wing, bridge, seal.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -20,8 +21,9 @@ constexpr double sixty_degrees = M_PI / 3;
 // [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = disk_share_ * options_.sizing.scale(centre.length_scale);
-  const skin::Patch& patch = skin_.complex().patch(centre.cell);
-  const double far = patch.length_scale(centre.position + r * direction);
+  const double far = skin_.with_patch(centre.cell, [&](const skin::Patch& patch) {
+    return patch.length_scale(centre.position + r * direction);
+  });
   return disk_share_ * options_.sizing.scale(std::min(centre.length_scale, far));
 }
 
@@ -110,8 +112,8 @@ bool Sweep::creep(FrontEdgeId e) {
   look_round(e);
   fresh_.assign({front_[e].next});
   if (!is_triangle(e)) {
-    break_long_edge(e);
-    break_long_edge(front_[e].previous);
+    break_long_edge(e, centre);
+    break_long_edge(front_[e].previous, centre);
   }
   while (front_[e].is_open && front_[e].generation == generation) {
     const double angle = near_.bare_angle(e);
@@ -163,12 +165,19 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   return true;
 }
 
-/// Lays a triangle with a vertex before the middle of an edge that is too long for its ends.
-void Sweep::break_long_edge(FrontEdgeId e) {
+/// Lays a triangle with a vertex before the middle of an edge at the departure vertex that is too
+/// long for its ends.
+void Sweep::break_long_edge(FrontEdgeId e, const SurfacePoint& centre) {
+  const Vector edge = front_.next(e).position - front_[e].position;
+  const double squared_length = edge.squaredNorm();
+  // Mostly the edge is short enough for any length scale that the far end can have: rho is
+  // 1-Lipschitz.
+  const double share = spacing_.longest_edge * disk_share_, length = std::sqrt(squared_length);
+  if (length <= share * options_.sizing.scale(centre.length_scale - length)) return;
   const SurfacePoint &p = mesh_.at(front_[e].origin), &w = mesh_.at(front_.target(e));
   const double r = disk_share_ * options_.sizing.scale(std::min(p.length_scale, w.length_scale));
   const double longest = spacing_.longest_edge * r;
-  if ((p.position - w.position).squaredNorm() <= longest * longest) return;
+  if (squared_length <= longest * longest) return;
   const Vector2 at_p = near_.local(p.position).plane, at_w = near_.local(w.position).plane;
   const Vector2 along = (at_w - at_p).normalized();
   const Vector2 right(along.y(), -along.x());
@@ -203,8 +212,12 @@ std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
 /// makes small in turn.
 // [excerpt: wing]
 void Sweep::wing() {
+  std::size_t unchanged = 0;  // the first corner looked at since one was closed
   for (std::size_t i = 0; i < fresh_.size(); ++i) {
     const FrontEdgeId c = fresh_[i];
+    const auto here = fresh_.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(fresh_.begin() + static_cast<std::ptrdiff_t>(unchanged), here, c) != here)
+      continue;
     if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
     // One closed corner makes the next one small, and so on out of view: what lies there is not
     // known. Such a corner waits for its own turn.
@@ -212,6 +225,7 @@ void Sweep::wing() {
     if (!near_.is_in_view(circle.centre, circle.radius)) continue;
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);
+    unchanged = i + 1;
     ++operations_.wing;
     note(Operation::Wing);
   }

@@ -9,10 +9,22 @@
 
 namespace morskin::geometry {
 
+SurfaceMesh::SurfaceMesh(std::size_t vertices,
+                         std::span<const std::array<std::uint32_t, 3>> triangles)
+    : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId{kBoundary}) {
+  if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  HalfEdgeId h;
+  for (const auto& triangle : triangles) {
+    for (const std::uint32_t v : triangle) {
+      set_corner(h, VertexId{v});
+      ++h.value;
+    }
+  }
+}
+
 void SurfaceMesh::reserve(std::size_t vertices) {
   outgoing_.reserve(vertices);
-  origin_.reserve(6 * vertices);
-  twin_.reserve(6 * vertices);
+  half_edges_.reserve(6 * vertices);
 }
 
 std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
@@ -27,13 +39,14 @@ VertexId SurfaceMesh::add_vertex() {
 
 TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
-  require_room(origin_.size() / 3, most_triangles, "triangles");
-  const HalfEdgeId first{origin_.size()};
-  origin_.resize(origin_.size() + 3);
-  twin_.resize(twin_.size() + 3, HalfEdgeId{kBoundary});
-  set_corner(first, a);
-  set_corner(HalfEdgeId{first.value + 1}, b);
-  set_corner(HalfEdgeId{first.value + 2}, c);
+  require_room(half_edges_.size() / 3, most_triangles, "triangles");
+  const HalfEdgeId first{half_edges_.size()};
+  half_edges_.push_back({a, HalfEdgeId{kBoundary}});
+  half_edges_.push_back({b, HalfEdgeId{kBoundary}});
+  half_edges_.push_back({c, HalfEdgeId{kBoundary}});
+  outgoing_[a.index()] = first;
+  outgoing_[b.index()] = HalfEdgeId{first.value + 1};
+  outgoing_[c.index()] = HalfEdgeId{first.value + 2};
   return triangle(first);
 }
 
@@ -45,7 +58,7 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
 
 void SurfaceMesh::append(const SurfaceMesh& other) {
   const std::uint32_t vertices = static_cast<std::uint32_t>(vertex_count());
-  const std::uint32_t half_edges = static_cast<std::uint32_t>(origin_.size());
+  const std::uint32_t half_edges = static_cast<std::uint32_t>(half_edges_.size());
   const auto moved = [](auto id, std::uint32_t by) {
     return id.value == kBoundary ? id : decltype(id){id.value + by};
   };
@@ -56,8 +69,9 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   constexpr std::size_t share_to_come = 16;
   const std::size_t vertices_together = vertex_count() + other.vertex_count();
   reserve(vertices_together + vertices_together / share_to_come);
-  for (const VertexId v : other.origin_) origin_.push_back(moved(v, vertices));
-  for (const HalfEdgeId h : other.twin_) twin_.push_back(moved(h, half_edges));
+  for (const HalfEdge& h : other.half_edges_) {
+    half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, half_edges)});
+  }
   for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));
 }
 
@@ -65,8 +79,10 @@ void SurfaceMesh::flip(HalfEdgeId h) {
   assert(!is_boundary(h));
   const HalfEdgeId g = twin(h);
   const VertexId a = origin(h), b = origin(g), c = apex(h), d = apex(g);
-  const HalfEdgeId beyond_bc = twin_[next(h).index()], beyond_ca = twin_[previous(h).index()];
-  const HalfEdgeId beyond_ad = twin_[next(g).index()], beyond_db = twin_[previous(g).index()];
+  const HalfEdgeId beyond_bc = half_edges_[next(h).index()].twin,
+                   beyond_ca = half_edges_[previous(h).index()].twin;
+  const HalfEdgeId beyond_ad = half_edges_[next(g).index()].twin,
+                   beyond_db = half_edges_[previous(g).index()].twin;
   set_corner(previous(h), a);
   set_corner(previous(g), b);
   set_corner(next(h), c);
@@ -82,7 +98,8 @@ void SurfaceMesh::flip(HalfEdgeId h) {
 void SurfaceMesh::split(TriangleId t, VertexId v) {
   const auto [a, b, c] = corners(t);
   const HalfEdgeId ab = half_edge(t, 0);
-  const HalfEdgeId beyond_bc = twin_[next(ab).index()], beyond_ca = twin_[previous(ab).index()];
+  const HalfEdgeId beyond_bc = half_edges_[next(ab).index()].twin,
+                   beyond_ca = half_edges_[previous(ab).index()].twin;
   const HalfEdgeId bc = half_edge(add_triangle(b, c, v), 0);
   const HalfEdgeId ca = half_edge(add_triangle(c, a, v), 0);
   set_corner(previous(ab), v);
@@ -100,7 +117,8 @@ void SurfaceMesh::unsplit(VertexId v) {
   const HalfEdgeId va = outgoing_[v.index()];
   const HalfEdgeId vb = twin(previous(va));
   const HalfEdgeId vc = twin(previous(vb));
-  const HalfEdgeId beyond_bc = twin_[next(vb).index()], beyond_ca = twin_[next(vc).index()];
+  const HalfEdgeId beyond_bc = half_edges_[next(vb).index()].twin,
+                   beyond_ca = half_edges_[next(vc).index()].twin;
   const VertexId a = target(va), b = target(vb), c = target(vc);
   // The kept triangle's half-edges va, next(va), previous(va) become c-a, a-b, b-c.
   set_corner(va, c);
@@ -110,8 +128,7 @@ void SurfaceMesh::unsplit(VertexId v) {
   set_twin(previous(va), beyond_bc);
   for (const HalfEdgeId h : {vb, vc}) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      origin_[half_edge(triangle(h), k).index()] = VertexId{kBoundary};
-      twin_[half_edge(triangle(h), k).index()] = HalfEdgeId{kBoundary};
+      half_edges_[half_edge(triangle(h), k).index()] = {};
     }
   }
   outgoing_[v.index()] = HalfEdgeId{kBoundary};
@@ -120,19 +137,20 @@ void SurfaceMesh::unsplit(VertexId v) {
 void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      outgoing_[origin_[half_edge(t, k).index()].index()] = HalfEdgeId{kBoundary};
+      outgoing_[half_edges_[half_edge(t, k).index()].origin.index()] = HalfEdgeId{kBoundary};
     }
   }
   for (const TriangleId t : triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k) origin_[half_edge(t, k).index()] = VertexId{kBoundary};
+    for (std::uint32_t k = 0; k < 3; ++k)
+      half_edges_[half_edge(t, k).index()].origin = VertexId{kBoundary};
   }
   // A fan that is left begins at the half-edge whose twin is gone.
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      HalfEdgeId& twin = twin_[half_edge(t, k).index()];
-      if (twin.value != kBoundary && origin_[twin.index()].value != kBoundary) {
-        twin_[twin.index()] = HalfEdgeId{kBoundary};
-        outgoing_[origin_[twin.index()].index()] = twin;
+      HalfEdgeId& twin = half_edges_[half_edge(t, k).index()].twin;
+      if (twin.value != kBoundary && half_edges_[twin.index()].origin.value != kBoundary) {
+        half_edges_[twin.index()].twin = HalfEdgeId{kBoundary};
+        outgoing_[half_edges_[twin.index()].origin.index()] = twin;
       }
       twin = HalfEdgeId{kBoundary};
     }
@@ -153,26 +171,25 @@ bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
 
 std::vector<std::optional<VertexId>> SurfaceMesh::compact() {
   std::vector<std::optional<VertexId>> renamed(vertex_count());
-  std::vector<HalfEdgeId> moved(origin_.size(), HalfEdgeId{kBoundary});
+  std::vector<HalfEdgeId> moved(half_edges_.size(), HalfEdgeId{kBoundary});
   std::size_t vertices = 0, half_edges = 0;
   for (std::size_t v = 0; v < outgoing_.size(); ++v) {
     if (outgoing_[v].value != kBoundary) renamed[v] = VertexId{vertices++};
   }
-  for (std::size_t h = 0; h < origin_.size(); ++h) {
-    if (origin_[h].value != kBoundary) moved[h] = HalfEdgeId{half_edges++};
+  for (std::size_t h = 0; h < half_edges_.size(); ++h) {
+    if (half_edges_[h].origin.value != kBoundary) moved[h] = HalfEdgeId{half_edges++};
   }
   const auto place = [&](HalfEdgeId h) { return h.value == kBoundary ? h : moved[h.index()]; };
-  for (std::size_t h = 0; h < origin_.size(); ++h) {
-    if (origin_[h].value == kBoundary) continue;
-    origin_[moved[h].index()] = *renamed[origin_[h].index()];
-    twin_[moved[h].index()] = place(twin_[h]);
+  for (std::size_t h = 0; h < half_edges_.size(); ++h) {
+    const HalfEdge old = half_edges_[h];
+    if (old.origin.value == kBoundary) continue;
+    half_edges_[moved[h].index()] = {*renamed[old.origin.index()], place(old.twin)};
   }
   for (std::size_t v = 0; v < renamed.size(); ++v) {
     if (renamed[v]) outgoing_[renamed[v]->index()] = place(outgoing_[v]);
   }
   outgoing_.resize(vertices);
-  origin_.resize(half_edges);
-  twin_.resize(half_edges);
+  half_edges_.resize(half_edges);
   return renamed;
 }
 
@@ -181,7 +198,8 @@ std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {
   list.reserve(triangle_count());
   for (std::size_t t = 0; t < triangle_count(); ++t) {
     if (is_removed(TriangleId{t})) continue;
-    list.push_back({origin_[3 * t].value, origin_[3 * t + 1].value, origin_[3 * t + 2].value});
+    const auto [a, b, c] = corners(TriangleId{t});
+    list.push_back({a.value, b.value, c.value});
   }
   return list;
 }
@@ -303,15 +321,46 @@ std::string gluing_defect(const SurfaceMesh& mesh) {
   return edge + ": its triangles disagree on orientation";
 }
 
-/// Whether two of the edges at a vertex lead to the same neighbour; `seen` is scratch, by vertex.
-bool has_double_edge(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
-  bool is_double = false;
+/// How many triangles a walk round a vertex meets, and whether two of its edges lead to the same
+/// neighbour; `seen` is scratch, by vertex.
+struct Round {
+  std::size_t triangles = 0;
+  bool has_double_edge = false;
+};
+Round walk_round(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
+  Round round;
   mesh.for_each_outgoing(v, [&](HalfEdgeId h) {
-    std::uint32_t& mark = seen[mesh.target(h).index()];
-    is_double = is_double || mark == v.value;
-    mark = v.value;
+    ++round.triangles;
+    round.has_double_edge |= std::exchange(seen[mesh.target(h).index()], v.value) == v.value;
   });
-  return is_double;
+  return round;
+}
+
+/// What is wrong at the first vertex that is not in the middle of one fan of triangles.
+std::optional<std::string> fan_defect(const SurfaceMesh& mesh) {
+  const auto text = [](std::size_t v, const char* what) {
+    return "vertex " + std::to_string(v) + what;
+  };
+  std::vector<std::uint32_t> seen(mesh.vertex_count(), 0xFFFFFFFFU);
+  std::optional<std::string> defect;
+  std::size_t met = 0, walked = 0;
+  for (; walked < mesh.vertex_count() && !defect; ++walked) {
+    const VertexId v{walked};
+    if (!mesh.outgoing(v)) return text(walked, " belongs to no triangle");
+    const Round round = walk_round(mesh, v, seen);
+    met += round.triangles;
+    if (round.has_double_edge) defect = text(walked, " is joined twice to a neighbour");
+  }
+  // Each walk met one fan; all together met every corner, unless some vertex has two fans.
+  if (met == 3 * mesh.triangle_count()) return defect;
+  std::vector<std::size_t> corners(mesh.vertex_count(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (const VertexId v : mesh.corners(TriangleId{t})) ++corners[v.index()];
+  }
+  for (std::size_t v = 0; v < walked; ++v) {
+    if (mesh.degree(VertexId{v}) != corners[v]) return text(v, " is where two sheets touch");
+  }
+  return defect;
 }
 
 }  // namespace
@@ -319,33 +368,18 @@ bool has_double_edge(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint3
 MeshOrDefect closed_mesh(std::size_t vertices,
                          const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   MeshOrDefect result;
-  SurfaceMesh& mesh = result.mesh;
-  mesh.reserve(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) mesh.add_vertex();
-  std::vector<std::uint32_t> corners(vertices, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [a, b, c] = triangles[t];
     if (a == b || b == c || c == a) {
       result.defect = "triangle " + std::to_string(t) + " repeats a corner";
       return result;
     }
-    for (const std::uint32_t v : triangles[t]) ++corners[v];
-    mesh.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
   }
-  if (!glue_all(mesh)) {
-    result.defect = gluing_defect(mesh);
-    return result;
-  }
-  std::vector<std::uint32_t> seen(vertices, 0xFFFFFFFFU);
-  for (std::size_t v = 0; v < vertices && !result.defect; ++v) {
-    const auto first = mesh.outgoing(VertexId{v});
-    if (!first) {
-      result.defect = "vertex " + std::to_string(v) + " belongs to no triangle";
-    } else if (mesh.degree(VertexId{v}) != corners[v]) {
-      result.defect = "vertex " + std::to_string(v) + " is where two sheets touch";
-    } else if (has_double_edge(mesh, VertexId{v}, seen)) {
-      result.defect = "vertex " + std::to_string(v) + " is joined twice to a neighbour";
-    }
+  result.mesh = SurfaceMesh(vertices, triangles);
+  if (glue_all(result.mesh)) {
+    result.defect = fan_defect(result.mesh);
+  } else {
+    result.defect = gluing_defect(result.mesh);
   }
   return result;
 }

@@ -4,7 +4,7 @@
 ///
 /// Half-edge h = 3 t + k of triangle t runs from corner k to corner k + 1, the triangle on its left
 /// (counter-clockwise seen from outside). Its twin is the opposite half-edge of the neighbouring
-/// triangle; a half-edge without one is on the boundary. Everything lies in three flat arrays.
+/// triangle; a half-edge without one is on the boundary. Everything lies in two flat arrays.
 
 #include <array>
 #include <cstdint>
@@ -21,13 +21,18 @@ using HalfEdgeId = Id<struct HalfEdgeTag>;
 
 class SurfaceMesh {
  public:
+  SurfaceMesh() = default;
+  /// Triangles of a list, in its order, none glued to another yet.
+  /// @pre every corner is below `vertices`; at most most_triangles.
+  SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
+
   std::size_t vertex_count() const { return outgoing_.size(); }
-  std::size_t triangle_count() const { return origin_.size() / 3; }
+  std::size_t triangle_count() const { return half_edges_.size() / 3; }
   void reserve(std::size_t vertices);
 
-  VertexId origin(HalfEdgeId h) const { return origin_[h.index()]; }
-  VertexId target(HalfEdgeId h) const { return origin_[next(h).index()]; }
-  VertexId apex(HalfEdgeId h) const { return origin_[previous(h).index()]; }
+  VertexId origin(HalfEdgeId h) const { return half_edges_[h.index()].origin; }
+  VertexId target(HalfEdgeId h) const { return half_edges_[next(h).index()].origin; }
+  VertexId apex(HalfEdgeId h) const { return half_edges_[previous(h).index()].origin; }
   static TriangleId triangle(HalfEdgeId h) { return TriangleId{h.value / 3}; }
   static HalfEdgeId half_edge(TriangleId t, std::uint32_t k) { return HalfEdgeId{3 * t.value + k}; }
   static HalfEdgeId next(HalfEdgeId h) {
@@ -36,16 +41,19 @@ class SurfaceMesh {
   static HalfEdgeId previous(HalfEdgeId h) {
     return HalfEdgeId{h.value % 3 == 0 ? h.value + 2 : h.value - 1};
   }
-  bool is_boundary(HalfEdgeId h) const { return twin_[h.index()].value == kBoundary; }
+  bool is_boundary(HalfEdgeId h) const { return half_edges_[h.index()].twin.value == kBoundary; }
   /// @pre !is_boundary(h)
-  HalfEdgeId twin(HalfEdgeId h) const { return twin_[h.index()]; }
+  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
   std::array<VertexId, 3> corners(TriangleId t) const {
-    return {origin_[3 * t.index()], origin_[3 * t.index() + 1], origin_[3 * t.index() + 2]};
+    const HalfEdge* first = &half_edges_[3 * t.index()];
+    return {first[0].origin, first[1].origin, first[2].origin};
   }
   /// A removed triangle keeps its place until compact(); every other one is alive.
-  bool is_removed(TriangleId t) const { return origin_[3 * t.index()].value == kBoundary; }
+  bool is_removed(TriangleId t) const {
+    return half_edges_[3 * t.index()].origin.value == kBoundary;
+  }
 
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
@@ -77,7 +85,7 @@ class SurfaceMesh {
     HalfEdgeId h = first;
     do {
       visit(h);
-      h = twin_[previous(h).index()];
+      h = half_edges_[previous(h).index()].twin;
     } while (h != first);
   }
   /// Takes triangles out of the mesh and leaves their edges to the others as boundary. Vertices
@@ -101,17 +109,20 @@ class SurfaceMesh {
  private:
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;
   void set_corner(HalfEdgeId h, VertexId v) {
-    origin_[h.index()] = v;
+    half_edges_[h.index()].origin = v;
     outgoing_[v.index()] = h;
   }
   void set_twin(HalfEdgeId h, HalfEdgeId g) {
-    twin_[h.index()] = g;
-    if (g.value != kBoundary) twin_[g.index()] = h;
+    half_edges_[h.index()].twin = g;
+    if (g.value != kBoundary) half_edges_[g.index()].twin = h;
   }
 
-  std::vector<VertexId> origin_;
-  std::vector<HalfEdgeId> twin_;
-  std::vector<HalfEdgeId> outgoing_;
+  struct HalfEdge {
+    VertexId origin{kBoundary};
+    HalfEdgeId twin{kBoundary};
+  };
+  std::vector<HalfEdge> half_edges_;
+  std::vector<HalfEdgeId> outgoing_;  ///< by vertex
 };
 
 /// What validate() looks for beyond the sound bookkeeping of every mesh.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +21,10 @@ class CandidateGrid {
  public:
   /// @param reach  how far from a place, in units of the length scale there, a vertex is to be
   ///               found; below 1
-  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
+  /// @param count  how many vertices there will be; each is filed in some fifty cells
+  CandidateGrid(double reach, std::size_t count)
+      : reach_(reach),
+        buckets_(std::bit_ceil(std::clamp<std::size_t>(256 * count, 1U << 10, 1U << 16))) {}
 
   void add(const geometry::Point& p, double length_scale, geometry::VertexId v) {
     const int lowest = std::ilogb(length_scale / (1 + reach_));
@@ -28,7 +34,7 @@ class CandidateGrid {
       for (std::int64_t i = -1; i <= 1; ++i) {
         for (std::int64_t j = -1; j <= 1; ++j) {
           for (std::int64_t k = -1; k <= 1; ++k) {
-            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
+            auto& bucket = buckets_[place_of({home[0] + i, home[1] + j, home[2] + k}, octave)];
             if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
           }
         }
@@ -38,7 +44,7 @@ class CandidateGrid {
   template <class Visit>
   void for_each_near(const geometry::Point& p, double length_scale, Visit visit) const {
     const int octave = std::ilogb(length_scale);
-    for (const geometry::VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
+    for (const geometry::VertexId v : buckets_[place_of(cell(p, octave), octave)]) visit(v);
   }
 
  private:
@@ -48,12 +54,12 @@ class CandidateGrid {
     const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale)); };
     return {whole(p.x()), whole(p.y()), whole(p.z())};
   }
-  static std::size_t hash(const Cell& c, int octave) {
+  std::size_t place_of(const Cell& c, int octave) const {
     const std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ULL +
                             static_cast<std::uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4FULL +
                             static_cast<std::uint64_t>(c[2]) * 0x165667B19E3779F9ULL +
                             static_cast<std::uint64_t>(octave) * 0xD6E8FEB86659FD93ULL;
-    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48;
+    return ((h ^ (h >> 29)) * 0xBF58476D1CE4E5B9ULL >> 48) & (buckets_.size() - 1);
   }
 
   double reach_;

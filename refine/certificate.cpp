@@ -59,27 +59,29 @@ class Certifier {
   void prove(unsigned threads) {
     if (mesh_.triangles.empty()) return fail(Claim::Manifold, "the mesh has no triangles");
     geometry::MeshOrDefect built;
-    // Where the vertices lie needs no connectivity, and the other way round.
+    // Where the vertices lie needs no connectivity, and the other way round. What each thread does
+    // is so divided that neither waits long for the other.
     const auto look_at_places = [&] {
       if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
       out_.is_single_precision = is_single_precision(mesh_);
       check_vertices();
-      check_triangles();
     };
     const auto look_at_connectivity = [&] {
       built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
       if (!built.defect) parts_ = geometry::components(built.mesh);
-      measure_shape();
     };
     geometry::do_both(threads, look_at_places, look_at_connectivity);
+    check_triangles(threads);
     surface_ = std::move(built.mesh);
     if (built.defect) {
+      measure_shape();
       out_.reason.clear();  // the first claim is the first reason
       fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
     } else {
       const auto look_at_covering = [&] {
         check_covering_degree();
         compare_counts();
+        measure_shape();
       };
       const auto look_at_balls = [&] {
         out_.restricted_delaunay_violations =
@@ -95,14 +97,15 @@ class Certifier {
     out_.certified = out_.reason.empty();
   }
 
-  void fail(Claim claim, const std::string& reason) {
-    std::string& first = out_.broken[static_cast<std::size_t>(claim)];
+  void fail(Claim claim, const std::string& reason) { fail(out_, claim, reason); }
+  static void fail(Certificate& out, Claim claim, const std::string& reason) {
+    std::string& first = out.broken[static_cast<std::size_t>(claim)];
     if (first.empty()) first = reason;
-    if (out_.reason.empty()) out_.reason = reason;
+    if (out.reason.empty()) out.reason = reason;
   }
   /// The first element that breaks [L] or [U]; no reason against the homeomorphism.
-  void note(Claim claim, const std::string& element, double ratio) {
-    out_.broken[static_cast<std::size_t>(claim)] =
+  static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
+    out.broken[static_cast<std::size_t>(claim)] =
         element + " has " + number(ratio) + " times its bound";
   }
   const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
@@ -112,7 +115,19 @@ class Certifier {
   /// Each vertex's distance to the skin.
   void check_vertices();
   /// [L], [U], and the conditions c1 and c2 of the theorem.
-  void check_triangles();
+  void check_triangles(unsigned threads);
+  struct FarReaching {
+    std::uint32_t triangle;
+    double from_first_corner;  ///< Angstrom
+  };
+  /// What a look at some of the triangles finds.
+  struct TriangleFindings {
+    Certificate out;  ///< what triangles have a say in
+    double reach = 0;
+    std::vector<FarReaching> far_reaching;
+  };
+  void check_triangle(std::size_t t, TriangleFindings& found) const;
+  void add(const TriangleFindings& found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
   void fail_to_show_degree(std::size_t component);
@@ -139,10 +154,6 @@ class Certifier {
   /// there; but for the triangles listed apart, for which it is more than `most_reach`.
   double reach_ = 0;
   static constexpr double most_reach = 0.8;
-  struct FarReaching {
-    std::uint32_t triangle;
-    double from_first_corner;  ///< Angstrom
-  };
   std::vector<FarReaching> far_reaching_;
 };
 
@@ -174,46 +185,64 @@ void Certifier::check_vertices() {
   }
 }
 
-void Certifier::check_triangles() {
+void Certifier::check_triangles(unsigned threads) {
   out_.worst_L = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const auto& corner = mesh_.triangles[t];
-    const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
-    const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-    const double u = sizing_.triangle_ratio(circle.radius, rho);
-    out_.worst_U = std::max(out_.worst_U, u);
-    if (!(u < 1) && out_.violations_U++ == 0) {
-      note(Claim::U, "triangle " + std::to_string(t), u);
+  const std::size_t count = mesh_.triangles.size();
+  std::vector<TriangleFindings> found(geometry::chunk_count(threads, count));
+  geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto chunk) {
+    found[chunk].out.worst_L = out_.worst_L;
+    for (std::size_t t = begin; t < end; ++t) check_triangle(t, found[chunk]);
+  });
+  for (const TriangleFindings& part : found) add(part);
+}
+
+void Certifier::add(const TriangleFindings& found) {
+  out_.worst_U = std::max(out_.worst_U, found.out.worst_U);
+  out_.worst_L = std::min(out_.worst_L, found.out.worst_L);
+  out_.violations_U += found.out.violations_U;
+  out_.violations_L += found.out.violations_L;
+  for (std::size_t claim = 0; claim < out_.broken.size(); ++claim) {
+    if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
+  }
+  if (out_.reason.empty()) out_.reason = found.out.reason;
+  reach_ = std::max(reach_, found.reach);
+  far_reaching_.insert(far_reaching_.end(), found.far_reaching.begin(), found.far_reaching.end());
+}
+
+void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
+  Certificate& out = found.out;
+  const auto& corner = mesh_.triangles[t];
+  const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  const double u = sizing_.triangle_ratio(circle.radius, rho);
+  out.worst_U = std::max(out.worst_U, u);
+  if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
+    if (a > b) continue;  // each edge from one side
+    const double l = sizing_.edge_ratio(points_[a], points_[b]);
+    out.worst_L = std::min(out.worst_L, l);
+    if (!(l > 1) && out.violations_L++ == 0) {
+      note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const SurfacePoint &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
-      if (corner[(k + 1) % 3] > corner[(k + 2) % 3]) continue;  // each edge from one side
-      const double l = sizing_.edge_ratio(a, b);
-      out_.worst_L = std::min(out_.worst_L, l);
-      if (!(l > 1) && out_.violations_L++ == 0) {
-        note(Claim::L,
-             "edge " + std::to_string(corner[(k + 1) % 3]) + "-" +
-                 std::to_string(corner[(k + 2) % 3]),
-             l);
-      }
-    }
-    const TubeProof proof = prove(p, circle);
-    if (!proof.is_upright) {
-      fail(Claim::Upright,
-           "triangle " + std::to_string(t) + " does not face the way the skin does");
-    }
-    if (!proof.is_in_tube) {
-      fail(Claim::Tube, "triangle " + std::to_string(t) +
-                            " is too big for its length scale to be proved near the skin");
-    }
-    // A point of the triangle lies within R of a corner.
-    const double reach = (circle.radius + proof.way) / rho;
-    if (reach > most_reach) {
-      far_reaching_.push_back({static_cast<std::uint32_t>(t), 2 * circle.radius + proof.way});
-    } else {
-      reach_ = std::max(reach_, reach);
-    }
+  }
+  const TubeProof proof = prove(p, circle);
+  if (!proof.is_upright) {
+    fail(out, Claim::Upright,
+         "triangle " + std::to_string(t) + " does not face the way the skin does");
+  }
+  if (!proof.is_in_tube) {
+    fail(out, Claim::Tube,
+         "triangle " + std::to_string(t) +
+             " is too big for its length scale to be proved near the skin");
+  }
+  // A point of the triangle lies within R of a corner.
+  const double reach = (circle.radius + proof.way) / rho;
+  if (reach > most_reach) {
+    found.far_reaching.push_back({static_cast<std::uint32_t>(t), 2 * circle.radius + proof.way});
+  } else {
+    found.reach = std::max(found.reach, reach);
   }
 }
 
@@ -296,14 +325,14 @@ void Certifier::check_covering_degree() {
     if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
   }
   std::vector<char> is_free(mesh_.positions.size(), 0);
-  CandidateGrid grid(std::max(reach_, 1e-3));
   std::size_t count = 0;
+  for (const auto& list : candidates) count += list.size();
+  CandidateGrid grid(std::max(reach_, 1e-3), count);
   for (const auto& list : candidates) {
     for (const VertexId v : list) {
       is_free[v.index()] = 1;
       grid.add(position(v.value), points_[v.index()].length_scale, v);
     }
-    count += list.size();
   }
   const auto look_at = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
     const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;

@@ -11,14 +11,10 @@ namespace morskin::refine {
 
 namespace {
 
-/// A ball counts as entered when a vertex is deeper in it than this share of its squared radius:
-/// above rounding, so that vertices on one circle settle either way.
-constexpr double least_intrusion = 1e-9;
-
-/// A vertex this far outside a quick ball, in shares of its squared radius, is outside the exact
-/// one: where the skin changes patches under a triangle the two were seen to differ by up to 0.08.
-/// Any nearer, and inside always, the exact ball decides.
-constexpr double doubtful_intrusion = 0.12;
+/// Of two balls the deeper entered.
+Depth deeper(const Depth& a, const Depth& b) {
+  return {std::max(a.least, b.least), std::max(a.most, b.most)};
+}
 
 }  // namespace
 
@@ -69,38 +65,18 @@ void Refinement::look_everywhere() {
 
 /// Notes the edges of t over which a vertex lies in its ball.
 void Refinement::look_for_flips(TriangleId t, const Circumcircle& circle, Work& found) {
-  SurfaceBall ball = quick_ball(t, circle);
+  QuestionedBall ball(skin_, points(t), circle);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
-    if (exact_depth_if_doubtful(t, ball, beyond) > 0) found.to_flip.push_back(h);
+    if (ball.intrusion(mesh_.position(beyond)).most > 0) found.to_flip.push_back(h);
   }
 }
 
-Circumcircle Refinement::circle_of(TriangleId t) const {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  return circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-}
-
-SurfaceBall Refinement::quick_ball(TriangleId t, const Circumcircle& circle) const {
-  return quick_surface_ball(skin_, mesh_.at(mesh_.surface.corners(t)[0]), circle);
-}
-
-/// How deep v lies in the surface ball of t; in doubt the ball is found to rounding, so that all
-/// answers together describe one restricted Voronoi diagram and flipping cannot go in circles.
-double Refinement::exact_depth_if_doubtful(TriangleId t, SurfaceBall& ball, VertexId v) const {
-  const double depth = ball.intrusion(mesh_.position(v));
-  if (ball.is_exact || depth < -doubtful_intrusion * ball.squared_radius) return depth;
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  ball = exact_ball(a, b, c);
-  return ball.intrusion(mesh_.position(v));
-}
-
-/// Balls are found when they are asked for: few triangles are asked twice.
-Refinement::Intrusion Refinement::intrusion(TriangleId t, VertexId v) const {
-  SurfaceBall ball = quick_ball(t, circle_of(t));
-  const double depth = exact_depth_if_doubtful(t, ball, v);
-  return {depth, ball.squared_radius};
+QuestionedBall Refinement::ball(VertexId a, VertexId b, VertexId c) const {
+  return {skin_,
+          {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
+          circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
 }
 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
@@ -120,7 +96,7 @@ Circumcircle Refinement::update(TriangleId t, Work& found) {
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   if (is_big(t, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (sizing_.edge_ratio(*p[k], *p[(k + 1) % 3]) <= 1) {
+    if (sizing_.edge_ratio(*p[k], *p[k == 2 ? 0 : k + 1]) <= 1) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
@@ -162,19 +138,28 @@ void Refinement::flip(HalfEdgeId h) {
 }
 
 // [excerpt: flip]
+/// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
+/// flip are less deeply entered. Bounds decide where they can. Where they cannot the balls are
+/// found to rounding, so that all answers together describe one restricted Voronoi diagram and
+/// flipping cannot go in circles.
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);
-  const TriangleId left = SurfaceMesh::triangle(h), right = SurfaceMesh::triangle(g);
   const VertexId a = surface.origin(h), b = surface.origin(g);
   const VertexId c = surface.apex(h), d = surface.apex(g);
-  const Intrusion in_left = intrusion(left, d), in_right = intrusion(right, c);
-  const double now = std::max(in_left.depth, in_right.depth);
-  const double smaller = std::min(in_left.squared_radius, in_right.squared_radius);
-  if (now <= least_intrusion * smaller || !can_flip(h)) return false;
-  const double then = std::max(exact_ball(a, d, c).intrusion(mesh_.position(b)),
-                               exact_ball(b, c, d).intrusion(mesh_.position(a)));
-  if (then >= now) return false;
+  const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
+  const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
+  QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
+  const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
+  if (now.most <= 0 || !can_flip(h)) return false;
+  QuestionedBall upper = ball(a, d, c), lower = ball(b, c, d);
+  const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
+  if (then.least >= now.most) return false;
+  if (then.most >= now.least) {
+    const Depth exactly_now = deeper(left.exact_depth(at_d), right.exact_depth(at_c));
+    const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
+    if (exactly_then.least >= exactly_now.least) return false;
+  }
   flip(h);
   return true;
 }
@@ -306,7 +291,9 @@ bool Refinement::insert(TriangleId t) {
   const auto [a, b, c] = surface.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
-  const auto x = skin_.project(exact_ball(a, b, c).centre, mesh_.at(a).cell);
+  const SurfaceBall ball =
+      exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
   const auto found = triangle_under(surface, place, t, *x);

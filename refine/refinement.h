@@ -9,9 +9,11 @@
 /// the triangle's surface ball. So the number of pairs closer than [L] allows never grows, as long
 /// as Q^2 > 2 + 4 C Q, and the process ends (papers/4.3-local-refinement.md).
 
+#include <array>
 #include <vector>
 
 #include "geometry/progress.h"
+#include "refine/ball_pencil.h"
 #include "refine/sizing.h"
 #include "refine/triangle_geometry.h"
 
@@ -67,16 +69,10 @@ class Refinement {
   bool is_big(TriangleId t, const Circumcircle& circle) const;
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
   bool can_flip(HalfEdgeId h) const;
-  /// How deep a vertex lies in a triangle's ball, Angstrom^2, and that ball's squared radius.
-  struct Intrusion {
-    double depth, squared_radius;
-  };
-  Intrusion intrusion(TriangleId t, VertexId v) const;
-  Circumcircle circle_of(TriangleId t) const;
-  SurfaceBall quick_ball(TriangleId t, const Circumcircle& circle) const;
-  double exact_depth_if_doubtful(TriangleId t, SurfaceBall& ball, VertexId v) const;
-  SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) const {
-    return exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  QuestionedBall ball(VertexId a, VertexId b, VertexId c) const;
+  std::array<const SurfacePoint*, 3> points(TriangleId t) const {
+    const auto [a, b, c] = mesh_.surface.corners(t);
+    return {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   }
 
   const skin::SkinSurface& skin_;

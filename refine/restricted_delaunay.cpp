@@ -6,62 +6,13 @@
 #include <thread>
 
 #include "geometry/kd_tree.h"
+#include "refine/ball_pencil.h"
 
 namespace morskin::refine {
 
 namespace {
 
 using geometry::IndexedMesh;
-
-/// What is known of a triangle's surface ball without looking for its centre x = o + s n on the
-/// line through the circumcentre o: that |s| <= reach. For p at height h over the triangle's plane
-///
-///     (squared radius) - |p - x|^2 = R^2 - |p - o|^2 + 2 s h,
-///
-/// linear in s, so that only vertices with |R^2 - |p - o|^2| <= 2 reach |h| need x itself.
-struct Pencil {
-  Circumcircle circle;
-  Vector normal;  ///< unit
-  double reach;   ///< Angstrom
-};
-
-/// With N = grad G / 2, which is 1-Lipschitz, and a corner a on the skin to within |G(a)| = g:
-///
-///     |G(o)| <= g + 2 |N(a).(o - a)| + R^2 <= g + 2 t R + R^2,     t^2 = |N(a)|^2 - (N(a).n)^2,
-///     N(o).n >= N(a).n - R =: m,      |G(o + s n) - G(o) - 2 s N(o).n| <= s^2,
-///
-/// so G changes its sign on |s| <= m - sqrt(m^2 - |G(o)|) if m^2 > |G(o)|, and once, since N.n > 0
-/// as long as |s| < m. The corner whose normal is nearest to n gives the best bound.
-/// @return nothing where the bound does not hold.
-std::optional<Pencil> pencil(const skin::SkinSurface& skin,
-                             const std::array<const SurfacePoint*, 3>& at,
-                             const Circumcircle& circle) {
-  Pencil result{circle, {}, 0};
-  const double R = result.circle.radius;
-  result.normal = result.circle.doubled_area / result.circle.doubled_area.norm();
-  const SurfacePoint* a = at[0];
-  double upright = -1;
-  for (const SurfacePoint* p : at) {
-    const double cosine = p->normal.dot(result.normal);
-    if (!(cosine > upright)) continue;
-    upright = cosine;
-    a = p;
-  }
-  const double rho = a->length_scale;
-  const double g = std::abs(skin.complex().patch(a->cell).value(a->position));
-  const double tilt = rho * std::sqrt(std::max(0.0, 1 - upright * upright));
-  const double most = g + (2 * tilt + R) * R;
-  const double m = rho * upright - R;
-  if (!(m > 0) || !(m * m > most)) return std::nullopt;
-  result.reach = most / (m + std::sqrt(m * m - most));
-  return result;
-}
-
-/// Whether the bound leaves it open that a vertex at d from the circumcentre lies in the ball.
-bool may_contain(const Pencil& pencil, const Vector& d) {
-  const double R = pencil.circle.radius;
-  return R * R - d.squaredNorm() > -2 * pencil.reach * std::abs(d.dot(pencil.normal));
-}
 
 /// A squared distance of about r^2 between points with coordinates up to L is off by a few times
 /// 2 r u L: a corner's, which defines the ball, and the vertex's. This is 16 u L, Angstrom.
@@ -71,7 +22,8 @@ double rounding_of(const IndexedMesh& mesh) {
   return 16 * std::ldexp(largest, -53);
 }
 
-/// How deep p lies in the ball, over its squared radius, if that is beyond rounding.
+/// How deep p lies in the ball, over its squared radius, if that is beyond the refinement's margin,
+/// with which four vertices on a circle settle either way, and beyond rounding.
 std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double rounding) {
   const double intrusion = ball.intrusion(p);
   const double margin =
@@ -136,13 +88,13 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
     const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
     if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
   };
-  if (const std::optional<Pencil> p = pencil(skin_, at, circle)) {
+  if (const std::optional<BallPencil> p = ball_pencil(skin_, at, circle)) {
     // The ball about o that holds every ball of the pencil.
     const double R = p->circle.radius;
     const double most = p->reach + std::sqrt(R * R + p->reach * p->reach);
     tree_.for_each_within(p->circle.centre, most, [&](const auto& near) {
       const std::uint32_t v = near.id.value;
-      if (is_corner(v) || !may_contain(*p, mesh_.positions[v] - p->circle.centre)) return;
+      if (is_corner(v) || !(p->depth(mesh_.positions[v]).most > 0)) return;
       ask(v);
     });
     if (!ball || ball->is_exact) return worst;
@@ -204,16 +156,17 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
     const auto [a, b, c] = mesh.triangles[t];
     const std::array at{&points[a], &points[b], &points[c]};
     const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
-    std::optional<Pencil> bound;
+    std::optional<BallPencil> bound;
     std::optional<SurfaceBall> ball;
     bool is_entered = false;
     for (std::uint32_t k = 0; k < 3 && !is_entered; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
-      const Point& p = mesh.positions[surface.apex(surface.twin(h)).index()];
+      // As located: the corner of a neighbour, so likely at hand.
+      const Point& p = points[surface.apex(surface.twin(h)).index()].position;
       const Vector d = p - circle.centre;
       if (d.squaredNorm() > far * circle.radius * circle.radius) continue;
-      if (!bound) bound = pencil(skin, at, circle);
-      if (bound && bound->reach <= largest_reach * circle.radius && !may_contain(*bound, d))
+      if (!bound) bound = ball_pencil(skin, at, circle);
+      if (bound && bound->reach <= largest_reach * circle.radius && !(bound->depth(p).most > 0))
         continue;
       if (!ball) ball = exact_surface_ball(skin, *at[0], at[1]->position, at[2]->position);
       is_entered = ball->is_exact && depth_in(*ball, p, rounding);

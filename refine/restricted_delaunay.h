@@ -14,11 +14,6 @@
 
 namespace morskin::refine {
 
-/// A vertex counts as inside a ball when it is deeper than this share of the squared radius (the
-/// refinement's own margin, so that four vertices on a circle settle either way), and deeper than
-/// rounding.
-inline constexpr double least_intrusion = 1e-9;
-
 struct DelaunayViolation {
   std::uint32_t triangle;
   std::uint32_t vertex;  ///< the deepest inside its surface ball
