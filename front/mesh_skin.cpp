@@ -53,6 +53,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Pro
   skin::SkinSurface surface(std::move(points), progress);
   if (progress) progress("dual complex", geometry::unknown_share);
   skin::DualComplex topology = skin::dual_complex(surface);
+  surface.forget_facets();
   return {std::move(surface), topology};
 }
 
