@@ -74,7 +74,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
       result.mesh.positions.push_back(p.position);
       result.cells.push_back(p.cell);
     }
-    made.mesh.points = {};
+    std::vector<SurfacePoint>().swap(made.mesh.points);
   });
   if (!options.certify) return result;
   if (options.progress) options.progress("certify", geometry::unknown_share);

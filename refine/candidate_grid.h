@@ -18,7 +18,8 @@ class CandidateGrid {
  public:
   /// @param reach  how far from a place, in units of the length scale there, a vertex is to be
   ///               found; below 1
-  explicit CandidateGrid(double reach) : reach_(reach), buckets_(1U << 16) {}
+  explicit CandidateGrid(double reach)
+      : reach_(reach), buckets_(1U << 16), is_filled_(buckets_.size() / 64, 0) {}
 
   void add(const geometry::Point& p, double length_scale, geometry::VertexId v) {
     const int lowest = std::ilogb(length_scale / (1 + reach_));
@@ -28,7 +29,9 @@ class CandidateGrid {
       for (std::int64_t i = -1; i <= 1; ++i) {
         for (std::int64_t j = -1; j <= 1; ++j) {
           for (std::int64_t k = -1; k <= 1; ++k) {
-            auto& bucket = buckets_[hash({home[0] + i, home[1] + j, home[2] + k}, octave)];
+            const std::size_t at = hash({home[0] + i, home[1] + j, home[2] + k}, octave);
+            auto& bucket = buckets_[at];
+            is_filled_[at / 64] |= std::uint64_t{1} << at % 64;
             if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
           }
         }
@@ -38,7 +41,9 @@ class CandidateGrid {
   template <class Visit>
   void for_each_near(const geometry::Point& p, double length_scale, Visit visit) const {
     const int octave = std::ilogb(length_scale);
-    for (const geometry::VertexId v : buckets_[hash(cell(p, octave), octave)]) visit(v);
+    const std::size_t at = hash(cell(p, octave), octave);
+    if ((is_filled_[at / 64] >> at % 64 & 1) == 0) return;
+    for (const geometry::VertexId v : buckets_[at]) visit(v);
   }
 
  private:
@@ -58,6 +63,7 @@ class CandidateGrid {
 
   double reach_;
   std::vector<std::vector<geometry::VertexId>> buckets_;
+  std::vector<std::uint64_t> is_filled_;  ///< a bit for each bucket: most are empty, all are asked
 };
 
 }  // namespace morskin::refine

@@ -216,8 +216,8 @@ void MixedComplex::mark_near_skin() {
 }
 
 void MixedComplex::forget_facets() {
-  triangulation_.tetrahedron_triangles = {};
-  triangulation_.triangle_edges = {};
+  std::vector<std::array<std::uint32_t, 4>>().swap(triangulation_.tetrahedron_triangles);
+  std::vector<std::array<std::uint32_t, 3>>().swap(triangulation_.triangle_edges);
   are_facets_forgotten_ = true;
 }
 
