@@ -11,7 +11,6 @@
 
 #include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
-#include "geometry/prefetch.h"
 #include "refine/candidate_grid.h"
 #include "refine/located_vertices.h"
 #include "refine/restricted_delaunay.h"
@@ -178,11 +177,6 @@ void Certifier::check_vertices() {
 void Certifier::check_triangles() {
   out_.worst_L = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (t + geometry::triangles_ahead < mesh_.triangles.size()) {
-      for (const auto v : mesh_.triangles[t + geometry::triangles_ahead]) {
-        geometry::prefetch(points_[v]);
-      }
-    }
     const auto& corner = mesh_.triangles[t];
     const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
     const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);

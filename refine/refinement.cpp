@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geometry/parallel.h"
-#include "geometry/prefetch.h"
 #include "refine/tube.h"
 
 namespace morskin::refine {
@@ -61,10 +60,6 @@ void Refinement::look_everywhere() {
   std::vector<Work> found(geometry::chunk_count(threads_, count));
   geometry::for_each_chunk(threads_, count, [&](auto begin, auto end, auto chunk) {
     for (std::size_t t = begin; t < end; ++t) {
-      if (t + geometry::triangles_ahead < end) {
-        const TriangleId ahead{t + geometry::triangles_ahead};
-        for (const VertexId v : mesh_.surface.corners(ahead)) geometry::prefetch(mesh_.at(v));
-      }
       const Circumcircle circle = update(TriangleId{t}, found[chunk]);
       look_for_flips(TriangleId{t}, circle, found[chunk]);
     }

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "geometry/kd_tree.h"
-#include "geometry/prefetch.h"
 
 namespace morskin::refine {
 
@@ -202,10 +201,6 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
   const double rounding = rounding_of(mesh);
   std::size_t violations = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (t + geometry::triangles_ahead < mesh.triangles.size()) {
-      const TriangleId ahead{t + geometry::triangles_ahead};
-      for (const std::uint32_t v : mesh.triangles[ahead.index()]) geometry::prefetch(points[v]);
-    }
     const auto [a, b, c] = mesh.triangles[t];
     const std::array at{&points[a], &points[b], &points[c]};
     const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
