@@ -53,6 +53,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Pro
   skin::SkinSurface surface(std::move(points), progress);
   if (progress) progress("dual complex", geometry::unknown_share);
   skin::DualComplex topology = skin::dual_complex(surface);
+  surface.forget_facets();
   return {std::move(surface), topology};
 }
 
@@ -73,7 +74,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
       result.mesh.positions.push_back(p.position);
       result.cells.push_back(p.cell);
     }
-    made.mesh.points = {};
+    std::vector<SurfacePoint>().swap(made.mesh.points);
   });
   if (!options.certify) return result;
   if (options.progress) options.progress("certify", geometry::unknown_share);

@@ -24,7 +24,8 @@ class CandidateGrid {
   /// @param count  how many vertices there will be; each is filed in some fifty cells
   CandidateGrid(double reach, std::size_t count)
       : reach_(reach),
-        buckets_(std::bit_ceil(std::clamp<std::size_t>(256 * count, 1U << 10, 1U << 16))) {}
+        buckets_(std::bit_ceil(std::clamp<std::size_t>(256 * count, 1U << 10, 1U << 16))),
+        is_filled_(buckets_.size() / 64, 0) {}
 
   void add(const geometry::Point& p, double length_scale, geometry::VertexId v) {
     const int lowest = std::ilogb(length_scale / (1 + reach_));
@@ -34,7 +35,9 @@ class CandidateGrid {
       for (std::int64_t i = -1; i <= 1; ++i) {
         for (std::int64_t j = -1; j <= 1; ++j) {
           for (std::int64_t k = -1; k <= 1; ++k) {
-            auto& bucket = buckets_[place_of({home[0] + i, home[1] + j, home[2] + k}, octave)];
+            const std::size_t at = place_of({home[0] + i, home[1] + j, home[2] + k}, octave);
+            auto& bucket = buckets_[at];
+            is_filled_[at / 64] |= std::uint64_t{1} << at % 64;
             if (bucket.empty() || bucket.back() != v) bucket.push_back(v);
           }
         }
@@ -44,7 +47,9 @@ class CandidateGrid {
   template <class Visit>
   void for_each_near(const geometry::Point& p, double length_scale, Visit visit) const {
     const int octave = std::ilogb(length_scale);
-    for (const geometry::VertexId v : buckets_[place_of(cell(p, octave), octave)]) visit(v);
+    const std::size_t at = place_of(cell(p, octave), octave);
+    if ((is_filled_[at / 64] >> at % 64 & 1) == 0) return;
+    for (const geometry::VertexId v : buckets_[at]) visit(v);
   }
 
  private:
@@ -64,6 +69,7 @@ class CandidateGrid {
 
   double reach_;
   std::vector<std::vector<geometry::VertexId>> buckets_;
+  std::vector<std::uint64_t> is_filled_;  ///< a bit for each bucket: most are empty, all are asked
 };
 
 }  // namespace morskin::refine

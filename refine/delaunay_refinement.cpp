@@ -8,6 +8,7 @@
 #include "geometry/expansion.h"
 #include "geometry/predicates.h"
 #include "geometry/predicates_internal.h"
+#include "refine/tube.h"
 
 namespace morskin::refine {
 
@@ -150,8 +151,20 @@ void DelaunayRefinement::look_at(Facet f) {
   const bool is_inner = is_inside(Triangulator::tetrahedron_of(f));
   if (is_inner == is_inside(Triangulator::tetrahedron_of(g))) return;
   const Facet inner = is_inner ? f : g;
-  const std::optional<Ball> ball = ball_of(inner);
-  if (ball && ball->ratio >= 1) push(*ball, inner);
+  std::optional<Ball> ball = ball_of(inner);
+  if (!ball) return;
+  ball->keeps_off = ball->ratio < 1;
+  if (ball->ratio >= 1 || !is_proved(inner)) push(*ball, inner);
+}
+
+/// Whether the certificate could prove a facet that meets [U] by itself. Where C Q is too large
+/// for that to follow, facets are broken that it could not.
+bool DelaunayRefinement::is_proved(Facet inner) const {
+  if (sizing_.is_tube_proved()) return true;
+  const FacetGeometry facet = geometry_of(inner);
+  const auto& [a, b, c] = facet.corners;
+  const double rho = std::max({a->length_scale, b->length_scale, c->length_scale});
+  return prove_tube(skin_, facet.corners, facet.circle, skin_.residual_bound(rho)).holds();
 }
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {
@@ -237,6 +250,11 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
 bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
   std::optional<SurfacePoint> x = skin_.project(ball.centre, ball.cell);
   if (!x) return false;
+  if (ball.keeps_off) {
+    for (const std::uint32_t corner : triangle(facet)) {
+      if (sizing_.edge_ratio(samples_[corner], *x) <= 1) return false;
+    }
+  }
   x->position = x->position.unaryExpr(&geometry::on_exact_grid);
   // The centre lies in the circumball of the tetrahedron on whose side of the facet it is.
   std::array<std::uint32_t, 2> hints{Triangulator::tetrahedron_of(facet),

@@ -5,7 +5,8 @@
 /// A sample of the skin is kept in a Delaunay triangulation of space. A facet of it is restricted
 /// when its dual Voronoi edge, between the circumcentres of the two tetrahedra behind it, crosses
 /// the skin; the crossing is the centre of an empty ball through the facet's corners, its surface
-/// ball. While some restricted facet's ball is too big for [U], the centre becomes a sample point.
+/// ball. While some restricted facet's ball is too big for [U], the centre becomes a sample point;
+/// and so does that of a facet too coarse for the certificate to prove, where [L] allows it.
 /// The restricted facets that are left are the mesh.
 ///
 /// A tetrahedron is inside or outside by the sign of G at its circumcentre, found once. A facet
@@ -83,8 +84,9 @@ class DelaunayRefinement {
   struct Ball {
     Point centre;
     CellId cell;
-    double height;  ///< of the centre over the facet, along its dual edge, outwards
-    double ratio;   ///< radius over the largest that [U] allows: below 1 is good
+    double height;           ///< of the centre over the facet, along its dual edge, outwards
+    double ratio;            ///< radius over the largest that [U] allows: below 1 is good
+    bool keeps_off = false;  ///< its centre goes in only as far from the corners as [L] wants
   };
   /// A facet to break.
   struct Work {
@@ -110,6 +112,7 @@ class DelaunayRefinement {
   void look_at_new(std::span<const std::uint32_t> tetrahedra);
   void look_at(Facet f);
   std::optional<Ball> ball_of(Facet inner) const;
+  bool is_proved(Facet inner) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
   bool insert(const Ball& ball, Facet facet);
   void push(const Ball& ball, Facet facet);

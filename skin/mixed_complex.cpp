@@ -110,92 +110,134 @@ std::uint32_t MixedComplex::number(CellId cell) const {
          static_cast<std::uint32_t>(std::countr_zero(others));
 }
 
+/// The place of an atom among the vertices: its own, less the hidden atoms before it. Those are
+/// few.
 std::uint32_t MixedComplex::vertex_of(AtomId atom) const {
-  const auto& vertices = triangulation_.vertices;
-  return static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, atom) - vertices.begin());
+  const auto& hidden = triangulation_.hidden;
+  if (hidden.empty()) return atom.value;
+  return atom.value -
+         static_cast<std::uint32_t>(std::ranges::lower_bound(hidden, atom) - hidden.begin());
 }
 
 // Which cells are kept ----------------------------------------------------------------------------
 
-/// By number, the weight of the orthocentre.
-std::vector<double> MixedComplex::weights() const {
-  std::vector<double> result;
-  result.reserve(size());
-  const auto add = [&](const auto& list) {
-    for (std::size_t s = 0; s < list.size(); ++s) {
-      result.push_back(static_cast<double>(orthocentre(corners(points_, list[s])).weight));
+/// The places of the facets of the simplex at a place, entry k opposite corner k.
+template <std::size_t N>
+std::array<std::uint32_t, N> MixedComplex::facets(std::size_t place) const {
+  if constexpr (N == 2) {
+    const auto& [a, b] = triangulation_.edges[place];
+    return {vertex_of(b), vertex_of(a)};
+  } else {
+    if constexpr (N == 4) {
+      if (!are_facets_forgotten_) return triangulation_.tetrahedron_triangles[place];
+    } else {
+      if (!are_facets_forgotten_) return triangulation_.triangle_edges[place];
     }
-  };
-  add(simplices<1>());
-  add(simplices<2>());
-  add(simplices<3>());
-  add(simplices<4>());
+    std::array<std::uint32_t, N> result;
+    const auto& list = simplices<N - 1>();
+    for (std::size_t k = 0; k < N; ++k) {
+      std::array<AtomId, N - 1> facet;
+      const auto& simplex = simplices<N>()[place];
+      const auto rest = std::copy_n(simplex.begin(), k, facet.begin());
+      std::copy(simplex.begin() + static_cast<std::ptrdiff_t>(k) + 1, simplex.end(), rest);
+      result[k] = static_cast<std::uint32_t>(std::ranges::lower_bound(list, facet) - list.begin());
+    }
+    return result;
+  }
+}
+
+/// For each facet of simplices with known largest powers the largest of theirs, which is its own.
+/// A facet with fewer than two tetrahedra, or in no simplex at all, has an unbounded dual.
+template <std::size_t N>
+std::vector<double> MixedComplex::largest_powers_of_facets(
+    const std::vector<double>& powers) const {
+  const std::size_t count = simplices<N - 1>().size();
+  std::vector<double> result(count, -infinity);
+  std::vector<std::uint8_t> cofaces(count, 0);
+  for (std::size_t s = 0; s < powers.size(); ++s) {
+    for (const std::uint32_t f : facets<N>(s)) {
+      result[f] = std::max(result[f], powers[s]);
+      cofaces[f] = static_cast<std::uint8_t>(std::min(cofaces[f] + 1, 2));
+    }
+  }
+  for (std::size_t f = 0; f < count; ++f) {
+    if (cofaces[f] < (N == 4 ? 2 : 1)) result[f] = infinity;
+  }
   return result;
 }
 
-/// By number, the largest power that the simplex's atoms have on its dual power cell: at one of the
-/// orthocentres of the tetrahedra about it, or none on a cell that is unbounded.
-std::vector<double> MixedComplex::largest_powers(const std::vector<double>& weights) const {
-  std::vector<double> powers(size(), -infinity);
-  for (std::uint32_t n = first_number_[3]; n < first_number_[4]; ++n) powers[n] = -weights[n];
-  const auto raise = [&](std::uint32_t number, double power) {
-    powers[number] = std::max(powers[number], power);
-  };
-  std::vector<char> sides(triangulation_.triangles.size(), 0);
-  for (std::size_t s = 0; s < triangulation_.tetrahedra.size(); ++s) {
-    for (const std::uint32_t f : triangulation_.tetrahedron_triangles[s]) {
-      raise(first_number_[2] + f, powers[first_number_[3] + s]);
-      ++sides[f];
-    }
-  }
-  for (std::size_t s = 0; s < triangulation_.triangles.size(); ++s) {
-    if (sides[s] < 2) powers[first_number_[2] + s] = infinity;
-    for (const std::uint32_t e : triangulation_.triangle_edges[s]) {
-      raise(first_number_[1] + e, powers[first_number_[2] + s]);
-    }
-  }
-  for (std::uint32_t v = 0; v < triangulation_.vertices.size(); ++v) {
-    for (std::uint32_t i = first_edge_[v]; i < first_edge_[v + 1]; ++i) {
-      double& power = powers[first_number_[1] + edges_at_[i]];
-      if (power == -infinity) power = infinity;  // no triangle about it
-      raise(v, power);
-    }
-    if (first_edge_[v] == first_edge_[v + 1]) powers[v] = infinity;
-  }
-  return powers;
-}
-
+/// Marks the simplices of one dimension to keep.
+///
 /// At x = (c + q) / 2 with c in the simplex and q in its dual, 4 G(x) is the power of the simplex's
 /// atoms at q less the weight of the ball about c that is orthogonal to theirs. The power is at
-/// least minus the orthocentre's weight, the ball's weight at least the orthocentre's and at most
-/// the heaviest atom's; so G has a zero only where these ranges overlap.
-void MixedComplex::choose_kept(Keep keep) {
-  const std::vector<double> weight = weights();
-  const std::vector<double> largest_power = largest_powers(weight);
-  kept_bits_.assign(size() / 64 + 1, 0);
-  const auto choose = [&](const auto& list, std::uint32_t n) {
-    for (std::size_t s = 0; s < list.size(); ++s, ++n) {
-      double heaviest = -infinity;
-      for (const AtomId a : list[s]) heaviest = std::max(heaviest, points_[a.index()].weight);
-      const double slack = 4 * nearness * std::abs(heaviest);
-      const bool is_outside = -weight[n] > heaviest + slack;
-      const bool is_inside = largest_power[n] + slack < weight[n];
-      if (keep == Keep::NearSkin && (is_outside || is_inside)) continue;
-      kept_bits_[n / 64] |= std::uint64_t{1} << n % 64;
-      number_of_.push_back(n);
-    }
+/// least minus the orthocentre's weight w, the ball's weight at least w and at most the heaviest
+/// atom's; so G has a zero only where these ranges overlap.
+///
+/// Deep in the body w need not be known: a simplex's dual is part of its facet's, so w is at least
+/// that of any tetrahedron about it, and these are at least minus the largest power.
+/// @param power   by place, the largest that the atoms have on the simplex's dual
+/// @param weight  w of the simplex at a place
+template <std::size_t N, class Weight>
+void MixedComplex::mark_kept(const std::vector<double>& power, Weight weight) {
+  const auto& list = simplices<N>();
+  std::uint32_t n = first_number_[N - 1];
+  for (std::size_t s = 0; s < list.size(); ++s, ++n) {
+    double heaviest = -infinity;
+    for (const AtomId a : list[s]) heaviest = std::max(heaviest, points_[a.index()].weight);
+    const double slack = 4 * nearness * std::abs(heaviest);
+    if (2 * power[s] + slack < 0) continue;  // inside
+    const double w = weight(s);
+    const bool is_outside = -w > heaviest + slack;
+    const bool is_inside = power[s] + slack < w;
+    if (!is_outside && !is_inside) kept_bits_[n / 64] |= std::uint64_t{1} << n % 64;
+  }
+}
+
+/// From the top down: at any time the powers of two dimensions are held.
+void MixedComplex::mark_near_skin() {
+  const auto weight_of = [&](const auto& list) {
+    return [&](std::size_t s) {
+      return static_cast<double>(orthocentre(corners(points_, list[s])).weight);
+    };
   };
-  choose(simplices<1>(), first_number_[0]);
-  choose(simplices<2>(), first_number_[1]);
-  choose(simplices<3>(), first_number_[2]);
-  choose(simplices<4>(), first_number_[3]);
-  number_of_.shrink_to_fit();
-  kept_size_ = static_cast<std::uint32_t>(number_of_.size());
+  // On the dual of a tetrahedron, a point, the power is minus the weight.
+  std::vector<double> powers(triangulation_.tetrahedra.size());
+  for (std::size_t s = 0; s < powers.size(); ++s) {
+    powers[s] = -rough_weight(corners(points_, triangulation_.tetrahedra[s]));
+  }
+  mark_kept<4>(powers, [&](std::size_t s) { return -powers[s]; });
+  powers = largest_powers_of_facets<4>(powers);
+  mark_kept<3>(powers, weight_of(simplices<3>()));
+  powers = largest_powers_of_facets<3>(powers);
+  mark_kept<2>(powers, weight_of(simplices<2>()));
+  powers = largest_powers_of_facets<2>(powers);
+  const VertexList vertices = simplices<1>();
+  mark_kept<1>(powers, weight_of(vertices));
+}
+
+void MixedComplex::forget_facets() {
+  std::vector<std::array<std::uint32_t, 4>>().swap(triangulation_.tetrahedron_triangles);
+  std::vector<std::array<std::uint32_t, 3>>().swap(triangulation_.triangle_edges);
+  are_facets_forgotten_ = true;
+}
+
+void MixedComplex::choose_kept(Keep keep) {
+  kept_bits_.assign(size() / 64 + 1, 0);
+  if (keep == Keep::NearSkin) mark_near_skin();
+  if (keep == Keep::All) {
+    for (std::size_t n = 0; n < size(); ++n) kept_bits_[n / 64] |= std::uint64_t{1} << n % 64;
+  }
   kept_before_.reserve(kept_bits_.size());
-  std::uint32_t kept = 0;
   for (const std::uint64_t bits : kept_bits_) {
-    kept_before_.push_back(kept);
-    kept += static_cast<std::uint32_t>(std::popcount(bits));
+    kept_before_.push_back(kept_size_);
+    kept_size_ += static_cast<std::uint32_t>(std::popcount(bits));
+  }
+  number_of_.reserve(kept_size_);
+  for (std::size_t word = 0; word < kept_bits_.size(); ++word) {
+    for (std::uint64_t bits = kept_bits_[word]; bits != 0; bits &= bits - 1) {
+      number_of_.push_back(static_cast<std::uint32_t>(64 * word) +
+                           static_cast<std::uint32_t>(std::countr_zero(bits)));
+    }
   }
 }
 
@@ -229,32 +271,33 @@ Patch MixedComplex::make_patch(CellId cell) const {
   }
 }
 
-/// The wall of a simplex's k-th facet to the simplex.
+/// The orthocentre of the simplex at a place, as its patch has it.
 template <std::size_t N>
-Wall MixedComplex::make_wall(const std::array<AtomId, N>& simplex, std::size_t k, CellId facet,
-                             CellId cell) const {
+Point MixedComplex::centre(std::size_t place) const {
+  const std::uint32_t n = first_number_[N - 1] + static_cast<std::uint32_t>(place);
+  return is_kept_number(n) ? patches_[numbered(n).index()].centre
+                           : make_patch(simplices<N>()[place]).centre;
+}
+
+/// The wall of a simplex's k-th facet to the simplex.
+///
+/// @param facet_centre, centre  their orthocentres
+template <std::size_t N>
+Wall MixedComplex::make_wall(const std::array<AtomId, N>& simplex, std::size_t k,
+                             const Point& facet_centre, const Point& centre, CellId cell) const {
   const Vector normal = direction_off_facet(points_, simplex, k);
-  const Point middle = (patch(facet).centre + patch(cell).centre) / 2;
+  const Point middle = (facet_centre + centre) / 2;
   return {normal, normal.dot(middle), cell};
 }
 
-/// Visits each facet of a simplex: k and the facet's cell.
-template <std::size_t N, class Visit>
-void MixedComplex::for_each_facet(std::size_t place, Visit visit) const {
-  for (std::size_t k = 0; k < N; ++k) {
-    if constexpr (N == 2) visit(k, cell(0, vertex_of(triangulation_.edges[place][1 - k])));
-    if constexpr (N == 3) visit(k, cell(1, triangulation_.triangle_edges[place][k]));
-    if constexpr (N == 4) visit(k, cell(2, triangulation_.tetrahedron_triangles[place][k]));
-  }
-}
-
 template <std::size_t N>
-void MixedComplex::add_walls_to_facets(const std::array<AtomId, N>& simplex, CellId cell,
-                                       std::vector<Wall>& walls) const {
-  for_each_facet<N>(place(cell), [&](std::size_t k, CellId facet) {
-    const Wall wall = make_wall(simplex, k, facet, cell);
-    walls.push_back({-wall.normal, -wall.offset, facet});
-  });
+void MixedComplex::add_walls_to_facets(std::size_t place, std::vector<Wall>& walls) const {
+  const Point own = centre<N>(place);
+  const auto facet = facets<N>(place);
+  for (std::size_t k = 0; k < N; ++k) {
+    const Wall wall = make_wall(simplices<N>()[place], k, centre<N - 1>(facet[k]), own, CellId());
+    walls.push_back({-wall.normal, -wall.offset, cell(N - 2, facet[k])});
+  }
 }
 
 /// The places of a simplex's cofaces of one dimension more, ascending. Their last corner is joined
@@ -285,14 +328,13 @@ std::vector<std::uint32_t> MixedComplex::cofaces(const std::array<AtomId, N>& si
 }
 
 template <std::size_t N>
-void MixedComplex::add_walls_to_cofaces(const std::array<AtomId, N>& simplex, CellId cell,
-                                        std::vector<Wall>& walls) const {
-  for (const std::uint32_t place : cofaces(simplex)) {
-    const auto& coface = simplices<N + 1>()[place];
-    const CellId coface_cell = this->cell(N, place);
-    for_each_facet<N + 1>(place, [&](std::size_t k, CellId facet) {
-      if (facet == cell) walls.push_back(make_wall(coface, k, cell, coface_cell));
-    });
+void MixedComplex::add_walls_to_cofaces(std::size_t place, std::vector<Wall>& walls) const {
+  const Point own = centre<N>(place);
+  for (const std::uint32_t above : cofaces(simplices<N>()[place])) {
+    const auto facet = facets<N + 1>(above);
+    const auto k = static_cast<std::size_t>(std::ranges::find(facet, place) - facet.begin());
+    walls.push_back(
+        make_wall(simplices<N + 1>()[above], k, own, centre<N + 1>(above), cell(N, above)));
   }
 }
 
@@ -302,18 +344,18 @@ std::vector<Wall> MixedComplex::make_walls(CellId cell) const {
   const std::size_t at = place(cell);
   switch (dimension(cell)) {
     case 0:
-      add_walls_to_cofaces<1>(simplices<1>()[at], cell, walls);
+      add_walls_to_cofaces<1>(at, walls);
       break;
     case 1:
-      add_walls_to_facets<2>(simplices<2>()[at], cell, walls);
-      add_walls_to_cofaces<2>(simplices<2>()[at], cell, walls);
+      add_walls_to_facets<2>(at, walls);
+      add_walls_to_cofaces<2>(at, walls);
       break;
     case 2:
-      add_walls_to_facets<3>(simplices<3>()[at], cell, walls);
-      add_walls_to_cofaces<3>(simplices<3>()[at], cell, walls);
+      add_walls_to_facets<3>(at, walls);
+      add_walls_to_cofaces<3>(at, walls);
       break;
     default:
-      add_walls_to_facets<4>(simplices<4>()[at], cell, walls);
+      add_walls_to_facets<4>(at, walls);
   }
   return walls;
 }
@@ -350,18 +392,20 @@ void MixedComplex::build_patches() {
   build(simplices<4>(), 3);
 }
 
-/// Visits each pair of a facet's and a simplex's cell of which one is kept, with a function that
-/// makes the wall between.
+/// Visits each pair of a simplex and a facet of which one is kept: visit(N, place, k, facet's
+/// place), N an integral constant.
 template <class Visit>
-void MixedComplex::for_each_incidence(Visit visit) const {
-  const auto visit_all = [&]<std::size_t N>(std::integral_constant<std::size_t, N>) {
-    const auto& list = simplices<N>();
-    for (std::size_t s = 0; s < list.size(); ++s) {
-      const CellId simplex = cell(N - 1, s);
-      for_each_facet<N>(s, [&](std::size_t k, CellId facet) {
-        if (!is_kept(facet) && !is_kept(simplex)) return;
-        visit(facet, simplex, [&] { return make_wall(list[s], k, facet, simplex); });
-      });
+void MixedComplex::for_each_kept_incidence(Visit visit) const {
+  const auto visit_all = [&]<std::size_t N>(std::integral_constant<std::size_t, N> corners) {
+    const std::size_t count = simplices<N>().size();
+    for (std::size_t s = 0; s < count; ++s) {
+      const bool is_kept = is_kept_number(first_number_[N - 1] + static_cast<std::uint32_t>(s));
+      const auto facet = facets<N>(s);
+      for (std::size_t k = 0; k < N; ++k) {
+        if (is_kept || is_kept_number(first_number_[N - 2] + facet[k])) {
+          visit(corners, s, k, facet[k]);
+        }
+      }
     }
   };
   visit_all(std::integral_constant<std::size_t, 2>());
@@ -371,15 +415,23 @@ void MixedComplex::for_each_incidence(Visit visit) const {
 
 void MixedComplex::build_walls() {
   first_wall_.assign(kept_size() + 1, 0);
-  for_each_incidence([&](CellId facet, CellId simplex, auto) {
+  for_each_kept_incidence([&](auto corners, std::size_t s, std::size_t, std::uint32_t f) {
+    const CellId facet = cell(corners - 2, f), simplex = cell(corners - 1, s);
     if (is_kept(facet)) ++first_wall_[facet.index() + 1];
     if (is_kept(simplex)) ++first_wall_[simplex.index() + 1];
   });
   std::partial_sum(first_wall_.begin(), first_wall_.end(), first_wall_.begin());
   walls_.resize(first_wall_.back());
   std::vector<std::uint32_t> filled(first_wall_.begin(), first_wall_.end() - 1);
-  for_each_incidence([&](CellId facet, CellId simplex, auto make) {
-    const Wall wall = make();
+  // A simplex's facets come one after the other, and a cell that is not kept has no centre yet.
+  CellId last(size());
+  Point centre;
+  for_each_kept_incidence([&](auto corners, std::size_t s, std::size_t k, std::uint32_t f) {
+    constexpr std::size_t N = decltype(corners)::value;
+    const CellId facet = cell(N - 2, f), simplex = cell(N - 1, s);
+    if (simplex != last) centre = this->centre<N>(s);
+    last = simplex;
+    const Wall wall = make_wall(simplices<N>()[s], k, this->centre<N - 1>(f), centre, simplex);
     if (is_kept(facet)) walls_[filled[facet.index()]++] = wall;
     if (is_kept(simplex)) {
       walls_[filled[simplex.index()]++] = {-wall.normal, -wall.offset, facet};

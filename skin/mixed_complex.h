@@ -66,6 +66,10 @@ class MixedComplex {
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
 
+  /// Empties the triangulation's lists of facets, which take 270 bytes an atom in a molecule: cells
+  /// that are made on demand look theirs up, all else is made.
+  void forget_facets();
+
   std::size_t size() const { return first_number_[4]; }
   /// How many cells are kept. Every point x of the skin lies in a cell with an id below, but for
   /// rounding; so does every point with |G(x)| at most `nearness` times the weight of the cell's
@@ -120,8 +124,11 @@ class MixedComplex {
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
 
   void choose_kept(Keep keep);
-  std::vector<double> weights() const;
-  std::vector<double> largest_powers(const std::vector<double>& weights) const;
+  void mark_near_skin();
+  template <std::size_t N, class Weight>
+  void mark_kept(const std::vector<double>& power, Weight weight);
+  template <std::size_t N>
+  std::vector<double> largest_powers_of_facets(const std::vector<double>& powers) const;
   void list_edges();
   void build_patches();
   void build_walls();
@@ -130,26 +137,27 @@ class MixedComplex {
   template <std::size_t N>
   Patch make_patch(const std::array<AtomId, N>& simplex) const;
   template <std::size_t N>
-  Wall make_wall(const std::array<AtomId, N>& simplex, std::size_t k, CellId facet,
-                 CellId cell) const;
+  Point centre(std::size_t place) const;
   template <std::size_t N>
-  void add_walls_to_facets(const std::array<AtomId, N>& simplex, CellId cell,
-                           std::vector<Wall>& walls) const;
+  Wall make_wall(const std::array<AtomId, N>& simplex, std::size_t k, const Point& facet_centre,
+                 const Point& centre, CellId cell) const;
   template <std::size_t N>
-  void add_walls_to_cofaces(const std::array<AtomId, N>& simplex, CellId cell,
-                            std::vector<Wall>& walls) const;
+  void add_walls_to_facets(std::size_t place, std::vector<Wall>& walls) const;
+  template <std::size_t N>
+  void add_walls_to_cofaces(std::size_t place, std::vector<Wall>& walls) const;
   template <std::size_t N>
   std::vector<std::uint32_t> cofaces(const std::array<AtomId, N>& simplex) const;
-  template <std::size_t N, class Visit>
-  void for_each_facet(std::size_t place, Visit visit) const;
+  template <std::size_t N>
+  std::array<std::uint32_t, N> facets(std::size_t place) const;
   template <class Visit>
-  void for_each_incidence(Visit visit) const;
+  void for_each_kept_incidence(Visit visit) const;
   template <std::size_t N>
   decltype(auto) simplices() const;
   std::uint32_t vertex_of(AtomId atom) const;
 
   std::vector<WeightedPoint> points_;
   geometry::RegularTriangulation triangulation_;
+  bool are_facets_forgotten_ = false;
   std::array<std::uint32_t, 5> first_number_{};  ///< by dimension; the last is the number of cells
   std::vector<std::uint64_t> kept_bits_;         ///< by number
   std::vector<std::uint32_t> kept_before_;       ///< by word of kept_bits_

@@ -117,6 +117,30 @@ Orthocentre orthocentre(Simplex simplex) {
           simplex.size() == 4 ? Wide(Wide::Zero()) : Wide(normal.normalized())};
 }
 
+/// With arms e, f, g of a volume that has not cancelled, each term of the numerator is off by a few
+/// u |f| |g| (|e|^2 + |w_0 - w_1|), so the offset o by at most 2^-39 (reach + |o|), and its square
+/// by 2^-37 (reach + |o|)^2.
+double rough_weight(const std::array<WeightedPoint, 4>& tetrahedron) {
+  std::array<Vector, 3> arm;
+  std::array<double, 3> load;
+  double reach = 0, squares = flat * flat;
+  const double first_weight = tetrahedron[0].weight;
+  for (std::size_t i = 0; i < 3; ++i) {
+    arm[i] = tetrahedron[i + 1].position - tetrahedron[0].position;
+    const double square = arm[i].squaredNorm(), more = first_weight - tetrahedron[i + 1].weight;
+    load[i] = square + more;
+    reach += (square + std::abs(more)) / std::sqrt(square);
+    squares *= square;
+  }
+  const auto at = fraction(arm, load, 4);
+  const double square = (at.numerator / (2 * at.denominator)).squaredNorm();
+  const double far = reach + std::sqrt(square);
+  if (at.denominator * at.denominator >= squares && far * far <= 0x1p17 * std::abs(first_weight)) {
+    return first_weight - square;
+  }
+  return static_cast<double>(orthocentre(tetrahedron).weight);
+}
+
 Vector direction_off_facet(std::span<const Point> points) {
   const Point &origin = points.front(), &apex = points.back();
   const Vector to_apex = apex - origin;

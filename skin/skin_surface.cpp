@@ -59,21 +59,13 @@ std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
 
 CellId SkinSurface::locate(const Point& x, CellId start) const {
   CellId current = start;
-  const double tolerance = complex_.wall_tolerance();
   // To notice a round: a cell on the way, later and later ones as the way grows (Brent 1980).
   CellId passed = start;
   std::size_t steps = 0, next_mark = 8;
   for (;;) {
-    if (!complex_.is_kept(current)) return search(x, current);  // seldom: far from the skin
-    double farthest = tolerance;
-    CellId beyond = current;
-    for (const Wall& wall : complex_.kept_walls(current)) {
-      const double distance = wall.normal.dot(x) - wall.offset;
-      if (distance > farthest) {
-        farthest = distance;
-        beyond = wall.beyond;
-      }
-    }
+    const CellId beyond = complex_.is_kept(current)
+                              ? next_cell(x, current, complex_.kept_walls(current))
+                              : next_cell(x, current, complex_.walls(current));
     if (beyond == current) return current;
     current = beyond;
     if (current == passed) return search(x, current);
@@ -82,6 +74,20 @@ CellId SkinSurface::locate(const Point& x, CellId start) const {
       next_mark *= 2;
     }
   }
+}
+
+/// The cell behind the wall that x is farthest beyond; the cell itself, if there is none.
+template <class Walls>
+CellId SkinSurface::next_cell(const Point& x, CellId cell, const Walls& walls) const {
+  double farthest = complex_.wall_tolerance();
+  for (const Wall& wall : walls) {
+    const double distance = wall.normal.dot(x) - wall.offset;
+    if (distance > farthest) {
+      farthest = distance;
+      cell = wall.beyond;
+    }
+  }
+  return cell;
 }
 
 /// Tries every way over walls that x lies beyond, until it is in a cell; should there be none,

@@ -31,6 +31,8 @@ class SkinSurface {
   const std::vector<WeightedPoint>& points() const { return complex_.points(); }
   const geometry::RegularTriangulation& triangulation() const { return complex_.triangulation(); }
   const MixedComplex& complex() const { return complex_; }
+  /// @copydoc MixedComplex::forget_facets
+  void forget_facets() { complex_.forget_facets(); }
   Patch patch(CellId cell) const { return complex_.patch(cell); }
   /// Work with the patch of a cell, without a copy of one that is kept.
   template <class Work>
@@ -73,6 +75,8 @@ class SkinSurface {
   }
 
  private:
+  template <class Walls>
+  CellId next_cell(const Point& x, CellId cell, const Walls& walls) const;
   CellId search(const Point& x, CellId start) const;
 
   double triangulate_seconds_ = 0;

@@ -98,6 +98,28 @@ IndexedMesh without_handle(const IndexedMesh& ring) {
 
 }  // namespace
 
+TEST_CASE("vertices are located whatever the order of the triangles") {
+  const Good good(support::molecule("1crn.pdb", skin::Model::Sas));
+  IndexedMesh shuffled = good.mesh;
+  support::Random random(1);
+  for (std::size_t t = shuffled.triangles.size(); t > 1; --t) {
+    std::swap(shuffled.triangles[t - 1], shuffled.triangles[random.below(t)]);
+  }
+  const skin::MixedComplex& complex = good.skin.surface.complex();
+  for (const IndexedMesh* mesh : {&good.mesh, &shuffled}) {
+    const auto points = refine::locate_vertices(*mesh, good.skin.surface);
+    REQUIRE(points.size() == mesh->positions.size());
+    bool all_inside = true;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      for (const skin::Wall& wall : complex.walls(points[v].cell)) {
+        const double beyond = wall.normal.dot(mesh->positions[v]) - wall.offset;
+        all_inside = all_inside && beyond <= complex.wall_tolerance();
+      }
+    }
+    CHECK(all_inside);
+  }
+}
+
 TEST_CASE("right meshes pass every check there is") {
   for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "caffeine.xyz"}) {
     CAPTURE(file);

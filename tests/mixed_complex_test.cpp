@@ -241,6 +241,60 @@ TEST_CASE("walls made on demand are the kept ones, in the same order") {
   CHECK(kept > 1000);  // the law was put to the test
 }
 
+TEST_CASE("walls made on demand are the same once the lists of facets are forgotten") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    Case test(seed);
+    const MixedComplex& complex = test.skin.complex();
+    std::vector<std::vector<Wall>> before;
+    for (std::uint32_t i = 0; i < complex.size(); ++i) {
+      before.push_back(complex.make_walls(CellId{i}));
+    }
+    test.skin.forget_facets();
+    CHECK(complex.triangulation().triangle_edges.capacity() == 0);
+    CHECK(complex.triangulation().tetrahedron_triangles.capacity() == 0);
+    for (std::uint32_t i = 0; i < complex.size(); ++i) {
+      CHECK(std::ranges::equal(
+          before[i], complex.make_walls(CellId{i}), [](const Wall& a, const Wall& b) {
+            return a.normal == b.normal && a.offset == b.offset && a.beyond == b.beyond;
+          }));
+    }
+  }
+}
+
+TEST_CASE("a cell is left out only if the ranges of power and weight on it do not overlap") {
+  // By the definition, tetrahedron by tetrahedron, with no short cut for what lies deep inside.
+  std::size_t left_out = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    const Case test(seed);
+    const MixedComplex& complex = test.skin.complex();
+    const auto& t = complex.triangulation();
+    for (std::uint32_t i = 0; i < complex.size(); ++i) {
+      const std::vector<AtomId> simplex = test.skin.atoms(CellId{i});
+      double heaviest = -std::numeric_limits<double>::infinity();
+      for (const AtomId a : simplex) {
+        heaviest = std::max(heaviest, test.skin.points()[a.index()].weight);
+      }
+      const double w = 2 * complex.patch(CellId{i}).half_weight;
+      const double slack = 4 * MixedComplex::nearness * std::abs(heaviest);
+      // Of the tetrahedra about it; a cell with an unbounded dual has no largest power.
+      double largest = -std::numeric_limits<double>::infinity();
+      for (std::size_t s = 0; s < t.tetrahedra.size(); ++s) {
+        if (std::ranges::includes(t.tetrahedra[s], simplex)) {
+          largest = std::max(largest, -2 * complex.patch(complex.cell(3, s)).half_weight);
+        }
+      }
+      constexpr double doubt = 1e-4;  // of the slack: how far rough weights are off, and more
+      if (-w > heaviest + (1 + doubt) * slack) CHECK_FALSE(complex.is_kept(CellId{i}));
+      if (complex.is_kept(CellId{i})) continue;
+      ++left_out;
+      CHECK((-w > heaviest + (1 - doubt) * slack || largest + (1 - doubt) * slack < w));
+    }
+  }
+  CHECK(left_out > 1000);  // the law was put to the test
+}
+
 TEST_CASE("a cell's dimension and place lead back to the cell, and every simplex has one") {
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);

@@ -112,3 +112,18 @@ TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards 
     CHECK(geometry::orientation(points[0], points[1], points[2], far) == side);
   }
 }
+
+TEST_CASE("the rough weight of a tetrahedron is its orthocentre's to 2^-20 of its first point's") {
+  constexpr double promised_share = 0x1p-20;
+  std::size_t tested = 0;
+  for (unsigned seed = 0; seed < 6000; ++seed) {
+    CAPTURE(seed);
+    const std::vector<WeightedPoint> simplex = some_simplex(seed, 4);
+    if (!is_independent(simplex)) continue;
+    ++tested;
+    const double exact = static_cast<double>(skin::orthocentre(simplex).weight);
+    const double rough = skin::rough_weight({simplex[0], simplex[1], simplex[2], simplex[3]});
+    CHECK(std::abs(rough - exact) <= promised_share * std::abs(simplex[0].weight));
+  }
+  CHECK(tested > 3000);  // the law was put to the test
+}

@@ -162,3 +162,24 @@ TEST_CASE(
     CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
   }
 }
+
+TEST_CASE(
+    "a vertex of degree four goes by what it leaves behind, whatever its last flip looks like") {
+  // Random set 149. An end of an edge that [L] forbids lay outside of what its last three
+  // neighbours span: either flip that takes it out turned its own triangle over for a moment. The
+  // flip was refused, and the edge stayed.
+  const std::vector<geometry::WeightedPoint> points{
+      {{6.5549597337433481, 6.3603100182334753, 3.5004549374264968}, 16.766459596170911},
+      {{5.1997630689060186, 1.0403414809102234, 7.892966871626995}, 1.5393653719984766},
+      {{6.9277154177308775, 0.58656682284816397, 1.5626289632313894}, 6.4216473691489204},
+      {{3.4708306281658077, 6.5255626810791929, 3.16226322582727}, 4.3164039773516185},
+      {{0.37658621917966206, 0.20889526036031564, 2.5550299912571819}, 3.7432915629052701},
+      {{2.3869677719932536, 2.9077684211565704, 1.013291118004187}, 6.7600282894000099},
+      {{4.0258921106953256, 0.6494795022421429, 4.9123170525653217}, 1.8482486355199932}};
+  constexpr double C = 0.35;
+  const auto result = front::mesh_skin(points, support::with({C, refine::Sizing::quality_for(C)}));
+  CHECK(result.refinement.refused == 0);
+  CHECK(result.certificate.violations_L == 0);
+  CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+  CHECK(result.fallbacks.empty());  // a second sweep might hide it
+}
