@@ -26,6 +26,26 @@ double scaled_power_of_two(double x, int shift) {
   return std::ldexp(1.0, (x == 0 ? 0 : std::ilogb(x)) + shift);
 }
 
+/// By facet of the first tetrahedron and its ghosts, the other one with the same corners. Which one
+/// that is does not depend on the corners' numbers.
+std::array<Triangulator::Facet, 20> facets_behind_first(
+    std::span<const Triangulator::Tetrahedron> tetrahedra) {
+  const auto corners_of = [&](Triangulator::Facet f) {
+    std::array<Triangulator::Corner, 4> corners =
+        tetrahedra[Triangulator::tetrahedron_of(f)].corners;
+    std::swap(corners[Triangulator::place_of(f)], corners[3]);
+    std::sort(corners.begin(), corners.begin() + 3);
+    return std::array{corners[0], corners[1], corners[2]};
+  };
+  std::array<Triangulator::Facet, 20> behind{};
+  for (Triangulator::Facet f = 0; f < 20; ++f) {
+    for (Triangulator::Facet g = 0; g < 20; ++g) {
+      if (f != g && corners_of(f) == corners_of(g)) behind[f] = g;
+    }
+  }
+  return behind;
+}
+
 /// The exact predicate with its first tier inlined.
 inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (const auto sign = internal::filtered_orientation(a, b, c, d)) return *sign;
@@ -124,18 +144,8 @@ void Triangulator::make_first_tetrahedron() {
     tetrahedra_.push_back({ghost, {unlinked, unlinked, unlinked, unlinked}});
   }
   states_.assign(5, State::Live);
-  const auto facet_corners = [&](Facet f) {
-    std::array<Corner, 4> corners = tetrahedra_[tetrahedron_of(f)].corners;
-    std::swap(corners[place_of(f)], corners[3]);
-    std::sort(corners.begin(), corners.begin() + 3);
-    return std::array{corners[0], corners[1], corners[2]};
-  };
-  for (Facet f = 0; f < 20; ++f) {
-    for (Facet g = 0; g < 20; ++g) {
-      if (f == g || facet_corners(f) != facet_corners(g)) continue;
-      tetrahedra_[tetrahedron_of(f)].neighbours[place_of(f)] = g;
-    }
-  }
+  static const std::array<Facet, 20> behind = facets_behind_first(tetrahedra_);
+  for (Facet f = 0; f < 20; ++f) tetrahedra_[tetrahedron_of(f)].neighbours[place_of(f)] = behind[f];
 }
 
 /// The common case: a finite tetrahedron, and the filter can tell.

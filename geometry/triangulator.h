@@ -114,7 +114,11 @@ class Triangulator {
   bool is_star_regular() const;
   bool triangulate_link(Corner p);
   void restart();
-  bool fill_flat_hole();
+  void find_neighbours(Corner p);
+  bool wrap_hole();
+  std::array<Corner, 4> wrapped(Facet outer) const;
+  bool is_inside(const std::array<const WeightedPoint*, 4>& q, const std::array<Corner, 4>& corners,
+                 Corner c) const;
   void fill_hole();
   void glue_hole();
   void link_by_table();

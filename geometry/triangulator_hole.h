@@ -22,13 +22,14 @@ struct Triangulator::Hole {
   std::vector<WeightedPoint> points;   // of the same
   std::vector<Corner> corners;         // of the whole, by corner of `link`
   std::vector<std::uint32_t> renamed;  // the new tetrahedron, by tetrahedron of `link`
-  std::vector<Open> open;
+  std::vector<Open> open, open_at_infinity;  // with three points, and with infinity as a corner
 
-  void add_open(const Tetrahedron& t, std::size_t place, Facet facet) {
+  /// @param facet  to be joined to the one with the corners of the facet of t at `place`
+  static Open opened(const Tetrahedron& t, std::size_t place, Facet facet) {
     std::array<Corner, 4> sorted = t.corners;
     std::swap(sorted[place], sorted[3]);
     std::sort(sorted.begin(), sorted.begin() + 3);
-    open.push_back({{sorted[0], sorted[1], sorted[2]}, facet});
+    return {{sorted[0], sorted[1], sorted[2]}, facet};
   }
 };
 
