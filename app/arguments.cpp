@@ -143,6 +143,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--grid must be above 0");
   }
   if (typed.grow) parse_growth(mesh, *typed.grow);
+  if (mesh.keep_delaunay && mesh.method != front::Method::Dynamic) {
+    throw UsageError("--keep-delaunay is for --method dynamic");
+  }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();

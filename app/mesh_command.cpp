@@ -67,6 +67,7 @@ front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArgument
                                                           const skin::SkinMesh& mesh) mutable {
     write_snapshot(arguments.snapshot_folder, ++number, mesh);
   };
+  if (arguments.keep_delaunay) growth.kept = &report.kept_delaunay.emplace();
   return baselines::dynamic_mesher(growth, &report.growth.emplace());
 }
 

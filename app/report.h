@@ -39,6 +39,7 @@ struct MeshReport {
   front::Method method = front::Method::Sweep;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
+  std::optional<baselines::KeptDelaunay> kept_delaunay;
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;

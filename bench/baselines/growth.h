@@ -24,6 +24,7 @@ struct GrowthOptions {
   /// Times at which `snapshot` is to see the mesh, ascending.
   std::vector<double> snapshot_times;
   std::function<void(double time, const skin::SkinMesh&)> snapshot;
+  KeptDelaunay* kept = nullptr;  ///< the samples' Delaunay triangulation, if it is to be kept
 };
 
 struct GrowthCounts {

@@ -12,6 +12,7 @@ VertexId MovingMesh::add_vertex(const SurfacePoint& p) {
   moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
   const VertexId v = surface_.add_vertex();
   enter(v, p.cell);
+  if (kept_ != nullptr) kept_->add(v, p.position);
   return v;
 }
 
@@ -23,6 +24,7 @@ void MovingMesh::move(VertexId v, Moving& moving) {
   }
   moving.point = moving.path.at(skin_, now_);
   moving.clock = now_;
+  if (kept_ != nullptr) kept_->move(v, moving.point.position);
 }
 
 std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
@@ -59,7 +61,11 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
   const auto twice = std::ranges::unique(corners);
   corners.erase(twice.begin(), twice.end());
   surface_.remove(triangles);
-  for (const VertexId v : corners) dead_ += !surface_.outgoing(v).has_value();
+  for (const VertexId v : corners) {
+    if (surface_.outgoing(v)) continue;
+    ++dead_;
+    if (kept_ != nullptr) kept_->remove(v);
+  }
 }
 
 std::vector<std::optional<TriangleId>> MovingMesh::compact() {
@@ -69,6 +75,7 @@ std::vector<std::optional<TriangleId>> MovingMesh::compact() {
     if (!surface_.is_removed(TriangleId{t})) triangles[t] = TriangleId{left++};
   }
   const std::vector<std::optional<VertexId>> vertices = surface_.compact();
+  if (kept_ != nullptr) kept_->rename(vertices);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v]) moving_[vertices[v]->index()] = moving_[v];
   }
@@ -170,6 +177,7 @@ bool MovingMesh::remove(VertexId v) {
   }
   const HalfEdgeId first = *surface_.outgoing(v);
   surface_.unsplit(v);
+  if (kept_ != nullptr) kept_->remove(v);
   ++dead_;
   add_changed(SurfaceMesh::triangle(first));
   return true;

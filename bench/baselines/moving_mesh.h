@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bench/baselines/kept_delaunay.h"
 #include "bench/baselines/trajectory.h"
 #include "geometry/surface_mesh.h"
 #include "refine/refinement.h"
@@ -42,8 +43,13 @@ inline double longest_edge(const refine::Sizing& sizing) {
 class MovingMesh {
  public:
   /// @param sizing  what the growing mesh is kept to
-  MovingMesh(const SkinSurface& skin, const refine::Sizing& sizing)
-      : skin_(skin), sizing_(sizing), level_(skin, 0), watch_(skin.complex().size(), nobody) {}
+  /// @param kept    is told of each vertex that comes, moves or goes; or nullptr
+  MovingMesh(const SkinSurface& skin, const refine::Sizing& sizing, KeptDelaunay* kept = nullptr)
+      : skin_(skin),
+        sizing_(sizing),
+        level_(skin, 0),
+        watch_(skin.complex().size(), nobody),
+        kept_(kept) {}
 
   const SurfaceMesh& surface() const { return surface_; }
   SurfaceMesh& surface() { return surface_; }
@@ -144,6 +150,7 @@ class MovingMesh {
 
   std::vector<std::uint32_t> watch_;  ///< by cell
   std::vector<std::vector<VertexId>> visitors_;
+  KeptDelaunay* kept_;
 };
 
 }  // namespace morskin::baselines

@@ -1,0 +1,119 @@
+// The part of KeptDelaunay that compares it with a mesh.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/baselines/kept_delaunay.h"
+#include "refine/circumcentre.h"
+#include "refine/triangle_geometry.h"
+#include "skin/line_crossings.h"
+
+namespace morskin::baselines {
+
+using geometry::Point;
+using geometry::Triangulator;
+using geometry::Vector;
+
+namespace {
+
+/// A ball that contains the body.
+struct Ball {
+  Point middle;
+  double reach;
+
+  explicit Ball(const skin::SkinSurface& skin) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point low = Point::Constant(infinity), high = -low;
+    double most_weight = 0;
+    for (const geometry::WeightedPoint& p : skin.points()) {
+      low = low.cwiseMin(p.position);
+      high = high.cwiseMax(p.position);
+      most_weight = std::max(most_weight, p.weight);
+    }
+    middle = (low + high) / 2;
+    reach = 1.01 * ((high - low).norm() / 2 + std::sqrt(most_weight));
+  }
+};
+
+/// Whether a facet's dual edge, between the circumcentres on its two sides, crosses the skin.
+bool is_crossed(const Triangulator& delaunay, Triangulator::Facet f, const skin::SkinSurface& skin,
+                const Ball& ball, geometry::CellId near) {
+  constexpr std::array<std::array<std::size_t, 3>, 4> outward{
+      {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+  const auto tetrahedra = delaunay.tetrahedra();
+  if (delaunay.is_ghost(tetrahedra[Triangulator::tetrahedron_of(f)])) {
+    f = tetrahedra[Triangulator::tetrahedron_of(f)].neighbours[Triangulator::place_of(f)];
+  }
+  const Triangulator::Tetrahedron& inner = tetrahedra[Triangulator::tetrahedron_of(f)];
+  const Triangulator::Tetrahedron& outer =
+      tetrahedra[Triangulator::tetrahedron_of(inner.neighbours[Triangulator::place_of(f)])];
+  const auto corner = [&](const Triangulator::Tetrahedron& t, std::size_t k) -> const Point& {
+    return delaunay.point(t.corners[k]).position;
+  };
+  const auto& places = outward[Triangulator::place_of(f)];
+  const refine::Circumcircle circle = refine::circumcircle(
+      corner(inner, places[0]), corner(inner, places[1]), corner(inner, places[2]));
+  const Vector normal = circle.doubled_area.normalized();
+  const auto height = [&](const Triangulator::Tetrahedron& t) {
+    const Point centre = refine::circumcentre(
+        {&corner(t, 0), &corner(t, 1), &corner(t, 2), &corner(t, 3)});
+    return normal.dot(centre - circle.centre);
+  };
+  // Cut off where the edge leaves the ball that contains the body.
+  const Vector off_middle = circle.centre - ball.middle;
+  const double along = off_middle.dot(normal);
+  const double squared = along * along - off_middle.squaredNorm() + ball.reach * ball.reach;
+  if (!(squared > 0)) return false;
+  const double root = std::sqrt(squared);
+  const double low = std::max(-along - root, height(inner));
+  const double high = std::min(
+      -along + root,
+      delaunay.is_ghost(outer) ? std::numeric_limits<double>::infinity() : height(outer));
+  if (!(low < high)) return false;
+  return !skin::line_crossings(skin, circle.centre + low * normal, circle.centre + high * normal,
+                               near)
+              .all.empty();
+}
+
+}  // namespace
+
+/// A facet with three corners, found among the tetrahedra at the first.
+std::optional<Triangulator::Facet> KeptDelaunay::facet(const std::array<Corner, 3>& corners) {
+  const auto tetrahedra = delaunay_->tetrahedra();
+  seen_.assign(1, star_[corners[0]]);
+  for (std::size_t next = 0; next < seen_.size(); ++next) {
+    const Triangulator::Tetrahedron& t = tetrahedra[seen_[next]];
+    const auto place = [&](Corner c) {
+      return static_cast<std::uint32_t>(std::ranges::find(t.corners, c) - t.corners.begin());
+    };
+    const std::uint32_t a = place(corners[0]), b = place(corners[1]), c = place(corners[2]);
+    if (b < 4 && c < 4) return seen_[next] << 2 | (6 - a - b - c);  // the places' sum is 6
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t there = Triangulator::tetrahedron_of(t.neighbours[k]);
+      if (k != a && std::ranges::find(seen_, there) == seen_.end()) seen_.push_back(there);
+    }
+  }
+  return std::nullopt;
+}
+
+void KeptDelaunay::compare(const skin::SkinMesh& mesh, const skin::SkinSurface& skin) {
+  const Ball ball(skin);
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.surface.triangle_list()) {
+    ++counts_.facets;
+    std::array<Corner, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = triangle[k] < samples_.size() ? samples_[triangle[k]].corner : nobody;
+    }
+    std::optional<Triangulator::Facet> found;
+    if (delaunay_ && std::ranges::find(corners, nobody) == corners.end()) found = facet(corners);
+    if (!found) {
+      ++counts_.facets_missing;
+    } else {
+      counts_.facets_not_crossed +=
+          !is_crossed(*delaunay_, *found, skin, ball, mesh.points[triangle[0]].cell);
+    }
+  }
+}
+
+}  // namespace morskin::baselines
