@@ -23,7 +23,9 @@ using skin::SkinMesh;
 using skin::SurfacePoint;
 using skin::Vector;
 
-struct FrontEdge {
+/// On one cache line: the fronts of a big molecule do not fit the near caches, and vertices are
+/// taken up all over them.
+struct alignas(64) FrontEdge {
   Point position;  ///< of the origin
   VertexId origin;
   FrontEdgeId next, previous;
