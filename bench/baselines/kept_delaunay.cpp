@@ -41,7 +41,9 @@ void KeptDelaunay::move(VertexId v, const Point& p) {
     if (sample.corner == nobody) {
       ++counts_.relocations;
       try_waiting();
-    } else if (delaunay_->move(sample.corner, {to, 0}, star_[sample.corner])) {
+      return;
+    }
+    if (delaunay_->move(sample.corner, {to, 0}, star_[sample.corner])) {
       ++counts_.filtered;
       near_ = star_[sample.corner];
     } else {
@@ -49,6 +51,7 @@ void KeptDelaunay::move(VertexId v, const Point& p) {
       take_out(v);
       insert(v);
     }
+    if (!waiting_.empty()) try_waiting();  // for the place that is free now
   });
 }
 
@@ -65,8 +68,8 @@ void KeptDelaunay::remove(VertexId v) {
 /// Puts a sample into the triangulation, or lets it wait.
 void KeptDelaunay::insert(VertexId v) {
   Sample& sample = samples_[v.index()];
-  const auto corner = delaunay_ ? delaunay_->add({sample.position, 0}, {near_, near_})
-                                : std::optional<Corner>();
+  const auto corner =
+      delaunay_ ? delaunay_->add({sample.position, 0}, {near_, near_}) : std::optional<Corner>();
   if (!corner) {
     waiting_.push_back(v);
     if (!delaunay_) start();

@@ -56,8 +56,8 @@ bool is_crossed(const Triangulator& delaunay, Triangulator::Facet f, const skin:
       corner(inner, places[0]), corner(inner, places[1]), corner(inner, places[2]));
   const Vector normal = circle.doubled_area.normalized();
   const auto height = [&](const Triangulator::Tetrahedron& t) {
-    const Point centre = refine::circumcentre(
-        {&corner(t, 0), &corner(t, 1), &corner(t, 2), &corner(t, 3)});
+    const Point centre =
+        refine::circumcentre({&corner(t, 0), &corner(t, 1), &corner(t, 2), &corner(t, 3)});
     return normal.dot(centre - circle.centre);
   };
   // Cut off where the edge leaves the ball that contains the body.
@@ -67,9 +67,9 @@ bool is_crossed(const Triangulator& delaunay, Triangulator::Facet f, const skin:
   if (!(squared > 0)) return false;
   const double root = std::sqrt(squared);
   const double low = std::max(-along - root, height(inner));
-  const double high = std::min(
-      -along + root,
-      delaunay.is_ghost(outer) ? std::numeric_limits<double>::infinity() : height(outer));
+  const double high =
+      std::min(-along + root,
+               delaunay.is_ghost(outer) ? std::numeric_limits<double>::infinity() : height(outer));
   if (!(low < high)) return false;
   return !skin::line_crossings(skin, circle.centre + low * normal, circle.centre + high * normal,
                                near)
