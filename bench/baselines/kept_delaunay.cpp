@@ -154,6 +154,7 @@ void KeptDelaunay::note(std::span<const std::uint32_t> tetrahedra) {
 void KeptDelaunay::rename(std::span<const std::optional<VertexId>> names) {
   std::vector<Sample> renamed;
   for (std::size_t v = 0; v < std::min(names.size(), samples_.size()); ++v) {
+    assert(names[v] || !samples_[v].is_in);
     if (!names[v]) continue;
     if (renamed.size() <= names[v]->index()) renamed.resize(names[v]->index() + 1);
     renamed[names[v]->index()] = samples_[v];
