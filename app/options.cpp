@@ -122,7 +122,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_flag("--keep-delaunay", mesh.keep_delaunay,
                    "With --method dynamic: also keep the three-dimensional Delaunay triangulation\n"
                    "of the moving samples, compare the mesh with it at the end, and report what\n"
-                   "it cost. The mesh is the same, some times slower");
+                   "it cost: some 50 times the rest. The mesh is the same");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"

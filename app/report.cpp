@@ -44,17 +44,12 @@ ordered_json growth_json(const baselines::GrowthCounts& growth) {
 }
 
 ordered_json kept_delaunay_json(const baselines::KeptDelaunayCounts& kept) {
-  return {{"insertions", kept.insertions},
-          {"removals", kept.removals},
-          {"relocations", kept.relocations},
-          {"filtered", kept.filtered},
-          {"tetrahedra_made", kept.made},
-          {"samples", kept.samples},
-          {"tetrahedra", kept.tetrahedra},
-          {"facets", kept.facets},
-          {"facets_missing", kept.facets_missing},
-          {"facets_not_crossed", kept.facets_not_crossed},
-          {"seconds", rounded(kept.seconds)}};
+  return {{"insertions", kept.insertions},          {"removals", kept.removals},
+          {"relocations", kept.relocations},        {"filtered", kept.filtered},
+          {"tetrahedra_made", kept.made},           {"samples", kept.samples},
+          {"tetrahedra", kept.tetrahedra},          {"facets", kept.facets},
+          {"facets_missing", kept.facets_missing},  {"facets_not_crossed", kept.facets_not_crossed},
+          {"worst_miss", rounded(kept.worst_miss)}, {"seconds", rounded(kept.seconds)}};
 }
 
 ordered_json seconds_json(const RunSeconds& seconds) {

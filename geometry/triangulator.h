@@ -68,8 +68,8 @@ class Triangulator {
   bool is_ghost(const Tetrahedron& t) const { return t.corners[3] == infinity; }
 
   /// Adds one more point, unless it is redundant or equal to one that is in: as the corner that was
-  /// removed last and has no point yet, with the id it had; if there is none, as the last corner and
-  /// with the next id.
+  /// removed last and has no point yet, with the id it had; if there is none, as the last corner
+  /// and with the next id.
   ///
   /// @param hints  live tetrahedra near the point. One that is in conflict with it saves the walk.
   /// @pre    dimension() == 3; the point is in the range of predicates.h.
@@ -150,7 +150,7 @@ class Triangulator {
   std::vector<RimNumber> rim_numbers_;  // by corner + 1, so that infinity is 0
   std::vector<Facet> edge_table_ = std::vector<Facet>(table_side * table_side);
   std::uint32_t stamp_ = 0;
-  std::uint32_t last_ = 0;  // where the next walk starts
+  std::uint32_t last_ = 0;               // where the next walk starts
   std::vector<Corner> removed_corners_;  // without a point; the last one is used first
   struct Hole;                           // of a removal
   std::unique_ptr<Hole> hole_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -13,23 +13,30 @@ namespace morskin::geometry {
 struct Triangulator::Hole {
   /// A facet that is still to be joined to the other one with its corners.
   struct Open {
-    std::array<Corner, 3> corners;  // ascending
+    std::uint64_t first_two;  // the smallest corner, then the middle one, as one number
+    Corner last;              // the greatest
     Facet facet;
+
+    bool has_corners_of(const Open& other) const {
+      return first_two == other.first_two && last == other.last;
+    }
   };
 
   Triangulator link{std::span<const WeightedPoint>()};  // of the neighbours, and the point itself
   std::vector<Corner> neighbours;
-  std::vector<WeightedPoint> points;   // of the same
-  std::vector<Corner> corners;         // of the whole, by corner of `link`
-  std::vector<std::uint32_t> renamed;  // the new tetrahedron, by tetrahedron of `link`
+  std::vector<WeightedPoint> points;         // of the same
+  std::vector<Corner> corners;               // of the whole, by corner of `link`
+  std::vector<std::uint32_t> renamed;        // the new tetrahedron, by tetrahedron of `link`
   std::vector<Open> open, open_at_infinity;  // with three points, and with infinity as a corner
 
   /// @param facet  to be joined to the one with the corners of the facet of t at `place`
   static Open opened(const Tetrahedron& t, std::size_t place, Facet facet) {
-    std::array<Corner, 4> sorted = t.corners;
-    std::swap(sorted[place], sorted[3]);
-    std::sort(sorted.begin(), sorted.begin() + 3);
-    return {{sorted[0], sorted[1], sorted[2]}, facet};
+    Corner a = t.corners[(place + 1) & 3], b = t.corners[(place + 2) & 3];
+    const Corner c = t.corners[(place + 3) & 3];
+    if (b < a) std::swap(a, b);
+    const Corner smallest = std::min(a, c), greatest = std::max(b, c);
+    const Corner middle = std::max(a, std::min(b, c));
+    return {std::uint64_t{smallest} << 32 | middle, greatest, facet};
   }
 };
 

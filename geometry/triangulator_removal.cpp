@@ -132,10 +132,9 @@ bool Triangulator::wrap_hole() {
   hole.open_at_infinity.clear();
   const auto join = [&](std::uint32_t t, std::size_t place, Facet facet) {
     const Hole::Open one = Hole::opened(tetrahedra_[t], place, facet);
-    std::vector<Hole::Open>& open =
-        one.corners[2] == infinity ? hole.open_at_infinity : hole.open;
+    std::vector<Hole::Open>& open = one.last == infinity ? hole.open_at_infinity : hole.open;
     const auto other = std::find_if(open.rbegin(), open.rend(), [&](const Hole::Open& known) {
-      return known.corners == one.corners;
+      return known.has_corners_of(one);
     });
     if (other == open.rend()) {
       open.push_back(one);
@@ -147,8 +146,10 @@ bool Triangulator::wrap_hole() {
     open.pop_back();
   };
   for (std::size_t i = 0; i < rim_size_; ++i) {
-    const std::uint32_t t = tetrahedron_of(rim_[i]);
-    join(t, place_of(rim_[i]), tetrahedra_[t].neighbours[place_of(rim_[i])]);
+    const Tetrahedron& t = tetrahedra_[tetrahedron_of(rim_[i])];
+    const std::size_t place = place_of(rim_[i]);
+    const Hole::Open one = Hole::opened(t, place, t.neighbours[place]);
+    (one.last == infinity ? hole.open_at_infinity : hole.open).push_back(one);
   }
   while (!hole.open.empty()) {
     const Facet outer = hole.open.back().facet;
@@ -296,15 +297,15 @@ void Triangulator::glue_hole() {
   std::vector<Hole::Open>& open = hole_->open;
   for (std::size_t i = 0; i < rim_size_; ++i) {
     const Tetrahedron& t = tetrahedra_[tetrahedron_of(rim_[i])];
-    open.push_back(
-        Hole::opened(t, place_of(rim_[i]), t.neighbours[place_of(rim_[i])]));
+    open.push_back(Hole::opened(t, place_of(rim_[i]), t.neighbours[place_of(rim_[i])]));
   }
-  std::sort(open.begin(), open.end(),
-            [](const Hole::Open& a, const Hole::Open& b) { return a.corners < b.corners; });
+  std::sort(open.begin(), open.end(), [](const Hole::Open& a, const Hole::Open& b) {
+    return std::pair(a.first_two, a.last) < std::pair(b.first_two, b.last);
+  });
   assert(open.size() % 2 == 0);
   for (std::size_t i = 0; i + 1 < open.size(); i += 2) {
     const Facet f = open[i].facet, g = open[i + 1].facet;
-    assert(open[i].corners == open[i + 1].corners);
+    assert(open[i].has_corners_of(open[i + 1]));
     tetrahedra_[tetrahedron_of(f)].neighbours[place_of(f)] = g;
     tetrahedra_[tetrahedron_of(g)].neighbours[place_of(g)] = f;
   }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -106,7 +107,7 @@ TEST_CASE("vertices are located whatever the order of the triangles") {
     std::swap(shuffled.triangles[t - 1], shuffled.triangles[random.below(t)]);
   }
   const skin::MixedComplex& complex = good.skin.surface.complex();
-  for (const IndexedMesh* mesh : {&good.mesh, &shuffled}) {
+  for (const IndexedMesh* mesh : std::array<const IndexedMesh*, 2>{&good.mesh, &shuffled}) {
     const auto points = refine::locate_vertices(*mesh, good.skin.surface);
     REQUIRE(points.size() == mesh->positions.size());
     bool all_inside = true;

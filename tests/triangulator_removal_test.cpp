@@ -177,7 +177,6 @@ class Source {
   }
   static constexpr unsigned kinds = 6;
 
- private:
   static std::vector<Vector> whole_points_of_sphere() {
     std::vector<Vector> result;
     for (int x = -9; x <= 9; ++x) {
@@ -190,6 +189,7 @@ class Source {
     return result;
   }
 
+ private:
   unsigned kind_;
   support::Random random_;
 };
@@ -214,13 +214,13 @@ Points spanning(Source& source) {
 
 TEST_CASE("after insertions and removals the tetrahedra are those of the points left") {
   std::size_t refused = 0, removed = 0;
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     Source source(seed % Source::kinds, seed);
     std::mt19937_64 random(seed);
     History history(spanning(source));
     const std::size_t most = 10 + seed % 60;
-    for (int step = 0; step < 150; ++step) {
+    for (int step = 0; step < 100; ++step) {
       const bool grows = random() % 100 < (history.count() < most ? 70 : 35);
       if (grows) {
         history.add(source.next(), history.star(history.any(random)));
@@ -234,8 +234,8 @@ TEST_CASE("after insertions and removals the tetrahedra are those of the points 
       }
     }
   }
-  CHECK(removed > 10000);
-  CHECK(refused > 10);  // the points left would have been flat
+  CHECK(removed > 1500);
+  CHECK(refused > 3);  // the points left would have been flat
 }
 
 TEST_CASE("points can be taken out down to the last tetrahedron, and no corner is lost") {
@@ -263,23 +263,29 @@ TEST_CASE("points can be taken out down to the last tetrahedron, and no corner i
   }
 }
 
-TEST_CASE("a point with a thousand neighbours can be taken out") {
+TEST_CASE("a point with a hundred or a thousand neighbours can be taken out") {
   support::Random random(1);
-  Points points{at(0, 0, 0)};
-  for (int i = 0; i < 1000; ++i) points.push_back({random.direction(), 0});
-  History history(points);
-  Corner centre = 0;
-  while (history.points[centre].position != Point(0, 0, 0)) ++centre;
-  CHECK(history.remove(centre));
-  CHECK(history.is_closed());
-  CHECK(history.tetrahedra() == history.fresh_tetrahedra());
-  CHECK(history.add(at(0, 0, 0), history.star(centre == 0 ? 1 : 0)));
-  CHECK(history.tetrahedra().size() == 2 * 1000 - 4);
+  Points on_sphere;
+  for (int i = 0; i < 1000; ++i) on_sphere.push_back({random.direction(), 0});
+  Points tied;  // whole points of one sphere
+  for (const Vector& v : Source::whole_points_of_sphere()) tied.push_back({v, 0});
+  REQUIRE(tied.size() > 100);
+  for (Points points : {on_sphere, tied}) {
+    points.push_back(at(0, 0, 0));
+    History history(points);
+    Corner centre = 0;
+    while (history.points[centre].position != Point(0, 0, 0)) ++centre;
+    CHECK(history.remove(centre));
+    CHECK(history.is_closed());
+    CHECK(history.tetrahedra() == history.fresh_tetrahedra());
+    CHECK(history.add(at(0, 0, 0), history.star(centre == 0 ? 1 : 0)));
+    CHECK(history.tetrahedra() == history.fresh_tetrahedra());
+  }
 }
 
 TEST_CASE("a move goes through exactly if it changes no tetrahedron") {
   std::size_t moved = 0, refused = 0;
-  for (unsigned seed = 0; seed < 240; ++seed) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     Source source(seed % Source::kinds, seed);
     support::Random random(seed);
@@ -314,8 +320,8 @@ TEST_CASE("a move goes through exactly if it changes no tetrahedron") {
       REQUIRE(history.is_closed());
     }
   }
-  CHECK(moved > 2000);
-  CHECK(refused > 2000);
+  CHECK(moved > 500);
+  CHECK(refused > 500);
 }
 
 }  // namespace morskin::geometry

@@ -41,7 +41,9 @@ void KeptDelaunay::move(VertexId v, const Point& p) {
     if (sample.corner == nobody) {
       ++counts_.relocations;
       try_waiting();
-    } else if (delaunay_->move(sample.corner, {to, 0}, star_[sample.corner])) {
+      return;
+    }
+    if (delaunay_->move(sample.corner, {to, 0}, star_[sample.corner])) {
       ++counts_.filtered;
       near_ = star_[sample.corner];
     } else {
@@ -49,6 +51,7 @@ void KeptDelaunay::move(VertexId v, const Point& p) {
       take_out(v);
       insert(v);
     }
+    if (!waiting_.empty()) try_waiting();  // for the place that is free now
   });
 }
 
@@ -65,8 +68,8 @@ void KeptDelaunay::remove(VertexId v) {
 /// Puts a sample into the triangulation, or lets it wait.
 void KeptDelaunay::insert(VertexId v) {
   Sample& sample = samples_[v.index()];
-  const auto corner = delaunay_ ? delaunay_->add({sample.position, 0}, {near_, near_})
-                                : std::optional<Corner>();
+  const auto corner =
+      delaunay_ ? delaunay_->add({sample.position, 0}, {near_, near_}) : std::optional<Corner>();
   if (!corner) {
     waiting_.push_back(v);
     if (!delaunay_) start();
@@ -151,6 +154,7 @@ void KeptDelaunay::note(std::span<const std::uint32_t> tetrahedra) {
 void KeptDelaunay::rename(std::span<const std::optional<VertexId>> names) {
   std::vector<Sample> renamed;
   for (std::size_t v = 0; v < std::min(names.size(), samples_.size()); ++v) {
+    assert(names[v] || !samples_[v].is_in);
     if (!names[v]) continue;
     if (renamed.size() <= names[v]->index()) renamed.resize(names[v]->index() + 1);
     renamed[names[v]->index()] = samples_[v];

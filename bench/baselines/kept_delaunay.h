@@ -31,6 +31,8 @@ struct KeptDelaunayCounts {
   std::size_t facets = 0;              ///< its triangles
   std::size_t facets_missing = 0;      ///< no facet of the triangulation
   std::size_t facets_not_crossed = 0;  ///< a facet whose dual edge does not cross the skin
+  double worst_miss =
+      0;  ///< how far such an edge ends from the skin, over the facet's circumradius
 };
 
 class KeptDelaunay {

@@ -17,13 +17,14 @@ using geometry::Vector;
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A ball that contains the body.
 struct Ball {
   Point middle;
   double reach;
 
   explicit Ball(const skin::SkinSurface& skin) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Point low = Point::Constant(infinity), high = -low;
     double most_weight = 0;
     for (const geometry::WeightedPoint& p : skin.points()) {
@@ -36,9 +37,11 @@ struct Ball {
   }
 };
 
-/// Whether a facet's dual edge, between the circumcentres on its two sides, crosses the skin.
-bool is_crossed(const Triangulator& delaunay, Triangulator::Facet f, const skin::SkinSurface& skin,
-                const Ball& ball, geometry::CellId near) {
+/// How far a facet's dual edge, between the circumcentres on its two sides, ends from the skin,
+/// over the facet's circumradius: 0 if it crosses; infinity if it does not within a radius of its
+/// ends.
+double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::SkinSurface& skin,
+            const Ball& ball, geometry::CellId near) {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto tetrahedra = delaunay.tetrahedra();
@@ -56,24 +59,28 @@ bool is_crossed(const Triangulator& delaunay, Triangulator::Facet f, const skin:
       corner(inner, places[0]), corner(inner, places[1]), corner(inner, places[2]));
   const Vector normal = circle.doubled_area.normalized();
   const auto height = [&](const Triangulator::Tetrahedron& t) {
-    const Point centre = refine::circumcentre(
-        {&corner(t, 0), &corner(t, 1), &corner(t, 2), &corner(t, 3)});
+    const Point centre =
+        refine::circumcentre({&corner(t, 0), &corner(t, 1), &corner(t, 2), &corner(t, 3)});
     return normal.dot(centre - circle.centre);
   };
   // Cut off where the edge leaves the ball that contains the body.
   const Vector off_middle = circle.centre - ball.middle;
   const double along = off_middle.dot(normal);
   const double squared = along * along - off_middle.squaredNorm() + ball.reach * ball.reach;
-  if (!(squared > 0)) return false;
+  if (!(squared > 0)) return infinity;
   const double root = std::sqrt(squared);
   const double low = std::max(-along - root, height(inner));
-  const double high = std::min(
-      -along + root,
-      delaunay.is_ghost(outer) ? std::numeric_limits<double>::infinity() : height(outer));
-  if (!(low < high)) return false;
-  return !skin::line_crossings(skin, circle.centre + low * normal, circle.centre + high * normal,
-                               near)
-              .all.empty();
+  const double high = std::min(-along + root, delaunay.is_ghost(outer) ? infinity : height(outer));
+  const Point p = circle.centre + (low - circle.radius) * normal;
+  const double length = high - low + 2 * circle.radius;
+  if (!(length > 0)) return infinity;
+  double least = infinity;
+  for (const skin::LineCrossing& crossing :
+       skin::line_crossings(skin, p, p + length * normal, near).all) {
+    const double at = low - circle.radius + crossing.at * length;
+    least = std::min(least, std::max({low - at, at - high, 0.0}) / circle.radius);
+  }
+  return least;
 }
 
 }  // namespace
@@ -110,8 +117,9 @@ void KeptDelaunay::compare(const skin::SkinMesh& mesh, const skin::SkinSurface& 
     if (!found) {
       ++counts_.facets_missing;
     } else {
-      counts_.facets_not_crossed +=
-          !is_crossed(*delaunay_, *found, skin, ball, mesh.points[triangle[0]].cell);
+      const double missed = miss(*delaunay_, *found, skin, ball, mesh.points[triangle[0]].cell);
+      counts_.facets_not_crossed += missed > 0;
+      counts_.worst_miss = std::max(counts_.worst_miss, missed);
     }
   }
 }
