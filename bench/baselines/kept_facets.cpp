@@ -71,6 +71,11 @@ double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::Ski
   const double root = std::sqrt(squared);
   const double low = std::max(-along - root, height(inner));
   const double high = std::min(-along + root, delaunay.is_ghost(outer) ? infinity : height(outer));
+  // Ends on two sides tell it, also where the way through the cells is lost between tied ones.
+  const auto is_outside = [&](double at) {
+    return skin.value(circle.centre + at * normal, near) > 0;
+  };
+  if (low < high && is_outside(low) != is_outside(high)) return 0;
   const Point p = circle.centre + (low - circle.radius) * normal;
   const double length = high - low + 2 * circle.radius;
   if (!(length > 0)) return infinity;
