@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -107,13 +106,13 @@ TEST_CASE("vertices are located whatever the order of the triangles") {
     std::swap(shuffled.triangles[t - 1], shuffled.triangles[random.below(t)]);
   }
   const skin::MixedComplex& complex = good.skin.surface.complex();
-  for (const IndexedMesh* mesh : std::array<const IndexedMesh*, 2>{&good.mesh, &shuffled}) {
-    const auto points = refine::locate_vertices(*mesh, good.skin.surface);
-    REQUIRE(points.size() == mesh->positions.size());
+  for (const IndexedMesh& mesh : {good.mesh, shuffled}) {
+    const auto points = refine::locate_vertices(mesh, good.skin.surface);
+    REQUIRE(points.size() == mesh.positions.size());
     bool all_inside = true;
     for (std::size_t v = 0; v < points.size(); ++v) {
       for (const skin::Wall& wall : complex.walls(points[v].cell)) {
-        const double beyond = wall.normal.dot(mesh->positions[v]) - wall.offset;
+        const double beyond = wall.normal.dot(mesh.positions[v]) - wall.offset;
         all_inside = all_inside && beyond <= complex.wall_tolerance();
       }
     }
