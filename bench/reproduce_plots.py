@@ -4,16 +4,15 @@
 Takes matplotlib: on Debian the package python3-matplotlib, whose Python is /usr/bin/python3.
 """
 
-import sys
+import argparse
 from pathlib import Path
+
+from reproduce_tables import PAPER, fit, read_rows
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-from reproduce_tables import PAPER, fit, read_rows  # noqa: E402
 
 COLOURS = {"sweep": "#1f4e79", "sweep-as-printed": "#6fa8dc", "static": "#b45f06",
            "dynamic": "#990000", "marching-cubes": "#7f7f7f"}
@@ -77,7 +76,9 @@ def draw_angles(rows, folder):
 
 
 def main():
-    folder = Path(sys.argv[1])
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path, help="the results folder")
+    folder = parser.parse_args().folder
     scaling, angles = read_rows(folder / "scaling.csv"), read_rows(folder / "angles.csv")
     if scaling:
         draw_scaling(scaling, folder)

@@ -4,8 +4,7 @@ import csv
 import json
 import math
 import statistics
-
-from render import read_ply
+import struct
 
 STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "critical_points", "sweep",
           "refine", "smooth", "certify", "write"]
@@ -110,6 +109,15 @@ def write_angles(path, meshes, molecules, methods):
                 if mesh.exists():
                     for degree, count in enumerate(angle_counts(*read_ply(mesh))):
                         writer.writerow([molecule, method, degree, count])
+
+
+def read_ply(path):
+    """Points (x, y, z) and triangles (a, b, c) of a binary PLY as morskin writes it."""
+    head, _, body = path.read_bytes().partition(b"end_header\n")
+    words = [line.split() for line in head.decode().splitlines()]
+    vertices, faces = (int(line[2]) for line in words if line[0] == "element")
+    triangles = struct.iter_unpack("<B3i", body[24 * vertices:24 * vertices + 13 * faces])
+    return list(struct.iter_unpack("<3d", body[:24 * vertices])), [t[1:] for t in triangles]
 
 
 def angle_counts(points, triangles):
