@@ -45,7 +45,7 @@ ordered_json growth_json(const baselines::GrowthCounts& growth) {
 
 ordered_json kept_delaunay_json(const baselines::KeptDelaunayCounts& kept) {
   return {{"insertions", kept.insertions},          {"removals", kept.removals},
-          {"relocations", kept.relocations},        {"filtered", kept.filtered},
+          {"moved_by_both", kept.moved_by_both},    {"moved_in_place", kept.moved_in_place},
           {"tetrahedra_made", kept.made},           {"samples", kept.samples},
           {"tetrahedra", kept.tetrahedra},          {"facets", kept.facets},
           {"facets_missing", kept.facets_missing},  {"facets_not_crossed", kept.facets_not_crossed},
@@ -290,8 +290,8 @@ std::string kept_delaunay_text(const baselines::KeptDelaunayCounts& kept) {
   return line("Delaunay", grouped(kept.tetrahedra) + " tetrahedra of " + grouped(kept.samples) +
                               " samples, kept in " + brief(kept.seconds) + " s") +
          line("", counted(kept.insertions, "sample", "samples") + " put in, " +
-                      grouped(kept.removals) + " taken out, " + grouped(kept.relocations) +
-                      " moved so, " + grouped(kept.filtered) + " moved in place") +
+                      grouped(kept.removals) + " taken out, " + grouped(kept.moved_by_both) +
+                      " moved by both, " + grouped(kept.moved_in_place) + " moved in place") +
          line("", "of " + counted(kept.facets, "triangle", "triangles") + " " +
                       grouped(kept.facets_missing) + " no facet, " +
                       grouped(kept.facets_not_crossed) + " with a dual edge off the skin");

@@ -44,13 +44,10 @@ std::size_t DelaunayRefinement::follow(Facet f) {
   }
   const FacetGeometry facet = geometry_of(f);
   // The dual edge over the facet, cut off where it leaves the ball that contains the body.
-  const Vector off_middle = facet.circle.centre - middle_;
-  const double along = off_middle.dot(facet.normal);
-  const double squared = along * along - off_middle.squaredNorm() + reach_ * reach_;
-  if (!(squared > 0)) return 0;
-  const double low = std::max(-along - std::sqrt(squared), facet.height(from.centre));
-  const double high =
-      std::min(-along + std::sqrt(squared), is_ghost(u) ? INFINITY : facet.height(to.centre));
+  const auto chord = body_.chord(facet.circle.centre, facet.normal);
+  if (!chord) return 0;
+  const double low = std::max(chord->low, facet.height(from.centre));
+  const double high = is_ghost(u) ? chord->high : std::min(chord->high, facet.height(to.centre));
   if (!(low < high)) return 0;
   const Point p = facet.circle.centre + low * facet.normal;
   const Point q = facet.circle.centre + high * facet.normal;

@@ -29,6 +29,7 @@ DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizi
                                        std::span<const SurfacePoint> seeds)
     : skin_(skin),
       sizing_(sizing),
+      body_(skin.points()),
       delaunay_([&] {
         std::vector<WeightedPoint> points;
         for (const SurfacePoint& p : seeds) points.push_back(unweighted(p.position));
@@ -39,15 +40,6 @@ DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizi
     samples_.push_back(seeds[delaunay_.atom(static_cast<Corner>(i))->index()]);
   }
   counts_.seeds = seeds.size();
-  Point low = Point::Constant(infinity), high = -low;
-  double most_weight = 0;
-  for (const WeightedPoint& p : skin.points()) {
-    low = low.cwiseMin(p.position);
-    high = high.cwiseMax(p.position);
-    most_weight = std::max(most_weight, p.weight);
-  }
-  middle_ = (low + high) / 2;
-  reach_ = 1.01 * ((high - low).norm() / 2 + std::sqrt(most_weight));
 }
 
 void DelaunayRefinement::run() {
@@ -76,7 +68,7 @@ void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   dual.centre = circumcentre({&samples_[corners[0]].position, &samples_[corners[1]].position,
                               &samples_[corners[2]].position, &samples_[corners[3]].position});
   dual.root = 0;
-  if (!((dual.centre - middle_).squaredNorm() < far * far * reach_ * reach_)) return;
+  if (!((dual.centre - body_.middle).squaredNorm() < far * far * body_.reach * body_.reach)) return;
   dual.cell = skin_.locate(dual.centre, start);
   const double g = skin_.complex().patch(dual.cell).value(dual.centre);
   dual.root = std::copysign(std::sqrt(std::abs(g)), g);
@@ -173,10 +165,9 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
   const std::uint32_t outer = Triangulator::tetrahedron_of(behind(inner));
   double low = facet.height(from.centre);
   // Where the line leaves the ball that contains the body it is outside.
-  const Vector to_middle = facet.circle.centre - middle_;
-  const double along = to_middle.dot(facet.normal);
-  const double squared = along * along - to_middle.squaredNorm() + reach_ * reach_;
-  double high = -along + std::sqrt(std::max(squared, 0.0));
+  const auto chord = body_.chord(facet.circle.centre, facet.normal);
+  if (!chord) return std::nullopt;  // not so where the tetrahedron is inside
+  double high = chord->high;
   if (!is_ghost(outer)) high = std::min(high, facet.height(duals_[outer].centre));
   const double radius = facet.circle.radius;
   double height = std::clamp(0.0, std::min(low, high), high);

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "geometry/triangulator.h"
+#include "refine/body_ball.h"
 #include "refine/sizing.h"
 #include "refine/triangle_geometry.h"
 
@@ -125,11 +126,10 @@ class DelaunayRefinement {
 
   const skin::SkinSurface& skin_;
   const Sizing sizing_;
+  const BodyBall body_;
   std::vector<SurfacePoint> samples_;  ///< by corner
   geometry::Triangulator delaunay_;
   std::vector<Dual> duals_;  ///< by tetrahedron
-  Point middle_;             ///< of a ball that contains the body
-  double reach_ = 0;         ///< its radius
   /// Facets to break, by size of their ball, the largest octave last.
   std::vector<std::vector<Work>> work_;
   std::uint32_t now_ = 0;       ///< insertions so far

@@ -39,15 +39,15 @@ void KeptDelaunay::move(VertexId v, const Point& p) {
     if (!sample.is_in || sample.position == to) return;
     sample.position = to;
     if (sample.corner == nobody) {
-      ++counts_.relocations;
+      ++counts_.moved_by_both;
       try_waiting();
       return;
     }
     if (delaunay_->move(sample.corner, {to, 0}, star_[sample.corner])) {
-      ++counts_.filtered;
+      ++counts_.moved_in_place;
       near_ = star_[sample.corner];
     } else {
-      ++counts_.relocations;
+      ++counts_.moved_by_both;
       take_out(v);
       insert(v);
     }

@@ -22,8 +22,8 @@ namespace morskin::baselines {
 
 struct KeptDelaunayCounts {
   std::size_t insertions = 0, removals = 0;  ///< of samples that come and go
-  std::size_t filtered = 0;                  ///< moves that change no tetrahedron
-  std::size_t relocations = 0;               ///< moves by removal and insertion
+  std::size_t moved_in_place = 0;            ///< moves that change no tetrahedron
+  std::size_t moved_by_both = 0;             ///< moves by removal and insertion
   std::size_t made = 0;                      ///< tetrahedra, in all
   std::size_t samples = 0, tetrahedra = 0;   ///< at the end; those without infinity
   double seconds = 0;                        ///< in all of this, by the wall clock

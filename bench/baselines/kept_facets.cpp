@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bench/baselines/kept_delaunay.h"
+#include "refine/body_ball.h"
 #include "refine/circumcentre.h"
 #include "refine/triangle_geometry.h"
 #include "skin/line_crossings.h"
@@ -19,29 +20,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A ball that contains the body.
-struct Ball {
-  Point middle;
-  double reach;
-
-  explicit Ball(const skin::SkinSurface& skin) {
-    Point low = Point::Constant(infinity), high = -low;
-    double most_weight = 0;
-    for (const geometry::WeightedPoint& p : skin.points()) {
-      low = low.cwiseMin(p.position);
-      high = high.cwiseMax(p.position);
-      most_weight = std::max(most_weight, p.weight);
-    }
-    middle = (low + high) / 2;
-    reach = 1.01 * ((high - low).norm() / 2 + std::sqrt(most_weight));
-  }
-};
-
 /// How far a facet's dual edge, between the circumcentres on its two sides, ends from the skin,
 /// over the facet's circumradius: 0 if it crosses; infinity if it does not within a radius of its
 /// ends.
 double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::SkinSurface& skin,
-            const Ball& ball, geometry::CellId near) {
+            const refine::BodyBall& body, geometry::CellId near) {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto tetrahedra = delaunay.tetrahedra();
@@ -64,13 +47,10 @@ double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::Ski
     return normal.dot(centre - circle.centre);
   };
   // Cut off where the edge leaves the ball that contains the body.
-  const Vector off_middle = circle.centre - ball.middle;
-  const double along = off_middle.dot(normal);
-  const double squared = along * along - off_middle.squaredNorm() + ball.reach * ball.reach;
-  if (!(squared > 0)) return infinity;
-  const double root = std::sqrt(squared);
-  const double low = std::max(-along - root, height(inner));
-  const double high = std::min(-along + root, delaunay.is_ghost(outer) ? infinity : height(outer));
+  const auto chord = body.chord(circle.centre, normal);
+  if (!chord) return infinity;
+  const double low = std::max(chord->low, height(inner));
+  const double high = delaunay.is_ghost(outer) ? chord->high : std::min(chord->high, height(outer));
   // Ends on two sides tell it, also where the way through the cells is lost between tied ones.
   const auto is_outside = [&](double at) {
     return skin.value(circle.centre + at * normal, near) > 0;
@@ -110,7 +90,7 @@ std::optional<Triangulator::Facet> KeptDelaunay::facet(const std::array<Corner, 
 }
 
 void KeptDelaunay::compare(const skin::SkinMesh& mesh, const skin::SkinSurface& skin) {
-  const Ball ball(skin);
+  const refine::BodyBall body(skin.points());
   for (const std::array<std::uint32_t, 3>& triangle : mesh.surface.triangle_list()) {
     ++counts_.facets;
     std::array<Corner, 3> corners{};
@@ -122,7 +102,7 @@ void KeptDelaunay::compare(const skin::SkinMesh& mesh, const skin::SkinSurface& 
     if (!found) {
       ++counts_.facets_missing;
     } else {
-      const double missed = miss(*delaunay_, *found, skin, ball, mesh.points[triangle[0]].cell);
+      const double missed = miss(*delaunay_, *found, skin, body, mesh.points[triangle[0]].cell);
       counts_.facets_not_crossed += missed > 0;
       counts_.worst_miss = std::max(counts_.worst_miss, missed);
     }
