@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
-#include "refine/candidate_grid.h"
+#include "refine/covering_degree.h"
 #include "refine/located_vertices.h"
 #include "refine/restricted_delaunay.h"
 #include "refine/triangle_geometry.h"
@@ -116,30 +116,16 @@ class Certifier {
   void check_vertices();
   /// [L], [U], and the conditions c1 and c2 of the theorem.
   void check_triangles(unsigned threads);
-  struct FarReaching {
-    std::uint32_t triangle;
-    double from_first_corner;  ///< Angstrom
-  };
   /// What a look at some of the triangles finds.
   struct TriangleFindings {
     Certificate out;  ///< what triangles have a say in
-    double reach = 0;
-    std::vector<FarReaching> far_reaching;
+    FlowReach reach;
   };
   void check_triangle(std::size_t t, TriangleFindings& found) const;
   void add(const TriangleFindings& found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
-  void fail_to_show_degree(std::size_t component);
   void compare_counts();
-
-  bool turns_once(VertexId v) const;
-  bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
-  /// (c1) and (c2) of a triangle with these corners, whose |G| is at most a share of rho^2.
-  TubeProof prove(const std::array<const SurfacePoint*, 3>& p, const Circumcircle& circle) const {
-    const double most_rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-    return prove_tube(skin_, p, circle, largest_residual_ * most_rho * most_rho);
-  }
 
   const IndexedMesh& mesh_;
   const skin::SkinSurface& skin_;
@@ -150,11 +136,7 @@ class Certifier {
   std::vector<SurfacePoint> located_;  ///< unless they were given
   std::span<const SurfacePoint> points_;
   double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
-  /// From a corner to all that the flow makes of its triangle, at most, over the length scale
-  /// there; but for the triangles listed apart, for which it is more than `most_reach`.
-  double reach_ = 0;
-  static constexpr double most_reach = 0.8;
-  std::vector<FarReaching> far_reaching_;
+  FlowReach reach_;
 };
 
 void Certifier::measure_shape() {
@@ -205,8 +187,7 @@ void Certifier::add(const TriangleFindings& found) {
     if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
   }
   if (out_.reason.empty()) out_.reason = found.out.reason;
-  reach_ = std::max(reach_, found.reach);
-  far_reaching_.insert(far_reaching_.end(), found.far_reaching.begin(), found.far_reaching.end());
+  reach_.add(found.reach);
 }
 
 void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
@@ -227,7 +208,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
       note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
     }
   }
-  const TubeProof proof = prove(p, circle);
+  const TubeProof proof = prove_tube(skin_, p, circle, residual_at(p, largest_residual_));
   if (!proof.is_upright) {
     fail(out, Claim::Upright,
          "triangle " + std::to_string(t) + " does not face the way the skin does");
@@ -237,144 +218,17 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
          "triangle " + std::to_string(t) +
              " is too big for its length scale to be proved near the skin");
   }
-  // A point of the triangle lies within R of a corner.
-  const double reach = (circle.radius + proof.way) / rho;
-  if (reach > most_reach) {
-    found.far_reaching.push_back({static_cast<std::uint32_t>(t), 2 * circle.radius + proof.way});
-  } else {
-    found.reach = std::max(found.reach, reach);
-  }
-}
-
-/// Whether the triangles round v, seen along its normal, go round it once and all the same way.
-bool Certifier::turns_once(VertexId v) const {
-  const SurfacePoint& p = points_[v.index()];
-  double sum = 0;
-  bool is_forward = true;
-  surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
-    Vector e = position(surface_.target(h).value) - p.position;
-    Vector f = position(surface_.apex(h).value) - p.position;
-    e -= e.dot(p.normal) * p.normal;
-    f -= f.dot(p.normal) * p.normal;
-    const double angle = std::atan2(e.cross(f).dot(p.normal), e.dot(f));
-    is_forward = is_forward && angle > 0;
-    sum += angle;
-  });
-  return is_forward && std::abs(sum - 2 * M_PI) < 1;  // a whole number of turns, so 1 is apart
-}
-
-double squared_distance_to_triangle(const Point& x, const Point& a, const Point& b,
-                                    const Point& c) {
-  const Vector n = (b - a).cross(c - a);
-  const std::array corner{&a, &b, &c};
-  bool is_over = true;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point &p = *corner[k], &q = *corner[(k + 1) % 3];
-    const Vector e = q - p, d = x - p;
-    is_over = is_over && e.cross(d).dot(n) >= 0;
-    const double s = std::clamp(e.dot(d) / e.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (d - s * e).squaredNorm());
-  }
-  const double height = n.dot(x - a);
-  return is_over ? height * height / n.squaredNorm() : least;
-}
-
-/// Whether the flow may carry a point p of a triangle to the vertex v, which is not among its
-/// corners. |G(p)| is at most R^2, and |N| is rho at v. Where the way from v has become s long, N
-/// has changed by s at most, so the way's direction differs from v's normal by a sine of s / rho:
-/// it ends no farther than s^2 / (2 rho) off the line along that normal.
-bool Certifier::may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const {
-  const auto& [a, b, c] = triangle;
-  const std::array corners{&points_[a], &points_[b], &points_[c]};
-  const Circumcircle circle = circumcircle(position(a), position(b), position(c));
-  const double most_rho =
-      std::max({points_[a].length_scale, points_[b].length_scale, points_[c].length_scale});
-  const double g = circle.radius * circle.radius + largest_residual_ * most_rho * most_rho;
-  const SurfacePoint& at = points_[v.index()];
-  constexpr double room = 1 + 1e-6;  // well above the rounding of either side
-  double way = longest_way(at.length_scale, g);
-  const double d2 =
-      squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-  if (d2 > way * way * room) return false;
-  way = std::min(way, prove(corners, circle).way);
-  if (d2 > way * way * room) return false;
-  const double aside = way * way / (2 * at.length_scale);
-  const auto along_skin = [&](std::uint32_t corner) -> Point {
-    const Vector d = position(corner) - position(v.value);
-    return d - d.dot(at.normal) * at.normal;
-  };
-  const double d2_aside =
-      squared_distance_to_triangle(Point::Zero(), along_skin(a), along_skin(b), along_skin(c));
-  return !(d2_aside > aside * aside * room);
+  found.reach.add(static_cast<std::uint32_t>(t), circle.radius, proof.way, rho);
 }
 
 void Certifier::check_covering_degree() {
   out_.components = parts_.count;
-  // A few candidates per component, from all over it: where the mesh is thin beside its length
-  // scale a neighbour's triangle may pass through the ball, and another vertex shows the degree.
-  constexpr std::size_t most_candidates = 16;
-  std::vector<std::vector<VertexId>> candidates(parts_.count);
-  std::vector<std::uint32_t> size(parts_.count, 0), seen(parts_.count, 0);
-  for (const auto part : parts_.of_triangle) ++size[part];
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const auto part = parts_.of_triangle[t];
-    auto& list = candidates[part];
-    const VertexId v{mesh_.triangles[t][0]};
-    if (seen[part]++ % (size[part] / most_candidates + 1) != 0) continue;
-    if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
-  }
-  std::vector<char> is_free(mesh_.positions.size(), 0);
-  std::size_t count = 0;
-  for (const auto& list : candidates) count += list.size();
-  CandidateGrid grid(std::max(reach_, 1e-3), count);
-  for (const auto& list : candidates) {
-    for (const VertexId v : list) {
-      is_free[v.index()] = 1;
-      grid.add(position(v.value), points_[v.index()].length_scale, v);
-    }
-  }
-  const auto look_at = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
-    const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
-    if (!is_own && is_free[v.index()] && may_cover(t, v)) is_free[v.index()] = 0;
-  };
-  // Few, if any: each is held against every candidate.
-  constexpr std::size_t most_looks = 1'000'000'000;
-  if (far_reaching_.size() > most_looks / std::max<std::size_t>(count, 1)) {
-    return fail_to_show_degree(0);
-  }
-  for (const auto& [t, from_first_corner] : far_reaching_) {
-    const Point& corner = position(mesh_.triangles[t][0]);
-    const double farthest = 1.01 * from_first_corner;
-    for (const auto& list : candidates) {
-      for (const VertexId v : list) {
-        if (!((position(v.value) - corner).squaredNorm() > farthest * farthest)) {
-          look_at(mesh_.triangles[t], v);
-        }
-      }
-    }
-  }
-  for (std::uint32_t a = 0; a < mesh_.positions.size(); ++a) {
-    grid.for_each_near(position(a), points_[a].length_scale, [&](VertexId v) {
-      const double farthest = 1.01 * reach_ * points_[a].length_scale;
-      if ((position(a) - position(v.value)).squaredNorm() > farthest * farthest) return;
-      surface_.for_each_outgoing(VertexId{a}, [&](HalfEdgeId h) {
-        look_at({a, surface_.target(h).value, surface_.apex(h).value}, v);
-      });
-    });
-  }
-  out_.covering_degree_ok = true;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool shown = std::any_of(candidates[i].begin(), candidates[i].end(),
-                                   [&](VertexId v) { return is_free[v.index()] != 0; });
-    if (!shown) return fail_to_show_degree(i);
-  }
-}
-
-void Certifier::fail_to_show_degree(std::size_t component) {
-  out_.covering_degree_ok = false;
+  const CoveringDegree degree({mesh_, surface_, parts_, points_, skin_, largest_residual_}, reach_);
+  const std::optional<std::size_t> unshown = degree.first_not_shown();
+  out_.covering_degree_ok = !unshown;
+  if (!unshown) return;
   fail(Claim::Degree,
-       "component " + std::to_string(component) + " could not be shown to cover the skin once");
+       "component " + std::to_string(*unshown) + " could not be shown to cover the skin once");
 }
 
 void Certifier::compare_counts() {
