@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -35,21 +36,26 @@ struct Piece {
   }
 };
 
-/// By vertex, the number of the piece of the mesh it belongs to: what hangs together by triangles.
-struct Pieces {
-  std::vector<std::uint32_t> of_vertex;
-  std::uint32_t count = 0;
-};
-Pieces pieces_of(const IndexedMesh& mesh) {
+/// What hangs together by triangles, each by itself.
+std::vector<Piece> pieces_of(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) {
   geometry::UnionFind sets(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     sets.join(a, b);
     sets.join(a, c);
   }
-  Pieces pieces{std::vector<std::uint32_t>(sets.size()), 0};
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> piece_of(sets.size()), place(sets.size());
   for (std::uint32_t v = 0; v < sets.size(); ++v) {
     const std::uint32_t first = sets.root(v);
-    pieces.of_vertex[v] = first == v ? pieces.count++ : pieces.of_vertex[first];
+    if (first == v) pieces.emplace_back();
+    piece_of[v] = first == v ? static_cast<std::uint32_t>(pieces.size() - 1) : piece_of[first];
+    Piece& piece = pieces[piece_of[v]];
+    place[v] = static_cast<std::uint32_t>(piece.cells.size());
+    piece.mesh.positions.push_back(mesh.positions[v]);
+    piece.cells.push_back(cells[v]);
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    pieces[piece_of[a]].mesh.triangles.push_back({place[a], place[b], place[c]});
   }
   return pieces;
 }
@@ -98,36 +104,25 @@ class Parts {
   /// The mesh cut up: all that lies on each part. A piece that lies on several is in each of them.
   std::vector<Piece> cut(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) const {
     if (index_.empty()) return {Piece{mesh, {cells.begin(), cells.end()}}};
-    const Pieces pieces = pieces_of(mesh);
-    std::vector<std::vector<char>> is_on(count(), std::vector<char>(pieces.count, 0));
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      const auto sides = components_.sides(skin_.surface.at(mesh.positions[v], cells[v]));
-      const auto place = sides ? index_.find(*sides) : index_.end();
-      if (place != index_.end()) is_on[place->second][pieces.of_vertex[v]] = 1;
-    }
-    std::vector<Piece> result;
-    for (const std::vector<char>& chosen : is_on) {
-      result.push_back(selected(mesh, cells, pieces, chosen));
+    std::vector<Piece> result(count());
+    for (Piece& piece : pieces_of(mesh, cells)) {
+      for (const std::size_t part : parts_under(piece)) result[part].append(piece);
+      piece = {};
     }
     return result;
   }
 
  private:
-  static Piece selected(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
-                        const Pieces& pieces, const std::vector<char>& chosen) {
-    Piece piece;
-    std::vector<std::uint32_t> place(mesh.positions.size());
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      if (chosen[pieces.of_vertex[v]] == 0) continue;
-      place[v] = static_cast<std::uint32_t>(piece.cells.size());
-      piece.mesh.positions.push_back(mesh.positions[v]);
-      piece.cells.push_back(cells[v]);
+  /// The parts that the vertices lie on.
+  std::set<std::size_t> parts_under(const Piece& piece) const {
+    std::set<std::size_t> parts;
+    for (std::size_t v = 0; v < piece.cells.size(); ++v) {
+      const auto sides =
+          components_.sides(skin_.surface.at(piece.mesh.positions[v], piece.cells[v]));
+      const auto part = sides ? index_.find(*sides) : index_.end();
+      if (part != index_.end()) parts.insert(part->second);
     }
-    for (const auto& [a, b, c] : mesh.triangles) {
-      if (chosen[pieces.of_vertex[a]] == 0) continue;
-      piece.mesh.triangles.push_back({place[a], place[b], place[c]});
-    }
-    return piece;
+    return parts;
   }
 
   const PreparedSkin& skin_;
