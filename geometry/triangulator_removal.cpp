@@ -248,7 +248,7 @@ bool Triangulator::triangulate_link(Corner p) {
   link.points_.push_back(points_[p]);
   link.ids_.push_back(ids_[p]);
   link.last_ = link.locate(q);
-  assert(link.is_in_conflict(link.last_, q));
+  assert(link.is_in_conflict_exactly(link.tetrahedra_[link.last_], q));
   link.grow_cavity(q);
   return true;
 }
