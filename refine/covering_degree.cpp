@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/kd_tree.h"
 #include "refine/candidate_grid.h"
 
 namespace morskin::refine {
@@ -13,6 +14,7 @@ void FlowReach::add(std::uint32_t triangle, double circumradius, double way, dou
   const double ratio = (circumradius + way) / rho;
   if (ratio > most) {
     far_.push_back({triangle, 2 * circumradius + way});
+    unbounded_count_ += !std::isfinite(way);
   } else {
     ratio_ = std::max(ratio_, ratio);
   }
@@ -21,6 +23,7 @@ void FlowReach::add(std::uint32_t triangle, double circumradius, double way, dou
 void FlowReach::add(const FlowReach& others) {
   ratio_ = std::max(ratio_, others.ratio_);
   far_.insert(far_.end(), others.far_.begin(), others.far_.end());
+  unbounded_count_ += others.unbounded_count_;
 }
 
 /// Whether the triangles round v, seen along its normal, go round it once and all the same way.
@@ -107,33 +110,42 @@ CoveringDegree::Candidates CoveringDegree::candidates() const {
 }
 
 std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates) const {
-  std::vector<char> is_free(on_.mesh.positions.size(), 0);
-  std::size_t count = 0;
-  for (const auto& list : candidates) count += list.size();
-  // Few, if any, reach far: each is held against every candidate.
+  std::vector<VertexId> all;
+  for (const auto& list : candidates) all.insert(all.end(), list.begin(), list.end());
+  // A triangle that is not proved may reach anywhere, and is held against every candidate.
   constexpr std::size_t most_looks = 1'000'000'000;
-  if (reach_.far().size() > most_looks / std::max<std::size_t>(count, 1)) return {};
-  CandidateGrid grid(std::max(reach_.ratio(), 1e-3), count);
-  for (const auto& list : candidates) {
-    for (const VertexId v : list) {
-      is_free[v.index()] = 1;
-      grid.add(position(v.value), on_.points[v.index()].length_scale, v);
-    }
-  }
+  if (reach_.unbounded_count() > most_looks / std::max<std::size_t>(all.size(), 1)) return {};
+  std::vector<char> is_free(on_.mesh.positions.size(), 0);
+  for (const VertexId v : all) is_free[v.index()] = 1;
   const auto look_at = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
     const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
     if (!is_own && is_free[v.index()] && may_cover(t, v)) is_free[v.index()] = 0;
   };
+  look_from_far(all, look_at);
+  look_from_near(all, look_at);
+  return is_free;
+}
+
+/// Looks at the candidates that the triangles which reach far may come to.
+template <class Look>
+void CoveringDegree::look_from_far(const std::vector<VertexId>& candidates, Look look_at) const {
+  if (reach_.far().empty()) return;
+  std::vector<Point> places;
+  for (const VertexId v : candidates) places.push_back(position(v.value));
+  const geometry::KdTree<VertexId> tree(places);
   for (const auto& [t, from_first_corner] : reach_.far()) {
-    const Point& corner = position(on_.mesh.triangles[t][0]);
-    const double farthest = 1.01 * from_first_corner;
-    for (const auto& list : candidates) {
-      for (const VertexId v : list) {
-        if (!((position(v.value) - corner).squaredNorm() > farthest * farthest)) {
-          look_at(on_.mesh.triangles[t], v);
-        }
-      }
-    }
+    const auto& triangle = on_.mesh.triangles[t];
+    tree.for_each_within(position(triangle[0]), 1.01 * from_first_corner,
+                         [&](const auto& near) { look_at(triangle, candidates[near.id.index()]); });
+  }
+}
+
+/// Each vertex looks for candidates near it, and holds its triangles against them.
+template <class Look>
+void CoveringDegree::look_from_near(const std::vector<VertexId>& candidates, Look look_at) const {
+  CandidateGrid grid(std::max(reach_.ratio(), 1e-3), candidates.size());
+  for (const VertexId v : candidates) {
+    grid.add(position(v.value), on_.points[v.index()].length_scale, v);
   }
   for (std::uint32_t a = 0; a < on_.mesh.positions.size(); ++a) {
     grid.for_each_near(position(a), on_.points[a].length_scale, [&](VertexId v) {
@@ -144,7 +156,6 @@ std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates) 
       });
     });
   }
-  return is_free;
 }
 
 std::optional<std::size_t> CoveringDegree::first_not_shown() const {

@@ -7,6 +7,7 @@
 ///
 /// so that the component covers its part of the skin once.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -34,11 +35,14 @@ class FlowReach {
     double from_first_corner;  ///< Angstrom
   };
   std::span<const Far> far() const { return far_; }
+  /// How many of these are not proved, so that nothing bounds how far they reach.
+  std::size_t unbounded_count() const { return unbounded_count_; }
 
  private:
   static constexpr double most = 0.8;
   double ratio_ = 0;
   std::vector<Far> far_;
+  std::size_t unbounded_count_ = 0;
 };
 
 /// |G| at the corners of a triangle, at most, if at each vertex it is that share of rho^2.
@@ -70,8 +74,12 @@ class CoveringDegree {
   using Candidates = std::vector<std::vector<VertexId>>;
   Candidates candidates() const;
   /// Whether no triangle but its own may cover the vertex, for each candidate; empty if there are
-  /// too many triangles that reach far.
+  /// too many triangles that nothing bounds.
   std::vector<char> free_candidates(const Candidates& candidates) const;
+  template <class Look>
+  void look_from_far(const std::vector<VertexId>& candidates, Look look_at) const;
+  template <class Look>
+  void look_from_near(const std::vector<VertexId>& candidates, Look look_at) const;
   bool turns_once(VertexId v) const;
   bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
   const Point& position(std::uint32_t v) const { return on_.mesh.positions[v]; }

@@ -25,7 +25,7 @@ Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, Skin
 void Refinement::run(const geometry::Told& told) {
   told_ = told;
   if (told_) told_(0);
-  most_ = 1000 + 10 * mesh_.surface.triangle_count();
+  most_ = 1000 + mesh_.surface.triangle_count();
   look_everywhere();
   flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.

@@ -81,7 +81,8 @@ class Refinement {
   const unsigned threads_;
   Work work_;
   /// Budgets, for constants outside the range where termination is proved: of contractions and
-  /// insertions together, and 50 flips for every triangle there has been.
+  /// insertions together, one for every triangle of the front's mesh, of which a few in a hundred
+  /// are usual; and 50 flips for every triangle there has been.
   std::size_t most_ = 0;
   RefinementCounts counts_;
   geometry::Told told_;
