@@ -8,7 +8,7 @@ namespace morskin::baselines {
 
 using refine::circumcircle;
 
-VertexId MovingMesh::add_vertex(const SurfacePoint& p) {
+VertexId MovingMesh::add_vertex(SurfacePoint p) {
   moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
   const VertexId v = surface_.add_vertex();
   enter(v, p.cell);

@@ -70,8 +70,8 @@ class MovingMesh {
   }
   const Point& position(VertexId v) { return at(v).position; }
   const Trajectory& path(VertexId v) const { return moving_[v.index()].path; }
-  /// A vertex at a point of the skin at the time set.
-  VertexId add_vertex(const SurfacePoint& p);
+  /// A vertex at a point of the skin at the time set, which may be another vertex of this mesh.
+  VertexId add_vertex(SurfacePoint p);
 
   /// Asks for the vertices that come into some cells.
   std::uint32_t watch(const std::vector<CellId>& cells);
