@@ -61,7 +61,7 @@ void growth(benchmark::State& state, const std::string& file, Tetrahedrization w
   state.counters["tetrahedrization_s"] = seconds;
 }
 
-void register_molecules() {
+bool register_molecules() {
   for (const std::string file : {"two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb",
                                  "caffeine.xyz", "5tmn_ligand.pdb"}) {
     const auto row = [&](const char* name, Tetrahedrization what) {
@@ -73,14 +73,11 @@ void register_molecules() {
     row("kept", Tetrahedrization::Kept);
     row("anew", Tetrahedrization::Anew);
   }
+  return true;
 }
+
+[[maybe_unused]] const bool is_registered = register_molecules();
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  register_molecules();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}
+BENCHMARK_MAIN();

@@ -82,7 +82,7 @@ void certificate(benchmark::State& state) {
 BENCHMARK(locate_and_project)->Unit(benchmark::kMillisecond);
 BENCHMARK(certificate)->Unit(benchmark::kMillisecond);
 
-void register_molecules() {
+bool register_molecules() {
   const std::array table{std::pair{"5tmn_ligand.pdb", "5TMN_inhibitor"},
                          std::pair{"9dna.pdb", "9DNA_strand"},
                          std::pair{"1grm_model1.pdb", "1GRM_gramicidin_A"}};
@@ -97,14 +97,11 @@ void register_molecules() {
       }
     }
   }
+  return true;
 }
+
+[[maybe_unused]] const bool is_registered = register_molecules();
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  register_molecules();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}
+BENCHMARK_MAIN();
