@@ -49,20 +49,28 @@ std::uint64_t parsed_bytes(std::string_view text) {
 }
 
 void check_sizing(const refine::Sizing& sizing) {
-  if (!(sizing.C > 0) || !std::isfinite(sizing.C)) throw UsageError("-C must be above 0");
+  if (!(sizing.C >= refine::Sizing::least_C) || !std::isfinite(sizing.C)) {
+    throw UsageError("-C must be at least 1e-5");
+  }
   if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
   if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
 }
 
 /// -C, -Q and --size.
 void finish(refine::Sizing& sizing, const Typed& typed) {
-  if (typed.size && !(*typed.size > 0 && std::isfinite(*typed.size))) {
-    throw UsageError("--size must be above 0 Angstrom");
+  if (typed.size && !(*typed.size >= refine::Sizing::least_size && std::isfinite(*typed.size))) {
+    throw UsageError("--size must be at least 1e-6 Angstrom");
   }
   sizing.C = typed.C.value_or(typed.size ? refine::Sizing::largest_proved_C : sizing.C);
   sizing.Q = typed.Q.value_or(refine::Sizing::quality_for(sizing.C));
   check_sizing(sizing);
   if (typed.size) sizing.set_edge_length(*typed.size);
+}
+
+void check_timeout(std::optional<double> seconds) {
+  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::most_seconds)) {
+    throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
+  }
 }
 
 void finish(MoleculeArguments& molecule, const Typed& typed) {
@@ -133,6 +141,13 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *front::parse_method(typed.method);
+  const bool is_sweep = mesh.method == front::Method::Sweep;
+  const bool is_dynamic = mesh.method == front::Method::Dynamic;
+  const bool is_smoothed = is_sweep || mesh.method == front::Method::Static;
+  if (typed.angle_goal && !is_smoothed) {
+    throw UsageError("--angle-goal is for the methods sweep and static");
+  }
+  mesh.angle_goal_deg = typed.angle_goal.value_or(is_smoothed ? mesh.angle_goal_deg : 0);
   if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
     throw UsageError("--angle-goal must be from 0 to 60");
   }
@@ -143,26 +158,28 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--grid must be above 0");
   }
   if (typed.grow) parse_growth(mesh, *typed.grow);
-  if (mesh.keep_delaunay && mesh.method != front::Method::Dynamic) {
+  if (mesh.keep_delaunay && !is_dynamic) {
     throw UsageError("--keep-delaunay is for --method dynamic");
+  }
+  if ((typed.fronts || typed.guard != "everywhere") && !is_sweep) {
+    throw UsageError("--fronts and --guard are for --method sweep");
   }
   if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
-  const bool has_snapshots = mesh.snapshots > 0 || !mesh.snapshot_values.empty();
-  const bool is_dynamic = mesh.method == front::Method::Dynamic;
-  mesh.fronts = typed.fronts.value_or(has_snapshots && !is_dynamic ? 1 : 2);
-  if (has_snapshots && !is_dynamic && mesh.fronts != 1) {
+  if (mesh.has_snapshots() && !is_sweep && !is_dynamic) {
+    throw UsageError("snapshots are for the methods sweep and dynamic");
+  }
+  mesh.fronts = typed.fronts.value_or(mesh.has_snapshots() && is_sweep ? 1 : 2);
+  if (mesh.has_snapshots() && is_sweep && mesh.fronts != 1) {
     throw UsageError("snapshots are of a sweep from below only: leave out --fronts 2");
   }
   for (const double value : mesh.snapshot_values) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }
-  if (typed.size && mesh.method != front::Method::Sweep && mesh.method != front::Method::Static) {
+  if (typed.size && !is_smoothed) {
     throw UsageError("--size is for the methods sweep and static");
   }
-  if (mesh.timeout && !(*mesh.timeout > 0 && *mesh.timeout <= TimeLimit::most_seconds)) {
-    throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
-  }
+  check_timeout(mesh.timeout);
   if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
   check_outputs(mesh);
 }
@@ -191,6 +208,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
     finish(all.figure);
     return all.figure;
   }
+  check_timeout(all.check.timeout);
   if (!all.against.input.empty()) all.check.against = all.against;
   return all.check;
 }

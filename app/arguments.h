@@ -53,6 +53,7 @@ struct MeshArguments {
   std::size_t snapshots = 0;            ///< at even steps of the Morse function
   std::vector<double> snapshot_values;  ///< and at these
   std::filesystem::path snapshot_folder = ".";
+  bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
   int fronts = 2;                           ///< front::MeshOptions::fronts
   unsigned threads = 1;                     ///< at most; the result is the same for any number
   std::optional<double> timeout;            ///< seconds of real time
@@ -90,7 +91,8 @@ struct CheckArguments {
   refine::Sizing sizing;
   bool self_intersections = true;  ///< search for them
   bool json = false;
-  unsigned threads = 1;  ///< at most; the result is the same for any number
+  unsigned threads = 1;           ///< at most; the result is the same for any number
+  std::optional<double> timeout;  ///< seconds of real time
 };
 
 struct ViewArguments {

@@ -2,26 +2,18 @@
 
 #include "app/commands.h"
 #include "app/molecule_input.h"
+#include "app/output_names.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
 
 namespace morskin::app {
 
 ExitCode balls_command(const BallsArguments& arguments) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(arguments.output, ignored) &&
-      std::filesystem::equivalent(arguments.molecule.input, arguments.output, ignored)) {
-    throw UsageError("the output would replace the input; choose another name");
-  }
+  check_not_input(arguments.output, arguments.molecule);
   const MoleculeInput input = read_input(arguments.molecule);
   const std::string text = skin::xyzr_text(input.points);
   StagedOutputs outputs({arguments.output});
-  for (geometry::PendingFile& file : outputs.files()) {
-    file.write(text);
-    file.commit();
-  }
-  for (const std::filesystem::path& path : outputs.direct())
-    geometry::write_file_atomically(path, text);
+  write_to_all(outputs, text);
   if (!arguments.quiet && !outputs.files().empty()) {
     const RadiusRange radii = patch_radii(input.points);
     std::cout << arguments.molecule.input.string() << " -> " << arguments.output.string() << "\n"

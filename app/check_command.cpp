@@ -7,6 +7,7 @@
 
 #include "app/check_report.h"
 #include "app/commands.h"
+#include "app/limits.h"
 #include "app/molecule_input.h"
 #include "app/report.h"
 #include "geometry/error.h"
@@ -73,6 +74,8 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
 
 ExitCode check_command(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
+  const TimeLimit time_limit(arguments.timeout, arguments.mesh,
+                             "leave out the search with --no-self-intersections");
   const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
   if (mesh.triangles.size() > most_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +

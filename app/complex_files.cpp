@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "app/function_argument.h"
+#include "app/output_names.h"
 #include "app/report.h"
 #include "geometry/text_lines.h"
 #include "geometry/vtu_grid.h"
@@ -153,8 +153,7 @@ void append_pair(std::string& text, const Pair& pair) {
 }  // namespace
 
 std::optional<ComplexFormat> complex_format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower_extension(path);
   if (ending == ".json") return ComplexFormat::Json;
   if (ending == ".vtu") return ComplexFormat::Vtu;
   return std::nullopt;

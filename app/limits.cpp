@@ -76,14 +76,15 @@ void limit_memory(std::optional<std::uint64_t> bytes) {
 
 const char* out_of_memory_text() { return memory_text; }
 
-TimeLimit::TimeLimit(std::optional<double> seconds, const std::filesystem::path& input) {
+TimeLimit::TimeLimit(std::optional<double> seconds, const std::filesystem::path& input,
+                     const char* advice) {
   if (!seconds) return;
   // On a terminal the line of progress is wiped first.
   const std::string wipe = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
   std::snprintf(time_text, sizeof time_text,
                 "%smorskin: %.300s: the time limit of %s s (--timeout) was reached; allow more, or "
-                "make a coarser mesh with a larger -C\n",
-                wipe.c_str(), input.c_str(), brief(*seconds).c_str());
+                "%s\n",
+                wipe.c_str(), input.c_str(), brief(*seconds).c_str(), advice);
   struct sigaction action {};
   action.sa_handler = end_for_lack_of_time;
   ::sigfillset(&action.sa_mask);

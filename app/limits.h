@@ -22,7 +22,8 @@ const char* out_of_memory_text();
 class TimeLimit {
  public:
   /// @param seconds  absent: no limit. @pre 0 < *seconds <= most_seconds
-  TimeLimit(std::optional<double> seconds, const std::filesystem::path& input);
+  /// @param advice   what else than more time would help
+  TimeLimit(std::optional<double> seconds, const std::filesystem::path& input, const char* advice);
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
   ~TimeLimit() { cancel(); }

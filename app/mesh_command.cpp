@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/molecule_input.h"
+#include "app/output_names.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/snapshots.h"
@@ -49,7 +50,7 @@ bool can_be_certified(MeshFormat format) {
 
 // The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
 front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                             MeshReport& report) {
+                             StagedOutputs& outputs, MeshReport& report) {
   baselines::GrowthOptions growth;
   double largest = 0;
   for (const auto& p : skin.surface.points()) largest = std::max(largest, p.weight);
@@ -63,23 +64,23 @@ front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArgument
     growth.snapshot_times.push_back(t - arguments.grow_to);
   }
   std::ranges::sort(growth.snapshot_times);
-  growth.snapshot = [&arguments, number = std::size_t{0}](double,
-                                                          const skin::SkinMesh& mesh) mutable {
-    write_snapshot(arguments.snapshot_folder, ++number, mesh);
+  growth.snapshot = [&arguments, &outputs, number = std::size_t{0}](
+                        double, const skin::SkinMesh& mesh) mutable {
+    outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, mesh); });
   };
   if (arguments.keep_delaunay) growth.kept = &report.kept_delaunay.emplace();
   return baselines::dynamic_mesher(growth, &report.growth.emplace());
 }
 
 front::MeshOptions options_of(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                              MeshReport& report) {
+                              StagedOutputs& outputs, MeshReport& report) {
   front::MeshOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
   if (report.grid_step) options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
   if (arguments.method == front::Method::Dynamic) {
-    options.mesher = dynamic_mesher(skin, arguments, report);
+    options.mesher = dynamic_mesher(skin, arguments, outputs, report);
   }
   options.function = arguments.function;
   options.fronts = arguments.fronts;
@@ -92,10 +93,11 @@ front::MeshOptions options_of(const front::PreparedSkin& skin, const MeshArgumen
 }
 
 front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       front::MeshOptions options, const front::Progress& progress) {
+                       front::MeshOptions options, StagedOutputs& outputs,
+                       const front::Progress& progress) {
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
-    write_snapshot(arguments.snapshot_folder, ++number, snapshot);
+    outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, snapshot); });
   };
   options.progress = progress;
   try {
@@ -171,11 +173,18 @@ std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
   return names;
 }
 
-// Gives the files their names.
-std::vector<std::filesystem::path> named(std::span<PendingFile> files, bool is_certified) {
-  std::vector<std::filesystem::path> names;
-  for (PendingFile& file : files) names.push_back(file.commit(is_certified ? "" : ".unverified"));
-  return names;
+constexpr std::string_view unverified = ".unverified";
+
+// Found out before the long work, as PendingFile does for the name itself.
+void check_unverified_names(std::span<const PendingFile> files) {
+  for (const PendingFile& file : files) {
+    const std::filesystem::path name = file.final_name(unverified);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(name, ignored)) {
+      throw geometry::UnwritableOutput(name.string() + ": is a folder, in the place of a mesh " +
+                                       "that is not certified; remove it or choose another name");
+    }
+  }
 }
 
 // The high-water mark of this program alone; that of getrusage starts with what its parent held.
@@ -218,11 +227,8 @@ void describe_run(MeshReport& report, const front::MeshResult& result) {
   report.seconds.stages = result.seconds;
 }
 
-void publish(const MeshReport& report, const MeshArguments& arguments, PendingFile* report_file) {
-  if (report_file != nullptr) {
-    report_file->write(json_text(report));
-    report_file->commit();
-  } else if (arguments.report) {
+void publish(const MeshReport& report, const MeshArguments& arguments) {
+  if (arguments.report && geometry::is_written_directly(*arguments.report)) {
     geometry::write_file_atomically(*arguments.report, json_text(report));
   }
   if (!report.certificate.certified) {
@@ -231,9 +237,9 @@ void publish(const MeshReport& report, const MeshArguments& arguments, PendingFi
               << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
   }
   if (arguments.quiet) return;
-  // A mesh on standard output sends the report to standard error.
-  const bool is_taken = std::ranges::any_of(
-      arguments.outputs, [](const auto& path) { return path == "-" || path == "/dev/stdout"; });
+  // A mesh, or the report as JSON, on standard output sends the report for people elsewhere.
+  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
+                        (arguments.report && is_standard_output(*arguments.report));
   (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
 }
 
@@ -241,7 +247,8 @@ void publish(const MeshReport& report, const MeshArguments& arguments, PendingFi
 
 ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
-  TimeLimit time_limit(arguments.timeout, arguments.molecule.input);
+  TimeLimit time_limit(arguments.timeout, arguments.molecule.input,
+                       "make a coarser mesh with a larger -C");
   MeshReport report;
   const std::string doubts = doubts_about(arguments.sizing);
   if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";
@@ -260,6 +267,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   std::span<PendingFile> files = outputs.files();
   PendingFile* const report_file = is_report_staged ? &files.back() : nullptr;
   if (is_report_staged) files = files.first(files.size() - 1);
+  check_unverified_names(files);
 
   const Stopwatch preparing;
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
@@ -274,8 +282,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  const front::MeshOptions options = options_of(skin, arguments, report);
-  front::MeshResult result = mesh(skin, arguments, options, progress);
+  const front::MeshOptions options = options_of(skin, arguments, outputs, report);
+  front::MeshResult result = mesh(skin, arguments, options, outputs, progress);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
 
@@ -293,21 +301,24 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   describe_run(report, result);
   report.seconds.certify = certifying.seconds();
   line.wipe();
+  // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;
-  // First what may fail: then no file has its name yet.
   const std::vector<std::filesystem::path> fed =
       feed(arguments, result.mesh, report.certificate.certified);
-  outputs.undisturbed([&] {
-    time_limit.cancel();
-    report.outputs = named(files, report.certificate.certified);
-  });
-  report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
   report.seconds.write += delivering.seconds();
   report.seconds.total = total.seconds();
-
+  const std::string_view suffix = report.certificate.certified ? "" : unverified;
+  for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
+  report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
   report.peak_memory_bytes = peak_memory_bytes();
   report.floor_seconds = front::floor_seconds(skin.surface, result);
-  publish(report, arguments, report_file);
+  if (report_file != nullptr) report_file->write(json_text(report));
+  time_limit.cancel();
+  outputs.undisturbed([&] {
+    for (PendingFile& file : files) file.commit(suffix);
+    if (report_file != nullptr) report_file->commit();
+  });
+  publish(report, arguments);
   return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;
 }
 

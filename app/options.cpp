@@ -57,7 +57,7 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
       ->default_str("0.08");
   command.add_option("-Q", typed.Q,
                      "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
-                     "with C above 0.109, the least that C allows)");
+                     "with C above 0.107, the least that C allows)");
   command.add_option("--size", typed.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
                      "elsewhere, and in place of a longer one, what -C gives, then 0.2\n"
@@ -75,6 +75,10 @@ void add_progress_option(CLI::App& command, Typed& typed) {
   command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
+}
+
+void add_timeout_option(CLI::App& command, std::optional<double>& timeout) {
+  command.add_option("--timeout", timeout, "Seconds after which to give up, with exit code 6");
 }
 
 void add_threads_option(CLI::App& command, unsigned& threads) {
@@ -99,10 +103,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_molecule_options(command, mesh.molecule, typed);
   add_sizing_options(command, typed);
   command
-      .add_option("--angle-goal", mesh.angle_goal_deg,
+      .add_option("--angle-goal", typed.angle_goal,
                   "Degrees: vertices are moved along the skin until no angle is smaller,\n"
-                  "as far as -C and -Q allow it; 0 for not at all")
-      ->capture_default_str();
+                  "as far as -C and -Q allow it; 0 for not at all. With sweep and static")
+      ->default_str("30");
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
   command
@@ -148,7 +152,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
   add_threads_option(command, mesh.threads);
-  command.add_option("--timeout", mesh.timeout, "Seconds after which to give up, with exit code 6");
+  add_timeout_option(command, mesh.timeout);
   command.add_option("--max-memory", typed.max_memory,
                      "Bytes of memory at which to give up, with exit code 6; 2G is\n"
                      "2 GiB (default: what the machine has)");
@@ -214,6 +218,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
                    "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
   add_threads_option(command, check.threads);
+  add_timeout_option(command, check.timeout);
   command.footer(
       "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
       "triangles and, with --against, certified; 5: not, and the reason names the first element.");

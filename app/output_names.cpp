@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "geometry/mesh_files.h"
+#include "geometry/text_lines.h"
 
 namespace morskin::app {
 namespace {
@@ -15,17 +15,31 @@ namespace {
 // The one name of a file, whatever way its path is written.
 std::filesystem::path one_name(const std::filesystem::path& path) {
   std::error_code failed;
-  std::filesystem::path name = std::filesystem::weakly_canonical(path, failed);
-  return failed ? std::filesystem::absolute(path).lexically_normal() : name;
+  const std::filesystem::path absolute = std::filesystem::absolute(path);
+  std::filesystem::path name = std::filesystem::weakly_canonical(absolute, failed);
+  return failed ? absolute.lexically_normal() : name;
+}
+
+// Names that the run gives to files by itself: a mesh that is not certified, a snapshot.
+void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
+  for (const std::filesystem::path& output : mesh.outputs) {
+    if (one_name(name) == one_name(output.string() + ".unverified")) {
+      throw UsageError(name.string() + " is where " + output.string() +
+                       " goes when it is not certified; choose another name");
+    }
+  }
+  const std::filesystem::path place = one_name(name);
+  if (mesh.has_snapshots() &&
+      place.parent_path() == one_name(mesh.snapshot_folder / "x").parent_path() &&
+      place.filename().string().starts_with("snapshot-")) {
+    throw UsageError(name.string() + " may become a snapshot's name; choose another");
+  }
 }
 
 }  // namespace
 
 std::string lower_extension(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return geometry::lower_case(path.extension().string());
 }
 
 bool is_standard_output(const std::filesystem::path& path) {
@@ -53,6 +67,7 @@ void check_outputs(const MeshArguments& mesh) {
     check_not_input(names[i], mesh.molecule);
     if (is_standard_output(names[i])) ++standard_outputs;
     if (is_special(names[i])) continue;
+    check_not_given_otherwise(names[i], mesh);
     for (std::size_t j = 0; j < i; ++j) {
       if (one_name(names[i]) == one_name(names[j])) {
         throw UsageError(names[i].string() + " is named twice");

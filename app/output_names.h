@@ -22,7 +22,8 @@ bool is_special(const std::filesystem::path& path);
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule);
 
 /// @throw UsageError unless the outputs of `mesh`, its report included, are apart from the input
-/// and from each other, of known formats, and at most one goes to standard output.
+/// and from each other and from what the run names by itself, of known formats, and at most one
+/// goes to standard output.
 void check_outputs(const MeshArguments& mesh);
 
 }  // namespace morskin::app

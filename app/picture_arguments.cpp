@@ -70,7 +70,7 @@ void set_size(RenderArguments& render, std::string_view text) {
 }
 
 void check_png(const std::filesystem::path& output) {
-  if (!is_standard_output(output) && output.extension() != ".png") {
+  if (!is_standard_output(output) && lower_extension(output) != ".png") {
     throw UsageError(output.string() + ": pictures are written as .png");
   }
 }

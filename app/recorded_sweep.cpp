@@ -114,7 +114,7 @@ RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshO
   progress("critical points", 0);
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                        options.sizing.tangent_disk_share(), options.threads);
+                        front::sphere_share(skin.surface, options.sizing), options.threads);
   std::tie(result.minima, result.saddles, result.maxima) =
       std::tuple(guide.found[0], guide.found[1], guide.found[2]);
   result.function = guide.function;

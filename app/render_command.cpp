@@ -10,6 +10,8 @@
 #include "app/staged_outputs.h"
 #include "geometry/error.h"
 #include "geometry/mesh_files.h"
+#include "geometry/union_find.h"
+#include "refine/triangle_geometry.h"
 
 namespace morskin::app {
 namespace {
@@ -21,25 +23,15 @@ using pictures::Image;
 constexpr double least_side = 7;  // pixels of a mean triangle from which on its edges are drawn
 constexpr Colour front_red = Colour::of(0xe02d2d);
 
-double smallest_angle_deg(const geometry::IndexedMesh& mesh,
-                          const std::array<std::uint32_t, 3>& t) {
-  double smallest = 180;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const geometry::Point& p = mesh.positions[t[k]];
-    const geometry::Vector a = mesh.positions[t[(k + 1) % 3]] - p;
-    const geometry::Vector b = mesh.positions[t[(k + 2) % 3]] - p;
-    smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / M_PI);
-  }
-  return smallest;
-}
-
 // Red at 21 degrees, the paper's bound, and below; through yellow to blue at 60.
 std::vector<Colour> colours_by_angle(const geometry::IndexedMesh& mesh) {
   constexpr std::array stops{Colour::of(0xb2182b), Colour::of(0xf4a45c), Colour::of(0xf7efb2),
                              Colour::of(0x8fc3de), Colour::of(0x2d6fb0)};
   std::vector<Colour> colours;
-  for (const auto& t : mesh.triangles) {
-    const double share = std::clamp((smallest_angle_deg(mesh, t) - 21) / (60 - 21), 0.0, 1.0);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const refine::AngleRange angles =
+        refine::angle_range(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    const double share = std::clamp((angles.smallest_deg - 21) / (60 - 21), 0.0, 1.0);
     const double place = share * (stops.size() - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(place), stops.size() - 2);
     colours.push_back(mixed(stops[i], stops[i + 1], place - static_cast<double>(i)));
@@ -52,23 +44,16 @@ std::vector<Colour> colours_by_component(const geometry::IndexedMesh& mesh) {
   constexpr std::array palette{Colour::of(0x8db7d9), Colour::of(0xe8a87c), Colour::of(0x93c48b),
                                Colour::of(0xc9a0d6), Colour::of(0xe6d27a), Colour::of(0xe39aa7),
                                Colour::of(0x86cfc4), Colour::of(0xb3b0a2)};
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = v;
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& t : mesh.triangles) {
-    for (const std::uint32_t v : t) {
-      const std::uint32_t a = root(t[0]), b = root(v);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+  geometry::UnionFind sets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
   }
   std::vector<std::optional<std::size_t>> number(mesh.positions.size());
   std::size_t count = 0;
   std::vector<Colour> colours;
   for (const auto& t : mesh.triangles) {
-    std::optional<std::size_t>& own = number[root(t[0])];
+    std::optional<std::size_t>& own = number[sets.root(t[0])];
     if (!own) own = count++;
     colours.push_back(palette[*own % palette.size()]);
   }
@@ -152,9 +137,25 @@ Camera inset_camera(const Camera& camera, const Inset& inset, Image& first) {
   return detail;
 }
 
+constexpr int gap = 16;  // between panels, pixels
+
+void check_sheet(const RenderArguments& arguments) {
+  constexpr double longest = 1e6;  // libpng writes no longer rows, and no more of them
+  const std::size_t panels = arguments.meshes.size() + (arguments.inset ? 1 : 0);
+  const std::size_t columns = std::min(panels, static_cast<std::size_t>(arguments.columns));
+  const std::size_t rows = (panels + columns - 1) / columns;
+  const auto side = [](std::size_t count, int pixels) {
+    return static_cast<double>(count) * (pixels + gap);
+  };
+  if (side(columns, arguments.width) > longest || side(rows, arguments.height) > longest) {
+    throw UsageError("the picture would be longer than a million pixels; choose a smaller --size");
+  }
+}
+
 }  // namespace
 
 ExitCode render_command(const RenderArguments& arguments) {
+  check_sheet(arguments);
   std::vector<geometry::IndexedMesh> meshes;
   for (const std::filesystem::path& path : arguments.meshes) {
     meshes.push_back(geometry::read_mesh(path));
@@ -171,7 +172,7 @@ ExitCode render_command(const RenderArguments& arguments) {
     draw_box(panels.back(), {1, 1, camera.width - 1.0, camera.height - 1.0}, {pictures::ink, 2});
   }
   if (arguments.inset) std::rotate(panels.begin() + 1, panels.begin() + 2, panels.end());
-  write_to_all(outputs, pictures::png(pictures::in_rows(panels, arguments.columns, 16)));
+  write_to_all(outputs, pictures::png(pictures::in_rows(panels, arguments.columns, gap)));
   return ExitCode::Success;
 }
 

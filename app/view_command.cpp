@@ -59,7 +59,7 @@ Context context(const MoleculeArguments& molecule, const ViewArguments& argument
     if (arguments.function) throw UsageError(error.what());
     throw;
   }
-  const double share = arguments.sizing.tangent_disk_share();
+  const double share = front::sphere_share(result.skin.surface, arguments.sizing);
   const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
   result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
                                  : unsimplified(result.complex, share);
@@ -164,13 +164,14 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
 std::vector<std::filesystem::path> frame_files(const std::vector<std::filesystem::path>& asked) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& path : asked) {
-    if (!std::filesystem::is_directory(path)) {
+    std::error_code failed;  // then read_mesh says what is wrong
+    if (!std::filesystem::is_directory(path, failed)) {
       files.push_back(path);
       continue;
     }
     for (std::size_t k = 1;; ++k) {
       std::filesystem::path file = path / ("snapshot-" + std::to_string(k) + ".ply");
-      if (!std::filesystem::exists(file)) {
+      if (!std::filesystem::exists(file, failed)) {
         if (k == 1) geometry::read_mesh(file);  // says what is missing
         break;
       }

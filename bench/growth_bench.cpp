@@ -65,9 +65,11 @@ bool register_molecules() {
   for (const std::string file : {"two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb",
                                  "caffeine.xyz", "5tmn_ligand.pdb"}) {
     const auto row = [&](const char* name, Tetrahedrization what) {
-      benchmark::RegisterBenchmark((file + "/" + name).c_str(), [=](benchmark::State& state) {
-        growth(state, file, what);
-      })->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark((file + "/" + name).c_str(),
+                                   [=](benchmark::State& state) { growth(state, file, what); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime()
+          ->MeasureProcessCPUTime();
     };
     row("none", Tetrahedrization::None);
     row("kept", Tetrahedrization::Kept);

@@ -80,7 +80,7 @@ void certificate(benchmark::State& state) {
 }
 
 BENCHMARK(locate_and_project)->Unit(benchmark::kMillisecond);
-BENCHMARK(certificate)->Unit(benchmark::kMillisecond);
+BENCHMARK(certificate)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 bool register_molecules() {
   const std::array table{std::pair{"5tmn_ligand.pdb", "5TMN_inhibitor"},
@@ -91,9 +91,12 @@ bool register_molecules() {
       for (const front::Method method : {front::Method::Sweep, front::Method::Static}) {
         const std::string row = std::string(name) + "/" + std::string(skin::name_of(model)) + "/" +
                                 std::string(front::name_of(method));
-        benchmark::RegisterBenchmark(row.c_str(), [=, file = file](benchmark::State& state) {
-          whole_run(state, file, model, method);
-        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(
+            row.c_str(),
+            [=, file = file](benchmark::State& state) { whole_run(state, file, model, method); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->MeasureProcessCPUTime();
       }
     }
   }

@@ -12,7 +12,8 @@ Two tables, as text on standard output and as Markdown in results/prediction.md:
             the seconds of those that all three have certified
 
 With --functions instead: every molecule along 10 random directions and 3 squared distances from
-random points, with both fronts; all must be certified with the same Euler characteristic.
+random points, with both fronts; all must be certified with the same Euler characteristic. Singular
+skins (exit code 4) and functions that are degenerate (2) are left out, and a line says so.
 """
 
 import random
@@ -33,9 +34,13 @@ def arguments():
 
 
 def mesh(path, model, timeout, *options):
-    """The report of a run, or None if there is none: refused, degenerate or out of time."""
+    """The report of a run, empty if it made no mesh; None if it could not be asked to."""
     done = molecule_runs.mesh(path, model, timeout, *options)
-    return done.report if done.code in (0, 5) else None
+    if (done.code == 4 and "singular" in done.complaint or
+            done.code == 2 and "degenerate" in done.complaint):
+        print(f"{path.name} {model} is left out: {done.complaint}", flush=True)
+        return None
+    return done.report if done.code in (0, 5) else {}
 
 
 def table(columns, rows):
@@ -59,6 +64,8 @@ def compare_guards(options, folder, runs):
         name = str(path.relative_to(folder))
         reports = [mesh(path, model, options.timeout, "--fronts", "1", "--guard", guard)
                    for guard in GUARDS]
+        if reports[0] is None:
+            continue
         outcomes.append([r["seconds"]["sweep"] if r and r["certified"] else None for r in reports])
         if reports[0]:
             touches.append(touches_row(name, model, reports[0]))
@@ -98,11 +105,12 @@ def try_functions(options, folder, runs):
         name = str(path.relative_to(folder))
         reports = [mesh(path, model, options.timeout, "--function", f)
                    for f in functions(path, generator)]
+        reports = [r for r in reports if r is not None]
         good = [r for r in reports if r and r["certified"]]
         chi = {r["euler_characteristic"] for r in good}
         bad = len(reports) - len(good) + (len(chi) > 1)
         failures += bad
-        rows.append([name, model, len(reports), len(good), *(sorted(chi) if chi else ["-"]),
+        rows.append([name, model, len(reports), len(good), ", ".join(map(str, sorted(chi))) or "-",
                      f"{min((r['min_angle_deg'] for r in good), default=0):.2f}"])
         print(*rows[-1], flush=True)
     return table(["molecule", "model", "functions", "certified", "chi", "smallest angle"],

@@ -8,7 +8,7 @@ Into the results folder go
   scaling.csv       time against triangles over the corpus and over finer meshes of one molecule
   angles.csv        how many angles there are of each degree, by molecule and method
   agreement.csv     whether the methods agree on the topology of small sets of balls and molecules
-  environment.json  machine, compiler, flags, load at start and end
+  environment.json  machine, compiler, flags, load at start and end, by part
   inputs.sha256     the inputs, so that it can be seen what was measured
 
 and bench/reproduce_plots.py draws scaling and angles from there. The methods take turns within each
@@ -41,6 +41,7 @@ METHODS = {
     "dynamic": ["--method", "dynamic"],
     "marching-cubes": ["--method", "marching-cubes"],
 }
+PARTS = ["table1", "scaling", "agreement"]
 UNCERTIFIED_AS_A_RULE = {"marching-cubes"}
 NOT_SCALED = {"sweep-as-printed"}  # the sweep's time but for a few per cent
 
@@ -71,9 +72,13 @@ def arguments():
     parser.add_argument("--scaling-timeout", type=float, default=30, metavar="SECONDS",
                         help="of a run of the scaling; a method that needs more is not tried on "
                              "larger inputs (%(default)s)")
-    parser.add_argument("--parts", default="table1,scaling,agreement", help="default %(default)s")
+    parser.add_argument("--parts", default=",".join(PARTS), help="default %(default)s")
     parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
+    for asked, known in ((options.parts, PARTS), (options.methods, METHODS)):
+        for name in asked.split(","):
+            if name not in known:
+                parser.error(f"there is no '{name}', only {', '.join(known)}")
     if options.quick:
         options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
         options.finest = max(options.finest, 0.02)
@@ -114,7 +119,8 @@ class Part:
 
     def run(self, path, model, method, fixed, *options, keep=None):
         """Meshes once; the row has what was measured beside what is fixed."""
-        done = mesh(path, model, self.timeout, *METHODS[method], *options, keep=keep)
+        timeout = max(1, min(self.timeout, self.deadline - time.monotonic()))
+        done = mesh(path, model, timeout, *METHODS[method], *options, keep=keep)
         report = done.report
         row = {**report, **fixed, "method": method, "cpu_seconds": brief(done.cpu_seconds),
                "seconds": report.get("seconds", {}).get("total", brief(done.seconds)),
@@ -161,7 +167,7 @@ def methods_there_are(options, notes):
 
 def turns(methods, repetition):
     """The methods, another one first in each repetition."""
-    first = repetition % len(methods)
+    first = repetition % max(1, len(methods))
     return methods[first:] + methods[:first]
 
 
@@ -185,7 +191,7 @@ def table1(options, methods, notes, meshes):
 def evenly_spaced(files, least, most, count):
     """About `count` of the files, their atoms evenly spaced on a logarithmic scale."""
     chosen = []
-    for i in range(count):
+    for i in range(count if files else 0):
         wanted = least * (most / least) ** (i / (count - 1))
         nearest = min(files, key=lambda f: abs(math.log(f[0] / wanted)))
         if nearest not in chosen:
@@ -202,6 +208,8 @@ def scaling(options, methods, notes, folder):
     for path in unreadable:
         notes.add(f"scaling: {path.name} cannot be read")
     fitting = [f for f in files if 10 <= f[0] <= options.largest]
+    if not fitting:
+        notes.add("scaling: there is no molecule of the size asked for")
     chosen = evenly_spaced(fitting, 10, options.largest, 8 if options.quick else 12)
     cases = [(p, {"molecule": p.name, "series": "corpus", "atoms": atoms, "C": 0.08})
              for atoms, p in chosen]
@@ -251,7 +259,10 @@ def agreement(options, methods, notes, folder, temporary):
                 notes.add(f"agreement: {name} is not in {folder}")
         for name, path in cases:
             for method in methods:
-                if (name, method) in late or part.is_late():
+                if (name, method) in late:
+                    notes.add(f"agreement: {method} on {name} was not tried in every model")
+                    continue
+                if part.is_late():
                     continue
                 row = part.run(path, model, method, {"molecule": name, "model": model})
                 if row["code"] == -1:
@@ -282,7 +293,6 @@ def main():
     methods = methods_there_are(options, notes)
     write_hashes(folder, options)
     wanted = options.parts.split(",")
-    failures = []
     with tempfile.TemporaryDirectory() as name:
         temporary = Path(name)
         parts = {}
@@ -294,9 +304,9 @@ def main():
         if "agreement" in wanted:
             parts["agreement"] = agreement(options, methods, notes, folder, temporary)
     ended = environment()
-    tables.write_environment(options.results / "environment.json", started, ended, options)
+    tables.write_environment(options.results / "environment.json", started, ended, options, parts)
     rows = {name: part.rows for name, part in parts.items()}
-    for name in ("table1", "scaling", "agreement"):
+    for name in PARTS:
         if name not in rows and (earlier := tables.read_rows(options.results / f"{name}.csv")):
             rows[name] = earlier
             notes.add(f"{name}: these are the rows of an earlier run")

@@ -134,11 +134,14 @@ def angle_counts(points, triangles):
     return counts
 
 
-def write_environment(path, started, ended, options):
-    text = dict(started)
-    text["load_at_start"], text["load_at_end"] = text.pop("load"), ended["load"]
-    text["date_at_end"] = ended["date"]
-    text["quick"], text["repetitions"] = options.quick, options.repetitions
+def write_environment(path, started, ended, options, parts):
+    """What these parts were run on; what others were run on earlier stays as it was."""
+    now = dict(started)
+    now["load_at_start"], now["load_at_end"] = now.pop("load"), ended["load"]
+    now["date_at_end"] = ended["date"]
+    now["quick"], now["repetitions"] = options.quick, options.repetitions
+    earlier = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    text = earlier | {part: now for part in parts}
     path.write_text(json.dumps(text, indent=2) + "\n", encoding="utf-8")
 
 
@@ -203,7 +206,7 @@ def agreement_text(rows, methods):
 
 
 def asked_text(rows):
-    """What issue and paper ask of the sweep, and whether it was met."""
+    """What is asked of the sweep, and whether it was met."""
     body = []
     for molecule, (name, _, angle, _, _) in PAPER.items():
         runs = measured(rows.get("table1", []), molecule=molecule, method="sweep")

@@ -18,11 +18,17 @@ constexpr double largest_input = 1 << 30;  // the range of the exact predicates
 
 void check(const MeshOptions& options) {
   const double C = options.sizing.C, Q = options.sizing.Q;
-  if (!(C > 0 && Q > 1 && 2 * C < Q && std::isfinite(C) && std::isfinite(Q))) {
-    throw geometry::RefusedInput("C and Q must satisfy 0 < 2 C < Q and Q > 1");
+  if (!(C >= refine::Sizing::least_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
+        std::isfinite(Q))) {
+    throw geometry::RefusedInput("C and Q must satisfy C >= 1e-5, 2 C < Q and Q > 1");
   }
-  if (!(options.sizing.largest_length_scale > 0)) {
-    throw geometry::RefusedInput("the largest length scale must be above 0");
+  if (!(options.sizing.largest_length_scale >= refine::Sizing::least_size)) {
+    throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
+  }
+  const bool has_snapshots = options.snapshots > 0 || !options.snapshot_values.empty();
+  if (has_snapshots && options.method == Method::Sweep && !options.mesher &&
+      (options.fronts != 1 || !options.snapshot)) {
+    throw geometry::RefusedInput("snapshots are of one front, and need somebody to take them");
   }
   if (!(options.angle_goal_deg >= 0 && options.angle_goal_deg <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");

@@ -54,7 +54,7 @@ struct RunCounts {
   Operations operations;          ///< of the sweep
   refine::RefinementCounts refinement;
   refine::SmoothingCounts smoothing;
-  std::size_t open_edges = 0;  ///< of a front that could not be closed; 0 in a good mesh
+  std::size_t open_edges = 0;  ///< of a surface that could not be closed; 0 in a good mesh
   StageSeconds seconds;
 };
 
@@ -97,6 +97,9 @@ Mesher mesher_of(const MeshOptions& options);
 
 /// That mesher, and smoothing behind the methods of the library.
 MethodResult run_method(const PreparedSkin& skin, const MeshOptions& options);
+
+/// Of protecting spheres over the length scale: as the front's disks, also on the largest ball.
+double sphere_share(const skin::SkinSurface& skin, const refine::Sizing& sizing);
 
 /// The sweep, then refinement.
 /// @throws morse::DegenerateFunction

@@ -27,6 +27,15 @@ constexpr double least_spacing = 0.9;
 /// Nothing is inserted into its ball, since what is inserted keeps farther away than the radius.
 constexpr double seed_radius = 0.7;
 
+/// Where refinement gave up the triangles make no closed surface, and none is glued to another.
+std::size_t open_edges(const geometry::SurfaceMesh& surface) {
+  std::size_t count = 0;
+  for (std::size_t h = 0; h < 3 * surface.triangle_count(); ++h) {
+    count += surface.is_boundary(geometry::HalfEdgeId{h});
+  }
+  return count;
+}
+
 /// A critical point and two more, 60 degrees apart seen from it.
 std::optional<std::array<SurfacePoint, 3>> seed_triangle(const skin::SkinSurface& skin,
                                                          const SurfacePoint& p,
@@ -127,6 +136,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
     for (SurfacePoint& p : result.mesh.points) {
       p.cell = skin.surface.complex().same(p.cell, surface.complex());
     }
+    result.open_edges = open_edges(result.mesh.surface);
     const refine::DelaunayRefinementCounts& done = refinement.counts();
     result.refinement.insert = done.too_big + done.topological;
     result.refinement.refused = done.refused;

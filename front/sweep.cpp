@@ -21,7 +21,8 @@ constexpr double enlargement = 3;
 std::uint32_t most_vertices_on_a_sphere(double disk_share) {
   const double spacing = 0.85 * disk_share;
   const double area_each = std::sqrt(3.0) / 2 * spacing * spacing;
-  return static_cast<std::uint32_t>(2 * 4 * M_PI / area_each) + 100;
+  constexpr double most = 4e9;  // below 2^32; as many do not fit into memory
+  return static_cast<std::uint32_t>(std::min(2 * 4 * M_PI / area_each + 100, most));
 }
 
 }  // namespace

@@ -8,17 +8,12 @@
 
 namespace morskin::front {
 
-namespace {
-
-/// Of protecting spheres over the length scale: as the front's disks, also on the largest ball.
 double sphere_share(const skin::SkinSurface& skin, const refine::Sizing& sizing) {
   double heaviest = 0;
   for (const auto& p : skin.points()) heaviest = std::max(heaviest, p.weight);
   const double rho = std::sqrt(heaviest / 2);
   return sizing.tangent_disk_share() * (sizing.scale(rho) / rho);
 }
-
-}  // namespace
 
 MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) {
   MethodResult result;

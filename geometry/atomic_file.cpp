@@ -181,8 +181,11 @@ std::filesystem::path PendingFile::commit(std::string_view suffix) {
   const std::string name = target_.string() + std::string(suffix);
   if (::rename(temporary_.c_str(), name.c_str()) != 0) fail_to_write(name, errno);
   temporary_.clear();
-  return path_.string() == target_.string() || !suffix.empty() ? std::filesystem::path(name)
-                                                               : path_;
+  return final_name(suffix);
+}
+
+std::filesystem::path PendingFile::final_name(std::string_view suffix) const {
+  return suffix.empty() ? path_ : std::filesystem::path(target_.string() + std::string(suffix));
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {

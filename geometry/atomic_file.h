@@ -51,6 +51,8 @@ class PendingFile {
 
   const std::filesystem::path& path() const { return path_; }
   const std::string& temporary_name() const { return temporary_; }
+  /// The name it gets from commit(suffix).
+  std::filesystem::path final_name(std::string_view suffix = {}) const;
 
   /// Makes `bytes` the contents, instead of any that were written before. @pre before commit.
   /// @throws UnwritableOutput  as above

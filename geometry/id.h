@@ -3,7 +3,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 namespace morskin::geometry {
 
@@ -27,8 +26,3 @@ using TriangleId = Id<struct TriangleTag>;  ///< a triangle of a surface mesh
 using CellId = Id<struct CellTag>;  ///< a simplex of the regular triangulation = a mixed cell
 
 }  // namespace morskin::geometry
-
-template <class Tag>
-struct std::hash<morskin::geometry::Id<Tag>> {
-  std::size_t operator()(morskin::geometry::Id<Tag> id) const noexcept { return id.value; }
-};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "geometry/exact_positions.h"
 #include "geometry/mesh_shape.h"
@@ -53,8 +54,8 @@ class MeshChecker {
   void check_triangles();
   void file_half_edges();
   void check_edges();
-  void check_edge(std::uint32_t a, std::span<const HalfEdge> around);
-  void check_duplicates(std::span<const HalfEdge> around);
+  void check_edge(std::uint32_t a, std::span<HalfEdge> around);
+  void check_duplicates(std::span<HalfEdge> around);
   void check_vertices();
   void find_components();
 
@@ -128,7 +129,7 @@ void MeshChecker::check_edges() {
   }
 }
 
-void MeshChecker::check_edge(std::uint32_t a, std::span<const HalfEdge> around) {
+void MeshChecker::check_edge(std::uint32_t a, std::span<HalfEdge> around) {
   const std::uint32_t first = around[0].id;
   const std::uint32_t b = around[0].other;
   ++edges_[first / 3];
@@ -158,37 +159,32 @@ void MeshChecker::check_edge(std::uint32_t a, std::span<const HalfEdge> around) 
 }
 
 /// Duplicates share all edges; they are counted at the edge without the largest corner.
-void MeshChecker::check_duplicates(std::span<const HalfEdge> around) {
+void MeshChecker::check_duplicates(std::span<HalfEdge> around) {
+  std::ranges::sort(around, {}, [&](const HalfEdge& h) { return std::pair(apex(h.id), h.id); });
   for (std::size_t i = 1; i < around.size(); ++i) {
     const std::uint32_t third = apex(around[i].id);
-    if (third < around[i].other) continue;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (apex(around[j].id) != third) continue;
-      note(MeshDefect::DuplicateTriangle, [&] {
-        return "triangles " + std::to_string(around[j].id / 3) + " and " +
-               std::to_string(around[i].id / 3) + " have the same corners";
-      });
-      break;
-    }
+    if (third < around[i].other || apex(around[i - 1].id) != third) continue;
+    note(MeshDefect::DuplicateTriangle, [&] {
+      return "triangles " + std::to_string(around[i - 1].id / 3) + " and " +
+             std::to_string(around[i].id / 3) + " have the same corners";
+    });
   }
 }
 
 void MeshChecker::check_vertices() {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
   std::vector<std::uint32_t> fan(mesh_.positions.size(), none);
-  std::vector<char> is_split(mesh_.positions.size(), 0);
+  std::vector<char> is_used(mesh_.positions.size(), 0), is_split(mesh_.positions.size(), 0);
   for (std::uint32_t h = 0; h < 3 * mesh_.triangles.size(); ++h) {
     const std::uint32_t v = corner(h);
+    is_used[v] = 1;
+    if (repeats_a_corner(h / 3)) continue;  // it has no place in a fan
     const std::uint32_t root = fans_.root(h);
-    if (repeats_a_corner(h / 3)) {
-      if (fan[v] == none) fan[v] = root;
-      continue;
-    }
     if (fan[v] == none) fan[v] = root;
     is_split[v] = is_split[v] != 0 || fan[v] != root;
   }
   for (std::uint32_t v = 0; v < fan.size(); ++v) {
-    if (fan[v] == none) {
+    if (is_used[v] == 0) {
       note(MeshDefect::UnusedVertex,
            [v] { return "vertex " + std::to_string(v) + " belongs to no triangle"; });
     } else if (is_split[v] != 0) {

@@ -59,7 +59,7 @@ struct MeshCheck {
   const DefectCount* find(MeshDefect kind) const;
 };
 
-/// O(n), but for sorting the few edges at a vertex.
+/// O(n), but for sorting the edges at each vertex.
 ///
 /// @pre every position is finite; fewer than 2^32 / 3 triangles.
 MeshCheck check_mesh(const IndexedMesh& mesh);

@@ -51,7 +51,7 @@ Point take_position(std::string_view& fields, const TextLines& lines) {
 
 namespace {
 
-constexpr std::size_t most_unpacked_bytes = 1ULL << 34;
+constexpr std::size_t most_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
 constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
     {".ply", MeshFormat::PlyBinary},
@@ -60,13 +60,6 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
     {".stl", MeshFormat::Stl},
     {".vtu", MeshFormat::Vtu},
 }};
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
-  return text;
-}
 
 // The first line that is neither blank nor a comment.
 std::string_view first_line(std::string_view bytes) {
@@ -136,7 +129,7 @@ namespace {
 // Bytes as they are, or what gzip packed in them.
 std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& room) {
   if (!is_gzip(bytes)) return bytes;
-  room = unpack_gzip(bytes, source, most_unpacked_bytes);
+  room = unpack_gzip(bytes, source, most_bytes);
   return room;
 }
 
@@ -169,7 +162,7 @@ std::filesystem::path msms_partner(const std::filesystem::path& path) {
 
 IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
   const std::filesystem::path partner = msms_partner(path);
-  const FileBytes other = read_file(partner);
+  const FileBytes other = read_file(partner, most_bytes);
   std::string room;
   const mesh_formats::MsmsFile named{bytes, path.string()};
   const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), room),
@@ -181,7 +174,7 @@ IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes)
 }  // namespace
 
 IndexedMesh read_mesh(const std::filesystem::path& path) {
-  const FileBytes file = read_file(path);
+  const FileBytes file = read_file(path, most_bytes);
   if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
     return parse_mesh(file.view(), path.string());
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace morskin::geometry {
 
@@ -53,9 +54,11 @@ AngleHistogram angle_histogram(const IndexedMesh& mesh) {
   AngleHistogram counts{};
   for (const auto& [a, b, c] : mesh.triangles) {
     const Point &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    double no_angle = 0;  // at the ends of a side of length zero: 0, then 180
     for (const double cosine : cosines(q - p, r - q, p - r)) {
-      const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees;
-      const double bin = std::isnan(angle) ? 0 : angle / 10;
+      double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees;
+      if (std::isnan(angle)) angle = std::exchange(no_angle, 180 - no_angle);
+      const double bin = angle / 10;
       ++counts[std::min(static_cast<std::size_t>(bin), counts.size() - 1)];
     }
   }

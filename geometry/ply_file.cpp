@@ -84,9 +84,12 @@ bool is_plain(const PlyBinaryBody& body, const PlyElement& vertices) {
 
 template <class Body>
 void read_vertices(Body& body, const PlyElement& element, IndexedMesh& mesh) {
-  int axes = 0;
-  for (const PlyProperty& property : element.properties) axes += axis_of(property) ? 1 : 0;
-  if (axes != 3) throw UnreadableInput(body.place() + ": vertices need x, y and z; write it again");
+  std::array<int, 3> times{};  // each axis is named
+  for (const PlyProperty& property : element.properties) {
+    if (const std::optional<int> axis = axis_of(property)) ++times[static_cast<std::size_t>(*axis)];
+  }
+  if (times != std::array{1, 1, 1})
+    throw UnreadableInput(body.place() + ": vertices need x, y and z; write it again");
   if (static_cast<double>(element.count) > most_vertices) {
     throw UnreadableInput(body.place() + ": too many vertices; at most 2^32 - 1 are read");
   }

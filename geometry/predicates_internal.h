@@ -82,6 +82,12 @@ inline std::optional<Sign> filtered_orientation(const Point& a, const Point& b, 
   return sign_beyond(determinant<double>(Rows{{{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}}}), bound);
 }
 
+/// `orientation` with its first tier inlined.
+inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (const auto sign = filtered_orientation(a, b, c, d)) return *sign;
+  return orientation(a, b, c, d);
+}
+
 /// Tier 2: 128-bit integers, where the exact differences share a scale that leaves them 40 bits.
 std::optional<Sign> integer_orientation(const Point& a, const Point& b, const Point& c,
                                         const Point& d);

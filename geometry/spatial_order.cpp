@@ -91,7 +91,7 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, i
   return index;
 }
 
-std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points, std::uint64_t seed) {
+std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points) {
   if (points.empty()) return {};
   // A point skips each of the last rounds with probability 1/8.
   const int rounds_after_first =
@@ -100,7 +100,7 @@ std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points, std::ui
   std::vector<std::pair<std::uint64_t, AtomId>> keyed;
   keyed.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const int skipped = std::countl_zero(scrambled(scrambled(seed) + i)) / 3;
+    const int skipped = std::countl_zero(scrambled(scrambled(1) + i)) / 3;
     const auto round = static_cast<std::uint64_t>(std::max(0, rounds_after_first - skipped));
     keyed.emplace_back(round << (3 * bits_per_axis) | grid.index(points[i].position), AtomId(i));
   }

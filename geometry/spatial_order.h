@@ -12,12 +12,11 @@ namespace morskin::geometry {
 /// An order of insertion that is random in the large and local in the small: rounds, each a random
 /// sample seven times as large as all before it together, and a Hilbert curve through each round.
 ///
-/// @param seed  chooses the samples; the same seed and points give the same order.
-/// @return      every id once.
-/// @pre         all positions are finite.
+/// @return every id once; the same order for the same points.
+/// @pre    all positions are finite.
 /// Source: Amenta, Choi & Rote 2003, Incremental constructions con BRIO; Hamilton & Rau-Chaplin
 ///         2008, Compact Hilbert indices (the curve).
-std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points, std::uint64_t seed = 1);
+std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points);
 
 /// How far along the Hilbert curve that fills the cube [0, 2^bits)^3 the cell (x, y, z) comes.
 ///

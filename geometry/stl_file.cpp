@@ -117,7 +117,8 @@ IndexedMesh parse_ascii_stl(std::string_view bytes, const std::string& source) {
       if (!is_in_facet) lines.fail("a vertex stands outside a facet; write the mesh again");
       corners.push_back(merger.vertex_at(take_position(fields, lines)));
     } else if (word == "endfacet") {
-      if (corners.size() != 3) lines.fail("a facet needs three vertices; remove it");
+      if (!is_in_facet || corners.size() != 3)
+        lines.fail("a facet needs three vertices; remove it");
       append_fan(mesh, corners);
       is_in_facet = false;
     } else if (word == "endsolid") {

@@ -90,7 +90,7 @@ class SurfaceMesh {
   }
   /// Takes triangles out of the mesh and leaves their edges to the others as boundary. Vertices
   /// left without triangles are removed.
-  /// @pre every vertex keeps at most one fan of triangles.
+  /// @pre the mesh is closed, and every vertex keeps at most one fan of triangles.
   void remove(std::span<const TriangleId> triangles);
 
   std::size_t degree(VertexId v) const;

@@ -1,5 +1,6 @@
 #include "geometry/text_lines.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -75,6 +76,13 @@ std::string_view take_field(std::string_view& rest) {
   const std::string_view field = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return field;
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  return text;
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -40,6 +40,9 @@ class TextLines {
 /// there is none.
 std::string_view take_field(std::string_view& rest);
 
+/// `text` with A to Z made small, whatever the locale.
+std::string lower_case(std::string text);
+
 /// `text` without white space at either end.
 std::string_view trimmed(std::string_view text);
 

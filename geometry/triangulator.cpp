@@ -46,12 +46,6 @@ std::array<Triangulator::Facet, 20> facets_behind_first(
   return behind;
 }
 
-/// The exact predicate with its first tier inlined.
-inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-  if (const auto sign = internal::filtered_orientation(a, b, c, d)) return *sign;
-  return orientation(a, b, c, d);
-}
-
 }  // namespace
 
 Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& told)
@@ -166,8 +160,8 @@ inline bool Triangulator::is_in_conflict(std::uint32_t tetrahedron, Corner p) co
 bool Triangulator::is_in_conflict_exactly(const Tetrahedron& t, Corner p) const {
   const auto& [a, b, c, d] = t.corners;
   if (is_ghost(t)) {
-    const Sign side = fast_orientation(points_[a].position, points_[b].position,
-                                       points_[c].position, points_[p].position);
+    const Sign side = internal::fast_orientation(points_[a].position, points_[b].position,
+                                                 points_[c].position, points_[p].position);
     if (side != Sign::Zero) return side == Sign::Positive;
     return is_in_conflict_exactly(tetrahedra_[tetrahedron_of(t.neighbours[3])], p);
   }
@@ -234,7 +228,7 @@ std::uint32_t Triangulator::locate(Corner p) const {
     for (; exit < 4; ++exit) {
       if (exit == entered_by) continue;
       const Point* corner = std::exchange(q[exit], &target);
-      const Sign side = fast_orientation(*q[0], *q[1], *q[2], *q[3]);
+      const Sign side = internal::fast_orientation(*q[0], *q[1], *q[2], *q[3]);
       q[exit] = corner;
       if (side == Sign::Negative) break;
     }

@@ -10,16 +10,6 @@
 
 namespace morskin::geometry {
 
-namespace {
-
-/// The exact predicate with its first tier inlined.
-inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-  if (const auto sign = internal::filtered_orientation(a, b, c, d)) return *sign;
-  return orientation(a, b, c, d);
-}
-
-}  // namespace
-
 Triangulator::Triangulator(Triangulator&&) noexcept = default;
 Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
 Triangulator::~Triangulator() = default;
@@ -92,9 +82,9 @@ bool Triangulator::is_star_regular() const {
   for (std::size_t i = 0; i < cavity_size_; ++i) {
     const Tetrahedron& t = tetrahedra_[cavity_[i]];
     if (is_ghost(t)) continue;
-    if (fast_orientation(points_[t.corners[0]].position, points_[t.corners[1]].position,
-                         points_[t.corners[2]].position,
-                         points_[t.corners[3]].position) != Sign::Positive) {
+    if (internal::fast_orientation(points_[t.corners[0]].position, points_[t.corners[1]].position,
+                                   points_[t.corners[2]].position,
+                                   points_[t.corners[3]].position) != Sign::Positive) {
       return false;
     }
   }
@@ -189,8 +179,8 @@ std::array<Triangulator::Corner, 4> Triangulator::wrapped(Facet outer) const {
   for (const Corner c : hole_->neighbours) {
     if (std::find(corners.begin(), corners.end(), c) != corners.end()) continue;
     const WeightedPoint* const best = std::exchange(q[place], &points_[c]);
-    const bool is_above = fast_orientation(q[0]->position, q[1]->position, q[2]->position,
-                                           q[3]->position) == Sign::Positive;
+    const bool is_above = internal::fast_orientation(q[0]->position, q[1]->position, q[2]->position,
+                                                     q[3]->position) == Sign::Positive;
     const bool is_first = corners[place] == infinity;
     if (!is_above) {
       q[place] = best;

@@ -65,7 +65,6 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     guide.points.push_back(complex.points[i]);
     radii.push_back(simple.radius[i]);
   }
-  guide.shrunk = simple.shrunk;
   guide.spheres = ProtectingSpheres(skin, guide.points, std::move(radii));
   return guide;
 }

@@ -19,7 +19,6 @@ struct Guide {
   ProtectingSpheres spheres;          ///< about them; no two overlap
 
   std::array<std::size_t, 3> found{};  ///< critical points by index, before the simplification
-  std::size_t shrunk = 0;              ///< spheres that no contraction could separate from another
   bool is_simplified = true;  ///< false where rounding leaves the Morse-Smale complex undecided:
                               ///< then all points survive, and spheres shrink instead
 

@@ -141,9 +141,12 @@ class Builder {
       report("integral lines to the extremum at " + place_of(complex_.points[i]) +
              " are too near to each other to be told apart");
     }
-    if (odd_faces_ > 0) {
-      report("rounding leaves the ends of integral lines undecided: " + std::to_string(odd_faces_) +
-             " regions are not quadrangles");
+    // Were all quadrangles, there would be one for each arc from a saddle down.
+    const std::size_t expected = complex_.arcs.size() / 2;
+    if (complex_.regions.size() < expected) {
+      report("rounding leaves the ends of integral lines undecided: only " +
+             std::to_string(complex_.regions.size()) + " of " + std::to_string(expected) +
+             " regions are quadrangles");
       complex_.regions.clear();
     }
   }
@@ -201,7 +204,6 @@ class Builder {
 
   void find_regions() {
     complex_.regions.clear();
-    odd_faces_ = 0;
     doubtful_.clear();
     const std::vector<std::uint32_t> next = successors();
     // [excerpt: regions]
@@ -216,7 +218,6 @@ class Builder {
                                     complex_.arcs[third / 2].saddle});
         continue;
       }
-      ++odd_faces_;
       std::uint32_t dart = start;
       do {
         doubtful_.push_back(dart / 2);
@@ -266,7 +267,6 @@ class Builder {
   SaddleLines lines_;
   std::vector<LineOrder> orders_;  ///< by point
   std::vector<bool> is_stale_;     ///< by point: whether its order must be found anew
-  std::size_t odd_faces_ = 0;
   std::vector<std::uint32_t> doubtful_;
 };
 

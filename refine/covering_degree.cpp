@@ -143,10 +143,11 @@ void CoveringDegree::look_from_far(const std::vector<VertexId>& candidates, Look
 /// Each vertex looks for candidates near it, and holds its triangles against them.
 template <class Look>
 void CoveringDegree::look_from_near(const std::vector<VertexId>& candidates, Look look_at) const {
-  CandidateGrid grid(std::max(reach_.ratio(), 1e-3), candidates.size());
+  std::vector<Candidate> placed;
   for (const VertexId v : candidates) {
-    grid.add(position(v.value), on_.points[v.index()].length_scale, v);
+    placed.push_back({v, position(v.value), on_.points[v.index()].length_scale});
   }
+  const CandidateGrid grid(std::max(reach_.ratio(), 1e-3), placed);
   for (std::uint32_t a = 0; a < on_.mesh.positions.size(); ++a) {
     grid.for_each_near(position(a), on_.points[a].length_scale, [&](VertexId v) {
       const double farthest = 1.01 * reach_.ratio() * on_.points[a].length_scale;

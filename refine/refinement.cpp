@@ -109,14 +109,10 @@ void Refinement::update_after_change(TriangleId t, std::initializer_list<HalfEdg
   work_.to_flip.insert(work_.to_flip.end(), edges);
 }
 
-/// Whether the triangle's normal agrees with the skin's at all its corners: then it lies on the
-/// surface the right way up.
 bool Refinement::faces_outward(VertexId a, VertexId b, VertexId c) const {
   const Vector n =
       (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
-  const double least = 0.3 * n.norm();
-  return n.dot(mesh_.at(a).normal) > least && n.dot(mesh_.at(b).normal) > least &&
-         n.dot(mesh_.at(c).normal) > least;
+  return is_upright(n, mesh_.at(a), mesh_.at(b), mesh_.at(c));
 }
 
 bool Refinement::can_flip(HalfEdgeId h) const {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <thread>
 
 #include "geometry/kd_tree.h"
+#include "geometry/parallel.h"
 #include "refine/ball_pencil.h"
 
 namespace morskin::refine {
@@ -119,19 +119,13 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const skin::Skin
                                        unsigned threads) {
   const geometry::KdTree<VertexId> tree(mesh.positions);
   const DelaunayCheck check(mesh, skin, points, tree);
-  const std::size_t parts = std::max(1U, threads);
-  std::vector<RestrictedDelaunay> results(parts);
-  const auto from = [&](std::size_t part) { return mesh.triangles.size() * part / parts; };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t part = 1; part < parts; ++part) {
-      others.emplace_back(
-          [&, part] { results[part] = check.run(from(part), from(part + 1), listed); });
-    }
-    results[0] = check.run(from(0), from(1), listed);
-  }
+  const std::size_t count = mesh.triangles.size();
+  std::vector<RestrictedDelaunay> results(geometry::chunk_count(threads, count));
+  geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto part) {
+    results[part] = check.run(begin, end, listed);
+  });
   RestrictedDelaunay& whole = results[0];
-  for (std::size_t part = 1; part < parts; ++part) {
+  for (std::size_t part = 1; part < results.size(); ++part) {
     const RestrictedDelaunay& other = results[part];
     whole.violations += other.violations;
     whole.undecided += other.undecided;

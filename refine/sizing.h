@@ -28,8 +28,11 @@ struct Sizing {
   double largest_length_scale = std::numeric_limits<double>::infinity();
 
   /// The largest C for which some Q allows both that refinement is proved to end and that the
-  /// certificate's conditions c1 and c2 follow from [U]; a little less than 0.2018.
+  /// certificate's conditions c1 and c2 follow from [U]; a little less than 0.2017.
   static constexpr double largest_proved_C = 0.2;
+  /// With a smaller C the sphere of one ball has more triangles than there are ids. A length below
+  /// least_size, Angstrom, has to coordinates in the predicates' range nearly a double's precision.
+  static constexpr double least_C = 1e-5, least_size = 1e-6;
   /// The Q that goes with a C unless another is asked for: the paper's 1.65, or, where C is so
   /// large that insertion might go on for ever with it, a little more than the least Q for which
   /// Q^2 > 2 + 4 C Q (papers/4.3-large-molecules.md).

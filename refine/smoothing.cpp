@@ -128,7 +128,7 @@ class Smoothing {
       const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
       const bool is_good = s.squared_sine > asked && sizing_.edge_ratio(x, p) > 1 &&
                            sizing_.triangle_ratio(s.radius, rho) < 1 &&
-                           faces_outward(s.normal, x, p, q) && is_provable(x, p, q);
+                           is_upright(s.normal, x, p, q) && is_provable(x, p, q);
       if (!is_good) return std::nullopt;
       least = std::min(least, s.squared_sine);
     }
@@ -140,12 +140,6 @@ class Smoothing {
     if (sizing_.is_tube_proved()) return true;
     const Circumcircle circle = circumcircle(x.position, p.position, q.position);
     return prove_tube(skin_, {&x, &p, &q}, circle, skin_.residual_bound(x.length_scale)).holds();
-  }
-
-  static bool faces_outward(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,
-                            const SurfacePoint& c) {
-    const double least = 0.3 * n.norm();
-    return n.dot(a.normal) > least && n.dot(b.normal) > least && n.dot(c.normal) > least;
   }
 
   /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.

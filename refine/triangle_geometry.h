@@ -33,6 +33,14 @@ inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c)
   return {a + offset, offset.norm(), n};
 }
 
+/// Whether a triangle's normal, of any length, agrees with the skin's at all its corners: then it
+/// lies on the surface the right way up.
+inline bool is_upright(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,
+                       const SurfacePoint& c) {
+  const double least = 0.3 * n.norm();
+  return n.dot(a.normal) > least && n.dot(b.normal) > least && n.dot(c.normal) > least;
+}
+
 /// The smallest and the largest of a triangle's three angles.
 struct AngleRange {
   double smallest_deg, largest_deg;

@@ -1,6 +1,7 @@
 #include "skin/dual_complex.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "geometry/orthosphere.h"
 #include "geometry/union_find.h"
@@ -136,6 +137,8 @@ std::size_t count(const std::vector<char>& in) {
 
 DualComplex dual_complex(const SkinSurface& skin) {
   const RegularTriangulation& t = skin.triangulation();
+  assert(t.tetrahedron_triangles.size() == t.tetrahedra.size());
+  assert(t.triangle_edges.size() == t.triangles.size());
   DualComplex result;
   // From the top down, and of each dimension only what the next one asks for: in a big molecule
   // these lists are the most that is held before there is a mesh.

@@ -23,6 +23,7 @@ struct DualComplex {
   std::size_t skin_genus() const { return betti[1]; }  ///< summed over components
 };
 
+/// @pre    the skin's facets have not been forgotten (SkinSurface::forget_facets).
 /// @throws SingularSkin when the skin is singular: a simplex meets its dual and has
 /// weight exactly zero (two balls that just touch, say).
 DualComplex dual_complex(const SkinSurface& skin);

@@ -19,7 +19,6 @@ class LevelSet {
   /// @param time  Angstrom^2 added to every weight
   LevelSet(const SkinSurface& skin, double time) : skin_(&skin), half_time_(time / 2) {}
 
-  double time() const { return 2 * half_time_; }
   const MixedComplex& complex() const { return skin_->complex(); }
   Patch patch(CellId cell) const {
     Patch raised = skin_->complex().patch(cell);

@@ -67,7 +67,8 @@ class MixedComplex {
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
 
   /// Empties the triangulation's lists of facets, which take 270 bytes an atom in a molecule: cells
-  /// that are made on demand look theirs up, all else is made.
+  /// that are made on demand look theirs up, all else is made but the dual complex, which needs
+  /// them.
   void forget_facets();
 
   std::size_t size() const { return first_number_[4]; }

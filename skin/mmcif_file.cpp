@@ -7,6 +7,8 @@
 #include <exception>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
+#include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +60,8 @@ constexpr std::array<ColumnTags, ColumnCount> column_tags = {{
 cif::Document parse_document(std::string_view bytes, const std::string& source) {
   try {
     return cif::read_memory(bytes.data(), bytes.size(), source.c_str());
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     // gemmi's text begins with the source and the line.
     throw geometry::UnreadableInput(std::string(error.what()) + "; is it an mmCIF file?");
@@ -184,13 +188,14 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source) {
     }
     ParsedFile file;
     file.atoms.reserve(table.size());
-    std::vector<std::string> models;  // in order of appearance
+    std::set<std::string> models;
+    std::string first, last;
     for (std::size_t row = 0; row < table.size(); ++row) {
       const std::string model = table.value(row, ModelNumber);
-      if (models.empty() || models.back() != model) {
-        if (std::ranges::find(models, model) == models.end()) models.push_back(model);
-      }
-      if (model == models.front()) file.atoms.push_back(atom_in(table, row, source));
+      if (row == 0) first = model;
+      if (row == 0 || model != last) models.insert(model);
+      last = model;
+      if (model == first) file.atoms.push_back(atom_in(table, row, source));
     }
     file.other_models = models.empty() ? 0 : models.size() - 1;
     if (!file.atoms.empty()) return file;

@@ -37,8 +37,8 @@ double weight(double radius, Model model, double probe);
 /// @pre  weight >= 0
 double patch_radius(double weight);
 
-/// The weighted points of all atoms, in the atoms' order, with every number in the range of the
-/// exact predicates.
+/// The weighted points of all atoms, in the atoms' order, every number on the grid of the exact
+/// predicates; whoever uses them checks that none is beyond 2^30 (front::prepare_skin does).
 std::vector<geometry::WeightedPoint> weighted_points(const Molecule& molecule, Model model,
                                                      double probe);
 

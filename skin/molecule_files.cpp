@@ -45,13 +45,6 @@ bool is_water(const AtomRecord& record) {
   return std::ranges::find(water_residues, record.atom.residue.view()) != water_residues.end();
 }
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
-  return text;
-}
-
 bool is_four_numbers(std::string_view line) {
   for (int i = 0; i < 4; ++i) {
     if (!parse_double(take_field(line))) return false;
@@ -157,13 +150,15 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
   Molecule molecule;
   molecule.source = source;
   molecule.counts.other_models = file.other_models;
-  const std::size_t waters = static_cast<std::size_t>(std::ranges::count_if(file.atoms, is_water));
-  if (!options.waters && waters < file.atoms.size()) {
-    molecule.counts.waters = std::erase_if(file.atoms, is_water);
-  }
   molecule.counts.unknown = std::erase_if(file.atoms, [](const AtomRecord& record) {
     return record.atom.element.view() == molecule_formats::unknown_element;
   });
+  const bool has_others = std::ranges::any_of(file.atoms, [&](const AtomRecord& record) {
+    return !is_water(record) && !(file.has_radii && record.atom.radius == 0);
+  });
+  if (!options.waters && has_others) {
+    molecule.counts.waters = std::erase_if(file.atoms, is_water);
+  }
   molecule.counts.alternates = molecule_formats::keep_likeliest_places(file.atoms);
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
@@ -187,7 +182,7 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
 }  // namespace
 
 std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& path) {
-  std::filesystem::path name = lower_case(path.filename().string());
+  std::filesystem::path name = geometry::lower_case(path.filename().string());
   if (name.extension() == ".gz") name = name.stem();
   const std::string ending = name.extension().string();
   for (const auto& [known, format] : endings) {

@@ -35,7 +35,7 @@ template <class Vec, class Number>
 struct Fraction {
   Vec numerator;
   Number denominator;
-  Vec normal;
+  Vec normal;  ///< of the points' line or plane; anything for four
 };
 
 template <class Vec, class Number>
@@ -49,7 +49,7 @@ Fraction<Vec, Number> fraction(const std::array<Vec, 3>& arms, const std::array<
     return {p * f.cross(n) + q * n.cross(e), n.dot(n), n};
   }
   const Vec f_g = f.cross(g);
-  return {p * f_g + q * g.cross(e) + r * e.cross(f), e.dot(f_g), Vec()};
+  return {p * f_g + q * g.cross(e) + r * e.cross(f), e.dot(f_g), e};
 }
 
 Fraction<Wide, long double> wide_fraction(Simplex simplex) {

@@ -404,12 +404,22 @@ class Failures(CommandTest):
                       (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
                       (*good, "--method", "melt"), (*good, "--progress", "often"),
                       (*good, "--size", "0"), (*good, "--size", "nan"),
+                      (*good, "-C", "1e-22"), (*good, "--size", "1e-22"),
+                      (*good, "--method", "static", "--snapshots", "3"),
+                      (*good, "--method", "static", "--fronts", "1"),
+                      (*good, "--method", "dynamic", "--guard", "spheres"),
+                      (*good, "--method", "dynamic", "--angle-goal", "25"),
+                      (*good, "--report", "ring.ply.unverified"),
+                      ("mesh", self.ring, "-o", "snapshot-1.ply", "--snapshots", "2"),
+                      ("mesh", self.ring, "-o", "ring.ply", "--snapshots", "2",
+                       "--snapshot-dir", "no", "--report", "./no/../no/snapshot-2.vtu"),
                       (*good, "--method", "dynamic", "--size", "1"),
                       (*good, "--grid", "0.3"), (*good, "--angle-goal", "61"),
                       (*good, "--keep-delaunay"),
                       (*good, "--method", "marching-cubes", "--grid", "0"),
                       (*good, "--method", "marching-cubes", "--grid", "nan"),
-                      (*good, "-o", "ring.ply"), (*good, "-o", "ring.txt"), (*good, "--threads"),
+                      (*good, "-o", "ring.ply"), (*good, "-o", "./ring.ply"),
+                      (*good, "-o", "ring.txt"), (*good, "--threads"),
                       ("mesh", self.ring, "-o", "-", "--json"),
                       (*good, "--function", "height"), (*good, "--function", "height:1,2"),
                       (*good, "--function", "height:0,0,0"), (*good, "--function", "depth:1,2,3"),
@@ -459,6 +469,17 @@ class Failures(CommandTest):
         self.run_morskin("mesh", "zero.pqr", "-o", "out.ply", code=4)
         self.input("huge.xyzr", "0 0 0 900000\n")
         self.run_morskin("mesh", "huge.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
+
+    def test_a_report_on_standard_output_is_all_that_is_there(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--report", "-")
+        self.assertTrue(json.loads(done.stdout)["certified"])
+        self.assertIn(b"certified", done.stderr)
+
+    def test_an_uncertified_mesh_needs_its_place_as_well(self):
+        (self.folder / "b.ply.unverified").mkdir()
+        done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "-o", "b.ply", code=7)
+        self.assertIn(b"b.ply.unverified", done.stderr)
+        self.assertEqual(self.names(), ["b.ply.unverified"])
 
     def test_an_unwritable_output_gives_7(self):
         (self.folder / "folder.ply").mkdir()

@@ -363,12 +363,24 @@ def output_cases():
                [("mesh", "ring.ply", "-o", "ring.ply")], code=2, says="would replace the input")
 
 
+def cone(count):
+    """An open cone: the boxes of all its triangles overlap, so they are all held against all."""
+    rim = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count))
+           for i in range(count)]
+    return ("OFF\n" + f"{count + 1} {count - 1} 0\n0 0 1\n" +
+            "".join(f"{x} {y} 0\n" for x, y in rim) +
+            "".join(f"3 0 {i} {i + 1}\n" for i in range(1, count)))
+
+
 def limit_cases():
     crambin = {"1crn.pdb": (MOLECULES / "1crn.pdb").read_bytes()}
     fine = mesh("1crn.pdb", "-C", "0.01")
     yield Case("Ctrl-C in the middle", crambin, [fine], code=-signal.SIGINT, interrupt=True)
     yield Case("--timeout", crambin, [(*fine, "--timeout", "0.5")], code=6,
                says="the time limit of 0.5 s (--timeout) was reached")
+    yield Case("--timeout of check, a mesh whose triangles all meet", {"cone.off": cone(200000)},
+               [("check", "cone.off", "--timeout", "2")], code=6,
+               says="the time limit of 2 s (--timeout) was reached")
     yield Case("--max-memory", crambin, [(*fine, "--max-memory", "40M")], code=6,
                says="the memory limit of 41943040 bytes (--max-memory) was reached", memory=True)
     yield Case("--max-memory of next to nothing", crambin,

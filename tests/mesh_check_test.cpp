@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
@@ -161,11 +162,41 @@ TEST_CASE("degenerate triangles are found exactly, at any scale") {
     mesh.positions[4].x() = std::nextafter(mesh.positions[4].x(), 0);
     CHECK(check_mesh(mesh).is_closed_oriented_manifold());
   }
-  IndexedMesh mesh = sphere();
-  mesh.triangles.push_back({3, 3, 4});
-  CHECK(check_mesh(mesh).defects[0].kind == MeshDefect::RepeatedCorner);
-  CHECK(check_mesh(mesh).defects[0].first ==
-        "triangle " + std::to_string(mesh.triangles.size() - 1) + " repeats a corner");
+  for (const bool is_first : {true, false}) {
+    IndexedMesh mesh = sphere();
+    mesh.triangles.insert(is_first ? mesh.triangles.begin() : mesh.triangles.end(), {3, 3, 4});
+    const std::size_t place = is_first ? 0 : mesh.triangles.size() - 1;
+    check_only(mesh, MeshDefect::RepeatedCorner, 1,
+               "triangle " + std::to_string(place) + " repeats a corner");
+  }
+}
+
+TEST_CASE(
+    "all triangles at one edge or one vertex are checked in time that grows with their number") {
+  // A million operations; were each triangle held against all others, 40,000 million.
+  constexpr std::uint32_t count = 200'000;
+  IndexedMesh fan, cone;
+  for (std::uint32_t i = 0; i < count + 2; ++i) {
+    const double angle = 2 * M_PI * i / count;
+    fan.positions.emplace_back(std::cos(angle), std::sin(angle), i);
+  }
+  cone.positions = fan.positions;
+  cone.positions[0] = {0, 0, 1};
+  cone.positions[1] = {0, 0, -1};
+  for (std::uint32_t i = 2; i < count + 2; ++i) {
+    fan.triangles.push_back({0, 1, i});
+    const std::uint32_t next = i + 1 < count + 2 ? i + 1 : 2;
+    cone.triangles.push_back({0, i, next});
+    cone.triangles.push_back({1, next, i});
+    cone.positions[i].z() = 0;
+  }
+  std::shuffle(cone.triangles.begin(), cone.triangles.end(), std::mt19937_64(1));
+  const MeshCheck crowded = check_mesh(fan);
+  REQUIRE(crowded.find(MeshDefect::CrowdedEdge) != nullptr);
+  CHECK(crowded.find(MeshDefect::CrowdedEdge)->first == "edge 0-1 has 200000 triangles");
+  CHECK(crowded.find(MeshDefect::DuplicateTriangle) == nullptr);
+  CHECK(check_mesh(cone).is_closed_oriented_manifold());
+  CHECK_FALSE(geometry::closed_mesh(cone.positions.size(), cone.triangles).defect);
 }
 
 TEST_CASE("a spoiled mesh has a defect exactly when closed_mesh finds one") {
@@ -229,5 +260,5 @@ TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees
   CHECK(sum == 9);
   CHECK(counts[9] == 1);   // the right angle
   CHECK(counts[4] == 2);   // 45 degrees twice
-  CHECK(counts[17] == 1);  // the flat one
+  CHECK(counts[17] == 2);  // the flat one, and one at the side of length zero
 }

@@ -207,6 +207,10 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   CHECK(contains(complaint("once upon a time\n", "a.obj"), "holds no vertex"));
   CHECK(contains(complaint("solid\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid", "a.stl"),
                  "a.stl:4: a facet needs three"));
+  const std::string facet =
+      "facet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n";
+  CHECK(contains(complaint("solid\n" + facet + "endfacet\nendsolid", "a.stl"),
+                 "a.stl:7: a facet needs three"));
   CHECK(contains(complaint("garbage", "a.stl"), "no STL file"));
   CHECK(contains(complaint("garbage", "a.txt"), "recognised"));
   CHECK(contains(complaint("", "a.ply"), "is empty"));
@@ -227,6 +231,10 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
                  "a.ply:10: \"x\" is no number"));
   CHECK(contains(complaint(start + "1" + middle + "end_header\n0 0\n", "a.ply"), "too"));
   CHECK(contains(complaint(start + "1\nproperty float x\nend_header\n0\n", "a.ply"), "x, y and z"));
+  CHECK(contains(complaint(start + "1\nproperty float x\nproperty float x\nproperty float y\n" +
+                               "end_header\n0 0 0\n",
+                           "a.ply"),
+                 "x, y and z"));
   CHECK(contains(complaint("ply\nformat ascii 1.0\n", "a.ply"), "does not end"));
   CHECK(contains(complaint("ply\nend_header\n", "a.ply"), "no format"));
 }
@@ -306,6 +314,12 @@ TEST_CASE("a file that cannot be written leaves nothing behind and the old file 
   CHECK_THROWS_WITH_AS(write_mesh(folder / "mesh.txt", plain_tetrahedron()),
                        doctest::Contains("use .ply"), UnwritableOutput);
   CHECK(folder.file_count() == 0);
+  // An old file, and no way to write a new one beside it.
+  write_mesh(folder / "old.ply", plain_tetrahedron());
+  const std::string old = bytes_of(folder / "old.ply");
+  CHECK_THROWS_AS(write_mesh(folder / "old.ply/new.ply", plain_tetrahedron()), UnwritableOutput);
+  CHECK(bytes_of(folder / "old.ply") == old);
+  CHECK(folder.file_count() == 1);
 }
 
 TEST_CASE("a file that is replaced keeps its permissions, a link keeps its target") {

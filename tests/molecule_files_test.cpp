@@ -7,6 +7,7 @@
 #include <clocale>
 #include <cstdio>
 #include <random>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -198,6 +199,11 @@ TEST_CASE("water is left out unless asked for or alone") {
   with_waters.waters = true;
   CHECK(parse_molecule(water + small_pdb(), "a.pdb", with_waters).atoms.size() == 4);
   CHECK(parse_molecule(water, "a.pdb").atoms.size() == 1);
+  // Alone among what can be used: the others have no radius, or no element.
+  const std::string pqr = "HETATM 1 O HOH 1 0 0 0 0.0 1.5\nATOM 2 H ALA 2 3 0 0 0.0 0.0\n";
+  CHECK(parse_molecule(pqr, "a.pqr").atoms.size() == 1);
+  CHECK(parse_molecule(pqr, "a.pqr").counts.waters == 0);
+  CHECK(parse_molecule(pqr, "a.pqr").counts.zero_radii == 1);
 }
 
 TEST_CASE("only the first model is read") {
@@ -410,7 +416,13 @@ TEST_CASE("a file cut short or with flipped bits is read or turned down, never w
 }
 
 TEST_CASE("the radii are Bondi's where Bondi gives one") {
-  CHECK(van_der_waals_radius("H") == 1.20);
+  // Bondi 1964, table 1.
+  const std::map<std::string, double> bondi{{"H", 1.20},  {"He", 1.40}, {"C", 1.70},  {"N", 1.55},
+                                            {"O", 1.52},  {"F", 1.47},  {"Ne", 1.54}, {"Si", 2.10},
+                                            {"P", 1.80},  {"S", 1.80},  {"Cl", 1.75}, {"Ar", 1.88},
+                                            {"As", 1.85}, {"Se", 1.90}, {"Br", 1.85}, {"Kr", 2.02},
+                                            {"Te", 2.06}, {"I", 1.98},  {"Xe", 2.16}};
+  for (const auto& [symbol, radius] : bondi) CHECK(van_der_waals_radius(symbol) == radius);
   CHECK(van_der_waals_radius("d") == 1.20);
   CHECK(van_der_waals_radius("CL") == 1.75);
   CHECK(van_der_waals_radius("Ca") == 2.31);

@@ -83,6 +83,7 @@ class PictureCommandTest(unittest.TestCase):
                       ("--inset", "0.5,0.5,-1"), ("--columns", "0"), ("--zoom", "nan")):
             self.run_morskin("render", mesh, "-o", "x.png", *words, code=2)
         self.run_morskin("render", mesh, "-o", "x.jpg", code=2)
+        self.run_morskin("render", mesh, "-o", "x.png", "--size", "2000000x1", code=2)
         self.run_morskin("figure", "12", "-o", "x.png", code=2)
         self.run_morskin("figure", "9", "-o", "x.png", "--scale", "9", code=2)
         self.run_morskin("render", "missing.ply", "-o", "x.png", code=3)

@@ -238,28 +238,6 @@ TEST_CASE("a line of a width and a length covers its area and two half disks") {
   }
 }
 
-TEST_CASE("a polygon covers its area, however it lies on the pixels") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    std::vector<Vector2> corners;
-    double area = 0;
-    const std::size_t n = 3 + random.below(6);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(n);
-      corners.push_back(Vector2(50, 50) +
-                        random.between(10, 45) * Vector2(std::cos(angle), std::sin(angle)));
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vector2 p = corners[i] - Vector2(50, 50), q = corners[(i + 1) % n] - Vector2(50, 50);
-      area += (p.x() * q.y() - p.y() * q.x()) / 2;
-    }
-    Image image(100, 100);
-    fill_polygon(image, corners, {0, 0, 0});
-    CHECK(blackness(image) == doctest::Approx(area).epsilon(0.02));
-  }
-}
-
 TEST_CASE("letters keep to their line, and all that figures use have a glyph of their own") {
   const Lettering box = lettering("\x01");
   const std::string used =

@@ -160,11 +160,13 @@ TEST_CASE("triangles nearer than a rounding are told apart from triangles that t
 
 TEST_CASE("positions out of the exact range keep their order and their collinear triples") {
   const std::vector<Point> huge{
-      {1e300, 2e300, -3e300}, {2e300, 4e300, -6e300}, {4e300, 8e300, -12e300}};
+      {1e300, 2e300, -3e300}, {2e300, 4e300, -6e300}, {4e300, 8e300, -12e300}, {4e300, 8e300, 0}};
   const ExactPositions scaled(huge);
   for (const Point& p : scaled.all()) CHECK(p.cwiseAbs().maxCoeff() <= 0x1p30);
   CHECK(scaled[0].x() < scaled[1].x());
   CHECK(scaled[2].z() < scaled[1].z());
+  CHECK(geometry::are_collinear(scaled[0], scaled[1], scaled[2]));
+  CHECK_FALSE(geometry::are_collinear(scaled[0], scaled[1], scaled[3]));
   const std::vector<Point> ordinary{{0.1, -2, 1e-20}, {3, 4, 5}};
   CHECK(ExactPositions(ordinary).all().data() == ordinary.data());
 }

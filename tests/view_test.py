@@ -426,6 +426,7 @@ class Failures(ViewTest):
         self.failure("missing.pdb", "-o", "page.html", code=3)
         self.failure(self.ring, "-o", "page.html", "--frames", ".", code=3)
         self.failure(self.ring, "-o", "page.html", "--frames", "missing.ply", code=3)
+        self.failure(self.ring, "-o", "page.html", "--frames", "x" * 300, code=3)
         self.failure("broken.ply", "-o", "page.html", code=3)
         self.failure("empty.off", "-o", "page.html", code=4)
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)

@@ -16,7 +16,7 @@ MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles);
 MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& function,
                    double inwards);
 
-/// @param C, function  as in front::MeshOptions; one front, uncertified
+/// @param C, function  as in front::MeshOptions; uncertified
 front::MeshResult meshed(const front::PreparedSkin& skin, double C,
                          const std::optional<morse::MorseFunction>& function = {});
 

@@ -121,59 +121,8 @@ void draw_circle(Image& image, const Vector2& centre, double radius, const Pen& 
   draw_line(image, circle, pen);
 }
 
-void draw_arrow(Image& image, const Vector2& from, const Vector2& to, const Pen& pen) {
-  const Vector2 d = (to - from).normalized();
-  const Vector2 side(-d.y(), d.x());
-  const double length = 5 * pen.width;
-  const Vector2 neck = to - length * d;
-  draw_line(image, std::array{from, Vector2(to - 0.7 * length * d)}, pen);
-  fill_polygon(
-      image,
-      std::array{to, Vector2(neck + 0.4 * length * side), Vector2(neck - 0.4 * length * side)},
-      pen.colour);
-}
-
 void fill_disk(Image& image, const Vector2& centre, double radius, const Colour& colour) {
   draw_strokes(image, std::array{Stroke{centre, centre}}, 2 * radius, colour);
-}
-
-void fill_polygon(Image& image, std::span<const Vector2> corners, const Colour& colour,
-                  double alpha) {
-  constexpr int fine = 4;  // samples an axis and pixel
-  if (corners.size() < 3) return;
-  double top = corners[0].y(), bottom = top;
-  for (const Vector2& p : corners) {
-    top = std::min(top, p.y());
-    bottom = std::max(bottom, p.y());
-  }
-  const int first = std::max(0, static_cast<int>(std::floor(top)));
-  const int last = std::min(image.height(), static_cast<int>(std::ceil(bottom)));
-  std::vector<double> share(static_cast<std::size_t>(image.width()));
-  std::vector<double> crossings;
-  for (int y = first; y < last; ++y) {
-    std::fill(share.begin(), share.end(), 0.0);
-    for (int k = 0; k < fine; ++k) {
-      const double level = y + (k + 0.5) / fine;
-      crossings.clear();
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vector2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y() <= level) == (b.y() <= level)) continue;
-        crossings.push_back(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-      }
-      std::sort(crossings.begin(), crossings.end());
-      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const double left = std::clamp(crossings[i], 0.0, 1.0 * image.width());
-        const double right = std::clamp(crossings[i + 1], 0.0, 1.0 * image.width());
-        for (int x = static_cast<int>(left); x < right; ++x) {
-          const double part = std::min(right, x + 1.0) - std::max(left, 1.0 * x);
-          share[static_cast<std::size_t>(x)] += std::max(0.0, part) / fine;
-        }
-      }
-    }
-    for (int x = 0; x < image.width(); ++x) {
-      image.cover(x, y, colour, alpha * share[static_cast<std::size_t>(x)]);
-    }
-  }
 }
 
 void draw_box(Image& image, const Box& box, const Pen& pen) {

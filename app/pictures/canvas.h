@@ -19,12 +19,7 @@ struct Pen {
 /// The polyline with round ends and joints.
 void draw_line(Image& image, std::span<const Vector2> points, const Pen& pen);
 void draw_circle(Image& image, const Vector2& centre, double radius, const Pen& pen);
-/// A line with a head at its end.
-void draw_arrow(Image& image, const Vector2& from, const Vector2& to, const Pen& pen);
 void fill_disk(Image& image, const Vector2& centre, double radius, const Colour& colour);
-/// The inside of a polygon, by the even-odd rule.
-void fill_polygon(Image& image, std::span<const Vector2> corners, const Colour& colour,
-                  double alpha = 1);
 
 /// The places of a rectangle's sides, pixel rows and columns included in it.
 struct Box {

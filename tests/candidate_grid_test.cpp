@@ -1,0 +1,81 @@
+#include "refine/candidate_grid.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <vector>
+
+using namespace morskin;
+using geometry::Point;
+using geometry::VertexId;
+using refine::Candidate;
+using refine::CandidateGrid;
+
+namespace {
+
+/// Random points in a cube, and a length scale that varies a thousandfold and is 1-Lipschitz.
+struct Places {
+  std::vector<Point> points;
+
+  Places(std::size_t count, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      // A third power draws some of them to the origin, where the length scale is small.
+      const Point p{coordinate(random), coordinate(random), coordinate(random)};
+      points.push_back(p.norm() * p.norm() * p);
+    }
+  }
+  double length_scale(std::size_t i) const { return 1e-3 + 0.9 * points[i].norm(); }
+  std::vector<Candidate> candidates(std::size_t step) const {
+    std::vector<Candidate> result;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+      result.push_back({VertexId{i}, points[i], length_scale(i)});
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("every candidate within reach of a place is visited, as a search of all finds them") {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Places places(1000, seed);
+    for (const double reach : {0.01, 0.1, 0.3, 0.8}) {
+      const std::vector<Candidate> candidates = places.candidates(7);
+      const CandidateGrid grid(reach, candidates);
+      for (std::size_t i = 0; i < places.points.size(); ++i) {
+        const double rho = places.length_scale(i);
+        std::vector<char> is_visited(places.points.size(), 0);
+        grid.for_each_near(places.points[i], rho, [&](VertexId v) { is_visited[v.index()] = 1; });
+        for (const Candidate& candidate : candidates) {
+          if ((candidate.position - places.points[i]).norm() > reach * rho) continue;
+          CHECK(is_visited[candidate.vertex.index()] != 0);
+          ++found;
+        }
+      }
+    }
+  }
+  CHECK(found > 10'000);  // so the law was put to the test
+}
+
+TEST_CASE("a place is shown few of many candidates, however many there are") {
+  // A capsid's mesh has thousands of components with sixteen candidates each. Buckets limited to
+  // 65,536 once showed every vertex a hundred of them.
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(0, 40);
+  std::vector<Point> points(100'000);
+  for (Point& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < points.size(); ++i) candidates.push_back({VertexId{i}, points[i], 1});
+  const double reach = 0.3;
+  const CandidateGrid grid(reach, candidates);
+  std::size_t visits = 0;
+  constexpr std::size_t questions = 10'000;
+  for (std::size_t i = 0; i < questions; ++i) {
+    grid.for_each_near(points[i], 1, [&](VertexId) { ++visits; });
+  }
+  // 1.6 candidates to a unit cube, 27 cells of width 0.6 or less: nine in the cells themselves.
+  CHECK(visits < 20 * questions);
+}
