@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
-#include <random>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
