@@ -53,7 +53,7 @@ Context context(const MoleculeArguments& molecule, const ViewArguments& argument
         result.skin.surface, result.skin.topology.skin_euler_characteristic(), arguments.function);
     result.function = chosen.function;
     result.complex = morse::morse_smale_complex(result.skin.surface, chosen.function,
-                                                std::move(chosen.critical), arguments.threads);
+                                                chosen.critical, arguments.threads);
   } catch (const morse::DegenerateFunction& error) {
     // Which exit code depends on whose choice the function was.
     if (arguments.function) throw UsageError(error.what());
@@ -149,6 +149,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
                                        arguments.sizing, arguments.threads);
   const FrontCode code = add_mesh(page, "mesh", mesh);
   std::vector<geometry::CellId> cells;
+  cells.reserve(points.size());
   for (const skin::SurfacePoint& p : points) cells.push_back(p.cell);
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&

@@ -47,11 +47,10 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     guide.spheres = ProtectingSpheres(skin, guide.points, radius_share);
     return guide;
   }
-  const MorseSmaleComplex complex =
-      morse_smale_complex(skin, chosen.function, std::move(chosen.critical), threads,
-                          Polylines::Drop, [&](double share) {
-                            if (progress) progress("integral lines", share);
-                          });
+  const MorseSmaleComplex complex = morse_smale_complex(
+      skin, chosen.function, chosen.critical, threads, Polylines::Drop, [&](double share) {
+        if (progress) progress("integral lines", share);
+      });
   guide.is_simplified = complex.degeneracies.empty();
   if (!guide.is_simplified) {
     guide.spheres = ProtectingSpheres(skin, guide.points, radius_share);

@@ -273,7 +273,7 @@ class Builder {
 }  // namespace
 
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical, unsigned threads,
+                                      const CriticalPoints& critical, unsigned threads,
                                       Polylines polylines, const geometry::Told& told) {
   return Builder(skin, f, critical, threads, polylines, told).build();
 }

@@ -65,7 +65,7 @@ enum class Polylines { Keep, Drop };
 /// is the witness of that order.
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      CriticalPoints critical, unsigned threads = 1,
+                                      const CriticalPoints& critical, unsigned threads = 1,
                                       Polylines polylines = Polylines::Keep,
                                       const geometry::Told& told = {});
 

@@ -131,6 +131,7 @@ template <class Look>
 void CoveringDegree::look_from_far(const std::vector<VertexId>& candidates, Look look_at) const {
   if (reach_.far().empty()) return;
   std::vector<Point> places;
+  places.reserve(candidates.size());
   for (const VertexId v : candidates) places.push_back(position(v.value));
   const geometry::KdTree<VertexId> tree(places);
   for (const auto& [t, from_first_corner] : reach_.far()) {
@@ -144,6 +145,7 @@ void CoveringDegree::look_from_far(const std::vector<VertexId>& candidates, Look
 template <class Look>
 void CoveringDegree::look_from_near(const std::vector<VertexId>& candidates, Look look_at) const {
   std::vector<Candidate> placed;
+  placed.reserve(candidates.size());
   for (const VertexId v : candidates) {
     placed.push_back({v, position(v.value), on_.points[v.index()].length_scale});
   }
