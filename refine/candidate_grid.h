@@ -38,7 +38,7 @@ class CandidateGrid {
             std::bit_ceil(std::clamp<std::size_t>(256 * candidates.size(), 1U << 10, 1U << 22))),
         is_filled_(bucket_count_ / 64, 0),
         first_(bucket_count_ + 1, 0) {
-    // How many each bucket holds, one place on; then where it ends; filled from its end.
+    // In first_ how many each bucket holds, then where it ends; filled backwards, where it begins.
     for (const Candidate& candidate : candidates) {
       for_each_place(candidate, [&](std::size_t at) {
         is_filled_[at / 64] |= std::uint64_t{1} << at % 64;
