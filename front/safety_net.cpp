@@ -222,9 +222,11 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
   MeshOptions again = options;
   again.snapshots = 0;
   again.snapshot_values.clear();
+  // What fails for triangles this coarse fails in most directions, at some other place.
+  const int most_sweeps = options.sizing.C <= refine::Sizing::largest_proved_C ? 2 : 0;
   int tried = 0;
   for (const morse::MorseFunction& function : other_directions()) {
-    if (mending.is_done() || tried == 2) break;
+    if (mending.is_done() || tried == most_sweeps) break;
     again.function = function;
     try {
       const MethodResult made = run_method(skin, again);

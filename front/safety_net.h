@@ -1,7 +1,8 @@
 #pragma once
 
 /// What to do when the sweep's mesh does not pass the certificate: component by component of the
-/// skin, try two other directions, then the static method. A fallback is a bug of the sweep to be
+/// skin, try two other directions, then the static method; with a C above those for which all is
+/// proved the static method at once. For smaller ones a fallback is a bug of the sweep to be
 /// understood; until it is, the user has a certified mesh and the report says how it came to be.
 
 #include "front/mesh_skin.h"

@@ -10,6 +10,7 @@
 #include "geometry/predicates.h"
 #include "geometry/stopwatch.h"
 #include "refine/delaunay_refinement.h"
+#include "refine/refinement.h"
 
 namespace morskin::front {
 
@@ -136,10 +137,20 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
     for (SurfacePoint& p : result.mesh.points) {
       p.cell = skin.surface.complex().same(p.cell, surface.complex());
     }
-    result.open_edges = open_edges(result.mesh.surface);
     const refine::DelaunayRefinementCounts& done = refinement.counts();
     result.refinement.insert = done.too_big + done.topological;
     result.refinement.refused = done.refused;
+    result.open_edges = open_edges(result.mesh.surface);
+  });
+  if (result.open_edges > 0) return result;
+  // Where C is coarse, samples that show the skin's topology stand nearer to others than [L]
+  // allows. Once the mesh is a surface most of them are not needed any more.
+  geometry::timed(result.seconds.refine, [&] {
+    refine::Refinement contraction(skin.surface, options.sizing, result.mesh, options.threads);
+    contraction.run();
+    const std::size_t inserted = result.refinement.insert;
+    result.refinement = contraction.counts();
+    result.refinement.insert += inserted;
   });
   return result;
 }

@@ -16,13 +16,24 @@ constexpr double largest_view = 0.85;
 /// Of protecting spheres, for the guards that look no farther.
 constexpr double enlargement = 3;
 
-/// Twice as many as a whole sphere takes when its vertices stand 0.85 disk radii apart, which is
-/// denser than any sweep lays them: with more, the front has passed itself unseen.
-std::uint32_t most_vertices_on_a_sphere(double disk_share) {
-  const double spacing = 0.85 * disk_share;
-  const double area_each = std::sqrt(3.0) / 2 * spacing * spacing;
-  constexpr double most = 4e9;  // below 2^32; as many do not fit into memory
-  return static_cast<std::uint32_t>(std::min(2 * 4 * M_PI / area_each + 100, most));
+/// Vertices a patch takes where each has the area that it has when they stand 0.85 disk radii
+/// apart, which is denser than any sweep lays them, and twice as many: with more, the front has
+/// passed itself unseen.
+/// @param area   of the patch, in units of the length scale's square
+/// @param share  radius of the disk over the length scale
+double most_vertices(double area, double share) {
+  const double spacing = 0.85 * share;
+  return 2 * area / (std::sqrt(3.0) / 2 * spacing * spacing) + 100;
+}
+
+constexpr double sphere_area = 4 * M_PI;
+
+/// The area of a hyperboloid up to a length scale, in units of the length scale's square: at a
+/// distance s from the middle along the axis, where rho^2 = k + 2 s^2, it is the integral of
+/// 2 pi / rho ds on both sides; with two sheets, going by the distance from the axis, it is less.
+/// @param k  the square of the waist's radius, or of half the distance of the sheets
+double hyperboloid_area(double k, double largest_length_scale) {
+  return 2 * std::sqrt(2.0) * M_PI * std::asinh(largest_length_scale / std::sqrt(k));
 }
 
 }  // namespace
@@ -52,7 +63,7 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const Swe
       marked_(guide.points.size()),
       last_(last),
       laid_(skin.complex().kept_size(), 0),
-      most_on_sphere_(most_vertices_on_a_sphere(disk_share_)) {
+      most_on_sphere_(most_vertices(sphere_area, disk_share_)) {
   if (options_.guard == Guard::Everywhere) return;
   std::vector<double> radii;
   for (std::size_t c = 0; c < guide.points.size(); ++c) {
@@ -115,6 +126,7 @@ void Sweep::join(const Sweep& above) {
     if (guide_.points[c].index == 2) marked_[c].is_done = false;
   }
   for (std::size_t cell = 0; cell < laid_.size(); ++cell) laid_[cell] += above.laid_[cell];
+  largest_laid_ = std::max(largest_laid_, above.largest_laid_);
   is_overlapping_ |= above.is_overlapping_;
   operations_ += above.operations_;
   last_ = std::numeric_limits<double>::infinity();
@@ -179,6 +191,20 @@ void Sweep::look_round(FrontEdgeId corner) {
   } else {
     near_.gather_along(centre, corner, options_.guard == Guard::Adjacent);
   }
+}
+
+/// Whether the patch of a new vertex has more of them than fit. Few patches have as many as the
+/// finest sphere, so that most are not looked at closely.
+bool Sweep::is_covered_twice(const SurfacePoint& x) {
+  largest_laid_ = std::max(largest_laid_, x.length_scale);
+  if (!skin_.complex().is_kept(x.cell) || ++laid_[x.cell.index()] <= most_on_sphere_) return false;
+  const skin::Patch& patch = skin_.complex().kept_patch(x.cell);
+  const bool is_sphere = patch.axis.isZero(0);
+  const double largest = is_sphere ? x.length_scale : largest_laid_;
+  const double area =
+      is_sphere ? sphere_area : hyperboloid_area(std::abs(patch.half_weight), largest);
+  const double share = disk_share_ * options_.sizing.scale(largest) / largest;
+  return laid_[x.cell.index()] > most_vertices(area, share);
 }
 
 Operations Sweep::operations() const {

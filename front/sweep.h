@@ -126,6 +126,7 @@ class Sweep {
   void note(Operation operation) const;
   void show_up_to(double value);
   void look_round(FrontEdgeId corner);
+  bool is_covered_twice(const SurfacePoint& x);
   void create(const morse::CriticalPoint& minimum);
   void creep_triangles();
   bool creep(FrontEdgeId e);
@@ -172,7 +173,8 @@ class Sweep {
   std::vector<Departure> beyond_;    ///< too near the last value
   std::vector<FrontEdgeId> fresh_;   ///< corners that the current operation made or changed
   std::vector<std::uint32_t> laid_;  ///< by mixed cell: vertices laid on its patch
-  std::uint32_t most_on_sphere_;     ///< more than fit on a whole sphere
+  double most_on_sphere_;            ///< more vertices than fit on a whole sphere
+  double largest_laid_ = 0;          ///< length scale of a vertex
   bool is_overlapping_ = false;  ///< some patch is covered more than once: the sweep has stopped
   Operations operations_;
 };

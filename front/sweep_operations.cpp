@@ -157,11 +157,7 @@ bool Sweep::attach_new(FrontEdgeId e, const std::optional<SurfacePoint>& x, doub
   near_.refresh(added);
   push(added);
   fresh_.push_back(added);
-  const bool is_sphere =
-      skin_.complex().is_kept(x->cell) && skin_.complex().kept_patch(x->cell).axis.isZero(0);
-  if (!is_sphere) return true;
-  const double finer = x->length_scale / options_.sizing.scale(x->length_scale);
-  if (++laid_[x->cell.index()] > most_on_sphere_ * finer * finer) is_overlapping_ = true;
+  is_overlapping_ |= is_covered_twice(*x);
   return true;
 }
 

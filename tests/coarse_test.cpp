@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "refine/triangle_geometry.h"
+#include "skin/model.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -52,6 +54,37 @@ TEST_CASE(
       CHECK(edges.back() < 2 * C * sizing.Q * sizing.largest_length_scale);
     }
   }
+}
+
+TEST_CASE("a front that has passed itself on a hyperboloid does not go round it for ever") {
+  // Of 1ATP. Found by taking balls away while the front still went round the neck of two of them.
+  constexpr std::array<std::array<double, 4>, 16> balls{{{10.756, 18.91, 7.439, 1.52},
+                                                         {12.385, 18.52, 1.875, 1.7},
+                                                         {13.494, 19.617, 4.822, 1.7},
+                                                         {13.313, 19.351, 6.045, 1.55},
+                                                         {8.472, 19.676, 4.727, 1.7},
+                                                         {8.463, 21.425, 5.189, 1.8},
+                                                         {9.807, 22.03, 4.159, 1.7},
+                                                         {10.745, 20.147, -1.045, 1.7},
+                                                         {9.466, 20.24, -0.225, 1.7},
+                                                         {11.117, 21.494, -1.628, 1.7},
+                                                         {9.538, 21.094, 1.013, 1.7},
+                                                         {13.659, 21.996, 10.041, 1.7},
+                                                         {10.758, 20.78, 9.282, 1.52},
+                                                         {14.716, 22.501, 7.994, 1.55},
+                                                         {16.198, 19.871, 6.553, 1.7},
+                                                         {15.235, 19.45, 7.212, 1.52}}};
+  std::vector<geometry::WeightedPoint> points;
+  for (const auto& [x, y, z, radius] : balls) {
+    points.push_back({{x, y, z}, skin::weight(radius, skin::Model::Paper, 1.4)});
+  }
+  front::MeshOptions options = support::with({0.4, Sizing::quality_for(0.4)});
+  options.fronts = 1;
+  options.function = morse::MorseFunction::height({0.0123, 1, 0.0271});
+  const front::MeshResult result = front::mesh_skin(points, options);
+  CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+  constexpr std::size_t twice_round = 10'000;  // the whole skin takes some 1,100
+  CHECK(result.operations.creep < twice_round);
 }
 
 TEST_CASE("a length longer than C gives anywhere changes nothing") {

@@ -83,6 +83,18 @@ TEST_CASE("the static method breaks what the certificate could not prove of a co
   }
 }
 
+TEST_CASE("samples too near to others, which the topology took, do not stay in a coarse mesh") {
+  // With C = 0.4 an edge or two of crambin's broke [L].
+  for (const skin::Model model : {skin::Model::Paper, skin::Model::Vdw}) {
+    CAPTURE(std::string(skin::name_of(model)));
+    MeshOptions options = by_static_method();
+    options.sizing = {0.4, refine::Sizing::quality_for(0.4)};
+    const auto result = front::mesh_skin(support::molecule("1crn.pdb", model), options);
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+    CHECK(result.certificate.violations_L == 0);
+  }
+}
+
 TEST_CASE("the static method gives the same bytes every time") {
   const auto points = support::molecule("caffeine.xyz", skin::Model::Paper);
   const auto first = front::mesh_skin(points, by_static_method());
