@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How coarse can the sweep go? Meshes pieces of one big molecule, balls of atoms about random ones,
+"""How coarse can a method go? Meshes pieces of one big molecule, balls of atoms about random ones,
 for several C, and counts the runs that fell back to another sweep or method or were not certified.
 
 One line for each piece, model and C, totals by model and C at the end; no failure fails the script.
@@ -23,6 +23,7 @@ def arguments():
     parser = argument_parser(__doc__, timeout=120, results="results/coarse.tsv")
     parser.set_defaults(only="1f2n_capsid")
     parser.add_argument("--sizes", default="0.2,0.25,0.3,0.35,0.4", help="C, default %(default)s")
+    parser.add_argument("--method", choices=["sweep", "static"], default="sweep")
     parser.add_argument("--pieces", type=int, default=40, help="default %(default)s")
     parser.add_argument("--radius", type=float, default=14, help="of a piece, Angstrom (14)")
     parser.add_argument("--seed", type=int, default=1)
@@ -58,7 +59,7 @@ def main():
             path.write_text("".join(f"{x} {y} {z} {r}\n" for x, y, z, r in balls))
             for model in options.models.split(","):
                 for size in options.sizes.split(","):
-                    run = mesh(path, model, options.timeout, "-C", size)
+                    run = mesh(path, model, options.timeout, "-C", size, "--method", options.method)
                     verdict = verdict_of(run)
                     rows.add({"piece": number, "model": model, "C": size, "atoms": len(balls),
                               "triangles": run.report.get("triangles", ""),
@@ -66,10 +67,11 @@ def main():
                               "seconds": run.seconds, "verdict": verdict})
                     counts[model, size].update([verdict.split()[0].rstrip(":"), "runs"])
                     counts[model, size]["atoms"] += len(balls)
+                    counts[model, size]["triangles"] += run.report.get("triangles", 0)
         print()
         for (model, size), count in sorted(counts.items()):
-            print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces: "
-                  f"{count['certified']} certified at once, {count['fell']} after a fallback, "
+            print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces, "
+                  f"{count['triangles']} triangles: {count['certified']} certified at once, {count['fell']} after a fallback, "
                   f"{count['FAILED']} not")
         end([], rows.rows)
 

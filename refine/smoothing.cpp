@@ -128,18 +128,25 @@ class Smoothing {
       const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
       const bool is_good = s.squared_sine > asked && sizing_.edge_ratio(x, p) > 1 &&
                            sizing_.triangle_ratio(s.radius, rho) < 1 &&
-                           is_upright(s.normal, x, p, q) && is_provable(x, p, q);
+                           is_upright(s.normal, x, p, q);
       if (!is_good) return std::nullopt;
       least = std::min(least, s.squared_sine);
     }
     return least;
   }
 
-  /// Whether the certificate can prove the triangle, where [U] does not see to it.
-  bool is_provable(const SurfacePoint& x, const SurfacePoint& p, const SurfacePoint& q) const {
+  /// Whether the certificate can prove the triangles around v were it at x, where [U] does not see
+  /// to it.
+  bool keeps_provable(const SurfacePoint& x) const {
     if (sizing_.is_tube_proved()) return true;
-    const Circumcircle circle = circumcircle(x.position, p.position, q.position);
-    return prove_tube(skin_, {&x, &p, &q}, circle, skin_.residual_bound(x.length_scale)).holds();
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      const SurfacePoint& p = mesh_.at(ring_[i]);
+      const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
+      const Circumcircle circle = circumcircle(x.position, p.position, q.position);
+      const double residual = skin_.residual_bound(x.length_scale);
+      if (!prove_tube(skin_, {&x, &p, &q}, circle, residual).holds()) return false;
+    }
+    return true;
   }
 
   /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
@@ -174,8 +181,9 @@ class Smoothing {
     }
     std::stable_sort(better.begin(), better.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
-    const auto found = std::find_if(better.begin(), better.end(),
-                                    [this](const auto& b) { return keeps_delaunay(b.second); });
+    const auto found = std::find_if(better.begin(), better.end(), [this](const auto& b) {
+      return keeps_provable(b.second) && keeps_delaunay(b.second);
+    });
     return found == better.end() ? std::nullopt : std::optional(*found);
   }
 
