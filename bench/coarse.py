@@ -71,8 +71,8 @@ def main():
         print()
         for (model, size), count in sorted(counts.items()):
             print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces, "
-                  f"{count['triangles']} triangles: {count['certified']} certified at once, {count['fell']} after a fallback, "
-                  f"{count['FAILED']} not")
+                  f"{count['triangles']} triangles: {count['certified']} certified at once, "
+                  f"{count['fell']} after a fallback, {count['FAILED']} not")
         end([], rows.rows)
 
 
