@@ -317,6 +317,21 @@ std::string method_text(const MeshReport& report) {
                                " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
 }
 
+/// What was replaced; first what could not be, which is why the mesh is not certified.
+std::string fallback_text(std::vector<front::Fallback> fallbacks) {
+  constexpr std::size_t most_lines = 5;
+  std::ranges::stable_partition(fallbacks, [](const auto& f) { return f.to == "nothing"; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(fallbacks.size(), most_lines); ++i) {
+    const front::Fallback& f = fallbacks[i];
+    text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
+                                 " to " + f.to + ": " + f.why);
+  }
+  if (fallbacks.size() <= most_lines) return text;
+  return text + line("fallback", grouped(fallbacks.size() - most_lines) +
+                                     " components more; --report lists them");
+}
+
 }  // namespace
 
 std::string people_text(const MeshReport& report) {
@@ -343,10 +358,7 @@ std::string people_text(const MeshReport& report) {
   }
   text += certificate_text(report.certificate, report.sizing);
   text += method_text(report);
-  for (const front::Fallback& f : report.fallbacks) {
-    text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
-                                 " to " + f.to + ": " + f.why);
-  }
+  text += fallback_text(report.fallbacks);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
                            ", refine " + brief(s.stages.refine, 2) + ", smooth " +

@@ -18,7 +18,7 @@ struct Fallback {
   std::size_t component;
   std::string from;  ///< the method whose mesh did not pass
   std::string to;    ///< the run whose mesh did; "nothing" if none did
-  std::string why;   ///< the certificate's reason
+  std::string why;   ///< the certificate's reason, or that the part was not refined
 };
 
 struct MeshResult : RunCounts {

@@ -140,16 +140,28 @@ class Mending {
         options_(options),
         parts_(parts),
         pieces_(parts.cut(result.mesh, result.cells)) {
+    // A surface that is open somewhere is not refined anywhere.
+    const bool is_refined = result.open_edges == 0;
     for (std::size_t part = 0; part < parts.count(); ++part) {
-      const std::string why = defect(part, pieces_[part]);
-      if (why.empty()) continue;
+      std::string why = defect(part, pieces_[part]);
+      if (why.empty() && is_refined) continue;
       broken_.push_back(part);
+      is_certified_.push_back(why.empty());
+      if (why.empty()) why = "certified, but not refined: the mesh was open somewhere";
       fallbacks_.push_back({part, std::string(name_of(options.method)), "nothing", why});
     }
   }
 
   bool is_done() const { return unmended() == 0; }
-  std::vector<Fallback> fallbacks() const { return fallbacks_; }
+  /// Those that were mended or would have to be.
+  std::vector<Fallback> fallbacks() const {
+    std::vector<Fallback> result;
+    for (std::size_t i = 0; i < fallbacks_.size(); ++i) {
+      const bool is_left_as_it_is = fallbacks_[i].to == "nothing" && is_certified_[i];
+      if (!is_left_as_it_is) result.push_back(fallbacks_[i]);
+    }
+    return result;
+  }
 
   /// Takes what another run made of the broken parts, where it is certified.
   void take(const skin::SkinMesh& mesh, const std::string& name) {
@@ -193,6 +205,7 @@ class Mending {
   const Parts& parts_;
   std::vector<Piece> pieces_;        ///< by part
   std::vector<std::size_t> broken_;  ///< parts
+  std::vector<bool> is_certified_;   ///< each of them: it may stay as it is
   std::vector<Fallback> fallbacks_;  ///< one for each of them
 };
 

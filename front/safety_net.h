@@ -9,10 +9,10 @@
 
 namespace morskin::front {
 
-/// Replaces the components that are not certified by certified ones of another run and notes each
-/// in result.fallbacks. Components are told apart by what they part (skin/skin_components.h), and
-/// their genus is the critical points'; where rounding leaves either undecided the whole mesh
-/// counts as one component.
+/// Replaces the components that are not certified, or not refined, by certified ones of another
+/// run and notes each in result.fallbacks. Components are told apart by what they part
+/// (skin/skin_components.h), and their genus is the critical points'; where rounding leaves either
+/// undecided the whole mesh counts as one component.
 ///
 /// Only after a sweep with the general guard: what other methods and guards do is their own affair.
 /// @param options  those of the run; their mesher makes the other sweeps

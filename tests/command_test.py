@@ -227,6 +227,18 @@ class NotCertified(CommandTest):
         self.assertEqual(done.stdout, b"")
         self.assertIn(b"not certified", done.stderr)
 
+    def test_of_many_components_not_mended_people_are_told_of_a_few(self):
+        ring = (MOLECULES / "ring12.xyzr").read_text().splitlines()
+        atoms = [list(map(float, line.split())) for line in ring if not line.startswith("#")]
+        rings = self.input("rings.xyzr", "".join(f"{x + 100 * i} {y} {z} {r}\n"
+                                                 for i in range(8) for x, y, z, r in atoms))
+        words = ("mesh", rings, "-o", "rings.ply", "--report", "r.json", *self.WORDS)
+        lines = self.run_morskin(*words, code=5).stdout.decode().splitlines()
+        told = [line for line in lines if line.strip().startswith("fallback")]
+        self.assertEqual(len(json.loads((self.folder / "r.json").read_text())["fallbacks"]), 8)
+        self.assertEqual(len(told), 6)
+        self.assertIn("3 components more", told[-1])
+
     def test_a_note_says_that_the_sizes_are_out_of_range(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *self.WORDS, code=5)
         self.assertIn(b"C Q = 1.71 is above", done.stderr)

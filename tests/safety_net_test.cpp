@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <string>
 
+#include "front/two_fronts.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -46,6 +48,18 @@ Mesher sweep_without(IsLost is_lost) {
     result.mesh = broken;
     return result;
   };
+}
+
+/// Not glued any more, as every surface with a hole is built.
+geometry::SurfaceMesh without_first_triangle(const geometry::SurfaceMesh& surface) {
+  geometry::SurfaceMesh open;
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) open.add_vertex();
+  const auto triangles = surface.triangle_list();
+  for (std::size_t t = 1; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    open.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
+  }
+  return open;
 }
 
 MeshResult mesh_by(const WeightedPoints& points, const Mesher& mesher) {
@@ -100,6 +114,28 @@ TEST_CASE("a component that the sweep does not find at all is meshed by the stat
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 1);
   CHECK(mended.fallbacks[0].to == "static");
+}
+
+TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
+  // As sweep_method() does: what is open is not refined at all.
+  const Mesher mesher = [sweeps = std::make_shared<int>(0)](const PreparedSkin& skin,
+                                                            const MeshOptions& options) {
+    if (++*sweeps > 1) return front::sweep_method(skin, options);
+    const morse::Guide guide =
+        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
+                          front::sphere_share(skin.surface, options.sizing));
+    MethodResult result;
+    result.mesh = front::sweep_once(skin.surface, guide, {.sizing = options.sizing}).mesh;
+    result.function = guide.function;
+    result.open_edges = 3;
+    result.mesh.surface = without_first_triangle(result.mesh.surface);
+    return result;
+  };
+  const MeshResult mended = mesh_by(four_components(), mesher);
+  CHECK(mended.certificate.certified);
+  CHECK(mended.certificate.restricted_delaunay_violations == 0);
+  CHECK(mended.fallbacks.size() == 4);
+  for (const front::Fallback& f : mended.fallbacks) CHECK(f.to.starts_with("sweep along"));
 }
 
 TEST_CASE("a mesh that runs from one component to another is replaced on both") {
