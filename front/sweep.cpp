@@ -193,8 +193,8 @@ void Sweep::look_round(FrontEdgeId corner) {
   }
 }
 
-/// Whether the patch of a new vertex has more of them than fit. Few patches have as many as the
-/// finest sphere, so that most are not looked at closely.
+/// Whether the patch of a new vertex has more of them than fit. No patch is allowed fewer than a
+/// sphere with triangles of full size, and few have as many: most are not looked at closely.
 bool Sweep::is_covered_twice(const SurfacePoint& x) {
   largest_laid_ = std::max(largest_laid_, x.length_scale);
   if (!skin_.complex().is_kept(x.cell) || ++laid_[x.cell.index()] <= most_on_sphere_) return false;
