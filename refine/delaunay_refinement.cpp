@@ -54,6 +54,7 @@ void DelaunayRefinement::run() {
   do {
     insert_all();
   } while (follow_dual_edges() || make_disks());
+  work_ = std::vector<std::vector<Work>>(buckets);  // all done; gives the memory back
 }
 
 /// Notes which side of the skin the circumcentre lies on and how far, in the sense of
@@ -120,7 +121,20 @@ bool DelaunayRefinement::is_proved(Facet inner) const {
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {
   const double octaves = std::log2(ball.ratio);
   const auto bucket = static_cast<std::size_t>(std::clamp(octaves - 1, 0.0, buckets - 1.0));
-  work_[bucket].push_back({ball, facet, duals_[facet >> 2].born, duals_[behind(facet) >> 2].born});
+  std::vector<Work>& work = work_[bucket];
+  // Most facets that wait go as their surroundings are refined, and only then would be found out.
+  if (work.size() == work.capacity()) {
+    std::erase_if(work, [this](const Work& w) { return !stands(w); });
+    if (work.size() > work.capacity() / 2) work.reserve(2 * work.capacity());
+  }
+  work.push_back({ball, facet, duals_[facet >> 2].born, duals_[behind(facet) >> 2].born});
+}
+
+/// Whether the facet is still there: both its tetrahedra live.
+bool DelaunayRefinement::stands(const Work& work) const {
+  const std::uint32_t inner = Triangulator::tetrahedron_of(work.facet);
+  if (!delaunay_.is_live(inner) || duals_[inner].born != work.born) return false;
+  return duals_[Triangulator::tetrahedron_of(behind(work.facet))].born == work.born_behind;
 }
 
 DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const {
@@ -223,10 +237,7 @@ void DelaunayRefinement::insert_all() {
     while (!work_[bucket].empty()) {
       const Work work = work_[bucket].back();
       work_[bucket].pop_back();
-      const std::uint32_t inner = Triangulator::tetrahedron_of(work.facet);
-      if (!delaunay_.is_live(inner) || duals_[inner].born != work.born) continue;
-      if (duals_[Triangulator::tetrahedron_of(behind(work.facet))].born != work.born_behind)
-        continue;
+      if (!stands(work)) continue;
       if (!insert(work.ball, work.facet)) {
         ++counts_.refused;
         continue;

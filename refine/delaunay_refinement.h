@@ -116,6 +116,7 @@ class DelaunayRefinement {
   bool is_proved(Facet inner) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
   bool insert(const Ball& ball, Facet facet);
+  bool stands(const Work& work) const;
   void push(const Ball& ball, Facet facet);
   void insert_all();
   bool follow_dual_edges();
