@@ -320,7 +320,8 @@ std::string method_text(const MeshReport& report) {
 /// What was replaced; first what could not be, which is why the mesh is not certified.
 std::string fallback_text(std::vector<front::Fallback> fallbacks) {
   constexpr std::size_t most_lines = 5;
-  std::ranges::stable_partition(fallbacks, [](const auto& f) { return f.to == "nothing"; });
+  std::stable_partition(fallbacks.begin(), fallbacks.end(),
+                        [](const front::Fallback& f) { return f.to == "nothing"; });
   std::string text;
   for (std::size_t i = 0; i < std::min(fallbacks.size(), most_lines); ++i) {
     const front::Fallback& f = fallbacks[i];
