@@ -235,7 +235,7 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
   MeshOptions again = options;
   again.snapshots = 0;
   again.snapshot_values.clear();
-  // What fails for triangles this coarse fails in most directions, at some other place.
+  // For triangles this coarse another sweep is no surer than the first, and not much quicker.
   const int most_sweeps = options.sizing.C <= refine::Sizing::largest_proved_C ? 2 : 0;
   int tried = 0;
   for (const morse::MorseFunction& function : other_directions()) {

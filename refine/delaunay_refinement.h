@@ -14,10 +14,10 @@
 /// of the inside tetrahedra: closed, whatever rounding does to flat ones. Dual edges that cross the
 /// skin an even number of times are found by following them piece by piece (skin/line_crossings.h).
 ///
-/// No point is ever deleted. Where Q^2 > 2 + 4 C Q no insertion makes a pair too short for [L], so
-/// short edges could come from the seeds only, and there they are kept apart
-/// (`front/static_method`). For all other constants the spacing of the points still has a lower
-/// bound, so the process ends.
+/// No point is ever deleted. Where Q^2 > 2 + 4 C Q no ball too big for [U] makes a pair too short
+/// for [L], and seeds are kept apart, so short edges could come only from samples that the topology
+/// took; `front/static_method` sees to both. For all other constants the spacing of the points
+/// still has a lower bound, so the process ends.
 ///
 /// Source: Chew 1993; Boissonnat & Oudot 2005; Cheng, Dey, Edelsbrunner & Sullivan 2001 ([L], [U]).
 
