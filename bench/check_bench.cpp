@@ -76,7 +76,15 @@ int main(int count, char** words) {
     return refine::restricted_delaunay(m.mesh, m.skin.surface, m.points);
   });
   kernel("check/local_delaunay", [](const Million& m) {
-    return refine::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points);
+    refine::SureEdges sure(m.mesh.triangles.size());
+    for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
+      const auto [a, b, c] = m.mesh.triangles[t];
+      const std::array p{&m.points[a], &m.points[b], &m.points[c]};
+      sure.note(geometry::TriangleId{t}, p,
+                refine::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                m.skin.surface.residual_bound(p[0]->length_scale));
+    }
+    return refine::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, sure);
   });
   kernel("check/skin_components",
          [](const Million& m) { return skin::SkinComponents(m.skin.surface).body_count(); });

@@ -3,11 +3,15 @@
 /// Work in threads where the answer does not depend on how many there are.
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <future>
 #include <vector>
 
 namespace morskin::geometry {
+
+/// Elements that are worth taking another block for.
+inline constexpr std::size_t usual_block = 4096;
 
 /// Does both, at once when two threads are allowed. An exception of either comes out here, when
 /// both have ended.
@@ -20,23 +24,30 @@ void do_both(unsigned threads, First first, Second second) {
   other.get();
 }
 
-/// How many chunks for_each_chunk() makes of a count: one for each thread, none below `least`, so
-/// that each is worth a thread.
-inline std::size_t chunk_count(unsigned threads, std::size_t count, std::size_t least = 4096) {
-  return std::clamp<std::size_t>(count / least, 1, std::max(threads, 1U));
+/// How many blocks for_each_block() makes of a count: consecutive ones of `size`, the last shorter,
+/// and at least one.
+inline std::size_t block_count(std::size_t count, std::size_t size = usual_block) {
+  return std::max<std::size_t>((count + size - 1) / size, 1);
 }
 
-/// Calls work(begin, end, chunk) for consecutive parts of [0, count), each in its own thread.
+/// Calls work(begin, end, block) for consecutive parts of [0, count). Threads take the next block
+/// when they are done with one, so none waits long for another. The blocks are the same for any
+/// number of threads.
 template <class Work>
-void for_each_chunk(unsigned threads, std::size_t count, Work work, std::size_t least = 4096) {
-  const std::size_t chunks = chunk_count(threads, count, least);
+void for_each_block(unsigned threads, std::size_t count, Work work,
+                    std::size_t size = usual_block) {
+  const std::size_t blocks = block_count(count, size);
+  std::atomic<std::size_t> next{0};
+  const auto take = [&] {
+    for (std::size_t block = next++; block < blocks; block = next++) {
+      work(block * size, std::min((block + 1) * size, count), block);
+    }
+  };
   std::vector<std::future<void>> others;
-  for (std::size_t c = 1; c < chunks; ++c) {
-    others.push_back(std::async(std::launch::async, [&work, c, count, chunks] {
-      work(c * count / chunks, (c + 1) * count / chunks, c);
-    }));
+  for (std::size_t i = 1; i < std::min<std::size_t>(threads, blocks); ++i) {
+    others.push_back(std::async(std::launch::async, take));
   }
-  work(std::size_t{0}, count / chunks, std::size_t{0});
+  take();
   for (std::future<void>& other : others) other.get();
 }
 

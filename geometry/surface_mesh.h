@@ -143,6 +143,16 @@ struct MeshOrDefect {
 MeshOrDefect closed_mesh(std::size_t vertices,
                          const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
+/// The same in two steps. First edges: each triangle glued to its neighbours, or the first edge
+/// without two triangles that agree.
+MeshOrDefect glued_mesh(std::size_t vertices,
+                        const std::vector<std::array<std::uint32_t, 3>>& triangles);
+/// Then vertices: what is wrong at the first that is not in the middle of one fan of triangles,
+/// with as many neighbours.
+/// @param threads  at most; the answer is the same for any number
+/// @pre no boundary
+std::optional<std::string> fan_defect(const SurfaceMesh& mesh, unsigned threads = 1);
+
 /// For each triangle the number of its connected component, and how many there are.
 struct Components {
   std::vector<std::uint32_t> of_triangle;

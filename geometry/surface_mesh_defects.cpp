@@ -1,8 +1,11 @@
 // What is wrong with a mesh, in words, and meshes from lists of triangles where nothing is.
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <utility>
 
+#include "geometry/parallel.h"
 #include "geometry/surface_mesh.h"
 
 namespace morskin::geometry {
@@ -84,34 +87,55 @@ std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
 namespace {
 
 /// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
-/// at the end that has fewer triangles. Lists so stay short even where one vertex is in all
-/// triangles, and this is O(n) for every mesh on a surface of little genus.
-/// @return whether none is left waiting.
-bool glue_all(SurfaceMesh& mesh) {
+/// at that end which comes first by `rank`, and then by id.
+/// @param most_steps  from one waiting half-edge to the next, in all
+/// @return whether none is left waiting; nothing if that took more steps
+template <class Rank>
+std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_steps) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
+  struct Waiting {
+    std::uint32_t next;
+    VertexId other;  ///< the end where it does not stand
+  };
   const std::size_t count = 3 * mesh.triangle_count();
-  std::vector<std::uint32_t> first(mesh.vertex_count(), none), next(count, none);
-  std::vector<std::uint32_t> triangles(mesh.vertex_count(), 0);
-  for (std::uint32_t h = 0; h < count; ++h) ++triangles[mesh.origin(HalfEdgeId{h}).index()];
-  std::size_t waiting = 0;
+  std::vector<std::uint32_t> first(mesh.vertex_count(), none);
+  const auto waiting = std::make_unique_for_overwrite<Waiting[]>(count);
+  std::size_t left = 0, steps = 0;
   for (std::uint32_t h = 0; h < count; ++h) {
     const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
-    const bool is_at_a = std::pair(triangles[a.index()], a) < std::pair(triangles[b.index()], b);
-    std::uint32_t& list = first[is_at_a ? a.index() : b.index()];
-    std::uint32_t* link = &list;
+    const bool is_at_a = std::pair(rank(a), a) < std::pair(rank(b), b);
+    const VertexId here = is_at_a ? a : b, other = is_at_a ? b : a;
+    std::uint32_t* link = &first[here.index()];
     while (*link != none &&
-           (mesh.target(HalfEdgeId{*link}) != a || mesh.origin(HalfEdgeId{*link}) != b)) {
-      link = &next[*link];
+           (waiting[*link].other != other || mesh.origin(HalfEdgeId{*link}) != b)) {
+      link = &waiting[*link].next;
+      ++steps;
     }
     if (*link == none) {
-      next[h] = std::exchange(list, h);
-      ++waiting;
+      waiting[h] = {first[here.index()], other};
+      first[here.index()] = h;
+      ++left;
     } else {
-      mesh.glue(HalfEdgeId{h}, HalfEdgeId{std::exchange(*link, next[*link])});
-      --waiting;
+      const std::uint32_t twin = *link;
+      *link = waiting[twin].next;
+      mesh.glue(HalfEdgeId{h}, HalfEdgeId{twin});
+      --left;
     }
+    if (steps > most_steps) return std::nullopt;
   }
-  return waiting == 0;
+  return left == 0;
+}
+
+/// The same at the end that has fewer triangles. Lists so stay short even where one vertex is in
+/// all triangles, and this is O(n) for every mesh on a surface of little genus.
+bool glue_by_triangles(SurfaceMesh& mesh) {
+  std::vector<std::uint32_t> triangles(mesh.vertex_count(), 0);
+  for (std::size_t h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    ++triangles[mesh.origin(HalfEdgeId{h}).index()];
+  }
+  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  return *glue_all(
+      mesh, [&](VertexId v) { return triangles[v.index()]; }, no_limit);
 }
 
 /// Why some half-edge has no twin, in words: for the first edge that lacks one.
@@ -132,52 +156,73 @@ std::string gluing_defect(const SurfaceMesh& mesh) {
   return edge + ": its triangles disagree on orientation";
 }
 
-/// How many triangles a walk round a vertex meets, and whether two of its edges lead to the same
-/// neighbour; `seen` is scratch, by vertex.
-struct Round {
-  std::size_t triangles = 0;
-  bool has_double_edge = false;
-};
-Round walk_round(const SurfaceMesh& mesh, VertexId v, std::vector<std::uint32_t>& seen) {
-  Round round;
+/// How many triangles a walk round a vertex meets; nothing where two of its edges lead to the same
+/// neighbour. `neighbours` is scratch.
+std::optional<std::size_t> walk_round(const SurfaceMesh& mesh, VertexId v,
+                                      std::vector<VertexId>& neighbours) {
+  constexpr std::size_t few = 16;  // so many are compared with each other
+  neighbours.clear();
+  bool is_double = false;
   mesh.for_each_outgoing(v, [&](HalfEdgeId h) {
-    ++round.triangles;
-    round.has_double_edge |= std::exchange(seen[mesh.target(h).index()], v.value) == v.value;
+    const VertexId w = mesh.target(h);
+    is_double |= neighbours.size() < few && std::ranges::find(neighbours, w) != neighbours.end();
+    neighbours.push_back(w);
   });
-  return round;
+  if (neighbours.size() > few) {
+    std::sort(neighbours.begin(), neighbours.end());
+    is_double = std::adjacent_find(neighbours.begin(), neighbours.end()) != neighbours.end();
+  }
+  return is_double ? std::nullopt : std::optional(neighbours.size());
 }
 
-/// What is wrong at the first vertex that is not in the middle of one fan of triangles.
-std::optional<std::string> fan_defect(const SurfaceMesh& mesh) {
-  const auto text = [](std::size_t v, const char* what) {
-    return "vertex " + std::to_string(v) + what;
-  };
-  std::vector<std::uint32_t> seen(mesh.vertex_count(), 0xFFFFFFFFU);
-  std::optional<std::string> defect;
-  std::size_t met = 0, walked = 0;
-  for (; walked < mesh.vertex_count() && !defect; ++walked) {
-    const VertexId v{walked};
-    if (!mesh.outgoing(v)) return text(walked, " belongs to no triangle");
-    const Round round = walk_round(mesh, v, seen);
-    met += round.triangles;
-    if (round.has_double_edge) defect = text(walked, " is joined twice to a neighbour");
+/// What a look at some of the vertices finds: the triangles round them, up to the first that has
+/// none or is joined twice to a neighbour.
+struct Fans {
+  std::size_t triangles = 0;
+  std::optional<std::size_t> first_bad;
+};
+Fans walk_all(const SurfaceMesh& mesh, std::size_t begin, std::size_t end) {
+  Fans fans;
+  std::vector<VertexId> neighbours;
+  for (std::size_t v = begin; v < end; ++v) {
+    const auto round =
+        mesh.outgoing(VertexId{v}) ? walk_round(mesh, VertexId{v}, neighbours) : std::nullopt;
+    if (!round) return {fans.triangles, v};
+    fans.triangles += *round;
   }
-  // Each walk met one fan; all together met every corner, unless some vertex has two fans.
-  if (met == 3 * mesh.triangle_count()) return defect;
-  std::vector<std::size_t> corners(mesh.vertex_count(), 0);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (const VertexId v : mesh.corners(TriangleId{t})) ++corners[v.index()];
-  }
-  for (std::size_t v = 0; v < walked; ++v) {
-    if (mesh.degree(VertexId{v}) != corners[v]) return text(v, " is where two sheets touch");
-  }
-  return defect;
+  return fans;
 }
 
 }  // namespace
 
-MeshOrDefect closed_mesh(std::size_t vertices,
-                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+std::optional<std::string> fan_defect(const SurfaceMesh& mesh, unsigned threads) {
+  std::vector<Fans> found(block_count(mesh.vertex_count()));
+  for_each_block(threads, mesh.vertex_count(), [&](auto begin, auto end, auto block) {
+    found[block] = walk_all(mesh, begin, end);
+  });
+  std::size_t met = 0;
+  std::optional<std::size_t> first_bad;
+  for (const Fans& fans : found) {
+    met += fans.triangles;
+    if (!first_bad) first_bad = fans.first_bad;
+  }
+  // Each walk met one fan; all together met every corner, unless some vertex has two fans.
+  if (!first_bad && met == 3 * mesh.triangle_count()) return std::nullopt;
+  std::vector<std::size_t> corners(mesh.vertex_count(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (const VertexId v : mesh.corners(TriangleId{t})) ++corners[v.index()];
+  }
+  for (std::size_t v = 0;; ++v) {
+    const char* what = !mesh.outgoing(VertexId{v})              ? " belongs to no triangle"
+                       : mesh.degree(VertexId{v}) != corners[v] ? " is where two sheets touch"
+                       : v == first_bad                         ? " is joined twice to a neighbour"
+                                                                : nullptr;
+    if (what != nullptr) return "vertex " + std::to_string(v) + what;
+  }
+}
+
+MeshOrDefect glued_mesh(std::size_t vertices,
+                        const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   MeshOrDefect result;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [a, b, c] = triangles[t];
@@ -187,11 +232,22 @@ MeshOrDefect closed_mesh(std::size_t vertices,
     }
   }
   result.mesh = SurfaceMesh(vertices, triangles);
-  if (glue_all(result.mesh)) {
-    result.defect = fan_defect(result.mesh);
-  } else {
-    result.defect = gluing_defect(result.mesh);
+  // By ids alone lists are short but for a vertex that comes before all its many neighbours.
+  const std::size_t many_steps = 1000 + 12 * triangles.size();
+  std::optional<bool> is_glued = glue_all(
+      result.mesh, [](VertexId) { return 0; }, many_steps);
+  if (!is_glued) {
+    result.mesh = SurfaceMesh(vertices, triangles);
+    is_glued = glue_by_triangles(result.mesh);
   }
+  if (!*is_glued) result.defect = gluing_defect(result.mesh);
+  return result;
+}
+
+MeshOrDefect closed_mesh(std::size_t vertices,
+                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  MeshOrDefect result = glued_mesh(vertices, triangles);
+  if (!result.defect) result.defect = fan_defect(result.mesh);
   return result;
 }
 

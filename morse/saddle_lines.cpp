@@ -1,6 +1,7 @@
 #include "morse/saddle_lines.h"
 
 #include <Eigen/Geometry>
+#include <thread>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -24,26 +25,26 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
   trace_all(threads, told);
 }
 
-/// Traces every line. Each thread takes consecutive lines and keeps their nodes apart.
+/// Traces every line; each block keeps its nodes apart.
 void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
-  constexpr std::size_t least = 64;  // lines that are worth a thread
-  parts_.resize(geometry::chunk_count(threads, lines_.size(), least));
-  const auto work = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+  constexpr std::size_t block_size = 32;  // lines: about a millisecond
+  parts_.resize(geometry::block_count(lines_.size(), block_size));
+  const auto teller = std::this_thread::get_id();
+  const auto work = [&](std::size_t begin, std::size_t end, std::size_t block) {
+    if (told && std::this_thread::get_id() == teller) {
+      told(static_cast<double>(begin) / static_cast<double>(lines_.size()));
+    }
     for (std::size_t i = begin; i < end; ++i) {
-      constexpr std::size_t lines_between_reports = 256;
-      if (told && chunk == 0 && i % lines_between_reports == 0) {
-        told(static_cast<double>(i) / static_cast<double>(end));
-      }
       Line& line = lines_[i];
-      line.part = static_cast<std::uint32_t>(chunk);
+      line.part = static_cast<std::uint32_t>(block);
       const Way way = this->way(static_cast<std::uint32_t>(i));
-      for (trace(line, way, parts_[chunk]); line.course.saddle && line.fineness < finest;) {
+      for (trace(line, way, parts_[block]); line.course.saddle && line.fineness < finest;) {
         ++line.fineness;
-        trace(line, way, parts_[chunk]);
+        trace(line, way, parts_[block]);
       }
     }
   };
-  geometry::for_each_chunk(threads, lines_.size(), work, least);
+  geometry::for_each_block(threads, lines_.size(), work, block_size);
 }
 
 std::size_t SaddleLines::node_count() const {

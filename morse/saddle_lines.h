@@ -59,7 +59,7 @@ class SaddleLines {
 
   std::array<IntegralLines, finest + 1> tracers_;
   std::vector<Line> lines_;
-  std::vector<Nodes> parts_;  ///< by thread that traced
+  std::vector<Nodes> parts_;  ///< by block of lines
 };
 
 }  // namespace morskin::morse

@@ -54,14 +54,15 @@ std::optional<BallPencil> ball_pencil(const skin::SkinSurface& skin,
                                       const std::array<const SurfacePoint*, 3>& corners,
                                       const Circumcircle& circle);
 
-/// Whether the surface ball surely lies within 3/2 R of the circumcentre: where R is at most 0.15
-/// of the length scale at a corner a and the cosine between the normal there and the triangle's at
-/// least 0.97, the bound above makes |s| at most 0.403 R, and sqrt(R^2 + s^2) + |s| is 1.481 R.
+/// Whether the surface ball's centre surely lies within close_reach of the circumcentre, in shares
+/// of R. The bound above tells so where R is at most 0.15 of the length scale at a corner a and the
+/// cosine between the normal there and the triangle's at least 0.97.
 inline bool is_ball_close(const SurfacePoint& a, const Circumcircle& circle) {
   const double upright = a.normal.dot(circle.doubled_area);
   return circle.radius <= 0.15 * a.length_scale && upright > 0 &&
          upright * upright >= 0.97 * 0.97 * circle.doubled_area.squaredNorm();
 }
+inline constexpr double close_reach = 0.403;
 
 /// A triangle's surface ball, found as exactly as the questions about it take.
 class QuestionedBall {
@@ -75,9 +76,7 @@ class QuestionedBall {
 
   /// How deep p lies in the ball, between bounds that tell whether it lies inside.
   Depth intrusion(const Point& p) {
-    const double d2 = (p - circle_.centre).squaredNorm();
-    if (is_close_ && d2 > 1.5 * 1.5 * circle_.radius * circle_.radius) return outside;  // as mostly
-    return nearer_intrusion(p);
+    return is_close_ && is_outside_close_ball(p) ? outside : nearer_intrusion(p);
   }
   /// The same between any bounds that there are.
   Depth depth(const Point& p);
@@ -89,6 +88,13 @@ class QuestionedBall {
 
  private:
   static constexpr Depth outside{-std::numeric_limits<double>::infinity(), 0};
+  /// With that bound on s, as BallPencil::depth(), but for square roots.
+  bool is_outside_close_ball(const Point& p) const {
+    const Vector d = p - circle_.centre;
+    const double beyond = d.squaredNorm() - circle_.radius * circle_.radius;
+    const double lifted = 2 * close_reach * circle_.radius * d.dot(circle_.doubled_area);
+    return beyond > 0 && beyond * beyond * circle_.doubled_area.squaredNorm() > lifted * lifted;
+  }
   Depth nearer_intrusion(const Point& p);
   SurfaceBall exact_ball() const {
     return exact_surface_ball(skin_, *corners_[0], corners_[1]->position, corners_[2]->position);

@@ -14,6 +14,7 @@
 #include "refine/covering_degree.h"
 #include "refine/located_vertices.h"
 #include "refine/restricted_delaunay.h"
+#include "refine/sure_edges.h"
 #include "refine/triangle_geometry.h"
 #include "refine/tube.h"
 
@@ -66,26 +67,28 @@ class Certifier {
       out_.is_single_precision = is_single_precision(mesh_);
       check_vertices();
     };
-    const auto look_at_connectivity = [&] {
-      built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
-      if (!built.defect) parts_ = geometry::components(built.mesh);
+    const auto look_at_edges = [&] {
+      built = geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
     };
-    geometry::do_both(threads, look_at_places, look_at_connectivity);
-    check_triangles(threads);
+    geometry::do_both(threads, look_at_places, look_at_edges);
+    SureEdges sure(mesh_.triangles.size());
+    check_triangles(threads, sure);
     surface_ = std::move(built.mesh);
+    if (!built.defect) built.defect = geometry::fan_defect(surface_, threads);
     if (built.defect) {
       measure_shape();
       out_.reason.clear();  // the first claim is the first reason
       fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
     } else {
       const auto look_at_covering = [&] {
+        parts_ = geometry::components(surface_);
         check_covering_degree();
         compare_counts();
-        measure_shape();
       };
       const auto look_at_balls = [&] {
         out_.restricted_delaunay_violations =
-            local_delaunay_violations(mesh_, surface_, skin_, points_);
+            local_delaunay_violations(mesh_, surface_, skin_, points_, sure);
+        measure_shape();
       };
       geometry::do_both(threads, look_at_covering, look_at_balls);
     }
@@ -115,13 +118,13 @@ class Certifier {
   /// Each vertex's distance to the skin.
   void check_vertices();
   /// [L], [U], and the conditions c1 and c2 of the theorem.
-  void check_triangles(unsigned threads);
+  void check_triangles(unsigned threads, SureEdges& sure);
   /// What a look at some of the triangles finds.
   struct TriangleFindings {
     Certificate out;  ///< what triangles have a say in
     FlowReach reach;
   };
-  void check_triangle(std::size_t t, TriangleFindings& found) const;
+  void check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const;
   void add(const TriangleFindings& found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
@@ -167,13 +170,13 @@ void Certifier::check_vertices() {
   }
 }
 
-void Certifier::check_triangles(unsigned threads) {
+void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
   out_.worst_L = std::numeric_limits<double>::infinity();
   const std::size_t count = mesh_.triangles.size();
-  std::vector<TriangleFindings> found(geometry::chunk_count(threads, count));
-  geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto chunk) {
-    found[chunk].out.worst_L = out_.worst_L;
-    for (std::size_t t = begin; t < end; ++t) check_triangle(t, found[chunk]);
+  std::vector<TriangleFindings> found(geometry::block_count(count));
+  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+    found[block].out.worst_L = out_.worst_L;
+    for (std::size_t t = begin; t < end; ++t) check_triangle(t, found[block], sure);
   });
   for (const TriangleFindings& part : found) add(part);
 }
@@ -190,7 +193,7 @@ void Certifier::add(const TriangleFindings& found) {
   reach_.add(found.reach);
 }
 
-void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
+void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const {
   Certificate& out = found.out;
   const auto& corner = mesh_.triangles[t];
   const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
@@ -208,7 +211,9 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found) const {
       note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
     }
   }
-  const TubeProof proof = prove_tube(skin_, p, circle, residual_at(p, largest_residual_));
+  const double residual = residual_at(p, largest_residual_);
+  sure.note(geometry::TriangleId{t}, p, circle, residual);
+  const TubeProof proof = prove_tube(skin_, p, circle, residual);
   if (!proof.is_upright) {
     fail(out, Claim::Upright,
          "triangle " + std::to_string(t) + " does not face the way the skin does");

@@ -53,23 +53,41 @@ void Refinement::Work::append(const Work& other) {
 /// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles.
 void Refinement::look_everywhere() {
   const std::size_t count = mesh_.surface.triangle_count();
-  std::vector<Work> found(geometry::chunk_count(threads_, count));
-  geometry::for_each_chunk(threads_, count, [&](auto begin, auto end, auto chunk) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const Circumcircle circle = update(TriangleId{t}, found[chunk]);
-      look_for_flips(TriangleId{t}, circle, found[chunk]);
+  std::vector<Work> found(geometry::block_count(count));
+  SureEdges sure(count);
+  geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const TriangleId t{i};
+      const Circumcircle circle = update(t, found[block]);
+      const auto corners = points(t);
+      sure.note(t, corners, circle, most_residual(corners));
     }
   });
+  geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
+    look_for_flips(3 * begin, 3 * end, sure, found[block]);
+  });
   for (const Work& work : found) work_.append(work);
+  std::sort(work_.to_flip.begin(), work_.to_flip.end());
 }
 
-/// Notes the edges of t over which a vertex lies in its ball.
-void Refinement::look_for_flips(TriangleId t, const Circumcircle& circle, Work& found) {
-  QuestionedBall ball(skin_, points(t), circle);
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
-    const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(h));
-    if (ball.intrusion(mesh_.position(beyond)).most > 0) found.to_flip.push_back(h);
+/// |G| at the corners of a triangle is at most this, Angstrom^2.
+double Refinement::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
+  return skin_.residual_bound(
+      std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale}));
+}
+
+/// Notes the half-edges [begin, end), and their twins, over which a vertex lies in the ball.
+void Refinement::look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure,
+                                Work& found) const {
+  for (std::size_t i = begin; i < end; ++i) {
+    const HalfEdgeId h{i}, twin = mesh_.surface.twin(h);
+    if (twin < h || sure.are_sure(h, twin)) continue;
+    for (const HalfEdgeId side : {h, twin}) {
+      const TriangleId t = SurfaceMesh::triangle(side);
+      const auto [a, b, c] = mesh_.surface.corners(t);
+      const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(side));
+      if (ball(a, b, c).intrusion(mesh_.position(beyond)).most > 0) found.to_flip.push_back(side);
+    }
   }
 }
 
@@ -93,7 +111,7 @@ bool Refinement::is_big(TriangleId t, const Circumcircle& circle) const {
 Circumcircle Refinement::update(TriangleId t, Work& found) {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   if (is_big(t, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.edge_ratio(*p[k], *p[k == 2 ? 0 : k + 1]) <= 1) {

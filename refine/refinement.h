@@ -15,6 +15,7 @@
 #include "geometry/progress.h"
 #include "refine/ball_pencil.h"
 #include "refine/sizing.h"
+#include "refine/sure_edges.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -51,7 +52,8 @@ class Refinement {
   };
 
   void look_everywhere();
-  void look_for_flips(TriangleId t, const Circumcircle& circle, Work& found);
+  double most_residual(const std::array<const SurfacePoint*, 3>& corners) const;
+  void look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure, Work& found) const;
   Circumcircle update(TriangleId t, Work& found);
   void update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges);
   void flip_where_needed();

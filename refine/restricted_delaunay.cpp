@@ -120,9 +120,9 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const skin::Skin
   const geometry::KdTree<VertexId> tree(mesh.positions);
   const DelaunayCheck check(mesh, skin, points, tree);
   const std::size_t count = mesh.triangles.size();
-  std::vector<RestrictedDelaunay> results(geometry::chunk_count(threads, count));
-  geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto part) {
-    results[part] = check.run(begin, end, listed);
+  std::vector<RestrictedDelaunay> results(geometry::block_count(count));
+  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+    results[block] = check.run(begin, end, listed);
   });
   RestrictedDelaunay& whole = results[0];
   for (std::size_t part = 1; part < results.size(); ++part) {
@@ -140,34 +140,33 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const skin::Skin
 
 std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::SurfaceMesh& surface,
                                       const skin::SkinSurface& skin,
-                                      std::span<const SurfacePoint> points) {
-  // In shares of R^2. The ball lies within sqrt(R^2 + s^2) + |s| of the circumcentre, less than
-  // sqrt(2.25) R as long as |s| <= 0.4 R; where R <= 0.15 rho, |s| is about R^2 / 2 rho < 0.1 R.
-  constexpr double far = 2.25, largest_reach = 0.4;
+                                      std::span<const SurfacePoint> points, const SureEdges& sure) {
   const double rounding = rounding_of(mesh);
-  std::size_t violations = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.triangles[t];
+  // As located: the corner of a neighbour, so likely at hand.
+  const auto is_entered = [&](TriangleId t) {
+    const auto [a, b, c] = mesh.triangles[t.index()];
     const std::array at{&points[a], &points[b], &points[c]};
     const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
-    std::optional<BallPencil> bound;
+    const std::optional<BallPencil> bound = ball_pencil(skin, at, circle);
     std::optional<SurfaceBall> ball;
-    bool is_entered = false;
-    for (std::uint32_t k = 0; k < 3 && !is_entered; ++k) {
-      const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
-      // As located: the corner of a neighbour, so likely at hand.
-      const Point& p = points[surface.apex(surface.twin(h)).index()].position;
-      const Vector d = p - circle.centre;
-      if (d.squaredNorm() > far * circle.radius * circle.radius) continue;
-      if (!bound) bound = ball_pencil(skin, at, circle);
-      if (bound && bound->reach <= largest_reach * circle.radius && !(bound->depth(p).most > 0))
-        continue;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Point& p =
+          points[surface.apex(surface.twin(SurfaceMesh::half_edge(t, k))).index()].position;
+      if (bound && !(bound->depth(p).most > 0)) continue;
       if (!ball) ball = exact_surface_ball(skin, *at[0], at[1]->position, at[2]->position);
-      is_entered = ball->is_exact && depth_in(*ball, p, rounding);
+      if (ball->is_exact && depth_in(*ball, p, rounding)) return true;
     }
-    violations += is_entered;
+    return false;
+  };
+  std::vector<TriangleId> unsure;
+  for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
+    const HalfEdgeId h{i}, twin = surface.twin(h);
+    if (twin < h || sure.are_sure(h, twin)) continue;
+    unsure.insert(unsure.end(), {SurfaceMesh::triangle(h), SurfaceMesh::triangle(twin)});
   }
-  return violations;
+  std::sort(unsure.begin(), unsure.end());
+  unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
+  return static_cast<std::size_t>(std::ranges::count_if(unsure, is_entered));
 }
 
 }  // namespace morskin::refine

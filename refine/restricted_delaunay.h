@@ -10,6 +10,7 @@
 
 #include "geometry/indexed_mesh.h"
 #include "geometry/surface_mesh.h"
+#include "refine/sure_edges.h"
 #include "refine/triangle_geometry.h"
 
 namespace morskin::refine {
@@ -47,9 +48,10 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
 /// triangle, or beside it by what the planes lean, some 0.04 R, over a neighbour; but the mesh is a
 /// graph over the skin (certificate.h), and a vertex lies over no triangle but its own.
 /// @param surface  the mesh's connectivity, closed
+/// @param sure     with all triangles noted
 std::size_t local_delaunay_violations(const geometry::IndexedMesh& mesh,
                                       const geometry::SurfaceMesh& surface,
                                       const skin::SkinSurface& skin,
-                                      std::span<const SurfacePoint> points);
+                                      std::span<const SurfacePoint> points, const SureEdges& sure);
 
 }  // namespace morskin::refine

@@ -74,10 +74,10 @@ class Smoothing {
 
   std::vector<TriangleId> find_all(unsigned threads) const {
     const std::size_t count = mesh_.surface.triangle_count();
-    std::vector<std::vector<TriangleId>> found(geometry::chunk_count(threads, count));
-    geometry::for_each_chunk(threads, count, [&](auto begin, auto end, auto chunk) {
+    std::vector<std::vector<TriangleId>> found(geometry::block_count(count));
+    geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
       for (std::size_t t = begin; t < end; ++t) {
-        if (is_below(TriangleId{t})) found[chunk].push_back(TriangleId{t});
+        if (is_below(TriangleId{t})) found[block].push_back(TriangleId{t});
       }
     });
     for (std::size_t k = 1; k < found.size(); ++k) {

@@ -8,20 +8,39 @@
 
 using namespace morskin::geometry;
 
-TEST_CASE("chunks cover a range once each and in order, for any number of threads") {
+TEST_CASE("blocks cover a range once each and are the same for any number of threads") {
   for (const unsigned threads : {0U, 1U, 2U, 5U}) {
-    for (const std::size_t count : {0UL, 1UL, 4095UL, 8192UL, 100003UL}) {
+    for (const std::size_t count : {0UL, 1UL, 4096UL, 8191UL, 100003UL}) {
       CAPTURE(threads);
       CAPTURE(count);
       std::vector<int> visits(count, 0);
-      std::vector<std::size_t> begins(chunk_count(threads, count));
-      for_each_chunk(threads, count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        begins[chunk] = begin;
+      std::vector<std::size_t> ends(block_count(count), count + 1);
+      for_each_block(threads, count, [&](std::size_t begin, std::size_t end, std::size_t block) {
+        CHECK(begin == block * usual_block);
+        ends[block] = end;
         for (std::size_t i = begin; i < end; ++i) ++visits[i];
       });
       CHECK(std::all_of(visits.begin(), visits.end(), [](int n) { return n == 1; }));
-      CHECK(std::is_sorted(begins.begin(), begins.end()));
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        CHECK(ends[k] == std::min((k + 1) * usual_block, count));
+      }
     }
+  }
+}
+
+TEST_CASE("an exception in a block comes out when all threads have ended") {
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    std::atomic<int> at_work = 0;
+    const auto work = [&](std::size_t, std::size_t, std::size_t block) {
+      ++at_work;
+      if (block % 3 == 1) {
+        --at_work;
+        throw std::runtime_error("no");
+      }
+      --at_work;
+    };
+    CHECK_THROWS_AS(for_each_block(threads, 1000, work, 10), std::runtime_error);
+    CHECK(at_work == 0);
   }
 }
 

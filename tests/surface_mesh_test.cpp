@@ -262,6 +262,53 @@ TEST_CASE("closed_mesh accepts a closed mesh, keeps its triangles and glues all 
   }
 }
 
+TEST_CASE("closed_mesh takes no longer where two vertices are in all triangles, whichever ids") {
+  constexpr std::uint32_t rim = 200'000;  // a search through all edges for each would take minutes
+  for (const std::uint32_t first : {0U, rim}) {
+    CAPTURE(first);
+    const std::uint32_t top = first, bottom = first + 1, offset = first == 0 ? 2 : 0;
+    TriangleList list;
+    for (std::uint32_t i = 0; i < rim; ++i) {
+      const std::uint32_t p = offset + i, q = offset + (i + 1) % rim;
+      list.push_back({p, q, top});
+      list.push_back({q, p, bottom});
+    }
+    support::Random random(3);
+    for (std::size_t t = list.size(); t > 1; --t) std::swap(list[t - 1], list[random.below(t)]);
+    const MeshOrDefect built = closed_mesh(rim + 2, list);
+    REQUIRE(built.defect.value_or("") == "");
+    CHECK(built.mesh.degree(VertexId{top}) == rim);
+    CHECK(built.mesh.triangle_list() == list);
+    list.back() = {top, bottom, list.back()[0]};
+    CHECK(closed_mesh(rim + 2, list).defect.has_value());
+  }
+}
+
+TEST_CASE("what is wrong at the first bad vertex is told the same by any number of threads") {
+  // Spheres side by side, so many that threads share them, some with a vertex in common.
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    TriangleList list;
+    std::uint32_t count = 0;
+    for (int sphere = 0; sphere < 3000; ++sphere) {
+      const bool is_shared = count > 0 && random.below(1000) == 0;
+      const std::uint32_t first = is_shared ? count - 1 : count;
+      for (auto t : support::octahedron()) {
+        for (std::uint32_t& v : t) v += first;
+        list.push_back(t);
+      }
+      count = first + 6;
+    }
+    const MeshOrDefect glued = glued_mesh(count, list);
+    REQUIRE(glued.defect.value_or("") == "");
+    const std::optional<std::string> alone = fan_defect(glued.mesh, 1);
+    CHECK(fan_defect(glued.mesh, 3) == alone);
+    CHECK(alone.has_value() == (count < 3000 * 6));
+    if (alone) CHECK(alone->ends_with(" is where two sheets touch"));
+  }
+}
+
 TEST_CASE("closed_mesh names an edge of a hole") {
   for (std::size_t missing = 0; missing < 8; ++missing) {
     CAPTURE(missing);

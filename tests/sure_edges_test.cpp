@@ -1,0 +1,107 @@
+#include "refine/sure_edges.h"
+
+#include <doctest/doctest.h>
+
+#include "refine/located_vertices.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::HalfEdgeId;
+using geometry::TriangleId;
+using refine::SureEdges;
+using skin::SurfacePoint;
+using skin::Vector;
+
+namespace {
+
+using Corners = std::array<const SurfacePoint*, 3>;
+
+void note(const skin::SkinSurface& skin, SureEdges& sure, TriangleId t, const Corners& p) {
+  const double rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  sure.note(t, p, refine::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+            skin.residual_bound(rho));
+}
+
+/// How deep x lies in the surface ball of a triangle, in shares of its squared radius; nothing
+/// where there is no such ball.
+std::optional<double> depth(const skin::SkinSurface& skin, const Corners& p,
+                            const SurfacePoint& x) {
+  const auto ball = refine::exact_surface_ball(skin, *p[0], p[1]->position, p[2]->position);
+  if (!ball.is_exact) return std::nullopt;
+  return ball.intrusion(x.position) / ball.squared_radius;
+}
+
+/// Two triangles on an edge ab, their far corners c on its left and d on its right.
+struct Pair {
+  SurfacePoint a, b, c, d;
+  Corners left() const { return {&a, &b, &c}; }
+  Corners right() const { return {&b, &a, &d}; }
+};
+
+bool is_sure(const skin::SkinSurface& skin, const Pair& pair) {
+  SureEdges sure(2);
+  note(skin, sure, TriangleId{0U}, pair.left());
+  note(skin, sure, TriangleId{1U}, pair.right());
+  return sure.are_sure(HalfEdgeId{0U}, HalfEdgeId{3U});
+}
+
+/// Four points of the skin about a fifth, nearly on one circle: hard to tell which edge is
+/// Delaunay.
+std::optional<Pair> random_pair(const skin::SkinSurface& skin, const SurfacePoint& x,
+                                support::Random& random) {
+  const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
+  const double size = random.between(0.02, 0.3) * x.length_scale;
+  const auto at = [&](double angle) {
+    const double r = size * random.between(0.8, 1.2);
+    return skin.project(x.position + r * (std::cos(angle) * e + std::sin(angle) * f), x.cell);
+  };
+  const double b_angle = random.between(0.5, 2 * M_PI - 0.5);
+  const auto a = at(0), d = at(b_angle * random.uniform()), b = at(b_angle);
+  const auto c = at(b_angle + (2 * M_PI - b_angle) * random.uniform());
+  if (!a || !b || !c || !d) return std::nullopt;
+  return Pair{*a, *b, *c, *d};
+}
+
+}  // namespace
+
+TEST_CASE("at a sure edge neither far corner lies in the other triangle's surface ball") {
+  std::size_t seen = 0;
+  for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
+    const auto skin = front::prepare_skin(support::molecule(file, skin::Model::Vdw));
+    const auto mesh = front::mesh_skin(skin, support::uncertified());
+    support::Random random(7);
+    for (int i = 0; i < 40000; ++i) {
+      const std::size_t v = random.below(mesh.cells.size());
+      const SurfacePoint x = skin.surface.at(mesh.mesh.positions[v], mesh.cells[v]);
+      const auto pair = random_pair(skin.surface, x, random);
+      if (!pair || !is_sure(skin.surface, *pair)) continue;
+      const auto in_left = depth(skin.surface, pair->left(), pair->d);
+      const auto in_right = depth(skin.surface, pair->right(), pair->c);
+      REQUIRE(in_left.has_value());
+      REQUIRE(in_right.has_value());
+      CHECK(*in_left < 0);
+      CHECK(*in_right < 0);
+      ++seen;
+    }
+  }
+  CHECK(seen > 2000);
+}
+
+TEST_CASE("nearly all edges of a refined mesh are sure") {
+  const auto skin = front::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
+  const auto mesh =
+      support::skin_mesh(skin.surface, front::mesh_skin(skin, support::uncertified()));
+  SureEdges sure(mesh.surface.triangle_count());
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+    note(skin.surface, sure, TriangleId{t}, {&mesh.at(a), &mesh.at(b), &mesh.at(c)});
+  }
+  std::size_t unsure = 0, edges = 0;
+  for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
+    const HalfEdgeId h{i}, twin = mesh.surface.twin(h);
+    CHECK(sure.are_sure(h, twin) == sure.are_sure(twin, h));
+    unsure += !sure.are_sure(h, twin);
+    ++edges;
+  }
+  CHECK(20 * unsure < edges);
+}
