@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -86,44 +85,78 @@ std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
 
 namespace {
 
-/// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
-/// at that end which comes first by `rank`, and then by id.
-/// @param most_steps  from one waiting half-edge to the next, in all
-/// @return whether none is left waiting; nothing if that took more steps
+/// Half-edges that wait for their twin, in lists by the vertex at one end. The places of those that
+/// went are used again: where neighbours stand near each other in the mesh few wait at a time.
+class Waiting {
+ public:
+  explicit Waiting(std::size_t vertices) : first_(vertices, none) {}
+
+  /// Takes out the half-edge that stands at a vertex and runs from `origin`, with `other` at its
+  /// other end; nothing if none does.
+  std::optional<HalfEdgeId> take(VertexId at, VertexId other, VertexId origin) {
+    for (std::uint32_t* link = &first_[at.index()]; *link != none; link = &places_[*link].next) {
+      Place& place = places_[*link];
+      if (place.other == other && place.runs_here == (origin == other)) {
+        const std::uint32_t found = *link;
+        *link = std::exchange(place.next, std::exchange(free_, found));
+        --count_;
+        return place.half_edge;
+      }
+      ++steps_;
+    }
+    return std::nullopt;
+  }
+
+  void put(VertexId at, VertexId other, VertexId origin, HalfEdgeId h) {
+    std::uint32_t place = free_;
+    if (place == none) {
+      place = static_cast<std::uint32_t>(places_.size());
+      places_.emplace_back();
+    } else {
+      free_ = places_[place].next;
+    }
+    places_[place] = {first_[at.index()], other, h, origin == other};
+    first_[at.index()] = place;
+    ++count_;
+  }
+
+  bool is_empty() const { return count_ == 0; }
+  /// From one to the next, in all.
+  std::size_t steps() const { return steps_; }
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+  struct Place {
+    std::uint32_t next;
+    VertexId other;
+    HalfEdgeId half_edge;
+    bool runs_here;  ///< to the vertex where it stands
+  };
+  std::vector<std::uint32_t> first_;  ///< by vertex
+  std::vector<Place> places_;
+  std::uint32_t free_ = none;
+  std::size_t count_ = 0, steps_ = 0;
+};
+
+/// Glues each half-edge to its opposite, which waits at that end which comes first by `rank`, and
+/// then by id.
+/// @return whether none is left waiting; nothing if the search took more steps
 template <class Rank>
 std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_steps) {
-  constexpr std::uint32_t none = 0xFFFFFFFFU;
-  struct Waiting {
-    std::uint32_t next;
-    VertexId other;  ///< the end where it does not stand
-  };
-  const std::size_t count = 3 * mesh.triangle_count();
-  std::vector<std::uint32_t> first(mesh.vertex_count(), none);
-  const auto waiting = std::make_unique_for_overwrite<Waiting[]>(count);
-  std::size_t left = 0, steps = 0;
-  for (std::uint32_t h = 0; h < count; ++h) {
-    const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
+  Waiting waiting(mesh.vertex_count());
+  for (std::size_t i = 0; i < 3 * mesh.triangle_count(); ++i) {
+    const HalfEdgeId h{i};
+    const VertexId a = mesh.origin(h), b = mesh.target(h);
     const bool is_at_a = std::pair(rank(a), a) < std::pair(rank(b), b);
     const VertexId here = is_at_a ? a : b, other = is_at_a ? b : a;
-    std::uint32_t* link = &first[here.index()];
-    while (*link != none &&
-           (waiting[*link].other != other || mesh.origin(HalfEdgeId{*link}) != b)) {
-      link = &waiting[*link].next;
-      ++steps;
-    }
-    if (*link == none) {
-      waiting[h] = {first[here.index()], other};
-      first[here.index()] = h;
-      ++left;
+    if (const auto twin = waiting.take(here, other, b)) {
+      mesh.glue(h, *twin);
     } else {
-      const std::uint32_t twin = *link;
-      *link = waiting[twin].next;
-      mesh.glue(HalfEdgeId{h}, HalfEdgeId{twin});
-      --left;
+      waiting.put(here, other, a, h);
     }
-    if (steps > most_steps) return std::nullopt;
+    if (waiting.steps() > most_steps) return std::nullopt;
   }
-  return left == 0;
+  return waiting.is_empty();
 }
 
 /// The same at the end that has fewer triangles. Lists so stay short even where one vertex is in

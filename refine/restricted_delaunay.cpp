@@ -142,7 +142,6 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
                                       const skin::SkinSurface& skin,
                                       std::span<const SurfacePoint> points, const SureEdges& sure) {
   const double rounding = rounding_of(mesh);
-  // As located: the corner of a neighbour, so likely at hand.
   const auto is_entered = [&](TriangleId t) {
     const auto [a, b, c] = mesh.triangles[t.index()];
     const std::array at{&points[a], &points[b], &points[c]};
@@ -150,23 +149,26 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
     const std::optional<BallPencil> bound = ball_pencil(skin, at, circle);
     std::optional<SurfaceBall> ball;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const Point& p =
-          points[surface.apex(surface.twin(SurfaceMesh::half_edge(t, k))).index()].position;
+      const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+      // As located: the corner of a neighbour, so likely at hand.
+      const Point& p = points[surface.apex(surface.twin(h)).index()].position;
       if (bound && !(bound->depth(p).most > 0)) continue;
       if (!ball) ball = exact_surface_ball(skin, *at[0], at[1]->position, at[2]->position);
       if (ball->is_exact && depth_in(*ball, p, rounding)) return true;
     }
     return false;
   };
-  std::vector<TriangleId> unsure;
+  std::vector<char> is_unsure(mesh.triangles.size(), 0);
   for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
     const HalfEdgeId h{i}, twin = surface.twin(h);
     if (twin < h || sure.are_sure(h, twin)) continue;
-    unsure.insert(unsure.end(), {SurfaceMesh::triangle(h), SurfaceMesh::triangle(twin)});
+    for (const HalfEdgeId side : {h, twin}) is_unsure[SurfaceMesh::triangle(side).index()] = 1;
   }
-  std::sort(unsure.begin(), unsure.end());
-  unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
-  return static_cast<std::size_t>(std::ranges::count_if(unsure, is_entered));
+  std::size_t violations = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    violations += is_unsure[t] != 0 && is_entered(TriangleId{t});
+  }
+  return violations;
 }
 
 }  // namespace morskin::refine
