@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/parallel.h"
 #include "geometry/union_find.h"
 #include "morse/line_order.h"
 #include "morse/saddle_lines.h"
@@ -25,7 +26,11 @@ class Builder {
  public:
   Builder(const skin::SkinSurface& skin, const MorseFunction& f, const CriticalPoints& critical,
           unsigned threads, Polylines polylines, const geometry::Told& told)
-      : skin_(skin), f_(f), polylines_(polylines), lines_(skin, f, critical.points, threads, told) {
+      : skin_(skin),
+        f_(f),
+        threads_(threads),
+        polylines_(polylines),
+        lines_(skin, f, critical.points, threads, told) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
   }
@@ -33,7 +38,7 @@ class Builder {
   MorseSmaleComplex build() {
     if (!take_arcs()) return undecided();
     orders_.resize(complex_.points.size());
-    is_stale_.assign(complex_.points.size(), true);
+    is_stale_.assign(complex_.points.size(), 1);
     // Lines that their accuracy leaves in doubt are traced finer until all is clear or no finer
     // step is left.
     do {
@@ -95,13 +100,16 @@ class Builder {
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       complex_.ends[filled[complex_.arcs[a].extremum.index()]++] = ArcId{a};
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
-      if (is_stale_[i]) orders_[i] = order_at(ends);
-      is_stale_[i] = false;
-      std::transform(orders_[i].ids.begin(), orders_[i].ids.end(), ends.begin(),
-                     [](std::uint32_t a) { return ArcId{a}; });
-    }
+    constexpr std::size_t block_size = 16;  // points: about half a millisecond
+    const auto put_in_order = [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
+        if (std::exchange(is_stale_[i], 0) != 0) orders_[i] = order_at(ends);
+        std::transform(orders_[i].ids.begin(), orders_[i].ids.end(), ends.begin(),
+                       [](std::uint32_t a) { return ArcId{a}; });
+      }
+    };
+    geometry::for_each_block(threads_, n, put_in_order, block_size);
   }
 
   LineOrder order_at(std::span<const ArcId> ends) const {
@@ -128,9 +136,9 @@ class Builder {
       const Course before = lines_.course(a);
       if (!lines_.refine(a)) continue;
       any = true;
-      is_stale_[before.arrival->extremum.index()] = true;
+      is_stale_[before.arrival->extremum.index()] = 1;
       const auto& arrival = lines_.course(a).arrival;
-      if (arrival) is_stale_[arrival->extremum.index()] = true;
+      if (arrival) is_stale_[arrival->extremum.index()] = 1;
     }
     return any && take_arcs();
   }
@@ -262,11 +270,12 @@ class Builder {
 
   const skin::SkinSurface& skin_;
   MorseFunction f_;
+  unsigned threads_;
   Polylines polylines_;
   MorseSmaleComplex complex_;
   SaddleLines lines_;
   std::vector<LineOrder> orders_;  ///< by point
-  std::vector<bool> is_stale_;     ///< by point: whether its order must be found anew
+  std::vector<char> is_stale_;     ///< by point: whether its order must be found anew
   std::vector<std::uint32_t> doubtful_;
 };
 

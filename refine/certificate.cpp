@@ -84,11 +84,11 @@ class Certifier {
         parts_ = geometry::components(surface_);
         check_covering_degree();
         compare_counts();
+        measure_shape();
       };
       const auto look_at_balls = [&] {
         out_.restricted_delaunay_violations =
             local_delaunay_violations(mesh_, surface_, skin_, points_, sure);
-        measure_shape();
       };
       geometry::do_both(threads, look_at_covering, look_at_balls);
     }
