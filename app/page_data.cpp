@@ -79,14 +79,27 @@ std::array<std::int32_t, 3> Grid::nearest(const geometry::Point& p) const {
           static_cast<std::int32_t>(std::lround(steps.z()))};
 }
 
-Grid grid_of(const geometry::IndexedMesh& mesh) {
+Grid grid_about(std::span<const geometry::Point> points, double wanted) {
   Grid grid;
-  if (mesh.positions.empty()) return grid;
-  geometry::Point low = mesh.positions.front(), high = low;
-  for (const geometry::Point& p : mesh.positions) {
+  if (points.empty()) return grid;
+  geometry::Point low = points.front(), high = low;
+  for (const geometry::Point& p : points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  const double extent = (high - low).maxCoeff();
+  // A power of two, so that coordinates of the grid are exact.
+  constexpr double most_steps = (1 << 24) - 2;
+  const double coarsest = std::exp2(std::floor(std::log2(extent / 1024)));
+  const double finest = std::exp2(std::ceil(std::log2(extent / most_steps)));
+  const double step = std::exp2(std::floor(std::log2(wanted)));
+  grid.step = std::max(std::min(step, coarsest), finest);
+  if (!(grid.step > 0)) grid.step = 1;
+  grid.origin = (low / grid.step).array().floor().matrix() * grid.step;
+  return grid;
+}
+
+Grid grid_of(const geometry::IndexedMesh& mesh) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -94,16 +107,7 @@ Grid grid_of(const geometry::IndexedMesh& mesh) {
       if (length > 0) shortest = std::min(shortest, length);
     }
   }
-  const double extent = (high - low).maxCoeff();
-  // A power of two, so that coordinates of the grid are exact.
-  constexpr double most_steps = (1 << 24) - 2;
-  const double coarsest = std::exp2(std::floor(std::log2(extent / 1024)));
-  const double finest = std::exp2(std::ceil(std::log2(extent / most_steps)));
-  const double wanted = std::exp2(std::floor(std::log2(shortest / least_edge)));
-  grid.step = std::max(std::min(wanted, coarsest), finest);
-  if (!(grid.step > 0)) grid.step = 1;
-  grid.origin = (low / grid.step).array().floor().matrix() * grid.step;
-  return grid;
+  return grid_about(mesh.positions, shortest / least_edge);
 }
 
 void PageData::add_entry(const std::string& name, std::string_view kind, std::size_t count,

@@ -22,6 +22,9 @@ struct Grid {
 
   std::array<std::int32_t, 3> nearest(const geometry::Point& p) const;
 };
+/// @return a grid about the points with a step of at most `wanted` and at least 1,024 steps, as
+///         far as 24 bits go
+Grid grid_about(std::span<const geometry::Point> points, double wanted);
 /// @return a grid about the mesh on which its shortest edge is `least_edge` steps long or more, as
 ///         far as 24 bits go
 Grid grid_of(const geometry::IndexedMesh& mesh);

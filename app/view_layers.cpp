@@ -92,8 +92,7 @@ void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleC
     indices.push_back(
         static_cast<std::uint8_t>(complex.points[complex.arcs[i].extremum.index()].index));
   }
-  Grid grid;
-  grid.step = 0x1p-11;  // a tenth of the tolerance
+  const Grid grid = grid_about(points, line_tolerance / 10);
   page.about[name] = {{"count", lengths.size()}, {"grid", json(grid)}};
   page.add(name + ".lengths", std::span(std::as_const(lengths)));
   page.add(name + ".index", std::span(std::as_const(indices)));

@@ -144,21 +144,19 @@ class Mending {
     const bool is_refined = result.open_edges == 0;
     for (std::size_t part = 0; part < parts.count(); ++part) {
       std::string why = defect(part, pieces_[part]);
-      if (why.empty() && is_refined) continue;
-      broken_.push_back(part);
-      is_certified_.push_back(why.empty());
-      if (why.empty()) why = "certified, but not refined: the mesh was open somewhere";
-      fallbacks_.push_back({part, std::string(name_of(options.method)), "nothing", why});
+      const bool is_certified = why.empty();
+      if (is_certified && is_refined) continue;
+      if (is_certified) why = "certified, but not refined: the mesh was open somewhere";
+      faults_.push_back({{part, std::string(name_of(options.method)), nothing, why}, is_certified});
     }
   }
 
-  bool is_done() const { return unmended() == 0; }
-  /// Those that were mended or would have to be.
+  bool is_done() const { return mended() == faults_.size(); }
+  /// The parts that were mended or would have to be.
   std::vector<Fallback> fallbacks() const {
     std::vector<Fallback> result;
-    for (std::size_t i = 0; i < fallbacks_.size(); ++i) {
-      const bool is_left_as_it_is = fallbacks_[i].to == "nothing" && is_certified_[i];
-      if (!is_left_as_it_is) result.push_back(fallbacks_[i]);
+    for (const Fault& fault : faults_) {
+      if (fault.is_mended() || !fault.may_stay) result.push_back(fault.fallback);
     }
     return result;
   }
@@ -173,25 +171,33 @@ class Mending {
       cells.push_back(p.cell);
     }
     std::vector<Piece> others = parts_.cut(plain, cells);
-    for (std::size_t i = 0; i < broken_.size(); ++i) {
-      Piece& other = others[broken_[i]];
-      if (fallbacks_[i].to != "nothing" || !defect(broken_[i], other).empty()) continue;
-      fallbacks_[i].to = name;
-      pieces_[broken_[i]] = std::move(other);
+    for (Fault& fault : faults_) {
+      const std::size_t part = fault.fallback.component;
+      if (fault.is_mended() || !defect(part, others[part]).empty()) continue;
+      fault.fallback.to = name;
+      pieces_[part] = std::move(others[part]);
     }
   }
 
   /// All parts together, if any was replaced.
   std::optional<Piece> joined() const {
-    if (unmended() == fallbacks_.size()) return std::nullopt;
+    if (mended() == 0) return std::nullopt;
     Piece whole;
     for (const Piece& piece : pieces_) whole.append(piece);
     return whole;
   }
 
  private:
-  std::size_t unmended() const {
-    return static_cast<std::size_t>(std::ranges::count(fallbacks_, "nothing", &Fallback::to));
+  static constexpr const char* nothing = "nothing";  ///< what an unmended part fell back to
+  struct Fault {
+    Fallback fallback;
+    bool may_stay;  ///< certified as it is
+
+    bool is_mended() const { return fallback.to != nothing; }
+  };
+
+  std::size_t mended() const {
+    return static_cast<std::size_t>(std::ranges::count_if(faults_, &Fault::is_mended));
   }
   /// Why a mesh of a part is not certified; empty if it is.
   std::string defect(std::size_t part, const Piece& piece) const {
@@ -203,10 +209,8 @@ class Mending {
   const PreparedSkin& skin_;
   const MeshOptions& options_;
   const Parts& parts_;
-  std::vector<Piece> pieces_;        ///< by part
-  std::vector<std::size_t> broken_;  ///< parts
-  std::vector<bool> is_certified_;   ///< each of them: it may stay as it is
-  std::vector<Fallback> fallbacks_;  ///< one for each of them
+  std::vector<Piece> pieces_;  ///< by part
+  std::vector<Fault> faults_;
 };
 
 /// Heights to sweep along instead: off the axes, off the default and off each other.

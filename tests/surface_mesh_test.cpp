@@ -410,7 +410,7 @@ TEST_CASE("components are those that a search from triangle to triangle finds") 
   }
 }
 
-TEST_CASE("32-bit ids never run over: the last thing that has one is the last that may be added") {
+TEST_CASE("as many triangles may be added as have half-edges with 32-bit ids, and no more") {
   constexpr std::size_t most = SurfaceMesh::most_triangles;
   CHECK(3 * most <= 0xFFFFFFFFU);  // the last half-edge is below the mark for a boundary
   CHECK(3 * (most + 1) > 0xFFFFFFFFU);

@@ -369,6 +369,24 @@ class Layers(ViewTest):
             for k in range(3):
                 self.assertAlmostEqual(points[6 * i + k], point["position"][k], places=4)
 
+    def test_lines_of_molecules_far_apart_keep_their_places(self):
+        rows = [line.split() for line in self.ring.read_text().splitlines()[1:]]
+        away = 9.9e5
+        path = self.folder / "far.xyzr"
+        path.write_text("".join(" ".join([repr(float(x) + side * away), *rest]) + "\n"
+                                for side in (-1, 1) for x, *rest in rows))
+        page = self.view(path)
+        grid, at, seen = page.about["lines"]["grid"], 0, set()
+        self.assertGreater(page.about["lines"]["count"], 0)
+        for step in page.array("lines.x"):
+            self.assertLess(abs(step), 2 ** 30)
+            at += step
+            x = grid["origin"][0] + grid["step"] * at
+            side = 1 if x > 0 else -1
+            seen.add(side)
+            self.assertLess(abs(x - side * away), 20)
+        self.assertEqual(seen, {-1, 1})
+
     def test_regions_lie_between_a_minimum_and_a_maximum(self):
         page = self.view(self.ring)
         _, corners, parents = page.mesh()
