@@ -132,7 +132,8 @@ MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options)
     const std::vector<SurfacePoint> seeds =
         delaunay_seeds(surface, chosen.critical.points, options.sizing);
     refine::DelaunayRefinement refinement(surface, options.sizing, seeds);
-    refinement.run();
+    refinement.run(
+        [&](std::size_t samples) { progress("refine, " + std::to_string(samples) + " samples"); });
     result.mesh = refinement.mesh();
     for (SurfacePoint& p : result.mesh.points) {
       p.cell = skin.surface.complex().same(p.cell, surface.complex());

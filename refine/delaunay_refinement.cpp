@@ -42,7 +42,8 @@ DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizi
   counts_.seeds = seeds.size();
 }
 
-void DelaunayRefinement::run() {
+void DelaunayRefinement::run(const std::function<void(std::size_t)>& told) {
+  told_ = told;
   if (delaunay_.dimension() < 3) return;  // no tetrahedra of samples only, no facets
   ++now_;
   std::vector<std::uint32_t> all;
@@ -243,6 +244,8 @@ void DelaunayRefinement::insert_all() {
         continue;
       }
       ++counts_.too_big;
+      constexpr std::size_t samples_between_reports = 4096;
+      if (told_ && counts_.too_big % samples_between_reports == 0) told_(samples_.size());
       bucket = buckets;
       break;
     }

@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,7 +55,9 @@ class DelaunayRefinement {
                      std::span<const SurfacePoint> seeds);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
-  void run();
+  /// @param told  the number of samples there are, now and then. What share that is nobody knows:
+  ///              the facets that wait make others wait.
+  void run(const std::function<void(std::size_t)>& told = {});
 
   /// The restricted facets as they are, samples that have none left out, in an order in which
   /// neighbours are near each other. Where they are no closed manifold no two are glued.
@@ -133,6 +136,7 @@ class DelaunayRefinement {
   std::vector<Dual> duals_;  ///< by tetrahedron
   /// Facets to break, by size of their ball, the largest octave last.
   std::vector<std::vector<Work>> work_;
+  std::function<void(std::size_t)> told_;
   std::uint32_t now_ = 0;       ///< insertions so far
   std::uint32_t followed_ = 0;  ///< dual edges of older tetrahedra have been followed
   DelaunayRefinementCounts counts_;

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "front/mesh_skin.h"
@@ -104,6 +106,25 @@ TEST_CASE("the static method gives the same bytes every time") {
   const auto second = front::mesh_skin(points, one_thread);
   CHECK(first.mesh.triangles == second.mesh.triangles);
   CHECK(first.mesh.positions == second.mesh.positions);
+}
+
+TEST_CASE("the static method tells how many samples there are, more each time") {
+  std::vector<std::size_t> told;
+  MeshOptions options = by_static_method();
+  options.sizing.C = 0.04;
+  options.progress = [&](std::string_view stage, double) {
+    std::size_t samples = 0;
+    if (std::sscanf(std::string(stage).c_str(), "refine, %zu samples", &samples) == 1) {
+      told.push_back(samples);
+    }
+  };
+  const auto result =
+      front::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
+  REQUIRE(told.size() > 1);
+  CHECK(std::ranges::is_sorted(told));
+  CHECK(std::ranges::adjacent_find(told) == told.end());
+  CHECK(told.back() <= result.mesh.positions.size());
+  CHECK(2 * told.back() > result.mesh.positions.size());
 }
 
 TEST_CASE("a method that lives outside the library is refused without its mesher") {
