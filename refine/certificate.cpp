@@ -205,6 +205,8 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
     if (a > b) continue;  // each edge from one side
+    // Only a new worst is of interest, and what breaks [L].
+    if (sizing_.is_surely_longer(points_[a], points_[b], std::max(out.worst_L, 1.0))) continue;
     const double l = sizing_.edge_ratio(points_[a], points_[b]);
     out.worst_L = std::min(out.worst_L, l);
     if (!(l > 1) && out.violations_L++ == 0) {

@@ -216,7 +216,7 @@ bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
   if (!x) return false;
   if (ball.keeps_off) {
     for (const std::uint32_t corner : triangle(facet)) {
-      if (sizing_.edge_ratio(samples_[corner], *x) <= 1) return false;
+      if (sizing_.is_too_short(samples_[corner], *x)) return false;
     }
   }
   x->position = x->position.unaryExpr(&geometry::on_exact_grid);

@@ -114,7 +114,7 @@ Circumcircle Refinement::update(TriangleId t, Work& found) {
   Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   if (is_big(t, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (sizing_.edge_ratio(*p[k], *p[k == 2 ? 0 : k + 1]) <= 1) {
+    if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
@@ -161,6 +161,10 @@ bool Refinement::flip_if_better(HalfEdgeId h) {
   const HalfEdgeId g = surface.twin(h);
   const VertexId a = surface.origin(h), b = surface.origin(g);
   const VertexId c = surface.apex(h), d = surface.apex(g);
+  const std::array here{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const SurfacePoint& beyond = mesh_.at(d);
+  const double residual = std::max(most_residual(here), skin_.residual_bound(beyond.length_scale));
+  if (is_surely_delaunay(here, beyond, residual)) return false;
   const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
   const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
   QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
@@ -190,8 +194,7 @@ void Refinement::flip_where_needed() {
 }
 
 bool Refinement::is_short(HalfEdgeId h) const {
-  return sizing_.edge_ratio(mesh_.at(mesh_.surface.origin(h)), mesh_.at(mesh_.surface.target(h))) <=
-         1;
+  return sizing_.is_too_short(mesh_.at(mesh_.surface.origin(h)), mesh_.at(mesh_.surface.target(h)));
 }
 
 void Refinement::contract_short_edges() {
@@ -314,7 +317,7 @@ bool Refinement::insert(TriangleId t) {
   if (!found) return false;
   const TriangleId under = *found;
   for (const VertexId v : surface.corners(under)) {
-    if (sizing_.edge_ratio(mesh_.at(v), *x) <= 1) return false;
+    if (sizing_.is_too_short(mesh_.at(v), *x)) return false;
   }
   const std::size_t before = surface.triangle_count();
   surface.split(under, mesh_.add_vertex(*x));

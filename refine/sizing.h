@@ -66,6 +66,18 @@ struct Sizing {
   double least_angle_deg() const { return std::asin(1 / (Q * Q)) * 180 / M_PI; }
   // [/excerpt]
 
+  /// Whether edge_ratio() surely is above some ratio, told without root or division; false where
+  /// that is close.
+  bool is_surely_longer(const SurfacePoint& a, const SurfacePoint& b, double ratio) const {
+    constexpr double room = 1 + 1e-9;  // far above rounding
+    const double least = 2 * C * scale(std::max(a.length_scale, b.length_scale)) * ratio;
+    return Q * Q * (a.position - b.position).squaredNorm() > room * least * least;
+  }
+  /// Whether an edge breaks [L]: edge_ratio() is 1 or less.
+  bool is_too_short(const SurfacePoint& a, const SurfacePoint& b) const {
+    return !is_surely_longer(a, b, 1) && edge_ratio(a, b) <= 1;
+  }
+
   /// Largest radius of the disk, tangent at a departure vertex, on whose rim new vertices are
   /// placed, over the length scale there: 0.208 with the default constants.
   ///

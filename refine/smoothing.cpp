@@ -126,7 +126,7 @@ class Smoothing {
       const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
       const Shape s = shape(x.position, p.position, q.position);
       const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
-      const bool is_good = s.squared_sine > asked && sizing_.edge_ratio(x, p) > 1 &&
+      const bool is_good = s.squared_sine > asked && !sizing_.is_too_short(x, p) &&
                            sizing_.triangle_ratio(s.radius, rho) < 1 &&
                            is_upright(s.normal, x, p, q);
       if (!is_good) return std::nullopt;

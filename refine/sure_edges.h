@@ -28,6 +28,50 @@
 
 namespace morskin::refine {
 
+/// The bound for plain triangles, and whether a triangle is one.
+inline constexpr double least_clearance = 0.24;
+/// @param n              its normal, twice its area long
+/// @param four_R2n2      (2 R |n|)^2, the product of the squared sides
+/// @param most_G         |G| at the corners, Angstrom^2, at most
+inline bool is_plain(const std::array<const SurfacePoint*, 3>& corners, const Vector& n,
+                     double four_R2n2, double most_G) {
+  constexpr double largest = 0.2, tilt = 0.2, residual = 1e-6;
+  const double n2 = n.squaredNorm();
+  for (const SurfacePoint* p : corners) {
+    const double upright = p->normal.dot(n), rho2 = p->length_scale * p->length_scale;
+    if (!(four_R2n2 <= 4 * largest * largest * rho2 * n2 && upright > 0 &&
+          upright * upright >= (1 - tilt * tilt) * n2 &&
+          4 * most_G * most_G * n2 <= residual * residual * rho2 * four_R2n2)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether of the triangles (a, b, c) and (b, a, d) neither can have the other's far corner in its
+/// surface ball: told without a root for acute angles opposite ab, as mostly, by
+/// (cot alpha + cot beta)^2 >= cot^2 alpha + cot^2 beta; false where that does not tell.
+inline bool is_surely_delaunay(const std::array<const SurfacePoint*, 3>& abc, const SurfacePoint& d,
+                               double most_G) {
+  const auto& [a, b, c] = abc;
+  const Vector ab = b->position - a->position;
+  const Vector ac = c->position - a->position, bc = c->position - b->position;
+  const Vector ad = d.position - a->position, bd = d.position - b->position;
+  const double at_c = ac.dot(bc), at_d = ad.dot(bd);
+  if (!(at_c > 0 && at_d > 0)) return false;
+  const Vector left = ab.cross(ac), right = ad.cross(ab);
+  const double squared_ab = ab.squaredNorm();
+  if (!is_plain(abc, left, squared_ab * ac.squaredNorm() * bc.squaredNorm(), most_G) ||
+      !is_plain({b, a, &d}, right, squared_ab * ad.squaredNorm() * bd.squaredNorm(), most_G)) {
+    return false;
+  }
+  // Both cotangents squared, times both squared normals.
+  const double l2 = left.squaredNorm(), r2 = right.squaredNorm();
+  const double here = at_c * at_c * r2, there = at_d * at_d * l2;
+  return here + there > least_clearance * least_clearance * (l2 * r2 + std::max(here, there));
+}
+
+/// The same for the edges of a mesh, from cotangents noted for each triangle.
 class SureEdges {
  public:
   explicit SureEdges(std::size_t triangles)
@@ -37,8 +81,10 @@ class SureEdges {
   /// @param most_G  |G| at the corners, Angstrom^2, at most
   void note(TriangleId t, const std::array<const SurfacePoint*, 3>& corners,
             const Circumcircle& circle, double most_G) {
-    opposite_[t.index()] = is_plain(corners, circle, most_G)
-                               ? cotangents(corners, circle.doubled_area.norm())
+    const Vector& n = circle.doubled_area;
+    const double four_R2n2 = 4 * circle.radius * circle.radius * n.squaredNorm();
+    opposite_[t.index()] = is_plain(corners, n, four_R2n2, most_G)
+                               ? cotangents(corners, n.norm())
                                : Opposite{unknown, unknown, unknown};
   }
 
@@ -48,6 +94,7 @@ class SureEdges {
   bool are_sure(HalfEdgeId h, HalfEdgeId twin) const {
     const float here = cotangent(h), there = cotangent(twin), sum = here + there;
     const float flatter = std::max(here * here, there * there);
+    constexpr auto least = static_cast<float>(least_clearance);
     return sum > 0 && sum * sum > least * least * (1 + flatter);
   }
 
@@ -55,22 +102,8 @@ class SureEdges {
   using Opposite = std::array<float, 3>;  ///< cotangents of the angles opposite the half-edges
 
   static constexpr float unknown = -std::numeric_limits<float>::infinity();
-  static constexpr float least = 0.24F;
 
   float cotangent(HalfEdgeId h) const { return opposite_[h.index() / 3][h.index() % 3]; }
-
-  static bool is_plain(const std::array<const SurfacePoint*, 3>& corners,
-                       const Circumcircle& circle, double most_G) {
-    constexpr double largest = 0.2, tilt = 0.2;
-    const double least_squared = (1 - tilt * tilt) * circle.doubled_area.squaredNorm();
-    for (const SurfacePoint* p : corners) {
-      const double upright = p->normal.dot(circle.doubled_area);
-      if (!(circle.radius <= largest * p->length_scale && upright > 0 &&
-            upright * upright >= least_squared && most_G <= 1e-6 * circle.radius * p->length_scale))
-        return false;
-    }
-    return true;
-  }
 
   static Opposite cotangents(const std::array<const SurfacePoint*, 3>& corners,
                              double doubled_area) {

@@ -76,26 +76,27 @@ double longest_way(double n, double g) {
 TubeProof prove_tube(const skin::SkinSurface& skin,
                      const std::array<const SurfacePoint*, 3>& corners, const Circumcircle& circle,
                      double most_G) {
-  std::array<double, 3> side;  // opposite corner k
+  std::array<double, 3> squared;  // of the side opposite corner k
   for (std::size_t k = 0; k < 3; ++k) {
-    side[k] = (corners[(k + 1) % 3]->position - corners[(k + 2) % 3]->position).norm();
+    squared[k] = (corners[(k + 1) % 3]->position - corners[(k + 2) % 3]->position).squaredNorm();
   }
   const auto k =
-      static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-  const double reach = std::max(side[(k + 1) % 3], side[(k + 2) % 3]);
-  const double doubled_area = circle.doubled_area.norm();
-  const double upright = corners[k]->length_scale * corners[k]->normal.dot(circle.doubled_area) /
-                         doubled_area;  // N(a) . n_t
+      static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+  const double squared_reach = std::max(squared[(k + 1) % 3], squared[(k + 2) % 3]);
+  const double squared_area = circle.doubled_area.squaredNorm();
+  // N(a) . n_t, times twice the area.
+  const double upright = corners[k]->length_scale * corners[k]->normal.dot(circle.doubled_area);
+  const bool is_upright = upright > 0 && upright * upright > squared_reach * squared_area;
   const double rho =
       std::min({corners[0]->length_scale, corners[1]->length_scale, corners[2]->length_scale});
   const double g = circle.radius * circle.radius + most_G;
   const double n = rho - circle.radius;
-  const TubeProof quick{upright > reach, n > 0 && g < n * n, longest_way(n, g)};
+  const TubeProof quick{is_upright, n > 0 && g < n * n, longest_way(n, g)};
   // Not even about the right way up, or so big that no such triangle of a ball is in the tube:
   // there |G| = R^2 and |N|^2 = rho^2 - R^2 at the circumcentre.
   const bool is_hopeless = !(upright > 0) || !(circle.radius < rho);
   if (quick.holds() || is_hopeless) return quick;
-  Pieces pieces(skin, circle.doubled_area / doubled_area, g);
+  Pieces pieces(skin, circle.doubled_area / std::sqrt(squared_area), g);
   const bool holds = pieces.hold({corners[0]->position, corners[1]->position, corners[2]->position},
                                  corners[0]->cell, 0);
   TubeProof proof = pieces.proof();
