@@ -189,23 +189,32 @@ std::string gluing_defect(const SurfaceMesh& mesh) {
   return edge + ": its triangles disagree on orientation";
 }
 
-/// How many triangles a walk round a vertex meets; nothing where two of its edges lead to the same
-/// neighbour. `neighbours` is scratch.
-std::optional<std::size_t> walk_round(const SurfaceMesh& mesh, VertexId v,
-                                      std::vector<VertexId>& neighbours) {
-  constexpr std::size_t few = 16;  // so many are compared with each other
-  neighbours.clear();
-  bool is_double = false;
+/// A walk round a vertex: how many triangles it meets, and whether two of its edges may lead to the
+/// same neighbour, by two bits of each neighbour's id; that is wrong once in hundreds of vertices.
+struct Round {
+  std::size_t triangles = 0;
+  bool may_be_double = false;
+};
+Round walk_round(const SurfaceMesh& mesh, VertexId v) {
+  Round round;
+  std::uint64_t low = 0, high = 0;
   mesh.for_each_outgoing(v, [&](HalfEdgeId h) {
-    const VertexId w = mesh.target(h);
-    is_double |= neighbours.size() < few && std::ranges::find(neighbours, w) != neighbours.end();
-    neighbours.push_back(w);
+    const std::uint32_t w = mesh.target(h).value;
+    const std::uint64_t low_bit = std::uint64_t{1} << (w % 64);
+    const std::uint64_t high_bit = std::uint64_t{1} << (w / 64 % 64);
+    round.may_be_double |= ((low & low_bit) != 0) & ((high & high_bit) != 0);
+    low |= low_bit;
+    high |= high_bit;
+    ++round.triangles;
   });
-  if (neighbours.size() > few) {
-    std::sort(neighbours.begin(), neighbours.end());
-    is_double = std::adjacent_find(neighbours.begin(), neighbours.end()) != neighbours.end();
-  }
-  return is_double ? std::nullopt : std::optional(neighbours.size());
+  return round;
+}
+
+bool has_double_edge(const SurfaceMesh& mesh, VertexId v) {
+  std::vector<VertexId> neighbours;
+  mesh.for_each_outgoing(v, [&](HalfEdgeId h) { neighbours.push_back(mesh.target(h)); });
+  std::sort(neighbours.begin(), neighbours.end());
+  return std::adjacent_find(neighbours.begin(), neighbours.end()) != neighbours.end();
 }
 
 /// What a look at some of the vertices finds: the triangles round them, up to the first that has
@@ -216,12 +225,12 @@ struct Fans {
 };
 Fans walk_all(const SurfaceMesh& mesh, std::size_t begin, std::size_t end) {
   Fans fans;
-  std::vector<VertexId> neighbours;
-  for (std::size_t v = begin; v < end; ++v) {
-    const auto round =
-        mesh.outgoing(VertexId{v}) ? walk_round(mesh, VertexId{v}, neighbours) : std::nullopt;
-    if (!round) return {fans.triangles, v};
-    fans.triangles += *round;
+  for (std::size_t i = begin; i < end; ++i) {
+    const VertexId v{i};
+    if (!mesh.outgoing(v)) return {fans.triangles, i};
+    const Round round = walk_round(mesh, v);
+    if (round.may_be_double && has_double_edge(mesh, v)) return {fans.triangles, i};
+    fans.triangles += round.triangles;
   }
   return fans;
 }
