@@ -39,13 +39,22 @@ class CirclesOver {
   std::optional<double> offset(const Vector2& v) const {
     const Vector2 m = v - middle_;
     const double h = -cross(edge_, m);
-    // Flatter than this the triangle is no triangle; such a vertex is reached over another edge.
-    constexpr double least_height = 0.05;
     if (h < least_height * squared_length_) return std::nullopt;
     return (m.squaredNorm() - squared_length_ / 4) / (2 * h);
   }
 
+  /// Whether v may have an offset below a bound: false for most that have not, without a division.
+  bool may_be_below(const Vector2& v, double bound) const {
+    constexpr double room = 1e-9;  // far above rounding
+    const Vector2 m = v - middle_;
+    const double h = -cross(edge_, m), left = m.squaredNorm(), right = 2 * h * bound;
+    return (h >= least_height * squared_length_) &
+           (left - squared_length_ / 4 <= right + room * (left + squared_length_ + std::abs(right)));
+  }
+
  private:
+  // Flatter than this the triangle is no triangle; such a vertex is reached over another edge.
+  static constexpr double least_height = 0.05;
   Vector2 middle_, edge_;
   double squared_length_;
 };
@@ -173,8 +182,10 @@ bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_g
     if (!c.is_open || c.edge == e) continue;
     if (c.vertex != p && c.vertex != w) {
       if (c.at.squared_distance(x) < vertex_gap * vertex_gap) return false;
-      const auto other = circles.offset(c.at.plane);
-      if (other && *other < *offset && sees(e, c.edge)) return false;
+      if (circles.may_be_below(c.at.plane, *offset)) {
+        const auto other = circles.offset(c.at.plane);
+        if (other && *other < *offset && sees(e, c.edge)) return false;
+      }
     }
     // On which side of the front edge x lies answers the rest, but for few edges.
     const Vector2 along = c.to - c.at.plane, to_x = x.plane - c.at.plane;
@@ -223,7 +234,9 @@ std::optional<FrontEdgeId> Neighbourhood::delaunay_apex(FrontEdgeId e) const {
   const FrontEdgeId before = front_[e].previous;
   consider(before, plane(front_[before]));
   for (const Corner& c : corners_) {
-    if (c.is_open && c.vertex != p && c.vertex != w) consider(c.edge, c.at.plane);
+    if (c.is_open && c.vertex != p && c.vertex != w && circles.may_be_below(c.at.plane, least)) {
+      consider(c.edge, c.at.plane);
+    }
   }
   return best;
 }
