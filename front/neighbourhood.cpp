@@ -49,7 +49,8 @@ class CirclesOver {
     const Vector2 m = v - middle_;
     const double h = -cross(edge_, m), left = m.squaredNorm(), right = 2 * h * bound;
     return (h >= least_height * squared_length_) &
-           (left - squared_length_ / 4 <= right + room * (left + squared_length_ + std::abs(right)));
+           (left - squared_length_ / 4 <=
+            right + room * (left + squared_length_ + std::abs(right)));
   }
 
  private:
