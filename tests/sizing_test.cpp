@@ -102,6 +102,29 @@ TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
   }
 }
 
+TEST_CASE("an edge is too short exactly where its ratio to [L] is 1 or less") {
+  std::size_t too_short = 0, cases = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    const Sizing sizing = random_sizing(random);
+    const geometry::Point a = random.direction(), b = random.direction();
+    const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
+    const double ratio = sizing.edge_ratio(corner(a, rho_a), corner(b, rho_b));
+    // Stretched to where the ratio is 1 but for rounding, and a little off.
+    for (const double off : {0.0, 1e-16, 1e-15, 1e-10, 1e-8, 0.1}) {
+      for (const double stretch : {(1 - off) / ratio, (1 + off) / ratio}) {
+        const auto p = corner(a, rho_a), q = corner(a + stretch * (b - a), rho_b);
+        CHECK(sizing.is_too_short(p, q) == (sizing.edge_ratio(p, q) <= 1));
+        too_short += sizing.is_too_short(p, q);
+        ++cases;
+      }
+    }
+  }
+  CHECK(4 * too_short > cases);
+  CHECK(4 * too_short < 3 * cases);
+}
+
 TEST_CASE("for every C up to 0.2 the Q that goes with it lets refinement end and certifies") {
   CHECK(Sizing::quality_for(0.08) == 1.65);
   for (double C = 0.001; C <= Sizing::largest_proved_C; C += 0.001) {

@@ -65,7 +65,7 @@ std::optional<Pair> random_pair(const skin::SkinSurface& skin, const SurfacePoin
 }  // namespace
 
 TEST_CASE("at a sure edge neither far corner lies in the other triangle's surface ball") {
-  std::size_t seen = 0;
+  std::size_t seen = 0, seen_quickly = 0;
   for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
     const auto skin = front::prepare_skin(support::molecule(file, skin::Model::Vdw));
     const auto mesh = front::mesh_skin(skin, support::uncertified());
@@ -74,7 +74,15 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
       const std::size_t v = random.below(mesh.cells.size());
       const SurfacePoint x = skin.surface.at(mesh.mesh.positions[v], mesh.cells[v]);
       const auto pair = random_pair(skin.surface, x, random);
-      if (!pair || !is_sure(skin.surface, *pair)) continue;
+      if (!pair) continue;
+      // The quick test says so of fewer edges, never of others.
+      const bool is_quick = refine::is_surely_delaunay(
+          pair->left(), pair->d, skin.surface.residual_bound(pair->d.length_scale));
+      seen_quickly += is_quick;
+      if (!is_sure(skin.surface, *pair)) {
+        CHECK_FALSE(is_quick);
+        continue;
+      }
       const auto in_left = depth(skin.surface, pair->left(), pair->d);
       const auto in_right = depth(skin.surface, pair->right(), pair->c);
       REQUIRE(in_left.has_value());
@@ -85,6 +93,7 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
     }
   }
   CHECK(seen > 2000);
+  CHECK(seen_quickly > seen / 4);
 }
 
 TEST_CASE("nearly all edges of a refined mesh are sure") {
