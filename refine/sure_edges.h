@@ -28,29 +28,32 @@
 
 namespace morskin::refine {
 
-/// The bound for plain triangles, and whether a triangle is one.
+/// The bound for plain triangles.
 inline constexpr double least_clearance = 0.24;
-/// @param n              its normal, twice its area long
-/// @param four_R2n2      (2 R |n|)^2, the product of the squared sides
-/// @param most_G         |G| at the corners, Angstrom^2, at most
+
+/// Whether a triangle is plain.
+/// @param n       its normal, twice its area long
+/// @param sides   (2 R |n|)^2, the product of its squared sides
+/// @param most_G  |G| at the corners, Angstrom^2, at most
 inline bool is_plain(const std::array<const SurfacePoint*, 3>& corners, const Vector& n,
-                     double four_R2n2, double most_G) {
+                     double sides, double most_G) {
   constexpr double largest = 0.2, tilt = 0.2, residual = 1e-6;
   const double n2 = n.squaredNorm();
   for (const SurfacePoint* p : corners) {
     const double upright = p->normal.dot(n), rho2 = p->length_scale * p->length_scale;
-    if (!(four_R2n2 <= 4 * largest * largest * rho2 * n2 && upright > 0 &&
+    if (!(sides <= 4 * largest * largest * rho2 * n2 && upright > 0 &&
           upright * upright >= (1 - tilt * tilt) * n2 &&
-          4 * most_G * most_G * n2 <= residual * residual * rho2 * four_R2n2)) {
+          4 * most_G * most_G * n2 <= residual * residual * rho2 * sides)) {
       return false;
     }
   }
   return true;
 }
 
-/// Whether of the triangles (a, b, c) and (b, a, d) neither can have the other's far corner in its
+/// Whether neither of the triangles (a, b, c) and (b, a, d) can have the other's far corner in its
 /// surface ball: told without a root for acute angles opposite ab, as mostly, by
 /// (cot alpha + cot beta)^2 >= cot^2 alpha + cot^2 beta; false where that does not tell.
+/// @param most_G  |G| at the four, Angstrom^2, at most
 inline bool is_surely_delaunay(const std::array<const SurfacePoint*, 3>& abc, const SurfacePoint& d,
                                double most_G) {
   const auto& [a, b, c] = abc;
@@ -82,8 +85,8 @@ class SureEdges {
   void note(TriangleId t, const std::array<const SurfacePoint*, 3>& corners,
             const Circumcircle& circle, double most_G) {
     const Vector& n = circle.doubled_area;
-    const double four_R2n2 = 4 * circle.radius * circle.radius * n.squaredNorm();
-    opposite_[t.index()] = is_plain(corners, n, four_R2n2, most_G)
+    const double sides = 4 * circle.radius * circle.radius * n.squaredNorm();
+    opposite_[t.index()] = is_plain(corners, n, sides, most_G)
                                ? cotangents(corners, n.norm())
                                : Opposite{unknown, unknown, unknown};
   }

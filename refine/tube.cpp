@@ -19,7 +19,7 @@ class Pieces {
  public:
   /// @param most_G  on all of the triangle
   Pieces(const skin::SkinSurface& skin, const Vector& normal, double most_G)
-      : skin_(skin), normal_(normal), most_G_(most_G) {}
+      : skin_(skin), normal_(normal), residual_(most_G) {}
 
   /// Whether both hold on all of a piece.
   ///
@@ -42,7 +42,7 @@ class Pieces {
     if (!(upright > 0)) return fail(proof_.is_upright);
     if (!(G < size * size)) return fail(proof_.is_in_tube);
     const double along = std::sqrt(std::max(0.0, size * size - upright * upright));
-    const double most_G = std::min(most_G_, G + (2 * along + r) * r);
+    const double most_G = std::min(residual_, G + (2 * along + r) * r);
     const double least = size - r;
     const bool is_upright = upright - r > margin * size;
     const bool is_in_tube = least > 0 && most_G < (1 - margin) * least * least;
@@ -63,7 +63,7 @@ class Pieces {
 
   const skin::SkinSurface& skin_;
   const Vector normal_;
-  const double most_G_;
+  const double residual_;
   TubeProof proof_{true, true, 0};
 };
 
