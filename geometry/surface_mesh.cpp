@@ -169,25 +169,29 @@ bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
 
 std::vector<std::optional<VertexId>> SurfaceMesh::compact() {
   std::vector<std::optional<VertexId>> renamed(vertex_count());
-  std::vector<HalfEdgeId> moved(half_edges_.size(), HalfEdgeId{kBoundary});
-  std::size_t vertices = 0, half_edges = 0;
+  std::vector<std::uint32_t> moved(triangle_count(), kBoundary);
+  std::uint32_t vertices = 0, triangles = 0;
   for (std::size_t v = 0; v < outgoing_.size(); ++v) {
     if (outgoing_[v].value != kBoundary) renamed[v] = VertexId{vertices++};
   }
-  for (std::size_t h = 0; h < half_edges_.size(); ++h) {
-    if (half_edges_[h].origin.value != kBoundary) moved[h] = HalfEdgeId{half_edges++};
+  for (std::size_t t = 0; t < moved.size(); ++t) {
+    if (!is_removed(TriangleId{t})) moved[t] = triangles++;
   }
-  const auto place = [&](HalfEdgeId h) { return h.value == kBoundary ? h : moved[h.index()]; };
-  for (std::size_t h = 0; h < half_edges_.size(); ++h) {
-    const HalfEdge old = half_edges_[h];
-    if (old.origin.value == kBoundary) continue;
-    half_edges_[moved[h].index()] = {*renamed[old.origin.index()], place(old.twin)};
+  const auto place = [&](HalfEdgeId h) {
+    return h.value == kBoundary ? h : HalfEdgeId{3 * moved[h.value / 3] + h.value % 3};
+  };
+  for (std::size_t t = 0; t < moved.size(); ++t) {
+    if (is_removed(TriangleId{t})) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const HalfEdge old = half_edges_[3 * t + k];
+      half_edges_[3 * moved[t] + k] = {*renamed[old.origin.index()], place(old.twin)};
+    }
   }
   for (std::size_t v = 0; v < renamed.size(); ++v) {
     if (renamed[v]) outgoing_[renamed[v]->index()] = place(outgoing_[v]);
   }
   outgoing_.resize(vertices);
-  half_edges_.resize(half_edges);
+  half_edges_.resize(3 * std::size_t{triangles});
   return renamed;
 }
 
