@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -85,78 +86,37 @@ std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
 
 namespace {
 
-/// Half-edges that wait for their twin, in lists by the vertex at one end. The places of those that
-/// went are used again: where neighbours stand near each other in the mesh few wait at a time.
-class Waiting {
- public:
-  explicit Waiting(std::size_t vertices) : first_(vertices, none) {}
-
-  /// Takes out the half-edge that stands at a vertex and runs from `origin`, with `other` at its
-  /// other end; nothing if none does.
-  std::optional<HalfEdgeId> take(VertexId at, VertexId other, VertexId origin) {
-    for (std::uint32_t* link = &first_[at.index()]; *link != none; link = &places_[*link].next) {
-      Place& place = places_[*link];
-      if (place.other == other && place.runs_here == (origin == other)) {
-        const std::uint32_t found = *link;
-        *link = std::exchange(place.next, std::exchange(free_, found));
-        --count_;
-        return place.half_edge;
-      }
-      ++steps_;
-    }
-    return std::nullopt;
-  }
-
-  void put(VertexId at, VertexId other, VertexId origin, HalfEdgeId h) {
-    std::uint32_t place = free_;
-    if (place == none) {
-      place = static_cast<std::uint32_t>(places_.size());
-      places_.emplace_back();
-    } else {
-      free_ = places_[place].next;
-    }
-    places_[place] = {first_[at.index()], other, h, origin == other};
-    first_[at.index()] = place;
-    ++count_;
-  }
-
-  bool is_empty() const { return count_ == 0; }
-  /// From one to the next, in all.
-  std::size_t steps() const { return steps_; }
-
- private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
-  struct Place {
-    std::uint32_t next;
-    VertexId other;
-    HalfEdgeId half_edge;
-    bool runs_here;  ///< to the vertex where it stands
-  };
-  std::vector<std::uint32_t> first_;  ///< by vertex
-  std::vector<Place> places_;
-  std::uint32_t free_ = none;
-  std::size_t count_ = 0, steps_ = 0;
-};
-
-/// Glues each half-edge to its opposite, which waits at that end which comes first by `rank`, and
-/// then by id.
+/// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
+/// at that end which comes first by `rank`, and then by id.
+/// @param most_steps  from one waiting half-edge to the next, in all
 /// @return whether none is left waiting; nothing if the search took more steps
 template <class Rank>
 std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_steps) {
-  Waiting waiting(mesh.vertex_count());
-  for (std::size_t i = 0; i < 3 * mesh.triangle_count(); ++i) {
-    const HalfEdgeId h{i};
-    const VertexId a = mesh.origin(h), b = mesh.target(h);
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  const std::size_t count = 3 * mesh.triangle_count();
+  std::vector<std::uint32_t> first(mesh.vertex_count(), none);
+  const auto next = std::make_unique_for_overwrite<std::uint32_t[]>(count);
+  std::size_t waiting = 0, steps = 0;
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
     const bool is_at_a = std::pair(rank(a), a) < std::pair(rank(b), b);
-    const VertexId here = is_at_a ? a : b, other = is_at_a ? b : a;
-    if (const auto twin = waiting.take(here, other, b)) {
-      mesh.glue(h, *twin);
-    } else {
-      waiting.put(here, other, a, h);
+    std::uint32_t& list = first[is_at_a ? a.index() : b.index()];
+    std::uint32_t* link = &list;
+    while (*link != none &&
+           (mesh.target(HalfEdgeId{*link}) != a || mesh.origin(HalfEdgeId{*link}) != b)) {
+      link = &next[*link];
+      ++steps;
     }
-    if (waiting.steps() > most_steps) return std::nullopt;
+    if (*link == none) {
+      next[h] = std::exchange(list, h);
+      ++waiting;
+    } else {
+      mesh.glue(HalfEdgeId{h}, HalfEdgeId{std::exchange(*link, next[*link])});
+      --waiting;
+    }
+    if (steps > most_steps) return std::nullopt;
   }
-  return waiting.is_empty();
+  return waiting == 0;
 }
 
 /// The same at the end that has fewer triangles. Lists so stay short even where one vertex is in

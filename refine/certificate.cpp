@@ -67,10 +67,11 @@ class Certifier {
       out_.is_single_precision = is_single_precision(mesh_);
       check_vertices();
     };
-    const auto look_at_edges = [&] {
+    const auto look_at_connectivity = [&] {
       built = geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
+      if (!built.defect) parts_ = geometry::components(built.mesh);
     };
-    geometry::do_both(threads, look_at_places, look_at_edges);
+    geometry::do_both(threads, look_at_places, look_at_connectivity);
     SureEdges sure(mesh_.triangles.size());
     check_triangles(threads, sure);
     surface_ = std::move(built.mesh);
@@ -81,7 +82,6 @@ class Certifier {
       fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
     } else {
       const auto look_at_covering = [&] {
-        parts_ = geometry::components(surface_);
         check_covering_degree();
         compare_counts();
         measure_shape();
