@@ -153,9 +153,9 @@ void Refinement::flip(HalfEdgeId h) {
 
 // [excerpt: flip]
 /// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
-/// flip are less deeply entered. Bounds decide where they can. Where they cannot the balls are
-/// found to rounding, so that all answers together describe one restricted Voronoi diagram and
-/// flipping cannot go in circles.
+/// flip are less deeply entered. Two angles mostly tell that none lies there; else bounds decide
+/// where they can. Where they cannot the balls are found to rounding, so that all answers together
+/// describe one restricted Voronoi diagram and flipping cannot go in circles.
 bool Refinement::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& surface = mesh_.surface;
   const HalfEdgeId g = surface.twin(h);

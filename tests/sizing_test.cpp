@@ -108,15 +108,16 @@ TEST_CASE("an edge is too short exactly where its ratio to [L] is 1 or less") {
     CAPTURE(seed);
     support::Random random(seed);
     const Sizing sizing = random_sizing(random);
-    const geometry::Point a = random.direction(), b = random.direction();
-    const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
-    const double ratio = sizing.edge_ratio(corner(a, rho_a), corner(b, rho_b));
+    const auto p = corner(random.direction(), random.between(0.1, 3));
+    const auto q = corner(random.direction(), random.between(0.1, 3));
+    const double ratio = sizing.edge_ratio(p, q);
     // Stretched to where the ratio is 1 but for rounding, and a little off.
     for (const double off : {0.0, 1e-16, 1e-15, 1e-10, 1e-8, 0.1}) {
       for (const double stretch : {(1 - off) / ratio, (1 + off) / ratio}) {
-        const auto p = corner(a, rho_a), q = corner(a + stretch * (b - a), rho_b);
-        CHECK(sizing.is_too_short(p, q) == (sizing.edge_ratio(p, q) <= 1));
-        too_short += sizing.is_too_short(p, q);
+        auto moved = q;
+        moved.position = p.position + stretch * (q.position - p.position);
+        CHECK(sizing.is_too_short(p, moved) == (sizing.edge_ratio(p, moved) <= 1));
+        too_short += sizing.is_too_short(p, moved);
         ++cases;
       }
     }
