@@ -63,10 +63,7 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   if (triangle_count() + other.triangle_count() > most_triangles) {
     fail_for_lack_of_ids(most_triangles, "triangles");
   }
-  // A little more than the whole: refinement adds vertices, and growing would double the arrays.
-  constexpr std::size_t share_to_come = 16;
-  const std::size_t vertices_together = vertex_count() + other.vertex_count();
-  reserve(vertices_together + vertices_together / share_to_come);
+  reserve(with_room(vertex_count() + other.vertex_count()));
   for (const HalfEdge& h : other.half_edges_) {
     half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, half_edges)});
   }

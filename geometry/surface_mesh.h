@@ -64,8 +64,11 @@ class SurfaceMesh {
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
 
-  /// Adds all vertices and triangles of another mesh, in their order, behind those there are.
+  /// Adds all vertices and triangles of another mesh, in their order, behind those there are, and
+  /// makes room for a little more than the whole: refinement adds one vertex to every fifteen, and
+  /// growing would double the arrays.
   void append(const SurfaceMesh& other);
+  static constexpr std::size_t with_room(std::size_t count) { return count + count / 12; }
 
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).

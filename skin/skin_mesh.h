@@ -22,8 +22,7 @@ struct SkinMesh {
   }
   void append(const SkinMesh& other) {
     surface.append(other.surface);
-    const std::size_t together = points.size() + other.points.size();
-    points.reserve(together + together / 16);  // as for the connectivity
+    points.reserve(geometry::SurfaceMesh::with_room(points.size() + other.points.size()));
     points.insert(points.end(), other.points.begin(), other.points.end());
   }
 };
