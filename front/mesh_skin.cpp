@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "front/safety_net.h"
+#include "geometry/parallel.h"
 #include "geometry/predicates.h"
 #include "geometry/stopwatch.h"
 
@@ -72,15 +73,20 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.seconds.mixed_complex = skin.surface.mixed_complex_seconds();
   result.expected = skin.topology;
   geometry::timed(result.seconds.refine, [&] {
-    result.mesh.triangles = made.mesh.surface.triangle_list();
-    made.mesh.surface = {};
-    result.mesh.positions.reserve(made.mesh.points.size());
-    result.cells.reserve(made.mesh.points.size());
-    for (const SurfacePoint& p : made.mesh.points) {
-      result.mesh.positions.push_back(p.position);
-      result.cells.push_back(p.cell);
-    }
-    std::vector<SurfacePoint>().swap(made.mesh.points);
+    const auto list_triangles = [&] {
+      result.mesh.triangles = made.mesh.surface.triangle_list();
+      made.mesh.surface = {};
+    };
+    const auto list_vertices = [&] {
+      result.mesh.positions.reserve(made.mesh.points.size());
+      result.cells.reserve(made.mesh.points.size());
+      for (const SurfacePoint& p : made.mesh.points) {
+        result.mesh.positions.push_back(p.position);
+        result.cells.push_back(p.cell);
+      }
+      std::vector<SurfacePoint>().swap(made.mesh.points);
+    };
+    geometry::do_both(options.threads, list_triangles, list_vertices);
   });
   if (!options.certify) return result;
   if (options.progress) options.progress("certify", geometry::unknown_share);

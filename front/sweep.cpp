@@ -110,10 +110,10 @@ void Sweep::finish() {
   }
 }
 
-void Sweep::join(const Sweep& above) {
+void Sweep::join(const Sweep& above, unsigned threads) {
   const auto vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count());
   const auto half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count());
-  mesh_.append(above.mesh_);
+  mesh_.append(above.mesh_, threads);
   const std::uint32_t edges = front_.append(above.front_, vertices, half_edges);
   push_current(beyond_);
   for (const auto* departures : {&above.beyond_, &above.stuck_}) {

@@ -99,7 +99,8 @@ class Sweep {
 
   /// Takes over the mesh and the front of a sweep of the reversed function that has run, and sweeps
   /// on without a last value.
-  void join(const Sweep& above);
+  /// @param threads  at most, to copy the mesh
+  void join(const Sweep& above, unsigned threads = 1);
 
   Operations operations() const;
   /// Front edges left open: 0 when the mesh is closed.

@@ -131,7 +131,7 @@ SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Gui
   Sweep above(skin, reversed, upper, upper_mesh, -middle);
   geometry::do_both(
       threads, [&] { below.run(); }, [&] { above.run(); });
-  below.join(above);
+  below.join(above, threads);
   result.operations = below.operations();
   result.open_edges = below.open_edges();
   return result;

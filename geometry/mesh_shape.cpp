@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/prefetch.h"
+
 namespace morskin::geometry {
 
 namespace {
@@ -37,7 +39,10 @@ MeshShape measure_shape(const IndexedMesh& mesh) {
   // The extreme angles have the extreme cosines; one arc cosine each at the end.
   MeshShape shape;
   double largest_cosine = -1, smallest_cosine = 1;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const std::size_t later = std::min(i + prefetch_ahead, mesh.triangles.size() - 1);
+    for (const std::uint32_t v : mesh.triangles[later]) prefetch(&mesh.positions[v]);
     const TriangleShape t =
         triangle_shape(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[0]);
     largest_cosine = std::max(largest_cosine, t.largest_cosine);

@@ -48,6 +48,13 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   return triangle(first);
 }
 
+SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
+  const TriangleId second{triangle_count()}, third{triangle_count() + 1};
+  require_room(third.index(), most_triangles, "triangles");
+  half_edges_.resize(half_edges_.size() + 6);
+  return {v, second, third};
+}
+
 void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
   assert(is_boundary(h) && is_boundary(g));
   assert(origin(h) == target(g) && origin(g) == target(h));
@@ -90,13 +97,22 @@ void SurfaceMesh::flip(HalfEdgeId h) {
   set_twin(previous(g), beyond_bc);
 }
 
-void SurfaceMesh::split(TriangleId t, VertexId v) {
+void SurfaceMesh::split(TriangleId t, VertexId v) { split(t, room_for(v)); }
+
+void SurfaceMesh::split(TriangleId t, const Room& room) {
+  const auto [v, second, third] = room;
+  assert(is_removed(second) && is_removed(third));
   const auto [a, b, c] = corners(t);
   const HalfEdgeId ab = half_edge(t, 0);
   const HalfEdgeId beyond_bc = half_edges_[next(ab).index()].twin,
                    beyond_ca = half_edges_[previous(ab).index()].twin;
-  const HalfEdgeId bc = half_edge(add_triangle(b, c, v), 0);
-  const HalfEdgeId ca = half_edge(add_triangle(c, a, v), 0);
+  const HalfEdgeId bc = half_edge(second, 0), ca = half_edge(third, 0);
+  set_corner(bc, b);
+  set_corner(next(bc), c);
+  set_corner(previous(bc), v);
+  set_corner(ca, c);
+  set_corner(next(ca), a);
+  set_corner(previous(ca), v);
   set_corner(previous(ab), v);
   set_corner(ab, a);
   set_corner(next(ab), b);
@@ -107,7 +123,7 @@ void SurfaceMesh::split(TriangleId t, VertexId v) {
   set_twin(next(ca), previous(ab));
 }
 
-void SurfaceMesh::unsplit(VertexId v) {
+SurfaceMesh::Room SurfaceMesh::unsplit(VertexId v) {
   assert(degree(v) == 3);
   const HalfEdgeId va = outgoing_[v.index()];
   const HalfEdgeId vb = twin(previous(va));
@@ -127,6 +143,7 @@ void SurfaceMesh::unsplit(VertexId v) {
     }
   }
   outgoing_[v.index()] = HalfEdgeId{kBoundary};
+  return {v, triangle(vb), triangle(vc)};
 }
 
 void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
@@ -165,31 +182,54 @@ bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
 }
 
 std::vector<std::optional<VertexId>> SurfaceMesh::compact() {
+  std::vector<std::optional<VertexId>> renamed = renaming();
+  compact(renamed);
+  return renamed;
+}
+
+std::vector<std::optional<VertexId>> SurfaceMesh::renaming() const {
   std::vector<std::optional<VertexId>> renamed(vertex_count());
-  std::vector<std::uint32_t> moved(triangle_count(), kBoundary);
-  std::uint32_t vertices = 0, triangles = 0;
+  std::uint32_t vertices = 0;
   for (std::size_t v = 0; v < outgoing_.size(); ++v) {
     if (outgoing_[v].value != kBoundary) renamed[v] = VertexId{vertices++};
   }
-  for (std::size_t t = 0; t < moved.size(); ++t) {
-    if (!is_removed(TriangleId{t})) moved[t] = triangles++;
+  return renamed;
+}
+
+void SurfaceMesh::compact(const std::vector<std::optional<VertexId>>& renamed) {
+  // What lies before the first gap stays, and mostly all that it refers to.
+  const std::size_t count = triangle_count();
+  std::size_t first = 0, first_vertex = 0;
+  while (first < count && !is_removed(TriangleId{first})) ++first;
+  while (first_vertex < renamed.size() && renamed[first_vertex]) ++first_vertex;
+  std::vector<std::uint32_t> moved(count - first, kBoundary);
+  std::size_t triangles = first;
+  for (std::size_t t = first; t < count; ++t) {
+    if (!is_removed(TriangleId{t})) moved[t - first] = static_cast<std::uint32_t>(triangles++);
   }
   const auto place = [&](HalfEdgeId h) {
-    return h.value == kBoundary ? h : HalfEdgeId{3 * moved[h.value / 3] + h.value % 3};
+    if (h.index() < 3 * first || h.value == kBoundary) return h;
+    return HalfEdgeId{3 * moved[h.value / 3 - first] + h.value % 3};
   };
-  for (std::size_t t = 0; t < moved.size(); ++t) {
+  const auto name = [&](VertexId v) { return v.index() < first_vertex ? v : *renamed[v.index()]; };
+  for (std::size_t h = 0; h < 3 * first; ++h) {
+    HalfEdge& kept = half_edges_[h];
+    if (kept.origin.index() >= first_vertex) kept.origin = name(kept.origin);
+    if (kept.twin.index() >= 3 * first) kept.twin = place(kept.twin);
+  }
+  for (std::size_t t = first; t < count; ++t) {
     if (is_removed(TriangleId{t})) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const HalfEdge old = half_edges_[3 * t + k];
-      half_edges_[3 * moved[t] + k] = {*renamed[old.origin.index()], place(old.twin)};
+      half_edges_[3 * moved[t - first] + k] = {name(old.origin), place(old.twin)};
     }
   }
+  std::size_t vertices = 0;
   for (std::size_t v = 0; v < renamed.size(); ++v) {
-    if (renamed[v]) outgoing_[renamed[v]->index()] = place(outgoing_[v]);
+    if (renamed[v]) outgoing_[vertices++] = place(outgoing_[v]);
   }
   outgoing_.resize(vertices);
-  half_edges_.resize(3 * std::size_t{triangles});
-  return renamed;
+  half_edges_.resize(3 * triangles);
 }
 
 std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/id.h"
+#include "geometry/prefetch.h"
 
 namespace morskin::geometry {
 
@@ -46,6 +47,10 @@ class SurfaceMesh {
   HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
+  /// Asks for what a walk round v begins with.
+  void prefetch_fan(VertexId v) const {
+    prefetch(half_edges_.data() + outgoing_[v.index()].index());
+  }
   std::array<VertexId, 3> corners(TriangleId t) const {
     const HalfEdge* first = &half_edges_[3 * t.index()];
     return {first[0].origin, first[1].origin, first[2].origin};
@@ -55,11 +60,20 @@ class SurfaceMesh {
     return half_edges_[3 * t.index()].origin.value == kBoundary;
   }
 
+  /// What a new vertex in a triangle takes: a vertex and two triangles, all as if removed.
+  struct Room {
+    VertexId vertex;
+    TriangleId second, third;
+  };
+
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
   /// @throws LimitReached  when there are most_triangles already: half-edges have 32-bit ids, of
   ///                       which the last means "none".
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
+  /// Room for a vertex behind those there are.
+  /// @throws LimitReached  as add_triangle()
+  Room add_room() { return room_for(add_vertex()); }
   /// Makes two boundary half-edges each other's twin. @pre they run between the same vertices,
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
@@ -74,11 +88,14 @@ class SurfaceMesh {
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).
   /// @pre the edge is not on the boundary.
   void flip(HalfEdgeId h);
-  /// Replaces triangle t by three around the new vertex v. The first keeps t's place.
+  /// Replaces triangle t by three around a new vertex. The first keeps t's place, vertex and others
+  /// take the room, or come to the end.
+  void split(TriangleId t, const Room& room);
   void split(TriangleId t, VertexId v);
   /// Removes a vertex of degree three: its three triangles become one, in the place of the first.
+  /// @return the room that this leaves
   /// @pre v has exactly three triangles around it and no boundary.
-  void unsplit(VertexId v);
+  Room unsplit(VertexId v);
 
   /// Calls visit(h) for each half-edge that leaves v, counter-clockwise, for a vertex with
   /// triangles and without boundary.
@@ -103,6 +120,10 @@ class SurfaceMesh {
   /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
   /// @return for each old vertex its new id, or nothing.
   std::vector<std::optional<VertexId>> compact();
+  /// The same in two steps. First the new ids, which what belongs to vertices may be moved by
+  /// meanwhile.
+  std::vector<std::optional<VertexId>> renaming() const;
+  void compact(const std::vector<std::optional<VertexId>>& renamed);
 
   /// The triangles as a file holds them.
   std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
@@ -111,6 +132,7 @@ class SurfaceMesh {
 
  private:
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;
+  Room room_for(VertexId v);
   void set_corner(HalfEdgeId h, VertexId v) {
     half_edges_[h.index()].origin = v;
     outgoing_[v.index()] = h;

@@ -187,6 +187,7 @@ Fans walk_all(const SurfaceMesh& mesh, std::size_t begin, std::size_t end) {
   Fans fans;
   for (std::size_t i = begin; i < end; ++i) {
     const VertexId v{i};
+    mesh.prefetch_fan(VertexId{std::min(i + prefetch_ahead, end - 1)});
     if (!mesh.outgoing(v)) return {fans.triangles, i};
     const Round round = walk_round(mesh, v);
     if (round.may_be_double && has_double_edge(mesh, v)) return {fans.triangles, i};

@@ -176,7 +176,11 @@ void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
   std::vector<TriangleFindings> found(geometry::block_count(count));
   geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
     found[block].out.worst_L = out_.worst_L;
-    for (std::size_t t = begin; t < end; ++t) check_triangle(t, found[block], sure);
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
+      for (const std::uint32_t v : mesh_.triangles[later]) geometry::prefetch(&points_[v]);
+      check_triangle(t, found[block], sure);
+    }
   });
   for (const TriangleFindings& part : found) add(part);
 }

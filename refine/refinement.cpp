@@ -1,53 +1,44 @@
 #include "refine/refinement.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "geometry/parallel.h"
-#include "refine/tube.h"
 
 namespace morskin::refine {
 
-namespace {
-
-/// Of two balls the deeper entered.
-Depth deeper(const Depth& a, const Depth& b) {
-  return {std::max(a.least, b.least), std::max(a.most, b.most)};
-}
-
-}  // namespace
-
 Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
                        unsigned threads)
-    : skin_(skin), sizing_(sizing), mesh_(mesh), threads_(threads) {}
+    : mesh_(mesh),
+      skin_(skin),
+      sizing_(sizing),
+      threads_(threads),
+      operations_(skin, sizing, mesh),
+      most_(1000 + mesh.surface.triangle_count()) {}
 
 void Refinement::run(const geometry::Told& told) {
-  told_ = told;
-  if (told_) told_(0);
-  most_ = 1000 + mesh_.surface.triangle_count();
+  if (told) told(0);
   look_everywhere();
-  flip_where_needed();
+  operations_.flip_where_needed();
+  operations_.contract_short_edges();
+  insert_in_two_halves(told);
+  operations_.report_to(told);
+  operations_.flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.
-  std::size_t done = 0;
+  const auto changes = [&] { return operations_.counts().contract + operations_.counts().insert; };
+  std::size_t before = 0;
   do {
-    done = counts_.contract + counts_.insert;
-    contract_short_edges();
-    insert_into_big_triangles();
-  } while (counts_.contract + counts_.insert > done && counts_.contract + counts_.insert < most_);
-  counts_.refused = work_.too_short.size() + work_.big.size();
-  const auto renamed = mesh_.surface.compact();
-  std::size_t kept = 0;
-  for (std::size_t v = 0; v < renamed.size(); ++v) {
-    if (renamed[v]) mesh_.points[kept++] = mesh_.points[v];
-  }
-  mesh_.points.resize(kept);
+    before = changes();
+    operations_.contract_short_edges();
+    operations_.insert_into_big_triangles(most_);
+  } while (changes() > before && changes() < most_);
+  mesh_.compact(threads_);
 }
 
-void Refinement::Work::append(const Work& other) {
-  to_flip.insert(to_flip.end(), other.to_flip.begin(), other.to_flip.end());
-  too_short.insert(too_short.end(), other.too_short.begin(), other.too_short.end());
-  big.insert(big.end(), other.big.begin(), other.big.end());
+RefinementCounts Refinement::counts() const {
+  RefinementCounts counts = operations_.counts();
+  counts.refused = operations_.work().too_short.size() + operations_.work().big.size();
+  return counts;
 }
 
 /// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles.
@@ -57,23 +48,20 @@ void Refinement::look_everywhere() {
   SureEdges sure(count);
   geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
     for (std::size_t i = begin; i < end; ++i) {
-      const TriangleId t{i};
-      const Circumcircle circle = update(t, found[block]);
-      const auto corners = points(t);
-      sure.note(t, corners, circle, most_residual(corners));
+      const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
+      for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
+      const Circumcircle circle = operations_.look_at(t, found[block]);
+      const auto [a, b, c] = mesh_.surface.corners(t);
+      const std::array corners{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+      sure.note(t, corners, circle, operations_.most_residual(corners));
     }
   });
   geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
     look_for_flips(3 * begin, 3 * end, sure, found[block]);
   });
-  for (const Work& work : found) work_.append(work);
-  std::sort(work_.to_flip.begin(), work_.to_flip.end());
-}
-
-/// |G| at the corners of a triangle is at most this, Angstrom^2.
-double Refinement::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
-  return skin_.residual_bound(
-      std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale}));
+  Work& work = operations_.work();
+  for (const Work& part : found) work.append(part);
+  std::sort(work.to_flip.begin(), work.to_flip.end());
 }
 
 /// Notes the half-edges [begin, end), and their twins, over which a vertex lies in the ball.
@@ -81,252 +69,83 @@ void Refinement::look_for_flips(std::size_t begin, std::size_t end, const SureEd
                                 Work& found) const {
   for (std::size_t i = begin; i < end; ++i) {
     const HalfEdgeId h{i}, twin = mesh_.surface.twin(h);
+    sure.prefetch(
+        mesh_.surface.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, end - 1)}));
     if (twin < h || sure.are_sure(h, twin)) continue;
     for (const HalfEdgeId side : {h, twin}) {
-      const TriangleId t = SurfaceMesh::triangle(side);
-      const auto [a, b, c] = mesh_.surface.corners(t);
+      const auto [a, b, c] = mesh_.surface.corners(SurfaceMesh::triangle(side));
       const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(side));
-      if (ball(a, b, c).intrusion(mesh_.position(beyond)).most > 0) found.to_flip.push_back(side);
-    }
-  }
-}
-
-QuestionedBall Refinement::ball(VertexId a, VertexId b, VertexId c) const {
-  return {skin_,
-          {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
-          circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
-}
-
-/// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
-bool Refinement::is_big(TriangleId t, const Circumcircle& circle) const {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
-  if (sizing_.is_tube_proved()) return false;
-  return !prove_tube(skin_, p, circle, skin_.residual_bound(rho)).holds();
-}
-
-/// Finds whether a triangle breaks [L] or [U].
-Circumcircle Refinement::update(TriangleId t, Work& found) {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  if (is_big(t, circle)) found.big.push_back(t);
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
-      found.too_short.push_back(SurfaceMesh::half_edge(t, k));
-    }
-  }
-  return circle;
-}
-
-/// Looks again at a triangle that changed, and at its edges but for those known to be Delaunay.
-void Refinement::update_after_change(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
-  update(t, work_);
-  work_.to_flip.insert(work_.to_flip.end(), edges);
-}
-
-bool Refinement::faces_outward(VertexId a, VertexId b, VertexId c) const {
-  const Vector n =
-      (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
-  return is_upright(n, mesh_.at(a), mesh_.at(b), mesh_.at(c));
-}
-
-bool Refinement::can_flip(HalfEdgeId h) const {
-  const SurfaceMesh& surface = mesh_.surface;
-  const HalfEdgeId g = surface.twin(h);
-  const VertexId a = surface.origin(h), b = surface.origin(g);
-  const VertexId c = surface.apex(h), d = surface.apex(g);
-  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface.has_edge(c, d);
-}
-
-void Refinement::flip(HalfEdgeId h) {
-  const HalfEdgeId g = mesh_.surface.twin(h);
-  mesh_.surface.flip(h);
-  ++counts_.flip;
-  for (const HalfEdgeId side : {h, g}) {
-    update_after_change(SurfaceMesh::triangle(side),
-                        {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
-  }
-}
-
-// [excerpt: flip]
-/// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
-/// flip are less deeply entered. Two angles mostly tell that none lies there; else bounds decide
-/// where they can. Where they cannot the balls are found to rounding, so that all answers together
-/// describe one restricted Voronoi diagram and flipping cannot go in circles.
-bool Refinement::flip_if_better(HalfEdgeId h) {
-  const SurfaceMesh& surface = mesh_.surface;
-  const HalfEdgeId g = surface.twin(h);
-  const VertexId a = surface.origin(h), b = surface.origin(g);
-  const VertexId c = surface.apex(h), d = surface.apex(g);
-  const std::array here{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const SurfacePoint& beyond = mesh_.at(d);
-  const double residual = std::max(most_residual(here), skin_.residual_bound(beyond.length_scale));
-  if (is_surely_delaunay(here, beyond, residual)) return false;
-  const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
-  const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
-  QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
-  const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
-  if (now.most <= 0 || !can_flip(h)) return false;
-  QuestionedBall upper = ball(a, d, c), lower = ball(b, c, d);
-  const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
-  if (then.least >= now.most) return false;
-  if (then.most >= now.least) {
-    const Depth exactly_now = deeper(left.exact_depth(at_d), right.exact_depth(at_c));
-    const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
-    if (exactly_then.least >= exactly_now.least) return false;
-  }
-  flip(h);
-  return true;
-}
-// [/excerpt]
-
-void Refinement::flip_where_needed() {
-  while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * mesh_.surface.triangle_count()) {
-    const HalfEdgeId h = work_.to_flip.back();
-    work_.to_flip.pop_back();
-    if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;
-    flip_if_better(h);
-  }
-  work_.to_flip.clear();
-}
-
-bool Refinement::is_short(HalfEdgeId h) const {
-  return sizing_.is_too_short(mesh_.at(mesh_.surface.origin(h)), mesh_.at(mesh_.surface.target(h)));
-}
-
-void Refinement::contract_short_edges() {
-  for (std::size_t done = counts_.contract + 1; counts_.contract != done;) {
-    done = counts_.contract;
-    std::vector<HalfEdgeId> batch = std::exchange(work_.too_short, {});
-    std::sort(batch.begin(), batch.end());
-    batch.erase(std::unique(batch.begin(), batch.end()), batch.end());
-    for (const HalfEdgeId h : batch) {
-      if (mesh_.surface.is_removed(SurfaceMesh::triangle(h)) || !is_short(h)) continue;
-      if (!contract(h)) work_.too_short.push_back(h);
-    }
-  }
-}
-
-/// Deletes one end of a short edge; the other stays in place.
-bool Refinement::contract(HalfEdgeId h) {
-  const VertexId a = mesh_.surface.origin(h), b = mesh_.surface.target(h);
-  // The end with the larger length scale is the one that finds the edge too short.
-  const bool a_first = mesh_.at(a).length_scale >= mesh_.at(b).length_scale;
-  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
-  flip_where_needed();
-  counts_.contract += is_removed;
-  return is_removed;
-}
-
-/// Of a vertex with four neighbours, the edge to flip so that v leaves two good triangles behind,
-/// whatever its own look like meanwhile: v may lie outside of what its last three neighbours span.
-std::optional<HalfEdgeId> Refinement::last_flip(VertexId v) const {
-  const SurfaceMesh& surface = mesh_.surface;
-  std::optional<HalfEdgeId> best;
-  double least = std::numeric_limits<double>::infinity();
-  surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-    const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(surface.twin(h));
-    const VertexId beyond =
-        surface.target(surface.twin(SurfaceMesh::previous(surface.twin(SurfaceMesh::previous(h)))));
-    if (c == d || surface.has_edge(c, d) || surface.degree(beyond) <= 3 ||
-        !faces_outward(x, c, d) || !faces_outward(beyond, d, c)) {
-      return;
-    }
-    const double size =
-        std::max(circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius,
-                 circumcircle(mesh_.position(beyond), mesh_.position(d), mesh_.position(c)).radius);
-    if (size >= least) return;
-    least = size;
-    best = h;
-  });
-  return best;
-}
-
-/// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
-bool Refinement::remove(VertexId v) {
-  SurfaceMesh& surface = mesh_.surface;
-  while (surface.degree(v) > 3) {
-    std::optional<HalfEdgeId> best;
-    double least = std::numeric_limits<double>::infinity();
-    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-      const HalfEdgeId g = surface.twin(h);
-      const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(g);
-      if (!can_flip(h)) return;
-      const double size =
-          circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius;
-      if (size < least) {
-        least = size;
-        best = h;
+      if (operations_.ball(a, b, c).intrusion(mesh_.position(beyond)).most > 0) {
+        found.to_flip.push_back(side);
       }
-    });
-    if (!best && surface.degree(v) == 4) best = last_flip(v);
-    if (!best) return false;
-    flip(*best);
-    work_.to_flip.push_back(*best);  // no Delaunay flip: if v stays after all, it may go back
+    }
   }
-  const HalfEdgeId first = *surface.outgoing(v);
-  const VertexId a = surface.target(first), b = surface.apex(first);
-  const VertexId c = surface.apex(surface.twin(first));
-  if (a == b || b == c || c == a || surface.degree(a) <= 3 || surface.degree(b) <= 3 ||
-      surface.degree(c) <= 3) {
-    return false;
-  }
-  surface.unsplit(v);
-  const TriangleId left = SurfaceMesh::triangle(first);
-  update_after_change(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
-                             SurfaceMesh::half_edge(left, 2)});
-  return true;
 }
 
-/// Tells what share of the work known so far is done; insertions may make more.
-void Refinement::tell(std::size_t left) {
-  constexpr std::size_t steps_between_reports = 4096;
-  if (!told_ || ++steps_ % steps_between_reports != 0) return;
-  told_(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
+/// Insertion at two places at once: among the triangles laid first, and among those laid last. What
+/// lies on the border waits. The halves are the same for any number of threads.
+void Refinement::insert_in_two_halves(const geometry::Told& told) {
+  constexpr std::size_t worth_two_threads = 256;
+  Work& work = operations_.work();
+  if (work.big.size() < worth_two_threads) return;
+  const std::size_t count = mesh_.surface.triangle_count(), middle = count / 2;
+  std::array<Work, 2> todo;
+  for (const TriangleId t : work.big) {
+    // The place of a removed one may be filled by either half.
+    if (!mesh_.surface.is_removed(t)) todo[t.index() >= middle].big.push_back(t);
+  }
+  work.big.clear();
+
+  std::array<Territory, 2> territories;
+  geometry::do_both(
+      threads_, [&] { territories[0].is_foreign = touched(middle, count); },
+      [&] { territories[1].is_foreign = touched(0, middle); });
+  // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
+  const std::size_t most_big = std::max(todo[0].big.size(), todo[1].big.size());
+  deal_rooms(most_big / 8 * 5, territories);
+  for (Territory& t : territories) {
+    t.is_whole = false;
+    t.is_foreign.resize(mesh_.surface.vertex_count(), 0);
+  }
+
+  LocalOperations first(skin_, sizing_, mesh_, std::move(todo[0]), std::move(territories[0]));
+  LocalOperations last(skin_, sizing_, mesh_, std::move(todo[1]), std::move(territories[1]));
+  first.report_to(told);
+  geometry::do_both(
+      threads_, [&] { first.insert_into_big_triangles(most_); },
+      [&] { last.insert_into_big_triangles(most_); });
+  operations_.take_over(first);
+  operations_.take_over(last);
+  std::sort(operations_.rooms().begin(), operations_.rooms().end(),
+            [](const auto& a, const auto& b) { return a.vertex > b.vertex; });
 }
 
-void Refinement::insert_into_big_triangles() {
-  std::vector<TriangleId> refused;
-  while (!work_.big.empty() && counts_.insert < most_) {
-    const TriangleId t = work_.big.back();
-    work_.big.pop_back();
-    tell(work_.big.size());
-    if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
+/// Gives each so many rooms, in turn, so that few gaps stay where they have not filled theirs; by
+/// blocks, so that two threads seldom write to one cache line.
+void Refinement::deal_rooms(std::size_t each, std::array<Territory, 2>& territories) {
+  constexpr std::size_t block = 64;
+  territories[0].rooms = std::exchange(operations_.rooms(), {});
+  std::array<std::vector<SurfaceMesh::Room>, 2> fresh;
+  while (fresh[1].size() < each) {
+    for (auto& rooms : fresh) {
+      for (std::size_t k = 0; k < block; ++k) rooms.push_back(mesh_.add_room());
+    }
   }
-  std::sort(refused.begin(), refused.end());
-  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
-  work_.big.insert(work_.big.end(), refused.begin(), refused.end());
+  // The last is filled first.
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto& rooms = territories[k].rooms;
+    rooms.insert(rooms.begin(), fresh[k].rbegin(), fresh[k].rend());
+  }
 }
 
-/// Breaks a triangle that is too big with the centre of its surface ball; true when the triangle is
-/// small enough, or a vertex went in.
-bool Refinement::insert(TriangleId t) {
-  SurfaceMesh& surface = mesh_.surface;
-  const auto [a, b, c] = surface.corners(t);
-  const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-  if (!is_big(t, circle)) return true;
-  const SurfaceBall ball =
-      exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
-  const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
-  if (!x) return false;
-  const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
-  const auto found = triangle_under(surface, place, t, *x);
-  if (!found) return false;
-  const TriangleId under = *found;
-  for (const VertexId v : surface.corners(under)) {
-    if (sizing_.is_too_short(mesh_.at(v), *x)) return false;
+/// By vertex, whether one of the triangles [begin, end) is at it.
+std::vector<char> Refinement::touched(std::size_t begin, std::size_t end) const {
+  std::vector<char> is_touched(mesh_.surface.vertex_count(), 0);
+  for (std::size_t t = begin; t < end; ++t) {
+    if (mesh_.surface.is_removed(TriangleId{t})) continue;
+    for (const VertexId v : mesh_.surface.corners(TriangleId{t})) is_touched[v.index()] = 1;
   }
-  const std::size_t before = surface.triangle_count();
-  surface.split(under, mesh_.add_vertex(*x));
-  for (const TriangleId changed : {under, TriangleId{before}, TriangleId{before + 1}}) {
-    update_after_change(changed, {SurfaceMesh::half_edge(changed, 0)});
-  }
-  ++counts_.insert;
-  flip_where_needed();
-  return true;
+  return is_touched;
 }
 
 }  // namespace morskin::refine

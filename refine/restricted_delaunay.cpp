@@ -159,8 +159,10 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh, const geometry::S
     return false;
   };
   std::vector<char> is_unsure(mesh.triangles.size(), 0);
-  for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
+  const std::size_t count = 3 * mesh.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const HalfEdgeId h{i}, twin = surface.twin(h);
+    sure.prefetch(surface.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, count - 1)}));
     if (twin < h || sure.are_sure(h, twin)) continue;
     for (const HalfEdgeId side : {h, twin}) is_unsure[SurfaceMesh::triangle(side).index()] = 1;
   }

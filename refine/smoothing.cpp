@@ -77,6 +77,8 @@ class Smoothing {
     std::vector<std::vector<TriangleId>> found(geometry::block_count(count));
     geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
       for (std::size_t t = begin; t < end; ++t) {
+        const TriangleId later{std::min(t + geometry::prefetch_ahead, end - 1)};
+        for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
         if (is_below(TriangleId{t})) found[block].push_back(TriangleId{t});
       }
     });

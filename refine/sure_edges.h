@@ -91,6 +91,9 @@ class SureEdges {
                                : Opposite{unknown, unknown, unknown};
   }
 
+  /// Asks for what are_sure() will look at.
+  void prefetch(HalfEdgeId h) const { geometry::prefetch(&opposite_[h.index() / 3]); }
+
   /// Whether neither of the two triangles at an edge can have the other's far corner in its surface
   /// ball; false where the angles do not tell.
   /// @pre both have been noted.

@@ -80,10 +80,12 @@ SurfaceBall exact_surface_ball(const Surface& skin, const SurfacePoint& a, const
 /// The triangle that a point of the skin lies over, seen along the normal there: a walk over the
 /// mesh, always through the edge that the point is farthest beyond. Nothing if that takes too long,
 /// as it may where the mesh is far from the skin.
-/// @param position  the place of a vertex
-template <class Position>
+/// @param position   the place of a vertex
+/// @param may_cross  whether the walk may cross an edge; it ends with nothing where it may not
+template <class Position, class MayCross>
 std::optional<TriangleId> triangle_under(const SurfaceMesh& surface, const Position& position,
-                                         TriangleId start, const SurfacePoint& x) {
+                                         TriangleId start, const SurfacePoint& x,
+                                         const MayCross& may_cross) {
   constexpr int most_steps = 64;
   TriangleId t = start;
   for (int step = 0; step < most_steps; ++step) {
@@ -98,6 +100,7 @@ std::optional<TriangleId> triangle_under(const SurfaceMesh& surface, const Posit
       through = h;
     }
     if (!through) return t;
+    if (!may_cross(*through)) break;
     t = SurfaceMesh::triangle(surface.twin(*through));
   }
   return std::nullopt;

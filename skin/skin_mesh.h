@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/parallel.h"
 #include "geometry/surface_mesh.h"
 #include "skin/skin_surface.h"
 
@@ -20,10 +21,34 @@ struct SkinMesh {
     points.push_back(p);
     return surface.add_vertex();
   }
-  void append(const SkinMesh& other) {
-    surface.append(other.surface);
-    points.reserve(geometry::SurfaceMesh::with_room(points.size() + other.points.size()));
-    points.insert(points.end(), other.points.begin(), other.points.end());
+  geometry::SurfaceMesh::Room add_room() {
+    points.emplace_back();
+    return surface.add_room();
+  }
+  /// @copydoc geometry::SurfaceMesh::append
+  /// @param threads  at most
+  void append(const SkinMesh& other, unsigned threads = 1) {
+    geometry::do_both(
+        threads, [&] { surface.append(other.surface); },
+        [&] {
+          points.reserve(geometry::SurfaceMesh::with_room(points.size() + other.points.size()));
+          points.insert(points.end(), other.points.begin(), other.points.end());
+        });
+  }
+
+  /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
+  /// @param threads  at most
+  void compact(unsigned threads = 1) {
+    const auto renamed = surface.renaming();
+    geometry::do_both(
+        threads, [&] { surface.compact(renamed); },
+        [&] {
+          std::size_t kept = 0;
+          for (std::size_t v = 0; v < points.size(); ++v) {
+            if (renamed[v]) points[kept++] = points[v];
+          }
+          points.resize(kept);
+        });
   }
 };
 

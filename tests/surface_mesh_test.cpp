@@ -174,6 +174,29 @@ TEST_CASE("an unsplit undoes a split") {
   }
 }
 
+TEST_CASE("what an unsplit leaves has room for a split, which adds no element") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    SurfaceMesh mesh = random_mesh(seed);
+    const SurfaceMesh::Room fresh = mesh.add_room();
+    CHECK(mesh.is_removed(fresh.second));
+    CHECK(mesh.is_removed(fresh.third));
+    CHECK(validate(mesh).value_or("") == "");
+    mesh.split(SurfaceMesh::triangle(random_half_edge(mesh, random)), fresh);
+    const SurfaceMesh::Room left = mesh.unsplit(fresh.vertex);
+    CHECK(left.vertex == fresh.vertex);
+    const std::size_t vertices = mesh.vertex_count(), places = mesh.triangle_count();
+    const std::size_t triangles = mesh.triangle_list().size();
+    mesh.split(SurfaceMesh::triangle(random_half_edge(mesh, random)), left);
+    CHECK(validate(mesh).value_or("") == "");
+    CHECK(mesh.degree(left.vertex) == 3);
+    CHECK(mesh.vertex_count() == vertices);
+    CHECK(mesh.triangle_count() == places);
+    CHECK(mesh.triangle_list().size() == triangles + 2);
+  }
+}
+
 TEST_CASE("degree and has_edge agree with a count over all triangles") {
   for (unsigned seed = 0; seed < 50; ++seed) {
     CAPTURE(seed);

@@ -188,7 +188,8 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
   const auto x = level_.project(exact_ball(a, b, c).centre, at(a).cell);
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return position(v); };
-  const auto found = refine::triangle_under(surface_, place, t, *x);
+  const auto found =
+      refine::triangle_under(surface_, place, t, *x, [](HalfEdgeId) { return true; });
   if (!found) return false;
   const TriangleId under = *found;
   for (const VertexId v : surface_.corners(under)) {

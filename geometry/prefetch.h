@@ -1,0 +1,16 @@
+#pragma once
+
+/// Memory asked for before it is needed. A pass over a mesh knows early which vertices and
+/// neighbours it will come to, and where these lie the processor cannot guess.
+
+#include <cstddef>
+
+namespace morskin::geometry {
+
+/// How many elements ahead a pass asks for what it will look at.
+inline constexpr std::size_t prefetch_ahead = 16;
+
+/// A hint, without effect but on time, for any address.
+inline void prefetch(const void* address) { __builtin_prefetch(address); }
+
+}  // namespace morskin::geometry

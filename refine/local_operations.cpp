@@ -1,0 +1,318 @@
+#include "refine/local_operations.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "refine/sure_edges.h"
+#include "refine/tube.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// Of two balls the deeper entered.
+Depth deeper(const Depth& a, const Depth& b) {
+  return {std::max(a.least, b.least), std::max(a.most, b.most)};
+}
+
+}  // namespace
+
+void Work::append(const Work& other) {
+  to_flip.insert(to_flip.end(), other.to_flip.begin(), other.to_flip.end());
+  too_short.insert(too_short.end(), other.too_short.begin(), other.too_short.end());
+  big.insert(big.end(), other.big.begin(), other.big.end());
+}
+
+LocalOperations::LocalOperations(const skin::SkinSurface& skin, const Sizing& sizing,
+                                 SkinMesh& mesh, Work work, Territory territory)
+    : skin_(skin),
+      sizing_(sizing),
+      mesh_(mesh),
+      work_(std::move(work)),
+      territory_(std::move(territory)) {}
+
+void LocalOperations::take_over(const LocalOperations& other) {
+  work_.append(other.work_);
+  work_.append(other.left_);
+  counts_.flip += other.counts_.flip;
+  counts_.contract += other.counts_.contract;
+  counts_.insert += other.counts_.insert;
+  steps_ += other.steps_;
+  std::vector<SurfaceMesh::Room>& rooms = territory_.rooms;
+  rooms.insert(rooms.end(), other.territory_.rooms.begin(), other.territory_.rooms.end());
+}
+
+double LocalOperations::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
+  return skin_.residual_bound(
+      std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale}));
+}
+
+QuestionedBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const {
+  return {skin_,
+          {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
+          circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
+}
+
+/// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
+bool LocalOperations::is_big(TriangleId t, const Circumcircle& circle) const {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
+  if (sizing_.is_tube_proved()) return false;
+  return !prove_tube(skin_, p, circle, skin_.residual_bound(rho)).holds();
+}
+
+/// Finds whether a triangle breaks [L] or [U].
+Circumcircle LocalOperations::look_at(TriangleId t, Work& found) const {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  if (is_big(t, circle)) found.big.push_back(t);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
+      found.too_short.push_back(SurfaceMesh::half_edge(t, k));
+    }
+  }
+  return circle;
+}
+
+/// Looks again at a triangle that changed, and at its edges but for those known to be Delaunay.
+void LocalOperations::look_again(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
+  look_at(t, work_);
+  work_.to_flip.insert(work_.to_flip.end(), edges);
+}
+
+bool LocalOperations::faces_outward(VertexId a, VertexId b, VertexId c) const {
+  const Vector n =
+      (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
+  return is_upright(n, mesh_.at(a), mesh_.at(b), mesh_.at(c));
+}
+
+bool LocalOperations::can_flip(HalfEdgeId h) const {
+  const SurfaceMesh& surface = mesh_.surface;
+  const HalfEdgeId g = surface.twin(h);
+  const VertexId a = surface.origin(h), b = surface.origin(g);
+  const VertexId c = surface.apex(h), d = surface.apex(g);
+  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface.has_edge(c, d);
+}
+
+void LocalOperations::flip(HalfEdgeId h) {
+  const HalfEdgeId g = mesh_.surface.twin(h);
+  mesh_.surface.flip(h);
+  ++counts_.flip;
+  for (const HalfEdgeId side : {h, g}) {
+    look_again(SurfaceMesh::triangle(side), {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
+  }
+}
+
+// [excerpt: flip]
+/// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
+/// flip are less deeply entered. Two angles mostly tell that none lies there; else bounds decide
+/// where they can. Where they cannot the balls are found to rounding, so that all answers together
+/// describe one restricted Voronoi diagram and flipping cannot go in circles.
+bool LocalOperations::flip_if_better(HalfEdgeId h) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const HalfEdgeId g = surface.twin(h);
+  const VertexId a = surface.origin(h), b = surface.origin(g);
+  const VertexId c = surface.apex(h), d = surface.apex(g);
+  const std::array here{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const SurfacePoint& beyond = mesh_.at(d);
+  const double residual = std::max(most_residual(here), skin_.residual_bound(beyond.length_scale));
+  if (is_surely_delaunay(here, beyond, residual)) return false;
+  const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
+  const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
+  QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
+  const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
+  if (now.most <= 0) return false;
+  if (!holds(SurfaceMesh::triangle(h)) || !holds(SurfaceMesh::triangle(g))) {
+    leave(h);
+    return false;
+  }
+  if (!can_flip(h)) return false;
+  QuestionedBall upper = ball(a, d, c), lower = ball(b, c, d);
+  const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
+  if (then.least >= now.most) return false;
+  if (then.most >= now.least) {
+    const Depth exactly_now = deeper(left.exact_depth(at_d), right.exact_depth(at_c));
+    const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
+    if (exactly_then.least >= exactly_now.least) return false;
+  }
+  flip(h);
+  return true;
+}
+// [/excerpt]
+
+/// Leaves an edge that ought to be flipped to whom may, and all that lies round it.
+void LocalOperations::leave(HalfEdgeId h) {
+  left_.to_flip.push_back(h);
+  for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
+    for (const VertexId v : mesh_.surface.corners(SurfaceMesh::triangle(side))) {
+      territory_.is_foreign[v.index()] = 1;
+    }
+  }
+}
+
+void LocalOperations::flip_where_needed() {
+  while (!work_.to_flip.empty() && counts_.flip < 1000 + 50 * mesh_.surface.triangle_count()) {
+    const HalfEdgeId h = work_.to_flip.back();
+    work_.to_flip.pop_back();
+    if (mesh_.surface.is_removed(SurfaceMesh::triangle(h))) continue;
+    flip_if_better(h);
+  }
+  work_.to_flip.clear();
+}
+
+bool LocalOperations::holds(TriangleId t) const {
+  const auto [a, b, c] = mesh_.surface.corners(t);
+  return territory_.holds(a) && territory_.holds(b) && territory_.holds(c);
+}
+
+bool LocalOperations::is_short(HalfEdgeId h) const {
+  return sizing_.is_too_short(mesh_.at(mesh_.surface.origin(h)), mesh_.at(mesh_.surface.target(h)));
+}
+
+void LocalOperations::contract_short_edges() {
+  for (std::size_t done = counts_.contract + 1; counts_.contract != done;) {
+    done = counts_.contract;
+    std::vector<HalfEdgeId> batch = std::exchange(work_.too_short, {});
+    std::sort(batch.begin(), batch.end());
+    batch.erase(std::unique(batch.begin(), batch.end()), batch.end());
+    for (const HalfEdgeId h : batch) {
+      if (mesh_.surface.is_removed(SurfaceMesh::triangle(h)) || !is_short(h)) continue;
+      if (!contract(h)) work_.too_short.push_back(h);
+    }
+  }
+}
+
+/// Deletes one end of a short edge; the other stays in place.
+bool LocalOperations::contract(HalfEdgeId h) {
+  const VertexId a = mesh_.surface.origin(h), b = mesh_.surface.target(h);
+  // The end with the larger length scale is the one that finds the edge too short.
+  const bool a_first = mesh_.at(a).length_scale >= mesh_.at(b).length_scale;
+  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
+  flip_where_needed();
+  counts_.contract += is_removed;
+  return is_removed;
+}
+
+/// Of a vertex with four neighbours, the edge to flip so that v leaves two good triangles behind,
+/// whatever its own look like meanwhile: v may lie outside of what its last three neighbours span.
+std::optional<HalfEdgeId> LocalOperations::last_flip(VertexId v) const {
+  const SurfaceMesh& surface = mesh_.surface;
+  std::optional<HalfEdgeId> best;
+  double least = std::numeric_limits<double>::infinity();
+  surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+    const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(surface.twin(h));
+    const VertexId beyond =
+        surface.target(surface.twin(SurfaceMesh::previous(surface.twin(SurfaceMesh::previous(h)))));
+    if (c == d || surface.has_edge(c, d) || surface.degree(beyond) <= 3 ||
+        !faces_outward(x, c, d) || !faces_outward(beyond, d, c)) {
+      return;
+    }
+    const double size =
+        std::max(circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius,
+                 circumcircle(mesh_.position(beyond), mesh_.position(d), mesh_.position(c)).radius);
+    if (size >= least) return;
+    least = size;
+    best = h;
+  });
+  return best;
+}
+
+/// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
+bool LocalOperations::remove(VertexId v) {
+  SurfaceMesh& surface = mesh_.surface;
+  while (surface.degree(v) > 3) {
+    std::optional<HalfEdgeId> best;
+    double least = std::numeric_limits<double>::infinity();
+    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+      const HalfEdgeId g = surface.twin(h);
+      const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(g);
+      if (!can_flip(h)) return;
+      const double size =
+          circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius;
+      if (size < least) {
+        least = size;
+        best = h;
+      }
+    });
+    if (!best && surface.degree(v) == 4) best = last_flip(v);
+    if (!best) return false;
+    flip(*best);
+    work_.to_flip.push_back(*best);  // no Delaunay flip: if v stays after all, it may go back
+  }
+  const HalfEdgeId first = *surface.outgoing(v);
+  const VertexId a = surface.target(first), b = surface.apex(first);
+  const VertexId c = surface.apex(surface.twin(first));
+  if (a == b || b == c || c == a || surface.degree(a) <= 3 || surface.degree(b) <= 3 ||
+      surface.degree(c) <= 3) {
+    return false;
+  }
+  territory_.rooms.push_back(surface.unsplit(v));
+  const TriangleId left = SurfaceMesh::triangle(first);
+  look_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
+                    SurfaceMesh::half_edge(left, 2)});
+  return true;
+}
+
+void LocalOperations::tell(std::size_t left) {
+  constexpr std::size_t steps_between_reports = 4096;
+  if (!told_ || ++steps_ % steps_between_reports != 0) return;
+  told_(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
+}
+
+void LocalOperations::insert_into_big_triangles(std::size_t most) {
+  std::vector<TriangleId> refused;
+  while (!work_.big.empty() && counts_.insert < most) {
+    const TriangleId t = work_.big.back();
+    work_.big.pop_back();
+    tell(work_.big.size());
+    if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
+  }
+  std::sort(refused.begin(), refused.end());
+  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  work_.big.insert(work_.big.end(), refused.begin(), refused.end());
+}
+
+/// Breaks a triangle that is too big with the centre of its surface ball; true when the triangle is
+/// small enough, or a vertex went in.
+bool LocalOperations::insert(TriangleId t) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const auto [a, b, c] = surface.corners(t);
+  const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
+  if (!is_big(t, circle)) return true;
+  if (!territory_.is_whole && territory_.rooms.empty()) return false;
+  const SurfaceBall ball =
+      exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
+  const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
+  if (!x) return false;
+  const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
+  const auto may_cross = [&](HalfEdgeId h) {
+    return territory_.holds(surface.origin(h)) || territory_.holds(surface.target(h));
+  };
+  const auto under = triangle_under(surface, place, t, *x, may_cross);
+  if (!under || !holds(*under)) return false;
+  for (const VertexId v : surface.corners(*under)) {
+    if (sizing_.is_too_short(mesh_.at(v), *x)) return false;
+  }
+  put_in(*under, *x);
+  ++counts_.insert;
+  flip_where_needed();
+  return true;
+}
+
+void LocalOperations::put_in(TriangleId under, const SurfacePoint& x) {
+  std::vector<SurfaceMesh::Room>& rooms = territory_.rooms;
+  if (rooms.empty()) rooms.push_back(mesh_.add_room());
+  const SurfaceMesh::Room room = rooms.back();
+  rooms.pop_back();
+  mesh_.points[room.vertex.index()] = x;
+  mesh_.surface.split(under, room);
+  for (const TriangleId changed : {under, room.second, room.third}) {
+    look_again(changed, {SurfaceMesh::half_edge(changed, 0)});
+  }
+}
+
+}  // namespace morskin::refine

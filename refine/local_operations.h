@@ -1,0 +1,106 @@
+#pragma once
+
+/// The operations of local refinement (section 4.3) on a mesh, or on a territory of one while
+/// others work on the rest: edge flips, contraction, insertion.
+///
+/// Contraction deletes one end of the edge and never moves a vertex, insertion takes the centre of
+/// the triangle's surface ball. So the number of pairs closer than [L] allows never grows, as long
+/// as Q^2 > 2 + 4 C Q, and the process ends (papers/4.3-local-refinement.md).
+
+#include <array>
+#include <vector>
+
+#include "geometry/progress.h"
+#include "refine/ball_pencil.h"
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+struct RefinementCounts {
+  std::size_t flip = 0;
+  std::size_t contract = 0;
+  std::size_t insert = 0;
+  std::size_t refused = 0;  ///< edges and triangles that stayed in breach of [L] or [U]
+};
+
+/// What needs work.
+struct Work {
+  std::vector<HalfEdgeId> to_flip;    ///< edges that may not be Delaunay
+  std::vector<HalfEdgeId> too_short;  ///< edges that broke [L] when they came to be
+  std::vector<TriangleId> big;        ///< triangles that broke [U] when they came to be
+
+  void append(const Work& other);
+};
+
+/// The part of a mesh that one of several may change while others change theirs: the triangles of
+/// which it holds all three corners. At a vertex that it holds all triangles are its own, and no
+/// other reads them, so it may walk from one to the next over an edge of which it holds an end.
+struct Territory {
+  bool is_whole = true;
+  std::vector<char> is_foreign;  ///< by vertex, unless it is the whole mesh
+  /// For what is put in, the last first. The whole mesh gets more when there is none left.
+  std::vector<SurfaceMesh::Room> rooms;
+
+  bool holds(VertexId v) const { return is_whole || !is_foreign[v.index()]; }
+};
+
+class LocalOperations {
+ public:
+  /// Does what is to be done in a territory. What has to wait for its neighbours stays behind as
+  /// work, and the territory recedes from there.
+  /// @pre the mesh is closed, its vertices are points of the skin.
+  LocalOperations(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+                  Work work = {}, Territory territory = {});
+
+  /// Told now and then what share of the work known so far is done; insertions may make more.
+  void report_to(const geometry::Told& told) { told_ = told; }
+
+  void flip_where_needed();
+  void contract_short_edges();
+  /// @param most  insertions
+  void insert_into_big_triangles(std::size_t most);
+
+  /// Takes over what another has done, what it left, and its rooms.
+  void take_over(const LocalOperations& other);
+
+  /// Finds whether a triangle breaks [L] or [U].
+  Circumcircle look_at(TriangleId t, Work& found) const;
+  QuestionedBall ball(VertexId a, VertexId b, VertexId c) const;
+  /// |G| at the corners of a triangle is at most this, Angstrom^2.
+  double most_residual(const std::array<const SurfacePoint*, 3>& corners) const;
+
+  std::vector<SurfaceMesh::Room>& rooms() { return territory_.rooms; }
+  Work& work() { return work_; }
+  const Work& work() const { return work_; }
+  const RefinementCounts& counts() const { return counts_; }
+
+ private:
+  void look_again(TriangleId t, std::initializer_list<HalfEdgeId> edges);
+  bool flip_if_better(HalfEdgeId h);
+  void flip(HalfEdgeId h);
+  void leave(HalfEdgeId h);
+  bool contract(HalfEdgeId h);
+  bool remove(VertexId v);
+  std::optional<HalfEdgeId> last_flip(VertexId v) const;
+  bool insert(TriangleId t);
+  void put_in(TriangleId under, const SurfacePoint& x);
+  void tell(std::size_t left);
+
+  bool holds(TriangleId t) const;
+  bool is_short(HalfEdgeId h) const;
+  bool is_big(TriangleId t, const Circumcircle& circle) const;
+  bool faces_outward(VertexId a, VertexId b, VertexId c) const;
+  bool can_flip(HalfEdgeId h) const;
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  SkinMesh& mesh_;
+  Work work_, left_;  ///< to do; to be left to whom takes over
+  Territory territory_;
+  RefinementCounts counts_;
+  geometry::Told told_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace morskin::refine
