@@ -139,6 +139,7 @@ void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
     const Departure departure = queue_.top();    // 2
     queue_.pop();
+    prefetch_next();
     if (!is_current(departure)) continue;
     report(departure);
     if (!may_depart(departure)) {
@@ -161,6 +162,12 @@ void Sweep::creep_triangles() {
   }  // 15
 }
 // [/excerpt]
+
+/// Asks for what the next departure will need.
+void Sweep::prefetch_next() const {
+  if (queue_.empty()) return;
+  skin_.complex().prefetch(mesh_.at(front_[queue_.top().corner].origin).cell);
+}
 
 /// Tells of progress, and of the values that the front has come to.
 void Sweep::report(const Departure& departure) {

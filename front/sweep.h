@@ -123,6 +123,7 @@ class Sweep {
   };
 
   void finish();
+  void prefetch_next() const;
   void report(const Departure& departure);
   void note(Operation operation) const;
   void show_up_to(double value);
