@@ -24,13 +24,12 @@ FrontEdgeId Front::open_edge(VertexId origin, HalfEdgeId half_edge) {
   ++open_;
   const SurfacePoint& p = mesh_.at(origin);
   edge.position = p.position;
-  grid_.insert(e, p.position, p.length_scale);
+  edge.filed = grid_.insert(e, p.position, p.length_scale);
   return e;
 }
 
 void Front::close_edge(FrontEdgeId e) {
-  const SurfacePoint& p = mesh_.at(edges_[e.index()].origin);
-  grid_.erase(e, p.position, p.length_scale);
+  grid_.erase(e, edges_[e.index()].filed);
   edges_[e.index()].is_open = false;
   free_.push_back(e);
   --open_;
@@ -56,8 +55,10 @@ std::uint32_t Front::append(const Front& other, std::uint32_t vertices, std::uin
     edge.next.value += edges;
     edge.previous.value += edges;
     const FrontEdgeId e{edges_.size()};
+    if (edge.is_open) {
+      edge.filed = grid_.insert(e, edge.position, mesh_.at(edge.origin).length_scale);
+    }
     edges_.push_back(edge);
-    if (edge.is_open) grid_.insert(e, edge.position, mesh_.at(edge.origin).length_scale);
   }
   for (const FrontEdgeId e : other.free_) free_.emplace_back(e.value + edges);
   open_ += other.open_;

@@ -31,7 +31,8 @@ struct alignas(64) FrontEdge {
   FrontEdgeId next, previous;
   HalfEdgeId half_edge;
   std::uint32_t generation = 0;
-  std::uint32_t loop = 0;  ///< the watched loop it belongs to; 0 for none
+  std::uint32_t loop = 0;     ///< the watched loop it belongs to; 0 for none
+  FrontGrid::Places filed{};  ///< where its corner is in the grid
   bool is_open = false;
 };
 

@@ -24,43 +24,52 @@ namespace morskin::front {
 using FrontEdgeId = geometry::Id<struct FrontEdgeTag>;
 
 class FrontGrid {
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+
  public:
-  /// @param reach  largest query radius in units of the length scale, below 1
+  /// The keys of the boxes that a corner is filed in, from the lowest band up.
+  using Places = std::array<std::uint32_t, 3>;
+
+  /// @param reach  largest query radius in units of the length scale, at most 0.85: corners within
+  ///               reach differ by less than a factor 16 in length scale, and take three bands
   /// @param largest_length_scale  a larger one counts as this
   explicit FrontGrid(double reach,
                      double largest_length_scale = std::numeric_limits<double>::infinity())
-      : reach_(reach), largest_length_scale_(largest_length_scale), first_(1024, none) {}
+      : reach_(reach),
+        largest_length_scale_(largest_length_scale),
+        lowest_share_((1 - margin) / (1 + reach)),
+        highest_share_((1 + margin) / (1 - reach)),
+        cells_per_reach_(1 / (8 * reach)),
+        first_(1024, none) {}
 
   /// The largest query radius at a place, Angstrom.
   double reach(double length_scale) const { return reach_ * counted(length_scale); }
 
-  void insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_band(length_scale, [&](int band) {
+  /// @return where, for erase()
+  Places insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
+    const double counts_as = counted(length_scale);
+    const int highest = band_of(counts_as * highest_share_);
+    Places places{none, none, none};
+    std::size_t filed = 0;
+    for (int band = band_of(counts_as * lowest_share_); band <= highest; ++band) {
       const double size = cell_size(band);
       const Box box = box_of(band, position);
-      Cell& cell = cells_[cell_with_room(key_of(band, box))];
+      const std::uint32_t key = places[filed++] = key_of(band, box);
+      Cell& cell = cells_[cell_with_room(key)];
       const std::uint32_t n = cell.count++;
       cell.x[n] = offset(position.x(), box[0], size);
       cell.y[n] = offset(position.y(), box[1], size);
       cell.z[n] = offset(position.z(), box[2], size);
       cell.corners[n] = corner;
-    });
+    }
+    return places;
   }
 
-  /// @pre the corner was inserted with the same position and length scale.
-  void erase(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
-    for_each_band(length_scale, [&](int band) {
-      const std::uint32_t key = key_of(band, box_of(band, position));
-      for (std::uint32_t* link = &first(key);; link = &cells_[*link].next) {
-        Cell& cell = cells_[*link];
-        if (cell.key != key || !take_out(cell, corner)) continue;
-        if (cell.count == 0) {
-          unused_.push_back(*link);
-          *link = cell.next;
-        }
-        return;
-      }
-    });
+  /// @pre the corner was inserted there.
+  void erase(FrontEdgeId corner, const Places& places) {
+    for (const std::uint32_t key : places) {
+      if (key != none) erase(corner, key);
+    }
   }
 
   /// Calls visit(corner) for every corner within `reach` of a position. When two boxes share a key,
@@ -77,6 +86,13 @@ class FrontGrid {
                    whole((p.z() + reach) * s)};
     // Offsets are rounded to single precision, by less than a millionth of the cell.
     const float squared_reach = static_cast<float>(reach * reach * 1.001);
+    // Visited together: a loop over the few of each cell would end where no processor can guess.
+    std::array<FrontEdgeId, 8 * room> near;
+    std::uint32_t found = 0;
+    const auto visit_all = [&] {
+      for (std::uint32_t n = 0; n < found; ++n) visit(near[n]);
+      found = 0;
+    };
     Box box;
     for (box[0] = low[0]; box[0] <= high[0]; ++box[0]) {
       const float x = offset(p.x(), box[0], size);
@@ -86,47 +102,53 @@ class FrontGrid {
           const float z = offset(p.z(), box[2], size);
           const std::uint32_t key = key_of(band, box);
           for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
-            if (cells_[c].key == key) visit_near(cells_[c], x, y, z, squared_reach, visit);
+            if (cells_[c].key != key) continue;
+            if (found > near.size() - room) visit_all();
+            found += find_near(cells_[c], x, y, z, squared_reach, &near[found]);
           }
         }
       }
     }
+    visit_all();
   }
 
  private:
   using Box = std::array<std::int64_t, 3>;  ///< a cell's place, in cells from the origin
-  static constexpr std::uint32_t room = 8, none = 0xFFFFFFFFU;
-  /// Corners in one box, as offsets from its low corner. Boxes with the same place in the table of
-  /// first cells are a list, and so are the cells of a box that needs more than one.
+  static constexpr std::uint32_t room = 8;
+  static constexpr double margin = 1e-12;  ///< for rounding, at the border of two bands
+  static constexpr float far = std::numeric_limits<float>::infinity();
+  static constexpr std::array<float, room> all_far{far, far, far, far, far, far, far, far};
+  /// Corners in one box, as offsets from its low corner; what is empty lies infinitely far. Boxes
+  /// with the same place in the table of first cells are a list, and so are the cells of a box that
+  /// needs more than one.
   struct alignas(64) Cell {
-    std::array<float, room> x{}, y{}, z{};
+    std::array<float, room> x = all_far, y{}, z{};
     std::uint32_t key = 0, next = none, count = 0;
     std::array<FrontEdgeId, room> corners;
   };
 
-  /// All the distances of a cell at once, so that the compiler can take four in one instruction.
-  template <class Visit>
-  static void visit_near(const Cell& cell, float x, float y, float z, float squared_reach,
-                         Visit& visit) {
+  /// Puts those of a cell that are near into an array with room for all. The distances are
+  /// calculated together, so that the compiler can take four in one instruction; every other corner
+  /// is near, and no branch guesses which.
+  /// @return how many
+  static std::uint32_t find_near(const Cell& cell, float x, float y, float z, float squared_reach,
+                                 FrontEdgeId* near) {
     std::array<float, room> squared;
     for (std::uint32_t n = 0; n < room; ++n) {
       const float dx = cell.x[n] - x, dy = cell.y[n] - y, dz = cell.z[n] - z;
       squared[n] = dx * dx + dy * dy + dz * dz;
     }
-    // Every other corner is near: put together without a branch, they cost one guess in all.
-    std::array<FrontEdgeId, room> near;
     std::uint32_t count = 0;
     for (std::uint32_t n = 0; n < room; ++n) {
       near[count] = cell.corners[n];
-      count += static_cast<std::uint32_t>(n < cell.count) &
-               static_cast<std::uint32_t>(squared[n] <= squared_reach);
+      count += static_cast<std::uint32_t>(squared[n] <= squared_reach);
     }
-    for (std::uint32_t n = 0; n < count; ++n) visit(near[n]);
+    return count;
   }
 
   /// Twice the reach at the top of the band, so that a query touches two cells an axis at most.
   double cell_size(int band) const { return 8 * reach_ * power_of_four(band); }
-  double cells_per_angstrom(int band) const { return power_of_four(-band) / (8 * reach_); }
+  double cells_per_angstrom(int band) const { return power_of_four(-band) * cells_per_reach_; }
   /// 4^n and the band of x from the bits: the library's functions are calls, and this is the
   /// innermost loop. @pre both are normal numbers.
   static double power_of_four(int n) {
@@ -151,13 +173,7 @@ class FrontGrid {
                             static_cast<std::uint64_t>(box[1]) * 0xC2B2AE3D27D4EB4FULL +
                             static_cast<std::uint64_t>(box[2]) * 0x165667B19E3779F9ULL +
                             static_cast<std::uint64_t>(band) * 0xD6E8FEB86659FD93ULL;
-    return static_cast<std::uint32_t>(((h ^ (h >> 32)) * 0xD6E8FEB86659FD93ULL) >> 32);
-  }
-  template <class Visit>
-  void for_each_band(double length_scale, Visit visit) const {
-    const int lowest = band_of(counted(length_scale) / (1 + reach_));
-    const int highest = band_of(counted(length_scale) / (1 - reach_));
-    for (int band = lowest; band <= highest; ++band) visit(band);
+    return static_cast<std::uint32_t>(((h ^ (h >> 32)) * 0xD6E8FEB86659FD93ULL) >> 33);
   }
 
   double counted(double length_scale) const {
@@ -166,6 +182,17 @@ class FrontGrid {
   std::uint32_t& first(std::uint32_t key) { return first_[key & (first_.size() - 1)]; }
   std::uint32_t first(std::uint32_t key) const { return first_[key & (first_.size() - 1)]; }
 
+  void erase(FrontEdgeId corner, std::uint32_t key) {
+    for (std::uint32_t* link = &first(key);; link = &cells_[*link].next) {
+      Cell& cell = cells_[*link];
+      if (cell.key != key || !take_out(cell, corner)) continue;
+      if (cell.count == 0) {
+        unused_.push_back(*link);
+        *link = cell.next;
+      }
+      return;
+    }
+  }
   static bool take_out(Cell& cell, FrontEdgeId corner) {
     std::uint32_t i = 0;
     while (i < cell.count && cell.corners[i] != corner) ++i;
@@ -175,6 +202,7 @@ class FrontGrid {
     cell.y[i] = cell.y[last];
     cell.z[i] = cell.z[last];
     cell.corners[i] = cell.corners[last];
+    cell.x[last] = far;
     return true;
   }
   std::uint32_t cell_with_room(std::uint32_t key) {
@@ -206,7 +234,9 @@ class FrontGrid {
   }
 
   double reach_, largest_length_scale_;
-  std::vector<std::uint32_t> first_;  ///< by key modulo its size: a cell, or none
+  double lowest_share_, highest_share_;  ///< of the length scale: of corners in reach
+  double cells_per_reach_;               ///< cells per Angstrom in band 0
+  std::vector<std::uint32_t> first_;     ///< by key modulo its size: a cell, or none
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> unused_;  ///< cells in no list
 };

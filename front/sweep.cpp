@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/prefetch.h"
+
 namespace morskin::front {
 
 namespace {
@@ -163,10 +165,10 @@ void Sweep::creep_triangles() {
 }
 // [/excerpt]
 
-/// Asks for what the next departure will need.
+/// Asks for the surface point that the next departure begins with.
 void Sweep::prefetch_next() const {
   if (queue_.empty()) return;
-  skin_.complex().prefetch(mesh_.at(front_[queue_.top().corner].origin).cell);
+  geometry::prefetch(&mesh_.at(front_[queue_.top().corner].origin));
 }
 
 /// Tells of progress, and of the values that the front has come to.

@@ -11,6 +11,11 @@ namespace morskin::geometry {
 inline constexpr std::size_t prefetch_ahead = 16;
 
 /// A hint, without effect but on time, for any address.
-inline void prefetch(const void* address) { __builtin_prefetch(address); }
+inline void prefetch(const void* address) {
+  __builtin_prefetch(address);
+  // Says that there is an effect: a function that only asks ahead would be left out as one that
+  // does nothing.
+  __asm__ volatile("");
+}
 
 }  // namespace morskin::geometry

@@ -21,7 +21,6 @@
 
 #include "geometry/id.h"
 #include "geometry/point.h"
-#include "geometry/prefetch.h"
 #include "geometry/regular_triangulation.h"
 #include "skin/patch.h"
 
@@ -92,12 +91,6 @@ class MixedComplex {
             first_wall_[cell.index() + 1] - first_wall_[cell.index()]};
   }
   std::vector<Wall> make_walls(CellId cell) const;
-  /// Asks for what a walk from the cell, and a look at its patch, will need.
-  void prefetch(CellId cell) const {
-    if (!is_kept(cell)) return;
-    geometry::prefetch(&kept_patch(cell));
-    for (const Wall& wall : kept_walls(cell)) geometry::prefetch(&wall);
-  }
 
   /// Dimension of the cell's simplex, 0 to 3.
   int dimension(CellId cell) const { return dimension_of(number(cell)); }

@@ -323,18 +323,22 @@ TEST_CASE(
       const auto& [at, scale] = deepest[random.below(deepest.size())];
       return at + scale * std::pow(10.0, random.between(-1, 1)) * random.direction();
     };
-    FrontGrid grid(0.4);
-    std::vector<std::pair<FrontEdgeId, Point>> filed;
+    FrontGrid grid(seed % 2 == 0 ? 0.4 : 0.85);  // in two bands at most, or in three
+    struct Filed {
+      FrontEdgeId corner;
+      Point position;
+      FrontGrid::Places places;
+    };
+    std::vector<Filed> filed;
     for (std::uint32_t i = 0; i < 3000; ++i) {
       if (random.uniform() < 0.35 && !filed.empty()) {
         const std::size_t k = random.below(filed.size());
-        grid.erase(filed[k].first, filed[k].second, length_scale(filed[k].second));
+        grid.erase(filed[k].corner, filed[k].places);
         filed[k] = filed.back();
         filed.pop_back();
       } else {
         const Point x = random_point();
-        grid.insert(FrontEdgeId{i}, x, length_scale(x));
-        filed.emplace_back(FrontEdgeId{i}, x);
+        filed.push_back({FrontEdgeId{i}, x, grid.insert(FrontEdgeId{i}, x, length_scale(x))});
       }
       if (i % 30 != 0) continue;
       CAPTURE(i);
@@ -347,7 +351,7 @@ TEST_CASE(
       visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
       // Single precision offsets: a thousandth of the reach, a millionth of the scale.
       const double beyond = reach * 1.001 + 1e-5 * rho;
-      for (const auto& [e, x] : filed) {
+      for (const auto& [e, x, places] : filed) {
         const double d = (x - p).norm();
         const bool is_visited = std::binary_search(visited.begin(), visited.end(), e);
         if (d <= reach * (1 - 1e-6)) CHECK(is_visited);
