@@ -8,27 +8,43 @@ Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector&
                         double time) {
   constexpr double s = 4.582575694955840006588047193728;  // the square root of 21
   const double h = time;
+  // By components: in pairs, each stage would wait for the last one's to be taken apart and put
+  // together again, and stages wait for one another anyhow.
+  const auto stage = [&](auto slope) {
+    return flow({u.x() + h * slope(0), u.y() + h * slope(1), u.z() + h * slope(2)});
+  };
   const Vector& k1 = velocity;
-  const Vector k2 = flow(u + h / 2 * k1);
-  const Vector k3 = flow(u + h / 4 * (k1 + k2));
-  const Vector k4 = flow(u + h * (k1 / 7 + (-7 - 3 * s) / 98 * k2 + (21 + 5 * s) / 49 * k3));
-  const Vector k5 =
-      flow(u + h * ((11 + s) / 84 * k1 + (18 + 4 * s) / 63 * k3 + (21 - s) / 252 * k4));
-  const Vector k6 = flow(u + h * ((5 + s) / 48 * k1 + (9 + s) / 36 * k3 +
-                                  (-231 + 14 * s) / 360 * k4 + (63 - 7 * s) / 80 * k5));
-  const Vector k7 =
-      flow(u + h * ((10 - s) / 42 * k1 + (-432 + 92 * s) / 315 * k3 + (633 - 145 * s) / 90 * k4 +
-                    (-504 + 115 * s) / 70 * k5 + (63 - 13 * s) / 35 * k6));
-  const Vector k8 =
-      flow(u + h * (k1 / 14 + (14 - 3 * s) / 126 * k5 + (13 - 3 * s) / 63 * k6 + k7 / 9));
-  const Vector k9 = flow(u + h * (k1 / 32 + (91 - 21 * s) / 576 * k5 + 11.0 / 72 * k6 +
-                                  (-385 - 75 * s) / 1152 * k7 + (63 + 13 * s) / 128 * k8));
-  const Vector k10 =
-      flow(u + h * (k1 / 14 + k5 / 9 + (-733 - 147 * s) / 2205 * k6 + (515 + 111 * s) / 504 * k7 +
-                    (-51 - 11 * s) / 56 * k8 + (132 + 28 * s) / 245 * k9));
-  const Vector k11 =
-      flow(u + h * ((-42 + 7 * s) / 18 * k5 + (-18 + 28 * s) / 45 * k6 + (-273 - 53 * s) / 72 * k7 +
-                    (301 + 53 * s) / 72 * k8 + (28 - 28 * s) / 45 * k9 + (49 - 7 * s) / 18 * k10));
+  const Vector k2 = stage([&](int i) { return k1[i] / 2; });
+  const Vector k3 = stage([&](int i) { return (k1[i] + k2[i]) / 4; });
+  const Vector k4 = stage(
+      [&](int i) { return k1[i] / 7 + (-7 - 3 * s) / 98 * k2[i] + (21 + 5 * s) / 49 * k3[i]; });
+  const Vector k5 = stage([&](int i) {
+    return (11 + s) / 84 * k1[i] + (18 + 4 * s) / 63 * k3[i] + (21 - s) / 252 * k4[i];
+  });
+  const Vector k6 = stage([&](int i) {
+    return (5 + s) / 48 * k1[i] + (9 + s) / 36 * k3[i] + (-231 + 14 * s) / 360 * k4[i] +
+           (63 - 7 * s) / 80 * k5[i];
+  });
+  const Vector k7 = stage([&](int i) {
+    return (10 - s) / 42 * k1[i] + (-432 + 92 * s) / 315 * k3[i] + (633 - 145 * s) / 90 * k4[i] +
+           (-504 + 115 * s) / 70 * k5[i] + (63 - 13 * s) / 35 * k6[i];
+  });
+  const Vector k8 = stage([&](int i) {
+    return k1[i] / 14 + (14 - 3 * s) / 126 * k5[i] + (13 - 3 * s) / 63 * k6[i] + k7[i] / 9;
+  });
+  const Vector k9 = stage([&](int i) {
+    return k1[i] / 32 + (91 - 21 * s) / 576 * k5[i] + 11.0 / 72 * k6[i] +
+           (-385 - 75 * s) / 1152 * k7[i] + (63 + 13 * s) / 128 * k8[i];
+  });
+  const Vector k10 = stage([&](int i) {
+    return k1[i] / 14 + k5[i] / 9 + (-733 - 147 * s) / 2205 * k6[i] +
+           (515 + 111 * s) / 504 * k7[i] + (-51 - 11 * s) / 56 * k8[i] +
+           (132 + 28 * s) / 245 * k9[i];
+  });
+  const Vector k11 = stage([&](int i) {
+    return (-42 + 7 * s) / 18 * k5[i] + (-18 + 28 * s) / 45 * k6[i] + (-273 - 53 * s) / 72 * k7[i] +
+           (301 + 53 * s) / 72 * k8[i] + (28 - 28 * s) / 45 * k9[i] + (49 - 7 * s) / 18 * k10[i];
+  });
   return u + h * (k1 / 20 + 49.0 / 180 * k8 + 16.0 / 45 * k9 + 49.0 / 180 * k10 + k11 / 20);
 }
 

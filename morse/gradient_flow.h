@@ -52,11 +52,12 @@ class GradientFlow {
 
   /// The velocity of the line. @pre u lies on the patch.
   Vector operator()(const Vector& u) const {
+    // With the way in the constants: steps along a line wait for this, one after the other.
     const double r = u.x(), b = u.y(), s = u.z();
-    const double l =
-        (linear_ * level_ + across_ * r - along_ * s) / ((1 + twist_) * s * s + level_);
-    const double shrink = way_ * (linear_ - l);
-    return {shrink * r + way_ * across_, shrink * b, way_ * ((linear_ + twist_ * l) * s + along_)};
+    const double linear = way_ * linear_, across = way_ * across_, along = way_ * along_;
+    const double l = (linear * level_ - along * s + across * r) / ((1 + twist_) * s * s + level_);
+    const double shrink = linear - l;
+    return {shrink * r + across, shrink * b, (linear + twist_ * l) * s + along};
   }
   /// The derivative of the velocity, row by component of the velocity. @pre as above
   Eigen::Matrix3d derivative(const Vector& u) const {

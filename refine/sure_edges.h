@@ -14,13 +14,19 @@
 ///
 ///     sin alpha (cot alpha + cot beta) > (1 - cos theta) + |s / R| sin theta.
 ///
-/// The right-hand side is below 0.24 for plain triangles: those with R at most 0.2 of the length
-/// scale and a normal no farther than asin(0.2) off the skin's, at every corner. Both normals are
-/// near the one at a common corner, so sin theta <= 0.392 and 1 - cos theta <= 0.08, and the bound
-/// of ball_pencil.h makes |s| at most 0.406 R.
+/// Let x be at least R over the length scale and the sine of the angle between the triangle's
+/// normal and the skin's, at every corner of both triangles, and at most 0.2. Both normals are near
+/// the one at a common corner, so sin theta <= 2 x and 1 - cos theta <= 2 x^2, and the bound of
+/// ball_pencil.h is
+///
+///     |s / R| <= 3 x / (m + sqrt(m^2 - 3 x^2)),     m = sqrt(1 - x^2) - x,
+///
+/// which is x times something that grows with x to 2.03 at 0.2. The right-hand side stays below
+/// 6.1 x^2, the clearance.
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -28,26 +34,25 @@
 
 namespace morskin::refine {
 
-/// The bound for plain triangles.
-inline constexpr double least_clearance = 0.24;
-
-/// Whether a triangle is plain.
+/// The clearance that a triangle asks for by itself; infinite where there is no bound.
 /// @param n       its normal, twice its area long
 /// @param sides   (2 R |n|)^2, the product of its squared sides
 /// @param most_G  |G| at the corners, Angstrom^2, at most
-inline bool is_plain(const std::array<const SurfacePoint*, 3>& corners, const Vector& n,
-                     double sides, double most_G) {
-  constexpr double largest = 0.2, tilt = 0.2, residual = 1e-6;
+inline double clearance(const std::array<const SurfacePoint*, 3>& corners, const Vector& n,
+                        double sides, double most_G) {
+  // The least is far above the rounding of cotangents to single precision.
+  constexpr double largest = 0.2, residual = 1e-6, least = 1e-3;
+  const auto& [a, b, c] = corners;
   const double n2 = n.squaredNorm();
-  for (const SurfacePoint* p : corners) {
-    const double upright = p->normal.dot(n), rho2 = p->length_scale * p->length_scale;
-    if (!(sides <= 4 * largest * largest * rho2 * n2 && upright > 0 &&
-          upright * upright >= (1 - tilt * tilt) * n2 &&
-          4 * most_G * most_G * n2 <= residual * residual * rho2 * sides)) {
-      return false;
-    }
+  const double rho = std::min({a->length_scale, b->length_scale, c->length_scale});
+  const double upright = std::min({a->normal.dot(n), b->normal.dot(n), c->normal.dot(n)});
+  // x^2 times n^2.
+  const double x2n2 = std::max(sides / (4 * rho * rho), n2 - upright * upright);
+  if (!(x2n2 <= largest * largest * n2 && upright > 0 &&
+        4 * most_G * most_G * n2 <= residual * residual * rho * rho * sides)) {
+    return std::numeric_limits<double>::infinity();
   }
-  return true;
+  return std::max(6.1 * x2n2 / n2, least);
 }
 
 /// Whether neither of the triangles (a, b, c) and (b, a, d) can have the other's far corner in its
@@ -64,14 +69,13 @@ inline bool is_surely_delaunay(const std::array<const SurfacePoint*, 3>& abc, co
   if (!(at_c > 0 && at_d > 0)) return false;
   const Vector left = ab.cross(ac), right = ad.cross(ab);
   const double squared_ab = ab.squaredNorm();
-  if (!is_plain(abc, left, squared_ab * ac.squaredNorm() * bc.squaredNorm(), most_G) ||
-      !is_plain({b, a, &d}, right, squared_ab * ad.squaredNorm() * bd.squaredNorm(), most_G)) {
-    return false;
-  }
+  const double needed = std::max(
+      clearance(abc, left, squared_ab * ac.squaredNorm() * bc.squaredNorm(), most_G),
+      clearance({b, a, &d}, right, squared_ab * ad.squaredNorm() * bd.squaredNorm(), most_G));
   // Both cotangents squared, times both squared normals.
   const double l2 = left.squaredNorm(), r2 = right.squaredNorm();
   const double here = at_c * at_c * r2, there = at_d * at_d * l2;
-  return here + there > least_clearance * least_clearance * (l2 * r2 + std::max(here, there));
+  return here + there > needed * needed * (l2 * r2 + std::max(here, there));
 }
 
 /// The same for the edges of a mesh, from cotangents noted for each triangle.
@@ -85,10 +89,10 @@ class SureEdges {
   void note(TriangleId t, const std::array<const SurfacePoint*, 3>& corners,
             const Circumcircle& circle, double most_G) {
     const Vector& n = circle.doubled_area;
-    const double sides = 4 * circle.radius * circle.radius * n.squaredNorm();
-    opposite_[t.index()] = is_plain(corners, n, sides, most_G)
-                               ? cotangents(corners, n.norm())
-                               : Opposite{unknown, unknown, unknown};
+    const double squared_area = n.squaredNorm();
+    const double sides = 4 * circle.radius * circle.radius * squared_area;
+    opposite_[t.index()] = cotangents(corners, std::sqrt(squared_area));
+    opposite_[t.index()].clearance = static_cast<float>(clearance(corners, n, sides, most_G));
   }
 
   /// Asks for what are_sure() will look at.
@@ -100,16 +104,18 @@ class SureEdges {
   bool are_sure(HalfEdgeId h, HalfEdgeId twin) const {
     const float here = cotangent(h), there = cotangent(twin), sum = here + there;
     const float flatter = std::max(here * here, there * there);
-    constexpr auto least = static_cast<float>(least_clearance);
-    return sum > 0 && sum * sum > least * least * (1 + flatter);
+    const float needed = std::max(of(h).clearance, of(twin).clearance);
+    return sum > 0 && sum * sum > needed * needed * (1 + flatter);
   }
 
  private:
-  using Opposite = std::array<float, 3>;  ///< cotangents of the angles opposite the half-edges
+  struct Opposite {
+    std::array<float, 3> cotangents;  ///< of the angles opposite the half-edges
+    float clearance;
+  };
 
-  static constexpr float unknown = -std::numeric_limits<float>::infinity();
-
-  float cotangent(HalfEdgeId h) const { return opposite_[h.index() / 3][h.index() % 3]; }
+  const Opposite& of(HalfEdgeId h) const { return opposite_[h.index() / 3]; }
+  float cotangent(HalfEdgeId h) const { return of(h).cotangents[h.index() % 3]; }
 
   static Opposite cotangents(const std::array<const SurfacePoint*, 3>& corners,
                              double doubled_area) {
@@ -117,8 +123,9 @@ class SureEdges {
     const Vector ab = b->position - a->position, bc = c->position - b->position;
     const Vector ca = a->position - c->position;
     const double scale = -1 / doubled_area;
-    return {static_cast<float>(scale * bc.dot(ca)), static_cast<float>(scale * ca.dot(ab)),
-            static_cast<float>(scale * ab.dot(bc))};
+    return {{static_cast<float>(scale * bc.dot(ca)), static_cast<float>(scale * ca.dot(ab)),
+             static_cast<float>(scale * ab.dot(bc))},
+            0};
   }
 
   std::unique_ptr<Opposite[]> opposite_;  ///< by triangle
