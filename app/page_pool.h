@@ -1,0 +1,165 @@
+#pragma once
+
+/// Large arrays in huge pages, and what one leaves given to the next.
+///
+/// Meshing walks over a few arrays of tens of megabytes in an order that follows the front, and
+/// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
+/// time goes into page faults, address translation and the clearing of pages. When the next array
+/// does not fit where others were, these places go back to the system.
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+
+namespace morskin::app {
+
+inline constexpr std::size_t huge_page = std::size_t{2} << 20;
+inline constexpr std::size_t grain = std::size_t{64} << 10;  ///< arrays take whole ones
+
+constexpr std::size_t rounded_up(std::size_t size, std::size_t step) {
+  return (size + step - 1) / step * step;
+}
+
+struct Range {
+  std::uintptr_t begin;
+  std::size_t size;
+  std::uintptr_t end() const { return begin + size; }
+};
+
+/// Ranges by ascending address, in place.
+class Ranges {
+ public:
+  std::size_t size() const { return size_; }
+  bool is_full() const { return size_ == ranges_.size(); }
+  Range& operator[](std::size_t i) { return ranges_[i]; }
+  /// The first that does not begin before an address.
+  std::size_t place(std::uintptr_t address) const {
+    const auto begins_before = [](const Range& r, std::uintptr_t a) { return r.begin < a; };
+    const auto* const end = ranges_.data() + size_;
+    return static_cast<std::size_t>(std::lower_bound(ranges_.data(), end, address, begins_before) -
+                                    ranges_.data());
+  }
+  /// @pre not full
+  void insert(const Range& range) {
+    const std::size_t i = place(range.begin);
+    std::move_backward(&ranges_[i], ranges_.data() + size_, ranges_.data() + size_ + 1);
+    ranges_[i] = range;
+    ++size_;
+  }
+  void erase(std::size_t i) {
+    std::move(ranges_.data() + i + 1, ranges_.data() + size_, ranges_.data() + i);
+    --size_;
+  }
+
+ private:
+  std::array<Range, 4096> ranges_{};
+  std::size_t size_ = 0;
+};
+
+/// Memory for large arrays. Calls from any thread; itself in no need of memory, and ready before
+/// anything is constructed.
+class PagePool {
+ public:
+  /// Memory for an array of so many bytes, at a multiple of `grain`; nullptr where there is none,
+  /// or too many arrays have some.
+  void* take(std::size_t asked) {
+    if (asked > most) return nullptr;
+    const std::size_t size = rounded_up(asked, grain);
+    const std::lock_guard lock(mutex_);
+    if (in_use_.is_full()) return nullptr;
+    std::size_t best = smallest_with_room(size);
+    if (best == free_.size()) {
+      if (!map(rounded_up(size, huge_page))) return nullptr;
+      best = smallest_with_room(size);
+      if (best == free_.size()) return nullptr;
+    }
+    Range& from = free_[best];
+    const Range array{from.begin, size};
+    from = {from.begin + size, from.size - size};
+    if (from.size == 0) free_.erase(best);
+    in_use_.insert(array);
+    return reinterpret_cast<void*>(array.begin);
+  }
+
+  /// Takes an array's memory back. @return false for memory that is not this pool's
+  bool give_back(void* memory) {
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    if (begin % grain != 0) return false;
+    const std::lock_guard lock(mutex_);
+    const std::size_t i = in_use_.place(begin);
+    if (i == in_use_.size() || in_use_[i].begin != begin) return false;
+    const Range array = in_use_[i];
+    in_use_.erase(i);
+    add_free(array);
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t most = PTRDIFF_MAX / 2;  // what no system has
+
+  std::size_t smallest_with_room(std::size_t size) {
+    std::size_t best = free_.size();
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i].size >= size && (best == free_.size() || free_[i].size < free_[best].size)) {
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  void add_free(Range range) {
+    const std::size_t after = free_.place(range.begin);
+    if (after < free_.size() && range.end() == free_[after].begin) {
+      range.size += free_[after].size;
+      free_.erase(after);
+    }
+    if (after > 0 && free_[after - 1].end() == range.begin) {
+      free_[after - 1].size += range.size;
+    } else if (!free_.is_full()) {
+      free_.insert(range);
+    } else {
+      unmap(range);
+    }
+  }
+
+  /// Gets huge pages from the system. What lies idle, and was too small, goes back to it first.
+  bool map(std::size_t size) {
+    unmap_idle();
+    void* memory =
+        mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return false;
+    const auto got = reinterpret_cast<std::uintptr_t>(memory);
+    const Range pages{rounded_up(got, huge_page), size};
+    unmap({got, pages.begin - got});
+    unmap({pages.end(), got + huge_page - pages.begin});
+    madvise(reinterpret_cast<void*>(pages.begin), pages.size, MADV_HUGEPAGE);
+    add_free(pages);
+    return true;
+  }
+
+  void unmap_idle() {
+    for (std::size_t i = free_.size(); i-- > 0;) {
+      const Range idle = free_[i];
+      const std::uintptr_t begin = rounded_up(idle.begin, huge_page);
+      const std::uintptr_t end = idle.end() / huge_page * huge_page;
+      if (begin >= end) continue;
+      unmap({begin, end - begin});
+      free_.erase(i);
+      if (begin > idle.begin) add_free({idle.begin, begin - idle.begin});
+      if (end < idle.end()) add_free({end, idle.end() - end});
+    }
+  }
+
+  static void unmap(const Range& range) {
+    if (range.size > 0) munmap(reinterpret_cast<void*>(range.begin), range.size);
+  }
+
+  std::mutex mutex_;
+  Ranges in_use_, free_;
+};
+
+}  // namespace morskin::app
