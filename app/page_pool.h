@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 
 namespace morskin::app {
@@ -24,10 +25,18 @@ constexpr std::size_t rounded_up(std::size_t size, std::size_t step) {
   return (size + step - 1) / step * step;
 }
 
+/// The part of an address beyond a multiple of `step`.
+inline std::size_t beyond(const char* address, std::size_t step) {
+  return reinterpret_cast<std::uintptr_t>(address) % step;
+}
+inline char* rounded_up(char* address, std::size_t step) {
+  return address + (step - beyond(address, step)) % step;
+}
+
 struct Range {
-  std::uintptr_t begin;
+  char* begin;
   std::size_t size;
-  std::uintptr_t end() const { return begin + size; }
+  char* end() const { return begin + size; }
 };
 
 /// Ranges by ascending address, in place.
@@ -37,8 +46,10 @@ class Ranges {
   bool is_full() const { return size_ == ranges_.size(); }
   Range& operator[](std::size_t i) { return ranges_[i]; }
   /// The first that does not begin before an address.
-  std::size_t place(std::uintptr_t address) const {
-    const auto begins_before = [](const Range& r, std::uintptr_t a) { return r.begin < a; };
+  std::size_t place(const char* address) const {
+    const auto begins_before = [](const Range& r, const char* a) {
+      return std::less<>()(r.begin, a);
+    };
     const auto* const end = ranges_.data() + size_;
     return static_cast<std::size_t>(std::lower_bound(ranges_.data(), end, address, begins_before) -
                                     ranges_.data());
@@ -82,13 +93,13 @@ class PagePool {
     from = {from.begin + size, from.size - size};
     if (from.size == 0) free_.erase(best);
     in_use_.insert(array);
-    return reinterpret_cast<void*>(array.begin);
+    return array.begin;
   }
 
   /// Takes an array's memory back. @return false for memory that is not this pool's
   bool give_back(void* memory) {
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-    if (begin % grain != 0) return false;
+    auto* const begin = static_cast<char*>(memory);
+    if (beyond(begin, grain) != 0) return false;
     const std::lock_guard lock(mutex_);
     const std::size_t i = in_use_.place(begin);
     if (i == in_use_.size() || in_use_[i].begin != begin) return false;
@@ -122,7 +133,7 @@ class PagePool {
     } else if (!free_.is_full()) {
       free_.insert(range);
     } else {
-      unmap(range);
+      unmap(range.begin, range.end());
     }
   }
 
@@ -132,11 +143,11 @@ class PagePool {
     void* memory =
         mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return false;
-    const auto got = reinterpret_cast<std::uintptr_t>(memory);
+    auto* const got = static_cast<char*>(memory);
     const Range pages{rounded_up(got, huge_page), size};
-    unmap({got, pages.begin - got});
-    unmap({pages.end(), got + huge_page - pages.begin});
-    madvise(reinterpret_cast<void*>(pages.begin), pages.size, MADV_HUGEPAGE);
+    unmap(got, pages.begin);
+    unmap(pages.end(), got + size + huge_page);
+    madvise(pages.begin, pages.size, MADV_HUGEPAGE);
     add_free(pages);
     return true;
   }
@@ -144,18 +155,21 @@ class PagePool {
   void unmap_idle() {
     for (std::size_t i = free_.size(); i-- > 0;) {
       const Range idle = free_[i];
-      const std::uintptr_t begin = rounded_up(idle.begin, huge_page);
-      const std::uintptr_t end = idle.end() / huge_page * huge_page;
+      char* const begin = rounded_up(idle.begin, huge_page);
+      char* const end = idle.end() - beyond(idle.end(), huge_page);
       if (begin >= end) continue;
-      unmap({begin, end - begin});
+      unmap(begin, end);
       free_.erase(i);
-      if (begin > idle.begin) add_free({idle.begin, begin - idle.begin});
-      if (end < idle.end()) add_free({end, idle.end() - end});
+      if (begin > idle.begin) add_free({idle.begin, size_between(idle.begin, begin)});
+      if (end < idle.end()) add_free({end, size_between(end, idle.end())});
     }
   }
 
-  static void unmap(const Range& range) {
-    if (range.size > 0) munmap(reinterpret_cast<void*>(range.begin), range.size);
+  static std::size_t size_between(const char* begin, const char* end) {
+    return static_cast<std::size_t>(end - begin);
+  }
+  static void unmap(char* begin, const char* end) {
+    if (begin != end) munmap(begin, size_between(begin, end));
   }
 
   std::mutex mutex_;
