@@ -4,8 +4,8 @@
 ///
 /// Meshing walks over a few arrays of tens of megabytes in an order that follows the front, and
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
-/// time goes into page faults, address translation and the clearing of pages. When the next array
-/// does not fit where others were, these places go back to the system.
+/// time goes into page faults, address translation and the clearing of pages. What lies idle goes
+/// back to the system when an array does not fit there, or when it is more than what is in use.
 
 #include <sys/mman.h>
 
@@ -93,6 +93,8 @@ class PagePool {
     from = {from.begin + size, from.size - size};
     if (from.size == 0) free_.erase(best);
     in_use_.insert(array);
+    in_use_bytes_ += size;
+    idle_bytes_ -= size;
     return array.begin;
   }
 
@@ -105,7 +107,10 @@ class PagePool {
     if (i == in_use_.size() || in_use_[i].begin != begin) return false;
     const Range array = in_use_[i];
     in_use_.erase(i);
+    in_use_bytes_ -= array.size;
     add_free(array);
+    idle_bytes_ += array.size;
+    if (idle_bytes_ > in_use_bytes_) unmap_idle();
     return true;
   }
 
@@ -134,6 +139,7 @@ class PagePool {
       free_.insert(range);
     } else {
       unmap(range.begin, range.end());
+      idle_bytes_ -= range.size;
     }
   }
 
@@ -149,6 +155,7 @@ class PagePool {
     unmap(pages.end(), got + size + huge_page);
     madvise(pages.begin, pages.size, MADV_HUGEPAGE);
     add_free(pages);
+    idle_bytes_ += size;
     return true;
   }
 
@@ -159,6 +166,7 @@ class PagePool {
       char* const end = idle.end() - beyond(idle.end(), huge_page);
       if (begin >= end) continue;
       unmap(begin, end);
+      idle_bytes_ -= size_between(begin, end);
       free_.erase(i);
       if (begin > idle.begin) add_free({idle.begin, size_between(idle.begin, begin)});
       if (end < idle.end()) add_free({end, size_between(end, idle.end())});
@@ -174,6 +182,7 @@ class PagePool {
 
   std::mutex mutex_;
   Ranges in_use_, free_;
+  std::size_t in_use_bytes_ = 0, idle_bytes_ = 0;
 };
 
 }  // namespace morskin::app

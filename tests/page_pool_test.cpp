@@ -95,6 +95,7 @@ TEST_CASE("two threads may take from the pool at once") {
 TEST_CASE("what an array leaves serves the next") {
   const auto pool = std::make_unique<PagePool>();
   const std::size_t size = 8 << 20;
+  REQUIRE(pool->take(size) != nullptr);
   auto* first = static_cast<char*>(pool->take(size));
   REQUIRE(first != nullptr);
   REQUIRE(pool->give_back(first));
@@ -107,17 +108,30 @@ TEST_CASE("what an array leaves serves the next") {
   CHECK(pool->take(size) == first);
 }
 
-TEST_CASE("what lies idle in the pool and is too small goes back to the system") {
-  const auto pool = std::make_unique<PagePool>();
+TEST_CASE("what lies idle in the pool goes back to the system when it is too small, or too much") {
   const std::size_t size = 64 << 20;
-  const long long before = resident();
-  const Array array{static_cast<char*>(pool->take(size)), size, 1};
-  REQUIRE(array.memory != nullptr);
-  array.write();
-  CHECK(resident() - before > static_cast<long long>(size) / 4 * 3);
-  REQUIRE(pool->give_back(array.memory));
-  REQUIRE(pool->take(2 * size) != nullptr);
-  CHECK(resident() - before < static_cast<long long>(size) / 4);
+  for (const bool is_too_small : {true, false}) {
+    CAPTURE(is_too_small);
+    const auto pool = std::make_unique<PagePool>();
+    const Array large{static_cast<char*>(pool->take(size)), size, 1};
+    const Array small{static_cast<char*>(pool->take(size / 4)), size / 4, 2};
+    REQUIRE(large.memory != nullptr);
+    REQUIRE(small.memory != nullptr);
+    const long long before = resident(), share = size / 8;
+    large.write();
+    small.write();
+    const long long written = resident();
+    CHECK(written - before > 9 * share);
+    if (is_too_small) {
+      REQUIRE(pool->give_back(small.memory));
+      CHECK(resident() > written - share);
+      REQUIRE(pool->take(size / 2) != nullptr);
+      CHECK(resident() < written - share);
+    } else {
+      REQUIRE(pool->give_back(large.memory));
+      CHECK(resident() < written - 7 * share);
+    }
+  }
 }
 
 TEST_CASE("the pool takes nothing back that is not its own") {
