@@ -35,6 +35,7 @@ struct alignas(64) FrontEdge {
   FrontGrid::Places filed{};  ///< where its corner is in the grid
   bool is_open = false;
 };
+static_assert(sizeof(FrontEdge) == 64);
 
 /// A polygon that a touch split off, watched until it closes.
 struct Loop {

@@ -128,8 +128,8 @@ class FrontGrid {
   };
 
   /// Puts those of a cell that are near into an array with room for all. The distances are
-  /// calculated together, so that the compiler can take four in one instruction; every other corner
-  /// is near, and no branch guesses which.
+  /// calculated together, so that the compiler can take four in one instruction; a quarter of the
+  /// corners are near, and no branch guesses which.
   /// @return how many
   static std::uint32_t find_near(const Cell& cell, float x, float y, float z, float squared_reach,
                                  FrontEdgeId* near) {
