@@ -124,11 +124,12 @@ geometry::IndexedMesh read_back(const PendingFile& file) {
 
 // The certificate of the first file whose format keeps every coordinate, from its bytes; if there
 // is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
-// `mesh` becomes what was read, so that it is held once.
-refine::Certificate certify(std::span<const PendingFile> files, geometry::IndexedMesh& mesh,
+// `result.mesh` becomes what was read, so that it is held once.
+refine::Certificate certify(std::span<const PendingFile> files, front::MeshResult& result,
                             const front::PreparedSkin& skin, const MeshArguments& arguments,
                             std::string& certified_file) {
   certified_file.clear();
+  geometry::IndexedMesh& mesh = result.mesh;
   geometry::IndexedMesh copy;
   std::string defect;
   try {
@@ -153,7 +154,8 @@ refine::Certificate certify(std::span<const PendingFile> files, geometry::Indexe
   }
   mesh = std::move(copy);
   refine::Certificate certificate =
-      refine::certify(mesh, skin.surface, skin.topology, arguments.sizing, arguments.threads);
+      refine::certify(mesh, {std::move(result.twins), result.cells}, skin.surface, skin.topology,
+                      arguments.sizing, arguments.threads);
   if (!defect.empty()) {
     certificate.certified = false;
     certificate.reason = defect;
@@ -293,10 +295,10 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.seconds.write = writing.seconds();
   const Stopwatch certifying;
   progress("certify", geometry::unknown_share);
-  report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+  report.certificate = certify(files, result, skin, arguments, report.certified_file);
   if (!report.certificate.certified && front::mend(skin, options, result)) {
     write(files, result.mesh);
-    report.certificate = certify(files, result.mesh, skin, arguments, report.certified_file);
+    report.certificate = certify(files, result, skin, arguments, report.certified_file);
   }
   describe_run(report, result);
   report.seconds.certify = certifying.seconds();

@@ -75,6 +75,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   geometry::timed(result.seconds.refine, [&] {
     const auto list_triangles = [&] {
       result.mesh.triangles = made.mesh.surface.triangle_list();
+      result.twins = made.mesh.surface.twins();
       made.mesh.surface = {};
     };
     const auto list_vertices = [&] {
@@ -92,8 +93,8 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   if (options.progress) options.progress("certify", geometry::unknown_share);
   geometry::timed(result.seconds.certify, [&] {
     const auto certified = [&] {
-      return refine::certify(result.mesh, skin.surface, skin.topology, options.sizing,
-                             options.threads);
+      return refine::certify(result.mesh, {std::move(result.twins), result.cells}, skin.surface,
+                             skin.topology, options.sizing, options.threads);
     };
     result.certificate = certified();
     if (!result.certificate.certified && mend(skin, options, result)) {

@@ -25,6 +25,9 @@ struct MeshResult : RunCounts {
   geometry::IndexedMesh mesh;
   /// By vertex, the mixed cell it lies in.
   std::vector<geometry::CellId> cells;
+  /// By half-edge of the mesh (geometry/surface_mesh.h), its twin. Only the certificate asks for
+  /// them, and takes them away.
+  std::vector<geometry::HalfEdgeId> twins;
   refine::Certificate certificate;  ///< empty unless asked for
   skin::DualComplex expected;
   std::vector<Fallback> fallbacks;  ///< empty in a good run (safety_net.h)

@@ -30,25 +30,40 @@ inline std::size_t block_count(std::size_t count, std::size_t size = usual_block
   return std::max<std::size_t>((count + size - 1) / size, 1);
 }
 
-/// Calls work(begin, end, block) for consecutive parts of [0, count). Threads take the next block
-/// when they are done with one, so none waits long for another. The blocks are the same for any
-/// number of threads.
-template <class Work>
-void for_each_block(unsigned threads, std::size_t count, Work work,
-                    std::size_t size = usual_block) {
-  const std::size_t blocks = block_count(count, size);
+/// Calls task(i) for each i below a count. Threads take the next when they are done with one, so
+/// none waits long for another.
+template <class Task>
+void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
   const auto take = [&] {
-    for (std::size_t block = next++; block < blocks; block = next++) {
-      work(block * size, std::min((block + 1) * size, count), block);
-    }
+    for (std::size_t i = next++; i < count; i = next++) task(i);
   };
   std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min<std::size_t>(threads, blocks); ++i) {
+  for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
     others.push_back(std::async(std::launch::async, take));
   }
   take();
   for (std::future<void>& other : others) other.get();
+}
+
+/// Calls work(begin, end, block) for consecutive parts of [0, count), as tasks. The blocks are the
+/// same for any number of threads.
+template <class Work>
+void for_each_block(unsigned threads, std::size_t count, Work work,
+                    std::size_t size = usual_block) {
+  for_each_task(threads, block_count(count, size), [&](std::size_t block) {
+    work(block * size, std::min((block + 1) * size, count), block);
+  });
+}
+
+/// The same beside a piece of work, which one thread begins with.
+template <class First, class Work>
+void for_each_block_beside(unsigned threads, First first, std::size_t count, Work work,
+                           std::size_t size = usual_block) {
+  for_each_task(threads, 1 + block_count(count, size), [&](std::size_t task) {
+    if (task == 0) return first();
+    work((task - 1) * size, std::min(task * size, count), task - 1);
+  });
 }
 
 }  // namespace morskin::geometry

@@ -1,5 +1,6 @@
 #include "geometry/surface_mesh.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "geometry/error.h"
@@ -18,6 +19,46 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices,
       ++h.value;
     }
   }
+}
+
+std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
+    std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+    std::span<const HalfEdgeId> twins) {
+  if (triangles.size() > most_triangles || twins.size() != 3 * triangles.size()) {
+    return std::nullopt;
+  }
+  SurfaceMesh mesh;
+  mesh.half_edges_.reserve(twins.size());
+  mesh.outgoing_.resize(vertices, HalfEdgeId{kBoundary});
+  std::size_t edges = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& corners = triangles[t];
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+      return std::nullopt;
+    }
+    const std::size_t later = std::min(t + prefetch_ahead, triangles.size() - 1);
+    for (std::size_t h = 3 * later; h < 3 * later + 3; ++h) {
+      prefetch(mesh.half_edges_.data() + twins[h].index());
+    }
+    const TriangleId added{t};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = half_edge(added, k);
+      mesh.half_edges_.push_back({VertexId{corners[k]}, twins[h.index()]});
+      mesh.outgoing_[corners[k]] = h;
+    }
+    // Of two twins the later looks back, so that no edge is counted twice.
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = half_edge(added, k), g = mesh.twin(h);
+      if (g > h) continue;
+      if (mesh.twin(g) != h || mesh.origin(g) != mesh.target(h) ||
+          mesh.target(g) != mesh.origin(h)) {
+        return std::nullopt;
+      }
+      ++edges;
+    }
+  }
+  if (2 * edges != twins.size()) return std::nullopt;
+  return mesh;
 }
 
 void SurfaceMesh::reserve(std::size_t vertices) {
@@ -243,23 +284,37 @@ std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {
   return list;
 }
 
+std::vector<HalfEdgeId> SurfaceMesh::twins() const {
+  std::vector<HalfEdgeId> list;
+  list.reserve(half_edges_.size());
+  for (const HalfEdge& h : half_edges_) list.push_back(h.twin);
+  return list;
+}
+
 Components components(const SurfaceMesh& mesh) {
-  // As the smallest stands for a set, components are numbered by their first triangle.
-  UnionFind sets(mesh.triangle_count());
+  // A triangle takes the label of a neighbour before it, or a new one; labels that meet are one. As
+  // the smallest stands for a set, components are numbered by their first triangle.
+  Components result;
+  result.of_triangle.resize(mesh.triangle_count());
+  UnionFind labels(0);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     if (mesh.is_removed(TriangleId{t})) continue;
+    std::optional<std::uint32_t> label;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
       if (mesh.is_boundary(h) || mesh.twin(h) > h) continue;
-      sets.join(t, SurfaceMesh::triangle(mesh.twin(h)).value);
+      const std::uint32_t other = result.of_triangle[SurfaceMesh::triangle(mesh.twin(h)).index()];
+      if (label && *label != other) labels.join(*label, other);
+      label = other;
     }
+    result.of_triangle[t] = label ? *label : labels.add();
   }
-  Components result;
-  result.of_triangle.resize(mesh.triangle_count());
+  std::vector<std::uint32_t> number(labels.size());
+  for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    number[i] = labels.root(i) == i ? result.count++ : number[labels.root(i)];
+  }
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (mesh.is_removed(TriangleId{t})) continue;
-    const std::uint32_t first = sets.root(t);
-    result.of_triangle[t] = first == t ? result.count++ : result.of_triangle[first];
+    if (!mesh.is_removed(TriangleId{t})) result.of_triangle[t] = number[result.of_triangle[t]];
   }
   return result;
 }

@@ -27,6 +27,14 @@ class SurfaceMesh {
   /// @pre every corner is below `vertices`; at most most_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 
+  /// The same glued, where somebody says which half-edge is whose twin. Nothing of that is
+  /// believed: either the mesh is closed, each edge between two triangles that agree on
+  /// orientation, or there is none, because what was said is not so.
+  /// @param twins  by half-edge; any numbers, and any number of them
+  static std::optional<SurfaceMesh> glued_as_said(
+      std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+      std::span<const HalfEdgeId> twins);
+
   std::size_t vertex_count() const { return outgoing_.size(); }
   std::size_t triangle_count() const { return half_edges_.size() / 3; }
   void reserve(std::size_t vertices);
@@ -127,6 +135,9 @@ class SurfaceMesh {
 
   /// The triangles as a file holds them.
   std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
+
+  /// By half-edge its twin, or the last id of all for none.
+  std::vector<HalfEdgeId> twins() const;
 
   static constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;
 

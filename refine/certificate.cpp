@@ -1,18 +1,19 @@
 #include "refine/certificate.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
 #include "refine/covering_degree.h"
 #include "refine/located_vertices.h"
+#include "refine/residuals.h"
 #include "refine/restricted_delaunay.h"
 #include "refine/sure_edges.h"
 #include "refine/triangle_geometry.h"
@@ -31,21 +32,17 @@ std::string number(double x) {
   return text;
 }
 
-bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
-
-bool is_single_precision(const IndexedMesh& mesh) {
-  return std::ranges::all_of(mesh.positions, [](const Point& p) {
-    return std::abs(p.x()) <= FLT_MAX && std::abs(p.y()) <= FLT_MAX && std::abs(p.z()) <= FLT_MAX &&
-           is_float(p.x()) && is_float(p.y()) && is_float(p.z());
-  });
-}
-
 /// The work of certify(), one claim after the other; the first that breaks is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points, Hearsay said,
             const skin::SkinSurface& skin, const Sizing& sizing, Certificate& certificate)
-      : mesh_(mesh), skin_(skin), sizing_(sizing), out_(certificate), points_(points) {}
+      : mesh_(mesh),
+        skin_(skin),
+        sizing_(sizing),
+        out_(certificate),
+        said_(std::move(said)),
+        points_(points) {}
 
   void run(const skin::DualComplex& expected, unsigned threads) {
     out_.vertices = mesh_.positions.size();
@@ -59,27 +56,15 @@ class Certifier {
  private:
   void prove(unsigned threads) {
     if (mesh_.triangles.empty()) return fail(Claim::Manifold, "the mesh has no triangles");
-    geometry::MeshOrDefect built;
-    // Where the vertices lie needs no connectivity, and the other way round. What each thread does
-    // is so divided that neither waits long for the other.
-    const auto look_at_places = [&] {
-      if (points_.empty()) points_ = located_ = locate_vertices(mesh_, skin_);
-      out_.is_single_precision = is_single_precision(mesh_);
-      check_vertices();
-    };
-    const auto look_at_connectivity = [&] {
-      built = geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
-      if (!built.defect) parts_ = geometry::components(built.mesh);
-    };
-    geometry::do_both(threads, look_at_places, look_at_connectivity);
+    find_places_and_neighbours(threads);
     SureEdges sure(mesh_.triangles.size());
+    check_vertices(threads);
     check_triangles(threads, sure);
-    surface_ = std::move(built.mesh);
-    if (!built.defect) built.defect = geometry::fan_defect(surface_, threads);
-    if (built.defect) {
+    look_at_fans(threads);
+    if (built_.defect) {
       measure_shape();
       out_.reason.clear();  // the first claim is the first reason
-      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built.defect);
+      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
     } else {
       const auto look_at_covering = [&] {
         check_covering_degree();
@@ -88,7 +73,7 @@ class Certifier {
       };
       const auto look_at_balls = [&] {
         out_.restricted_delaunay_violations =
-            local_delaunay_violations(mesh_, surface_, skin_, points_, sure);
+            local_delaunay_violations(mesh_, built_.mesh, skin_, points_, sure);
       };
       geometry::do_both(threads, look_at_covering, look_at_balls);
     }
@@ -115,8 +100,13 @@ class Certifier {
 
   /// Angles, area and volume need no connectivity.
   void measure_shape();
+  /// Where the vertices lie, which needs no connectivity, and the other way round.
+  void find_places_and_neighbours(unsigned threads);
+  void find_neighbours();
+  /// What is wrong round a vertex.
+  void look_at_fans(unsigned threads);
   /// Each vertex's distance to the skin.
-  void check_vertices();
+  void check_vertices(unsigned threads);
   /// [L], [U], and the conditions c1 and c2 of the theorem.
   void check_triangles(unsigned threads, SureEdges& sure);
   /// What a look at some of the triangles finds.
@@ -134,7 +124,9 @@ class Certifier {
   const skin::SkinSurface& skin_;
   const Sizing sizing_;
   Certificate& out_;
-  geometry::SurfaceMesh surface_;
+  Hearsay said_;
+  geometry::MeshOrDefect built_;
+  bool is_built_as_said_ = false;
   geometry::Components parts_;
   std::vector<SurfacePoint> located_;  ///< unless they were given
   std::span<const SurfacePoint> points_;
@@ -150,24 +142,50 @@ void Certifier::measure_shape() {
   out_.max_angle_deg = shape.max_angle_deg;
 }
 
-void Certifier::check_vertices() {
-  for (std::size_t v = 0; v < points_.size(); ++v) {
-    const double rho = points_[v].length_scale;
-    // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
-    const double g = std::abs(skin_.complex().patch(points_[v].cell).value(mesh_.positions[v]));
-    out_.max_distance_to_skin = std::max(out_.max_distance_to_skin, g / (2 * rho));
-    out_.max_relative_distance_to_skin =
-        std::max(out_.max_relative_distance_to_skin, g / (2 * rho * rho));
-    // A hundred times what the mesher leaves: room for another program's last digits, far below
-    // what the theorem needs. Rounding to floats moves a vertex by at most 2^-24 of its distance d
-    // from the origin, and G by 2 rho d + d^2.
-    const double moved = out_.is_single_precision ? std::ldexp(mesh_.positions[v].norm(), -24) : 0;
-    largest_residual_ = std::max(largest_residual_, g / (rho * rho));
-    if (!(g <= 100 * skin_.residual_bound(rho) + (2 * rho + moved) * moved)) {
-      fail(Claim::OnSkin, "vertex " + std::to_string(v) + " lies " + number(g / (2 * rho)) +
-                              " Angstrom off the skin");
-    }
+void Certifier::find_places_and_neighbours(unsigned threads) {
+  if (!points_.empty()) return find_neighbours();
+  const std::size_t count = mesh_.positions.size();
+  const bool has_cells = said_.cells.size() == count;
+  VertexLocator locator(mesh_, skin_);
+  const auto locate = [&](std::size_t begin, std::size_t end, std::size_t) {
+    if (has_cells) return locator.locate_where_said(said_.cells, begin, end);
+    locator.locate_rest();  // of all, which are one block
+  };
+  geometry::for_each_block_beside(
+      threads, [&] { find_neighbours(); }, count, locate,
+      has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
+  locator.locate_rest();
+  points_ = located_ = locator.take();
+}
+
+void Certifier::find_neighbours() {
+  const std::vector<geometry::HalfEdgeId> twins = std::move(said_.twins);
+  auto mesh = geometry::SurfaceMesh::glued_as_said(mesh_.positions.size(), mesh_.triangles, twins);
+  is_built_as_said_ = mesh.has_value();
+  built_ = is_built_as_said_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
+                             : geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
+  if (!built_.defect) parts_ = geometry::components(built_.mesh);
+}
+
+void Certifier::look_at_fans(unsigned threads) {
+  if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, threads);
+  // Where no edge stands twice there is one way to glue. Else words do not go by what was said.
+  if (built_.defect && is_built_as_said_) {
+    built_ = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
   }
+}
+
+void Certifier::check_vertices(unsigned threads) {
+  out_.is_single_precision = is_single_precision(mesh_.positions);
+  const Residuals found =
+      residuals(mesh_.positions, points_, skin_, out_.is_single_precision, threads);
+  out_.max_distance_to_skin = found.max_distance;
+  out_.max_relative_distance_to_skin = found.max_relative_distance;
+  largest_residual_ = found.largest;
+  if (!found.first_off_skin) return;
+  const auto& [v, distance] = *found.first_off_skin;
+  fail(Claim::OnSkin,
+       "vertex " + std::to_string(v) + " lies " + number(distance) + " Angstrom off the skin");
 }
 
 void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
@@ -234,7 +252,8 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges
 
 void Certifier::check_covering_degree() {
   out_.components = parts_.count;
-  const CoveringDegree degree({mesh_, surface_, parts_, points_, skin_, largest_residual_}, reach_);
+  const CoveringDegree degree({mesh_, built_.mesh, parts_, points_, skin_, largest_residual_},
+                              reach_);
   const std::optional<std::size_t> unshown = degree.first_not_shown();
   out_.covering_degree_ok = !unshown;
   if (!unshown) return;
@@ -264,14 +283,21 @@ void Certifier::compare_counts() {
 
 Certificate certify(const IndexedMesh& mesh, const skin::SkinSurface& skin,
                     const skin::DualComplex& expected, const Sizing& sizing, unsigned threads) {
-  return certify(mesh, {}, skin, expected, sizing, threads);
+  return certify(mesh, Hearsay(), skin, expected, sizing, threads);
 }
 
 Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const skin::SkinSurface& skin, const skin::DualComplex& expected,
                     const Sizing& sizing, unsigned threads) {
   Certificate certificate;
-  Certifier(mesh, points, skin, sizing, certificate).run(expected, threads);
+  Certifier(mesh, points, {}, skin, sizing, certificate).run(expected, threads);
+  return certificate;
+}
+
+Certificate certify(const IndexedMesh& mesh, Hearsay said, const skin::SkinSurface& skin,
+                    const skin::DualComplex& expected, const Sizing& sizing, unsigned threads) {
+  Certificate certificate;
+  Certifier(mesh, {}, std::move(said), skin, sizing, certificate).run(expected, threads);
   return certificate;
 }
 

@@ -16,8 +16,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/indexed_mesh.h"
+#include "geometry/surface_mesh.h"
 #include "refine/sizing.h"
 #include "skin/dual_complex.h"
 #include "skin/skin_surface.h"
@@ -70,6 +72,13 @@ struct Certificate {
   }
 };
 
+/// What somebody says of a mesh. None of it is believed: what is so saves a search, and what is not
+/// changes nothing.
+struct Hearsay {
+  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; given up when looked at
+  std::span<const skin::CellId> cells;      ///< by vertex, the mixed cell that it lies in
+};
+
 /// @param expected  the dual complex of the skin's weighted points
 /// @param threads   how many may be used; the result is the same for any number
 /// Never throws on a bad mesh: the reason says what is wrong with it.
@@ -81,5 +90,8 @@ Certificate certify(const geometry::IndexedMesh& mesh, const skin::SkinSurface& 
 Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const skin::SkinSurface& skin, const skin::DualComplex& expected,
                     const Sizing& sizing, unsigned threads);
+/// The same, with what the maker of the mesh says of it.
+Certificate certify(const geometry::IndexedMesh& mesh, Hearsay said, const skin::SkinSurface& skin,
+                    const skin::DualComplex& expected, const Sizing& sizing, unsigned threads);
 
 }  // namespace morskin::refine

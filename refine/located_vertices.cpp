@@ -1,18 +1,28 @@
 #include "refine/located_vertices.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace morskin::refine {
 
-std::vector<skin::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
-                                                const skin::SkinSurface& skin) {
-  std::vector<skin::SurfacePoint> points(mesh.positions.size());
-  std::vector<char> is_located(points.size(), 0);
-  const auto place = [&](std::uint32_t v, skin::CellId start) {
-    const skin::Point& x = mesh.positions[v];
-    points[v] = skin.at(x, skin.locate(x, start));
-    is_located[v] = 1;
-  };
+void VertexLocator::place(std::uint32_t v, skin::CellId start) {
+  const skin::Point& x = mesh_.positions[v];
+  points_[v] = skin_.at(x, skin_.locate(x, start));
+  is_located_[v] = 1;
+}
+
+void VertexLocator::locate_where_said(std::span<const skin::CellId> cells, std::size_t begin,
+                                      std::size_t end) {
+  for (std::size_t v = begin; v < end; ++v) {
+    const skin::Point& x = mesh_.positions[v];
+    if (!skin_.is_in(x, cells[v])) continue;
+    points_[v] = skin_.at(x, cells[v]);
+    is_located_[v] = 1;
+  }
+}
+
+void VertexLocator::locate_rest() {
+  if (std::ranges::find(is_located_, 0) == is_located_.end()) return;
   // Triangles come in the order they were laid, so nearly all have a corner that is located when
   // they come, and the others' cells are near; a breadth-first order would be as short and cost a
   // queue. Those that refinement changed may come too early, and a walk from elsewhere would be
@@ -20,29 +30,35 @@ std::vector<skin::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mes
   skin::CellId last{};
   std::vector<std::uint32_t> waiting;
   const auto place_corners = [&](std::uint32_t t, bool may_wait) {
-    const auto& triangle = mesh.triangles[t];
+    const auto& triangle = mesh_.triangles[t];
     bool is_near = false;
     for (const std::uint32_t v : triangle) {
-      if (is_located[v] == 0) continue;
-      last = points[v].cell;
+      if (is_located_[v] == 0) continue;
+      last = points_[v].cell;
       is_near = true;
     }
     if (!is_near && may_wait) return waiting.push_back(t);
     for (const std::uint32_t v : triangle) {
-      if (is_located[v] == 0) place(v, last);
-      last = points[v].cell;
+      if (is_located_[v] == 0) place(v, last);
+      last = points_[v].cell;
     }
   };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) place_corners(t, t > 0);
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) place_corners(t, t > 0);
   constexpr int most_rounds = 3;
   for (int round = 1; round <= most_rounds; ++round) {
     for (const std::uint32_t t : std::exchange(waiting, {})) place_corners(t, round < most_rounds);
   }
-  for (std::uint32_t v = 0; v < points.size(); ++v) {
-    if (is_located[v] == 0) place(v, last);
-    last = points[v].cell;
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    if (is_located_[v] == 0) place(v, last);
+    last = points_[v].cell;
   }
-  return points;
+}
+
+std::vector<skin::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
+                                                const skin::SkinSurface& skin) {
+  VertexLocator locator(mesh, skin);
+  locator.locate_rest();
+  return locator.take();
 }
 
 }  // namespace morskin::refine

@@ -90,6 +90,10 @@ CellId SkinSurface::next_cell(const Point& x, CellId cell, const Walls& walls) c
   return cell;
 }
 
+bool SkinSurface::is_in(const Point& x, CellId cell) const {
+  return complex_.is_kept(cell) && next_cell(x, cell, complex_.kept_walls(cell)) == cell;
+}
+
 /// Tries every way over walls that x lies beyond, until it is in a cell; should there be none,
 /// takes the one whose walls it is least beyond.
 CellId SkinSurface::search(const Point& x, CellId start) const {

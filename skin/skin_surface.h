@@ -53,6 +53,10 @@ class SkinSurface {
   /// rounding; when it does, every way is tried.
   CellId locate(const Point& x, CellId start) const;
 
+  /// Whether x lies in a cell that is kept, so that the walk from there ends at once.
+  /// @param cell  any number
+  bool is_in(const Point& x, CellId cell) const;
+
   /// G(x), and the cell it was taken in.
   double value(const Point& x, CellId start) const {
     return complex_.patch(locate(x, start)).value(x);

@@ -28,6 +28,26 @@ TEST_CASE("blocks cover a range once each and are the same for any number of thr
   }
 }
 
+TEST_CASE("beside a piece of work, done once, each number is in one block") {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
+      CAPTURE(threads);
+      CAPTURE(count);
+      std::atomic<int> done = 0;
+      std::vector<int> visits(count, 0);
+      for_each_block_beside(
+          threads, [&] { ++done; }, count,
+          [&](std::size_t begin, std::size_t end, std::size_t block) {
+            CHECK(begin == 10 * block);
+            for (std::size_t i = begin; i < end; ++i) ++visits[i];
+          },
+          10);
+      CHECK(done == 1);
+      CHECK(std::all_of(visits.begin(), visits.end(), [](int n) { return n == 1; }));
+    }
+  }
+}
+
 TEST_CASE("an exception in a block comes out when all threads have ended") {
   for (const unsigned threads : {1U, 2U, 4U}) {
     std::atomic<int> at_work = 0;

@@ -1,0 +1,200 @@
+// What a mesh's maker says of it may save the certificate a search, and may not change a word of
+// it.
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "refine/certificate.h"
+#include "refine/located_vertices.h"
+#include "tests/support/mesh_part.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::HalfEdgeId;
+using geometry::IndexedMesh;
+using geometry::SurfaceMesh;
+using refine::Certificate;
+using skin::CellId;
+using support::ball;
+
+namespace {
+
+/// What is said, by the way in which it is wrong.
+using Twins = std::vector<std::pair<std::string, std::vector<HalfEdgeId>>>;
+using Cells = std::vector<std::pair<std::string, std::vector<CellId>>>;
+
+Twins spoiled(const std::vector<HalfEdgeId>& twins, support::Random& random) {
+  Twins all{{"as it is", twins},
+            {"nothing", {}},
+            {"too few", twins},
+            {"too many", twins},
+            {"two swapped", twins},
+            {"one its own", twins},
+            {"beyond the end", twins},
+            {"none", std::vector(twins.size(), HalfEdgeId{0xFFFFFFFFU})},
+            {"all the first", std::vector(twins.size(), HalfEdgeId{0U})},
+            {"one by one", twins},
+            {"two pairs crossed", twins},
+            {"at random", twins}};
+  const auto said = [&](const char* how) -> std::vector<HalfEdgeId>& {
+    for (auto& [name, list] : all) {
+      if (name == how) return list;
+    }
+    throw std::logic_error(how);
+  };
+  const std::size_t count = twins.size(), a = random.below(count);
+  std::size_t b = a;
+  while (b == a || twins[a].index() == b) b = random.below(count);
+  said("too few").pop_back();
+  said("too many").push_back(HalfEdgeId{0U});
+  std::swap(said("two swapped")[a], said("two swapped")[b]);
+  said("one its own")[a] = HalfEdgeId{a};
+  said("beyond the end")[a] = HalfEdgeId{count};
+  for (std::size_t h = 0; h < count; ++h) said("one by one")[h] = HalfEdgeId{h ^ 1U};
+  for (HalfEdgeId& h : said("at random")) h = HalfEdgeId{random.below(count)};
+  if (twins[a].index() < count && twins[b].index() < count) {  // mutual, but of other edges
+    auto& list = said("two pairs crossed");
+    list[a] = HalfEdgeId{b};
+    list[b] = HalfEdgeId{a};
+    list[twins[a].index()] = twins[b];
+    list[twins[b].index()] = twins[a];
+  }
+  return all;
+}
+
+Cells spoiled(const std::vector<CellId>& cells, support::Random& random) {
+  const std::size_t count = cells.size();
+  Cells all{{"as it is", cells},
+            {"nothing", {}},
+            {"too few", cells},
+            {"one other", cells},
+            {"all the first", std::vector(count, CellId{0U})},
+            {"beyond the end", std::vector(count, CellId{0xFFFFFFFFU})},
+            {"every other beyond the end", cells},
+            {"at random", cells}};
+  all[2].second.pop_back();
+  all[3].second[random.below(count)] = CellId{random.below(1000)};
+  for (std::size_t v = 0; v < count; v += 2) all[6].second[v] = CellId{0xFFFFFFF0U};
+  for (CellId& c : all[7].second) c = CellId{random.below(1000)};
+  return all;
+}
+
+void check_same(const Certificate& one, const Certificate& other) {
+  CHECK(one.certified == other.certified);
+  CHECK(one.is_homeomorphic == other.is_homeomorphic);
+  CHECK(one.reason == other.reason);
+  CHECK(one.broken == other.broken);
+  CHECK(one.components == other.components);
+  CHECK(one.euler_characteristic == other.euler_characteristic);
+  CHECK(one.genus == other.genus);
+  CHECK(one.violations_L == other.violations_L);
+  CHECK(one.violations_U == other.violations_U);
+  CHECK(one.covering_degree_ok == other.covering_degree_ok);
+  CHECK(one.restricted_delaunay_violations == other.restricted_delaunay_violations);
+  CHECK(one.min_angle_deg == other.min_angle_deg);
+  CHECK(one.volume == other.volume);
+}
+
+/// Both meshes as one.
+IndexedMesh together(IndexedMesh a, const IndexedMesh& b) {
+  const auto shift = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const auto& [p, q, r] : b.triangles)
+    a.triangles.push_back({p + shift, q + shift, r + shift});
+  return a;
+}
+
+/// A mesh, and others made from it in which something is wrong.
+std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh& good) {
+  std::vector<std::pair<std::string, IndexedMesh>> all(6, {"good", good});
+  all[1].first = "a hole";
+  all[1].second.triangles.erase(all[1].second.triangles.begin() + 17);
+  all[2].first = "one triangle the wrong way";
+  std::swap(all[2].second.triangles[3][0], all[2].second.triangles[3][1]);
+  all[3] = {"laid twice", together(good, good)};
+  all[4].first = "an unused vertex, one off the skin";
+  all[4].second.positions.push_back(good.positions[0]);
+  all[4].second.positions[5] *= 1.01;
+  // Two sheets that touch along an edge: there is more than one way to glue them.
+  all[5] = {"an edge twice", good};
+  all[5].second.triangles = support::tetrahedron(0, 1, 2, 3);
+  for (const auto& t : support::tetrahedron(0, 1, 4, 5)) all[5].second.triangles.push_back(t);
+  all[5].second.positions.resize(6);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so or not") {
+  const front::PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
+  const IndexedMesh mesh = front::mesh_skin(skin, support::uncertified()).mesh;
+  support::Random random(1);
+  for (const auto& [kind, looked_at] : good_and_bad(mesh)) {
+    CAPTURE(kind);
+    const auto certificate = [&](refine::Hearsay said, unsigned threads) {
+      return refine::certify(looked_at, std::move(said), skin.surface, skin.topology, {}, threads);
+    };
+    const Certificate expected = certificate({}, 1);
+    CHECK(expected.certified == (kind == "good"));
+    std::vector<CellId> cells;
+    for (const auto& p : refine::locate_vertices(looked_at, skin.surface)) cells.push_back(p.cell);
+    const SurfaceMesh glued =
+        geometry::glued_mesh(looked_at.positions.size(), looked_at.triangles).mesh;
+    for (const unsigned threads : {1U, 2U}) {
+      for (const auto& [how, twins] : spoiled(glued.twins(), random)) {
+        CAPTURE(how);
+        check_same(certificate({twins, cells}, threads), expected);
+      }
+      for (const auto& [how, said] : spoiled(cells, random)) {
+        CAPTURE(how);
+        check_same(certificate({{}, said}, threads), expected);
+      }
+    }
+  }
+}
+
+TEST_CASE("a mesh glued as it is said to be is the one that a search for twins finds") {
+  const IndexedMesh sphere = support::sphere_mesh(geometry::Point::Zero(), 1, 3);
+  const std::size_t count = sphere.positions.size();
+  const SurfaceMesh found = geometry::glued_mesh(count, sphere.triangles).mesh;
+  support::Random random(2);
+  for (const auto& [how, twins] : spoiled(found.twins(), random)) {
+    CAPTURE(how);
+    const auto glued = SurfaceMesh::glued_as_said(count, sphere.triangles, twins);
+    REQUIRE(glued.has_value() == (how == "as it is"));
+    if (!glued) continue;
+    CHECK(geometry::validate(*glued).value_or("") == "");
+    CHECK(glued->triangle_list() == sphere.triangles);
+    CHECK(glued->twins() == found.twins());
+    for (std::size_t v = 0; v < count; ++v) {
+      CHECK(glued->outgoing(geometry::VertexId{v}) == found.outgoing(geometry::VertexId{v}));
+    }
+  }
+}
+
+TEST_CASE("what may be said of twins is not enough where a triangle repeats a corner or turns") {
+  const auto said_of = [](const support::TriangleList& list, std::vector<std::uint32_t> twins) {
+    std::vector<HalfEdgeId> ids(twins.begin(), twins.end());
+    return SurfaceMesh::glued_as_said(4, list, ids).has_value();
+  };
+  CHECK(said_of({{0, 1, 2}, {1, 0, 2}}, {3, 5, 4, 0, 2, 1}));
+  CHECK_FALSE(said_of({{0, 1, 2}, {0, 1, 2}}, {3, 4, 5, 0, 1, 2}));
+  CHECK_FALSE(said_of({{0, 0, 1}}, {0, 2, 1}));
+  CHECK_FALSE(said_of({{0, 1, 2}}, {0, 1, 2}));
+  CHECK(said_of({}, {}));
+}
+
+TEST_CASE("a mesh comes with twins and cells that the certificate need not look for") {
+  const front::PreparedSkin skin = front::prepare_skin(support::tetrahedron_balls(2.8));
+  const front::MeshResult result = front::mesh_skin(skin, support::uncertified());
+  CHECK(
+      SurfaceMesh::glued_as_said(result.mesh.positions.size(), result.mesh.triangles, result.twins)
+          .has_value());
+  for (std::size_t v = 0; v < result.cells.size(); ++v) {
+    CHECK(skin.surface.is_in(result.mesh.positions[v], result.cells[v]));
+  }
+  CHECK_FALSE(skin.surface.is_in(result.mesh.positions[0], CellId{0xFFFFFFFFU}));
+}
