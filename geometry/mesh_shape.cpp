@@ -20,6 +20,28 @@ std::array<double, 3> cosines(const Vector& pq, const Vector& qr, const Vector& 
   return {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)};
 }
 
+/// The extreme angles have the extreme cosines.
+struct CosineRange {
+  double largest = -1, smallest = 1;
+
+  /// Whether a triangle surely has no cosine beyond: told without a root, as for nearly all.
+  bool surely_holds(const Vector& pq, const Vector& qr, const Vector& rp) const {
+    if (!(largest > 0 && smallest < 0)) return false;
+    constexpr double room = 1 - 1e-12;  // far more than rounding takes
+    const double most = room * largest * largest, least = room * smallest * smallest;
+    const double x = pq.squaredNorm(), y = qr.squaredNorm(), z = rp.squaredNorm();
+    const auto is_within = [&](double dot, double squares) {
+      return dot * dot < (dot < 0 ? most : least) * squares;
+    };
+    return is_within(pq.dot(rp), x * z) && is_within(pq.dot(qr), x * y) &&
+           is_within(qr.dot(rp), y * z);
+  }
+  void add(const TriangleShape& t) {
+    largest = std::max(largest, t.largest_cosine);
+    smallest = std::min(smallest, t.smallest_cosine);
+  }
+};
+
 }  // namespace
 
 TriangleShape triangle_shape(const Point& p, const Point& q, const Point& r, const Point& apex) {
@@ -36,22 +58,22 @@ TriangleShape triangle_shape(const Point& p, const Point& q, const Point& r, con
 }
 
 MeshShape measure_shape(const IndexedMesh& mesh) {
-  // The extreme angles have the extreme cosines; one arc cosine each at the end.
   MeshShape shape;
-  double largest_cosine = -1, smallest_cosine = 1;
+  CosineRange cosines;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
     const std::size_t later = std::min(i + prefetch_ahead, mesh.triangles.size() - 1);
     for (const std::uint32_t v : mesh.triangles[later]) prefetch(&mesh.positions[v]);
-    const TriangleShape t =
-        triangle_shape(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[0]);
-    largest_cosine = std::max(largest_cosine, t.largest_cosine);
-    smallest_cosine = std::min(smallest_cosine, t.smallest_cosine);
-    shape.area += t.area;
-    shape.volume += t.volume;
+    const Point &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    const Vector pq = q - p, rp = p - r, doubled = rp.cross(pq);
+    shape.area += doubled.norm() / 2;
+    shape.volume += (p - mesh.positions[0]).dot(doubled) / 6;
+    if (!cosines.surely_holds(pq, r - q, rp)) {
+      cosines.add(triangle_shape(p, q, r, mesh.positions[0]));
+    }
   }
-  shape.min_angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * degrees;
-  shape.max_angle_deg = std::acos(std::clamp(smallest_cosine, -1.0, 1.0)) * degrees;
+  shape.min_angle_deg = std::acos(std::clamp(cosines.largest, -1.0, 1.0)) * degrees;
+  shape.max_angle_deg = std::acos(std::clamp(cosines.smallest, -1.0, 1.0)) * degrees;
   return shape;
 }
 

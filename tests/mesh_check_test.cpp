@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "geometry/mesh_shape.h"
@@ -249,6 +250,33 @@ TEST_CASE("the shape of a mesh is the sum of its triangles and does not change w
       geometry::measure_shape(support::sphere_mesh({1000, -2000, 500}, 1, 3));
   CHECK(moved.volume == doctest::Approx(shape.volume).epsilon(1e-9));
   CHECK(moved.min_angle_deg == doctest::Approx(shape.min_angle_deg).epsilon(1e-6));
+}
+
+TEST_CASE("the extreme angles of a mesh are exactly those of its triangles one by one") {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    support::Random random(seed);
+    IndexedMesh mesh = sphere(2);
+    // From all but regular triangles to flat ones, and some with a side of length zero.
+    const double off = std::exp2(-static_cast<double>(seed % 30));
+    for (geometry::Point& p : mesh.positions) p += off * random.direction();
+    if (seed % 5 == 0) mesh.triangles[random.below(mesh.triangles.size())][0] = 0;
+    if (seed % 7 == 0) mesh.positions[3] = mesh.positions[random.below(mesh.positions.size())];
+    double largest = -1, smallest = 1, area = 0, volume = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto t = geometry::triangle_shape(mesh.positions[a], mesh.positions[b],
+                                              mesh.positions[c], mesh.positions[0]);
+      largest = std::max(largest, t.largest_cosine);
+      smallest = std::min(smallest, t.smallest_cosine);
+      area += t.area;
+      volume += t.volume;
+    }
+    const geometry::MeshShape shape = geometry::measure_shape(mesh);
+    CHECK(shape.min_angle_deg == std::acos(std::min(largest, 1.0)) * (180 / std::numbers::pi));
+    CHECK(shape.max_angle_deg == std::acos(std::max(smallest, -1.0)) * (180 / std::numbers::pi));
+    CHECK(shape.area == area);
+    CHECK(shape.volume == volume);
+  }
 }
 
 TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees") {
