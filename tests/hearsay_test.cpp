@@ -132,7 +132,9 @@ TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so o
   const front::PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
   const IndexedMesh mesh = front::mesh_skin(skin, support::uncertified()).mesh;
   support::Random random(1);
-  for (const auto& [kind, looked_at] : good_and_bad(mesh)) {
+  for (const auto& one : good_and_bad(mesh)) {
+    const std::string& kind = one.first;
+    const IndexedMesh& looked_at = one.second;
     CAPTURE(kind);
     const auto certificate = [&](refine::Hearsay said, unsigned threads) {
       return refine::certify(looked_at, std::move(said), skin.surface, skin.topology, {}, threads);
@@ -144,13 +146,13 @@ TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so o
     const SurfaceMesh glued =
         geometry::glued_mesh(looked_at.positions.size(), looked_at.triangles).mesh;
     for (const unsigned threads : {1U, 2U}) {
-      for (const auto& [how, twins] : spoiled(glued.twins(), random)) {
-        CAPTURE(how);
-        check_same(certificate({twins, cells}, threads), expected);
+      for (const auto& twins : spoiled(glued.twins(), random)) {
+        CAPTURE(twins.first);
+        check_same(certificate({twins.second, cells}, threads), expected);
       }
-      for (const auto& [how, said] : spoiled(cells, random)) {
-        CAPTURE(how);
-        check_same(certificate({{}, said}, threads), expected);
+      for (const auto& said : spoiled(cells, random)) {
+        CAPTURE(said.first);
+        check_same(certificate({{}, said.second}, threads), expected);
       }
     }
   }
@@ -161,10 +163,10 @@ TEST_CASE("a mesh glued as it is said to be is the one that a search for twins f
   const std::size_t count = sphere.positions.size();
   const SurfaceMesh found = geometry::glued_mesh(count, sphere.triangles).mesh;
   support::Random random(2);
-  for (const auto& [how, twins] : spoiled(found.twins(), random)) {
-    CAPTURE(how);
-    const auto glued = SurfaceMesh::glued_as_said(count, sphere.triangles, twins);
-    REQUIRE(glued.has_value() == (how == "as it is"));
+  for (const auto& twins : spoiled(found.twins(), random)) {
+    CAPTURE(twins.first);
+    const auto glued = SurfaceMesh::glued_as_said(count, sphere.triangles, twins.second);
+    REQUIRE(glued.has_value() == (twins.first == "as it is"));
     if (!glued) continue;
     CHECK(geometry::validate(*glued).value_or("") == "");
     CHECK(glued->triangle_list() == sphere.triangles);
