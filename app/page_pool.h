@@ -5,7 +5,8 @@
 /// Meshing walks over a few arrays of tens of megabytes in an order that follows the front, and
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
 /// time goes into page faults, address translation and the clearing of pages. What lies idle goes
-/// back to the system when an array does not fit there, or when it is more than what is in use.
+/// back to the system when an array does not fit there, or when it is more than what is in use, or
+/// so much that clearing new pages costs little beside what is done with them.
 
 #include <sys/mman.h>
 
@@ -110,12 +111,13 @@ class PagePool {
     in_use_bytes_ -= array.size;
     add_free(array);
     idle_bytes_ += array.size;
-    if (idle_bytes_ > in_use_bytes_) unmap_idle();
+    if (idle_bytes_ > std::min(in_use_bytes_, most_idle)) unmap_idle();
     return true;
   }
 
  private:
   static constexpr std::size_t most = PTRDIFF_MAX / 2;  // what no system has
+  static constexpr std::size_t most_idle = std::size_t{128} << 20;
 
   std::size_t smallest_with_room(std::size_t size) {
     std::size_t best = free_.size();

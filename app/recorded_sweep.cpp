@@ -112,15 +112,16 @@ RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshO
     if (options.progress) options.progress(stage, share);
   };
   progress("critical points", 0);
+  const refine::Sizing laid = options.sizing.laid();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                        front::sphere_share(skin.surface, options.sizing), options.threads);
+                        front::sphere_share(skin.surface, laid), options.threads);
   std::tie(result.minima, result.saddles, result.maxima) =
       std::tuple(guide.found[0], guide.found[1], guide.found[2]);
   result.function = guide.function;
   result.expected = skin.topology;
 
-  front::SweepOptions sweeping{.sizing = options.sizing};
+  front::SweepOptions sweeping{.sizing = laid};
   sweeping.progress = [&](double share) { progress("sweep", share); };
   sweeping.operation = [&](front::Operation operation, std::size_t triangles) {
     recorded.steps.push_back({operation, static_cast<std::uint32_t>(triangles)});
@@ -131,6 +132,11 @@ RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshO
   result.open_edges = swept.open_edges;
   if (swept.open_edges == 0) {
     progress("refine", 0);
+    if (options.sizing.is_coarser_than_laid()) {
+      result.operations.coarsen =
+          refine::Coarsening(skin.surface, options.sizing, swept.mesh).run();
+      swept.mesh.compact();
+    }
     refine::Refinement refinement(skin.surface, options.sizing, swept.mesh, options.threads);
     refinement.run();
     result.refinement = refinement.counts();

@@ -25,6 +25,7 @@ ordered_json operations_json(const MeshReport& report) {
           {"guard_outside_protecting", done.guard_outside_protecting},
           {"vain_inside_protecting", done.vain_inside_protecting},
           {"vain_outside_protecting", done.vain_outside_protecting},
+          {"coarsen", done.coarsen},
           {"flip", report.refinement.flip},
           {"contract", report.refinement.contract},
           {"insert", report.refinement.insert},
@@ -269,7 +270,10 @@ std::string sweep_text(const front::Operations& done) {
          line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
                              grouped(done.guard_outside_protecting) + " outside, of which " +
                              grouped(done.vain_inside_protecting) + " and " +
-                             grouped(done.vain_outside_protecting) + " in vain");
+                             grouped(done.vain_outside_protecting) + " in vain") +
+         (done.coarsen == 0
+              ? ""
+              : line("coarsening", counted(done.coarsen, "vertex", "vertices") + " taken out"));
 }
 
 /// What the growth did.

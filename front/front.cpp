@@ -65,6 +65,22 @@ std::uint32_t Front::append(const Front& other, std::uint32_t vertices, std::uin
   return edges;
 }
 
+std::vector<char> Front::marked_vertices() const {
+  std::vector<char> is_on_front(mesh_.surface.vertex_count(), 0);
+  for (const FrontEdge& edge : edges_) {
+    if (edge.is_open) is_on_front[edge.origin.index()] = 1;
+  }
+  return is_on_front;
+}
+
+void Front::rename(const SurfaceMesh::Renaming& renaming) {
+  for (FrontEdge& edge : edges_) {
+    if (!edge.is_open) continue;
+    edge.origin = *renaming.vertices[edge.origin.index()];
+    edge.half_edge = renaming(edge.half_edge);
+  }
+}
+
 /// The triangle on the bare side of e: its half-edge 0 glued to e's, 1 and 2 on the boundary.
 geometry::TriangleId Front::add_triangle(FrontEdgeId e, VertexId apex) {
   const auto t = mesh_.surface.add_triangle(target(e), edges_[e.index()].origin, apex);

@@ -75,6 +75,12 @@ class Front {
   /// @return  what to add to an edge's id
   std::uint32_t append(const Front& other, std::uint32_t vertices, std::uint32_t half_edges);
 
+  /// By vertex of the mesh, whether the front runs through it.
+  std::vector<char> marked_vertices() const;
+  /// Follows the mesh when it is compacted.
+  /// @pre it has lost nothing that the front runs along.
+  void rename(const geometry::SurfaceMesh::Renaming& renaming);
+
   /// Adds the triangle of edge e and a new vertex x. Edge e then runs from its origin to x.
   /// @return the new edge, from x to e's old target.
   FrontEdgeId attach(FrontEdgeId e, const SurfacePoint& x);

@@ -46,6 +46,7 @@ Operations& Operations::operator+=(const Operations& other) {
   wing += other.wing;
   bridge += other.bridge;
   seal += other.seal;
+  coarsen += other.coarsen;
   guard_inside_protecting += other.guard_inside_protecting;
   guard_outside_protecting += other.guard_outside_protecting;
   return *this;
@@ -66,6 +67,10 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const Swe
       last_(last),
       laid_(skin.complex().kept_size(), 0),
       most_on_sphere_(most_vertices(sphere_area, disk_share_)) {
+  if (options_.coarser) {
+    coarsening_.emplace(skin, *options_.coarser, mesh);
+    coarsen_at_ = options_.coarsen_after;
+  }
   if (options_.guard == Guard::Everywhere) return;
   std::vector<double> radii;
   for (std::size_t c = 0; c < guide.points.size(); ++c) {
@@ -105,18 +110,30 @@ void Sweep::finish() {
   for (std::size_t c = 0; c < guide_.points.size(); ++c) seal(CriticalId{c});
   creep_triangles();
   // What was refused while the front stood differently may go now.
-  for (std::size_t before = 0; !stuck_.empty() && before != mesh_.surface.triangle_count();) {
-    before = mesh_.surface.triangle_count();
+  for (std::size_t before = 0; !stuck_.empty() && before != triangles_laid();) {
+    before = triangles_laid();
     push_current(stuck_);
     creep_triangles();
   }
+  if (coarsening_) coarsen();
 }
 
-void Sweep::join(const Sweep& above, unsigned threads) {
+/// Takes out what it can behind the front. So the whole of a fine mesh is never there at once.
+void Sweep::coarsen() {
+  operations_.coarsen += coarsening_->run(front_.marked_vertices());
+  const geometry::SurfaceMesh::Renaming renaming = mesh_.compact();
+  front_.rename(renaming);
+  coarsening_->rename(renaming);
+  const std::size_t count = mesh_.surface.triangle_count();
+  coarsen_at_ = count + std::max(options_.coarsen_after, count / 4);
+}
+
+void Sweep::join(Sweep& above, unsigned threads) {
   const auto vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count());
   const auto half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count());
-  mesh_.append(above.mesh_, threads);
+  mesh_.append(std::move(above.mesh_), threads);
   const std::uint32_t edges = front_.append(above.front_, vertices, half_edges);
+  if (coarsening_) coarsening_->take_over(*above.coarsening_, vertices);
   push_current(beyond_);
   for (const auto* departures : {&above.beyond_, &above.stuck_}) {
     for (const Departure& d : *departures) {
@@ -141,6 +158,7 @@ void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
     const Departure departure = queue_.top();    // 2
     queue_.pop();
+    if (mesh_.surface.triangle_count() >= coarsen_at_) coarsen();
     prefetch_next();
     if (!is_current(departure)) continue;
     report(departure);

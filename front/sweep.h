@@ -12,6 +12,7 @@
 #include "front/front.h"
 #include "front/neighbourhood.h"
 #include "morse/guide.h"
+#include "refine/coarsening.h"
 #include "refine/sizing.h"
 #include "refine/triangle_geometry.h"
 
@@ -24,6 +25,7 @@ struct Operations {
   std::size_t wing = 0;      ///< small front angles closed
   std::size_t bridge = 0;    ///< fronts joined across a saddle
   std::size_t seal = 0;      ///< holes closed at maxima
+  std::size_t coarsen = 0;   ///< vertices taken out behind the front
   /// Touches of the front found by the collision guard, in and out of protecting spheres.
   std::size_t guard_inside_protecting = 0;
   std::size_t guard_outside_protecting = 0;
@@ -72,6 +74,10 @@ struct Snapshot {
 
 struct SweepOptions {
   refine::Sizing sizing = {};
+  /// What the mesh is to be coarsened to behind the front, whenever so many triangles are new; not
+  /// at all without.
+  std::optional<refine::Sizing> coarser = {};
+  std::size_t coarsen_after = std::size_t{1} << 19;
   Guard guard = Guard::Everywhere;
   /// Told now and then the value at the departure vertex.
   std::function<void(double)> progress = {};
@@ -98,9 +104,9 @@ class Sweep {
   void run();
 
   /// Takes over the mesh and the front of a sweep of the reversed function that has run, and sweeps
-  /// on without a last value.
-  /// @param threads  at most, to copy the mesh
-  void join(const Sweep& above, unsigned threads = 1);
+  /// on without a last value. Nothing is left of the other's mesh.
+  /// @param threads  at most, to move it
+  void join(Sweep& above, unsigned threads = 1);
 
   Operations operations() const;
   /// Front edges left open: 0 when the mesh is closed.
@@ -123,6 +129,11 @@ class Sweep {
   };
 
   void finish();
+  void coarsen();
+  /// Triangles so far, those counted that coarsening has taken out again.
+  std::size_t triangles_laid() const {
+    return mesh_.surface.triangle_count() + 2 * operations_.coarsen;
+  }
   void prefetch_next() const;
   void report(const Departure& departure);
   void note(Operation operation) const;
@@ -179,6 +190,8 @@ class Sweep {
   double largest_laid_ = 0;          ///< length scale of a vertex
   bool is_overlapping_ = false;  ///< some patch is covered more than once: the sweep has stopped
   Operations operations_;
+  std::optional<refine::Coarsening> coarsening_;
+  std::size_t coarsen_at_ = std::numeric_limits<std::size_t>::max();  ///< triangles
 };
 
 }  // namespace morskin::front

@@ -20,11 +20,12 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   const auto progress = [&](std::string_view stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
+  const refine::Sizing laid = options.sizing.laid();
   morse::Guide guide;
   geometry::timed(result.seconds.critical_points, [&] {
     guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          sphere_share(skin.surface, options.sizing), options.threads, progress);
+                          sphere_share(skin.surface, laid), options.threads, progress);
   });
   result.minima = guide.found[0];
   result.saddles = guide.found[1];
@@ -35,12 +36,13 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   result.function = guide.function;
 
   geometry::timed(result.seconds.sweep, [&] {
-    SweepOptions sweeping{.sizing = options.sizing,
+    SweepOptions sweeping{.sizing = laid,
                           .guard = options.guard,
                           .progress = [&](double share) { progress("sweep", share); },
                           .snapshot_values = options.snapshot_values,
                           .snapshots = options.snapshots,
                           .snapshot = options.snapshot};
+    if (options.sizing.is_coarser_than_laid()) sweeping.coarser = options.sizing;
     SweepResult swept = options.fronts == 1
                             ? sweep_once(skin.surface, guide, sweeping)
                             : sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);

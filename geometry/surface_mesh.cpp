@@ -223,35 +223,37 @@ bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
 }
 
 std::vector<std::optional<VertexId>> SurfaceMesh::compact() {
-  std::vector<std::optional<VertexId>> renamed = renaming();
+  Renaming renamed = renaming();
   compact(renamed);
-  return renamed;
+  return std::move(renamed.vertices);
 }
 
-std::vector<std::optional<VertexId>> SurfaceMesh::renaming() const {
-  std::vector<std::optional<VertexId>> renamed(vertex_count());
+SurfaceMesh::Renaming SurfaceMesh::renaming() const {
+  Renaming renamed;
+  renamed.vertices.resize(vertex_count());
   std::uint32_t vertices = 0;
   for (std::size_t v = 0; v < outgoing_.size(); ++v) {
-    if (outgoing_[v].value != kBoundary) renamed[v] = VertexId{vertices++};
+    if (outgoing_[v].value != kBoundary) renamed.vertices[v] = VertexId{vertices++};
   }
+  const std::size_t count = triangle_count();
+  std::size_t& first = renamed.first_;
+  while (first < count && !is_removed(TriangleId{first})) ++first;
+  renamed.moved_.resize(count - first, kBoundary);
+  auto triangles = static_cast<std::uint32_t>(first);
+  for (std::size_t t = first; t < count; ++t) {
+    if (!is_removed(TriangleId{t})) renamed.moved_[t - first] = triangles++;
+  }
+  renamed.left_ = triangles;
   return renamed;
 }
 
-void SurfaceMesh::compact(const std::vector<std::optional<VertexId>>& renamed) {
+void SurfaceMesh::compact(const Renaming& renaming) {
   // What lies before the first gap stays, and mostly all that it refers to.
-  const std::size_t count = triangle_count();
-  std::size_t first = 0, first_vertex = 0;
-  while (first < count && !is_removed(TriangleId{first})) ++first;
+  const std::vector<std::optional<VertexId>>& renamed = renaming.vertices;
+  const std::size_t count = triangle_count(), first = renaming.first_;
+  std::size_t first_vertex = 0;
   while (first_vertex < renamed.size() && renamed[first_vertex]) ++first_vertex;
-  std::vector<std::uint32_t> moved(count - first, kBoundary);
-  std::size_t triangles = first;
-  for (std::size_t t = first; t < count; ++t) {
-    if (!is_removed(TriangleId{t})) moved[t - first] = static_cast<std::uint32_t>(triangles++);
-  }
-  const auto place = [&](HalfEdgeId h) {
-    if (h.index() < 3 * first || h.value == kBoundary) return h;
-    return HalfEdgeId{3 * moved[h.value / 3 - first] + h.value % 3};
-  };
+  const auto place = [&](HalfEdgeId h) { return h.value == kBoundary ? h : renaming(h); };
   const auto name = [&](VertexId v) { return v.index() < first_vertex ? v : *renamed[v.index()]; };
   for (std::size_t h = 0; h < 3 * first; ++h) {
     HalfEdge& kept = half_edges_[h];
@@ -261,8 +263,9 @@ void SurfaceMesh::compact(const std::vector<std::optional<VertexId>>& renamed) {
   for (std::size_t t = first; t < count; ++t) {
     if (is_removed(TriangleId{t})) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const HalfEdge old = half_edges_[3 * t + k];
-      half_edges_[3 * moved[t - first] + k] = {name(old.origin), place(old.twin)};
+      const HalfEdgeId h{3 * t + k};
+      const HalfEdge old = half_edges_[h.index()];
+      half_edges_[renaming(h).index()] = {name(old.origin), place(old.twin)};
     }
   }
   std::size_t vertices = 0;
@@ -270,7 +273,7 @@ void SurfaceMesh::compact(const std::vector<std::optional<VertexId>>& renamed) {
     if (renamed[v]) outgoing_[vertices++] = place(outgoing_[v]);
   }
   outgoing_.resize(vertices);
-  half_edges_.resize(3 * triangles);
+  half_edges_.resize(3 * renaming.left_);
 }
 
 std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {

@@ -128,10 +128,26 @@ class SurfaceMesh {
   /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
   /// @return for each old vertex its new id, or nothing.
   std::vector<std::optional<VertexId>> compact();
-  /// The same in two steps. First the new ids, which what belongs to vertices may be moved by
+  /// The new ids that compact() gives.
+  class Renaming {
+   public:
+    std::vector<std::optional<VertexId>> vertices;  ///< by old vertex; nothing where it goes
+    /// @pre its triangle stays.
+    HalfEdgeId operator()(HalfEdgeId h) const {
+      if (h.value / 3 < first_) return h;
+      return HalfEdgeId{3 * moved_[h.value / 3 - first_] + h.value % 3};
+    }
+
+   private:
+    friend class SurfaceMesh;
+    std::size_t first_ = 0;             ///< triangles before this one stay where they are
+    std::size_t left_ = 0;              ///< triangles
+    std::vector<std::uint32_t> moved_;  ///< by triangle from there on
+  };
+  /// The same in two steps. First the new ids, by which what belongs to vertices may be moved
   /// meanwhile.
-  std::vector<std::optional<VertexId>> renaming() const;
-  void compact(const std::vector<std::optional<VertexId>>& renamed);
+  Renaming renaming() const;
+  void compact(const Renaming& renamed);
 
   /// The triangles as a file holds them.
   std::vector<std::array<std::uint32_t, 3>> triangle_list() const;

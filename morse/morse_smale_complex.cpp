@@ -30,7 +30,9 @@ class Builder {
         f_(f),
         threads_(threads),
         polylines_(polylines),
-        lines_(skin, f, critical.points, threads, told) {
+        lines_(
+            skin, f, critical.points, threads, told,
+            polylines == Polylines::Keep ? SaddleLines::Kept::All : SaddleLines::Kept::EveryOther) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
   }

@@ -11,9 +11,10 @@ namespace morskin::morse {
 
 SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
                          std::span<const CriticalPoint> points, unsigned threads,
-                         const geometry::Told& told)
+                         const geometry::Told& told, Kept kept)
     : tracers_{{{skin, f, points, IntegralLines::usual_step},
-                {skin, f, points, IntegralLines::usual_step / 4}}} {
+                {skin, f, points, IntegralLines::usual_step / 4}}},
+      kept_(kept) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CriticalPoint& p = points[i];
     if (p.index != 1) continue;
@@ -62,6 +63,21 @@ void SaddleLines::trace(Line& line, Way way, Nodes& nodes) const {
   line.course =
       tracer(line.fineness).trace(line.saddle, line.tangent, way, nodes.points, nodes.cells);
   line.end = nodes.points.size();
+  if (kept_ == Kept::EveryOther) drop_every_other(line, nodes);
+}
+
+/// But for the first piece, which is told from the saddle, and the last, in the capture disc.
+void SaddleLines::drop_every_other(Line& line, Nodes& nodes) {
+  constexpr std::size_t at_each_end = 2;
+  std::size_t kept = std::min(line.first + at_each_end, line.end);
+  for (std::size_t i = kept; i < line.end; ++i) {
+    if ((i - line.first) % 2 == 0 && i + at_each_end < line.end) continue;
+    nodes.points[kept] = nodes.points[i];
+    nodes.cells[kept++] = nodes.cells[i];
+  }
+  line.end = kept;
+  nodes.points.resize(kept);
+  nodes.cells.resize(kept);
 }
 
 bool SaddleLines::refine(std::uint32_t line) {

@@ -16,9 +16,12 @@ class SaddleLines {
   /// the first along `descending`. A line that runs into a saddle is traced again, finer.
   /// @param threads  at most; the lines are the same for any number
   /// @param told     the share that is traced, as far as the first thread knows
+  /// @param kept     All, or only every other node between a line's ends: enough to go on from, and
+  ///                 nodes are most of what a large molecule takes before it has triangles
+  enum class Kept { All, EveryOther };
   SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
               std::span<const CriticalPoint> points, unsigned threads = 1,
-              const geometry::Told& told = {});
+              const geometry::Told& told = {}, Kept kept = Kept::All);
 
   std::size_t size() const { return lines_.size(); }
   CriticalId saddle(std::uint32_t line) const { return lines_[line].saddle; }
@@ -56,10 +59,12 @@ class SaddleLines {
 
   void trace_all(unsigned threads, const geometry::Told& told);
   void trace(Line& line, Way way, Nodes& nodes) const;
+  static void drop_every_other(Line& line, Nodes& nodes);
 
   std::array<IntegralLines, finest + 1> tracers_;
   std::vector<Line> lines_;
   std::vector<Nodes> parts_;  ///< by block of lines
+  Kept kept_;
 };
 
 }  // namespace morskin::morse

@@ -39,6 +39,15 @@ struct Sizing {
   static double quality_for(double C) {
     return std::max(1.65, 1.003 * (2 * C + std::sqrt(4 * C * C + 2)));
   }
+  /// What a front is laid with: these, or, where nothing is proved any more, the largest C for
+  /// which all is, with a Q that makes no triangle larger than these allow. Coarsening does the
+  /// rest.
+  Sizing laid() const {
+    if (!is_coarser_than_laid()) return *this;
+    const double q = std::min(quality_for(largest_proved_C), C * Q / largest_proved_C);
+    return {largest_proved_C, q, largest_length_scale};
+  }
+  bool is_coarser_than_laid() const { return C > largest_proved_C; }
   /// Whether refinement is proved to end: no insertion makes an edge that [L] forbids.
   bool is_refinement_proved_to_end() const { return Q * Q > 2 + 4 * C * Q; }
   /// Whether [U] makes the vertices an epsilon-sample with epsilon < 0.279, on which the theory of
@@ -88,14 +97,22 @@ struct Sizing {
     return 2 * R * std::sqrt(1 - R * R);
   }
 
-  /// The median edge that the front lays, over the length scale: nearly its own disk's radius, for
-  /// which it takes 0.87 of the largest.
-  double edge_share() const { return usual_edge * tangent_disk_share(); }
+  /// The median edge over the length scale, where that changes little. A front lays nearly its own
+  /// disk's radius, for which it takes 0.87 of the largest. Coarsening goes on until most triangles
+  /// come near its limit; but an even mesh it leaves alone if the first vertex to go would already
+  /// leave triangles beyond it, whose circles are as wide as the edges are long.
+  double edge_share() const {
+    const double laid_edge = usual_edge * laid().tangent_disk_share();
+    const bool is_left_alone = !is_coarser_than_laid() || spare_limit * C * Q < 0.93 * laid_edge;
+    return is_left_alone ? laid_edge : usual_coarse_edge * C * Q;
+  }
   /// Edges of about this length, Angstrom, where C does not ask for shorter ones.
   void set_edge_length(double length) { largest_length_scale = length / edge_share(); }
   double edge_length() const { return largest_length_scale * edge_share(); }
 
-  static constexpr double usual_edge = 0.85;
+  static constexpr double usual_edge = 0.85, usual_coarse_edge = 1.125;  ///< measured
+  /// The share of [U] up to which coarsening takes out vertices that have no need to go.
+  static constexpr double spare_limit = 0.75;
 };
 
 }  // namespace morskin::refine

@@ -25,30 +25,38 @@ struct SkinMesh {
     points.emplace_back();
     return surface.add_room();
   }
-  /// @copydoc geometry::SurfaceMesh::append
-  /// @param threads  at most
-  void append(const SkinMesh& other, unsigned threads = 1) {
+  /// Takes over another mesh as geometry::SurfaceMesh::append() does, and leaves nothing of it.
+  /// @param threads  at most; for a big mesh one, so that not all is there twice at once
+  void append(SkinMesh&& other, unsigned threads = 1) {
+    constexpr std::size_t big = std::size_t{1} << 20;
     geometry::do_both(
-        threads, [&] { surface.append(other.surface); },
+        points.size() < big ? threads : 1,
+        [&] {
+          surface.append(other.surface);
+          other.surface = {};
+        },
         [&] {
           points.reserve(geometry::SurfaceMesh::with_room(points.size() + other.points.size()));
           points.insert(points.end(), other.points.begin(), other.points.end());
+          std::vector<SurfacePoint>().swap(other.points);
         });
   }
 
   /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
   /// @param threads  at most
-  void compact(unsigned threads = 1) {
-    const auto renamed = surface.renaming();
+  /// @return the new ids
+  geometry::SurfaceMesh::Renaming compact(unsigned threads = 1) {
+    geometry::SurfaceMesh::Renaming renamed = surface.renaming();
     geometry::do_both(
         threads, [&] { surface.compact(renamed); },
         [&] {
           std::size_t kept = 0;
           for (std::size_t v = 0; v < points.size(); ++v) {
-            if (renamed[v]) points[kept++] = points[v];
+            if (renamed.vertices[v]) points[kept++] = points[v];
           }
           points.resize(kept);
         });
+    return renamed;
   }
 };
 

@@ -1,0 +1,171 @@
+#include "refine/coarsening.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "refine/tube.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// Shares of [U] that triangles may come to when a vertex goes that is too near another: what can
+/// be had cheaply goes first, since of a crowd it decides who is left.
+constexpr std::array crowded_limits{0.6, 0.8, 1.0};
+
+/// A polygon with more corners has hardly ever good ears only.
+constexpr std::size_t most_neighbours = 12;
+
+constexpr double no_ear = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Coarsening::Coarsening(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh)
+    : skin_(skin), sizing_(sizing), mesh_(mesh) {}
+
+std::size_t Coarsening::run(const std::vector<char>& at_boundary) {
+  const std::size_t before = removed_;
+  const std::vector<VertexId> all = candidates(at_boundary);
+  std::vector<VertexId> crowded = all;
+  for (const double limit : crowded_limits) {
+    std::erase_if(crowded, [&](VertexId v) { return !is_crowded_after(v, limit, at_boundary); });
+  }
+  for (const VertexId v : all) {
+    if (!is_removed(v)) remove(v, Sizing::spare_limit);
+  }
+  return removed_ - before;
+}
+
+void Coarsening::rename(const geometry::SurfaceMesh::Renaming& renaming) {
+  std::erase_if(waiting_, [&](VertexId v) { return !renaming.vertices[v.index()]; });
+  for (VertexId& v : waiting_) v = *renaming.vertices[v.index()];
+  known_ = mesh_.surface.vertex_count();
+}
+
+void Coarsening::take_over(const Coarsening& other, std::uint32_t vertices) {
+  for (const VertexId v : other.waiting_) waiting_.emplace_back(vertices + v.value);
+  known_ = vertices + other.known_;
+}
+
+/// What has waited and what is new, but for what has to wait on; patch by patch, for a front goes
+/// through a large molecule all over the place, and what is far apart there is far apart in memory.
+std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundary) {
+  std::vector<VertexId> looked_at = std::exchange(waiting_, {}), free;
+  for (; known_ < mesh_.surface.vertex_count(); ++known_) looked_at.emplace_back(known_);
+  std::ranges::sort(looked_at, {}, [&](VertexId v) { return std::pair(mesh_.at(v).cell, v); });
+  if (at_boundary.empty()) return looked_at;
+  for (const VertexId v : looked_at) {
+    bool waits = at_boundary[v.index()] != 0;
+    if (!waits) {
+      mesh_.surface.for_each_outgoing(
+          v, [&](HalfEdgeId h) { waits |= at_boundary[mesh_.surface.target(h).index()] != 0; });
+    }
+    (waits ? waiting_ : free).push_back(v);
+  }
+  return free;
+}
+
+/// Takes out a vertex that has a neighbour nearer than [L] allows, or else such a neighbour.
+/// @return whether it stays and may still have one
+bool Coarsening::is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary) {
+  if (is_removed(v)) return false;
+  crowd_.clear();
+  mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+    const VertexId x = mesh_.surface.target(h);
+    if (sizing_.is_too_short(mesh_.at(v), mesh_.at(x))) crowd_.push_back(x);
+  });
+  if (crowd_.empty() || remove(v, limit)) return false;
+  const auto may_go = [&](VertexId x) {
+    if (at_boundary.empty()) return true;
+    ring_of(x, ring_);
+    return std::ranges::none_of(ring_, [&](VertexId y) { return at_boundary[y.index()] != 0; });
+  };
+  for (const VertexId x : crowd_) {
+    if (may_go(x) && remove(x, limit)) break;
+  }
+  return true;
+}
+
+void Coarsening::ring_of(VertexId v, std::vector<VertexId>& ring) const {
+  ring.clear();
+  mesh_.surface.for_each_outgoing(v,
+                                  [&](HalfEdgeId h) { ring.push_back(mesh_.surface.target(h)); });
+}
+
+/// Takes a vertex out if its neighbours can be joined by good triangles.
+/// @pre neither v nor a neighbour is at the boundary.
+bool Coarsening::remove(VertexId v, double limit) {
+  SurfaceMesh& surface = mesh_.surface;
+  ring_of(v, ring_);
+  if (ring_.size() > most_neighbours || !find_ears(limit)) return false;
+  for (const VertexId tip : tips_) {
+    std::optional<HalfEdgeId> to_tip;
+    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+      if (surface.target(h) == tip) to_tip = h;
+    });
+    surface.flip(*to_tip);
+  }
+  surface.unsplit(v);
+  ++removed_;
+  return true;
+}
+
+/// Cuts the polygon of neighbours into triangles, the smallest ear first, as Delaunay triangles
+/// have small circles. The last three are what is left in the end.
+/// @return whether all are good
+bool Coarsening::find_ears(double limit) {
+  const SurfaceMesh& surface = mesh_.surface;
+  tips_.clear();
+  polygon_ = ring_;
+  ears_.resize(polygon_.size());
+  const auto before = [&](std::size_t i) { return i == 0 ? polygon_.size() - 1 : i - 1; };
+  const auto after = [&](std::size_t i) { return i + 1 == polygon_.size() ? 0 : i + 1; };
+  const auto look = [&](std::size_t i) {
+    ears_[i] = ear(polygon_[before(i)], polygon_[i], polygon_[after(i)], limit);
+  };
+  for (std::size_t i = 0; i < polygon_.size(); ++i) look(i);
+  while (polygon_.size() > 3) {
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(ears_) - ears_.begin());
+    if (ears_[best] == no_ear) return false;
+    const VertexId a = polygon_[before(best)], tip = polygon_[best], b = polygon_[after(best)];
+    if (surface.has_edge(a, b)) {
+      ears_[best] = no_ear;
+      continue;
+    }
+    if (surface.degree(tip) <= 3 || !can_be_proved(a, tip, b)) return false;
+    tips_.push_back(tip);
+    polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(best));
+    ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(best));
+    const std::size_t next = best == polygon_.size() ? 0 : best;
+    look(before(next));
+    look(next);
+  }
+  const auto [a, b, c] = std::array{polygon_[0], polygon_[1], polygon_[2]};
+  return std::ranges::all_of(polygon_, [&](VertexId x) { return surface.degree(x) > 3; }) &&
+         ear(a, b, c, limit) != no_ear && can_be_proved(a, b, c);
+}
+
+/// The circumradius over the length scale of a triangle that could cut off the middle corner, if it
+/// is a good one.
+double Coarsening::ear(VertexId a, VertexId b, VertexId c, double limit) const {
+  const SurfacePoint &p = mesh_.at(a), &q = mesh_.at(b), &r = mesh_.at(c);
+  const Circumcircle circle = circumcircle(p.position, q.position, r.position);
+  const double rho = std::min({p.length_scale, q.length_scale, r.length_scale});
+  const bool is_good = sizing_.triangle_ratio(circle.radius, rho) < limit &&
+                       is_upright(circle.doubled_area, p, q, r);
+  return is_good ? circle.radius / rho : no_ear;
+}
+
+bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {
+  if (sizing_.is_tube_proved()) return true;
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  return prove_tube(skin_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                    skin_.residual_bound(rho))
+      .holds();
+}
+
+}  // namespace morskin::refine

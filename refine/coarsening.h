@@ -1,0 +1,62 @@
+#pragma once
+
+/// Coarsening: makes a mesh with a larger C out of one that was laid finer, by taking vertices out
+/// for as long as [U] holds and the certificate could still prove every triangle. Each step leaves
+/// a mesh as good as the last, so nothing has to be right about where the front laid its vertices,
+/// and no front has to be laid where nothing is proved of it (papers/4.3-large-molecules.md).
+///
+/// Contraction in refinement also takes vertices out, but because [L] demands it, whatever becomes
+/// of the triangles; what it breaks is then mended by insertion. Here [L] and [U] are both met
+/// beforehand for all but a few vertices.
+
+#include <cstdint>
+#include <vector>
+
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+class Coarsening {
+ public:
+  /// @param sizing  what the mesh is to meet
+  /// @param mesh    vertices are points of the skin; may have a boundary, and may grow between runs
+  Coarsening(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh);
+
+  /// Looks at the vertices that are new since the last run, and at those that had to wait: of these
+  /// takes out what can be spared. First those nearer to a neighbour than [L] allows, then others
+  /// as long as all triangles stay well below [U]. Places in the mesh stay open until it is
+  /// compacted.
+  /// @param at_boundary  by vertex; its neighbours wait. None for a closed mesh.
+  /// @return how many it took out
+  std::size_t run(const std::vector<char>& at_boundary = {});
+
+  /// Follows the mesh when it is compacted.
+  void rename(const geometry::SurfaceMesh::Renaming& renaming);
+  /// Takes over what another has to wait for, once its mesh is appended behind so many vertices.
+  void take_over(const Coarsening& other, std::uint32_t vertices);
+
+ private:
+  bool is_removed(VertexId v) const { return !mesh_.surface.outgoing(v); }
+  std::vector<VertexId> candidates(const std::vector<char>& at_boundary);
+  bool is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary);
+  bool remove(VertexId v, double limit);
+  bool find_ears(double limit);
+  double ear(VertexId a, VertexId b, VertexId c, double limit) const;
+  bool can_be_proved(VertexId a, VertexId b, VertexId c) const;
+  void ring_of(VertexId v, std::vector<VertexId>& ring) const;
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  SkinMesh& mesh_;
+  std::vector<VertexId> waiting_;  ///< too near the boundary when last looked at
+  std::size_t known_ = 0;          ///< vertices from here on are new
+  std::size_t removed_ = 0;
+  std::vector<VertexId> crowd_;    ///< neighbours of a vertex that are too near
+  std::vector<VertexId> ring_;     ///< neighbours of the vertex in question, counter-clockwise
+  std::vector<VertexId> polygon_;  ///< what is left of them
+  std::vector<double> ears_;       ///< by corner, the size of the triangle that would cut it off
+  std::vector<VertexId> tips_;     ///< of the corners cut off, in turn
+};
+
+}  // namespace morskin::refine

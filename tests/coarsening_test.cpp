@@ -1,0 +1,229 @@
+// Coarsening: what it takes out, what it leaves, and that it may be done while the front goes on.
+
+#include "refine/coarsening.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "front/two_fronts.h"
+#include "refine/certificate.h"
+#include "refine/refinement.h"
+#include "refine/tube.h"
+#include "tests/support/ball_sets.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::SurfaceMesh;
+using refine::Coarsening;
+using refine::Sizing;
+using skin::SkinMesh;
+using skin::SurfacePoint;
+
+namespace {
+
+Sizing sizing_for(double C) { return {C, Sizing::quality_for(C)}; }
+
+morse::Guide guide_for(const front::PreparedSkin& skin, const Sizing& laid) {
+  return morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), std::nullopt,
+                           front::sphere_share(skin.surface, laid));
+}
+
+SkinMesh fine_mesh(const front::PreparedSkin& skin, const Sizing& laid) {
+  SkinMesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
+  refine::Refinement(skin.surface, laid, mesh).run();
+  return mesh;
+}
+
+/// Each ball set whose skin is not singular, with a mesh that has more triangles than it needs.
+template <class Check>
+void for_each_fine_mesh(unsigned count, Check check) {
+  for (unsigned seed = 0; seed < count; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (skin) check(*skin, fine_mesh(*skin, sizing_for(0.2).laid()));
+  }
+}
+
+std::size_t short_edges(const SkinMesh& mesh, const Sizing& sizing) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
+    const geometry::HalfEdgeId h{i};
+    count += sizing.is_too_short(mesh.at(mesh.surface.origin(h)), mesh.at(mesh.surface.target(h)));
+  }
+  return count / 2;
+}
+
+/// Whether [U] holds for each triangle, and what the certificate has to prove of it.
+bool is_fine_enough(const skin::SkinSurface& skin, const SkinMesh& mesh, const Sizing& sizing) {
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(geometry::TriangleId{t});
+    const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
+    const auto circle = refine::circumcircle(p[0]->position, p[1]->position, p[2]->position);
+    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
+        !refine::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+geometry::IndexedMesh plain(const SkinMesh& mesh) {
+  geometry::IndexedMesh result;
+  result.triangles = mesh.surface.triangle_list();
+  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  return result;
+}
+
+long euler_characteristic(const SurfaceMesh& mesh) {
+  return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.triangle_count()) / 2;
+}
+
+}  // namespace
+
+TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles can all be proved") {
+  for_each_fine_mesh(40, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
+    for (const double C : {0.25, 0.3, 0.4}) {
+      CAPTURE(C);
+      const Sizing sizing = sizing_for(C);
+      SkinMesh mesh = fine;
+      const std::size_t removed = Coarsening(skin.surface, sizing, mesh).run();
+      mesh.compact();
+      CHECK(fine.points.size() - mesh.points.size() == removed);
+      CHECK(validate(mesh.surface).value_or("") == "");
+      CHECK(euler_characteristic(mesh.surface) == euler_characteristic(fine.surface));
+      CHECK(components(mesh.surface).count == components(fine.surface).count);
+      CHECK(is_fine_enough(skin.surface, mesh, sizing));
+    }
+  });
+}
+
+TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
+  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
+    SkinMesh mesh = fine;
+    Coarsening(skin.surface, sizing_for(0.35), mesh).run();
+    mesh.compact();
+    std::size_t next = 0;
+    for (const SurfacePoint& p : mesh.points) {
+      while (next < fine.points.size() && fine.points[next].position != p.position) ++next;
+      REQUIRE(next < fine.points.size());
+      ++next;
+    }
+  });
+}
+
+TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles less than half") {
+  std::size_t triangles_before = 0, triangles = 0, short_before = 0, short_after = 0;
+  const Sizing sizing = sizing_for(0.3);
+  for_each_fine_mesh(40, [&](const front::PreparedSkin& skin, const SkinMesh& fine) {
+    SkinMesh mesh = fine;
+    Coarsening(skin.surface, sizing, mesh).run();
+    mesh.compact();
+    triangles_before += fine.surface.triangle_count();
+    triangles += mesh.surface.triangle_count();
+    short_before += short_edges(fine, sizing);
+    short_after += short_edges(mesh, sizing);
+  });
+  CHECK(2 * triangles < triangles_before);
+  CHECK(100 * short_after < short_before);
+}
+
+TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
+  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
+    SkinMesh mesh = fine;
+    const std::size_t count = mesh.points.size();
+    support::Random random(static_cast<unsigned>(count));
+    std::vector<char> marked(count, 0), stays(count, 0);
+    for (std::size_t v = 0; v < count; ++v) marked[v] = random.uniform() < 0.05;
+    for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
+      const geometry::HalfEdgeId edge{h};
+      if (!marked[mesh.surface.origin(edge).index()]) continue;
+      stays[mesh.surface.origin(edge).index()] = 1;
+      stays[mesh.surface.target(edge).index()] = 1;
+    }
+    Coarsening coarsening(skin.surface, sizing_for(0.3), mesh);
+    CHECK(coarsening.run(marked) > 0);
+    for (std::size_t v = 0; v < count; ++v) {
+      if (stays[v]) CHECK(mesh.surface.outgoing(geometry::VertexId{v}).has_value());
+    }
+    coarsening.rename(mesh.compact());
+    CHECK(coarsening.run() > 0);
+    coarsening.rename(mesh.compact());
+    CHECK(coarsening.run() == 0);  // nothing is new, nothing waits
+    CHECK(validate(mesh.surface).value_or("") == "");
+  });
+}
+
+TEST_CASE("a mesh coarsened behind the front is certified, and never there as a whole before") {
+  const Sizing sizing = sizing_for(0.3), laid = sizing.laid();
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    const morse::Guide guide = guide_for(*skin, laid);
+    std::size_t most = 0;
+    const auto look = [&](const front::Snapshot& now) {
+      most = std::max(most, now.mesh.surface.triangle_count());
+      for (std::size_t e = 0; e < now.front.capacity(); ++e) {
+        const front::FrontEdge& edge = now.front[front::FrontEdgeId{e}];
+        if (!edge.is_open) continue;
+        CHECK(now.mesh.surface.is_boundary(edge.half_edge));
+        CHECK(now.mesh.surface.origin(edge.half_edge) == edge.origin);
+        CHECK(now.mesh.position(edge.origin) == edge.position);
+      }
+    };
+    const front::SweepOptions fine{.sizing = laid}, in_steps{.sizing = laid,
+                                                             .coarser = sizing,
+                                                             .coarsen_after = 300,
+                                                             .snapshots = 50,
+                                                             .snapshot = look};
+    const auto whole = front::sweep_once(skin->surface, guide, fine);
+    auto coarse = front::sweep_once(skin->surface, guide, in_steps);
+    REQUIRE(coarse.open_edges == 0);
+    CHECK(whole.mesh.surface.triangle_count() ==
+          coarse.mesh.surface.triangle_count() + 2 * coarse.operations.coarsen);
+    if (whole.mesh.surface.triangle_count() > 4000) {
+      CHECK(3 * most < 2 * whole.mesh.surface.triangle_count());
+    }
+    refine::Refinement(skin->surface, sizing, coarse.mesh).run();
+    const auto certificate =
+        refine::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+    CHECK_MESSAGE(certificate.certified, certificate.reason);
+  }
+}
+
+TEST_CASE("two fronts that are coarsened on their way give one mesh for any number of threads") {
+  const Sizing sizing = sizing_for(0.35), laid = sizing.laid();
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    const auto skin = support::prepared(support::ball_set(seed));
+    if (!skin) continue;
+    const morse::Guide guide = guide_for(*skin, laid);
+    const front::SweepOptions options{.sizing = laid, .coarser = sizing, .coarsen_after = 300};
+    auto one = front::sweep_from_both_ends(skin->surface, guide, options, 1);
+    const auto two = front::sweep_from_both_ends(skin->surface, guide, options, 2);
+    REQUIRE(one.open_edges == 0);
+    CHECK(plain(one.mesh).positions == plain(two.mesh).positions);
+    CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
+    refine::Refinement(skin->surface, sizing, one.mesh).run();
+    const auto certificate =
+        refine::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+    CHECK_MESSAGE(certificate.certified, certificate.reason);
+  }
+}
+
+TEST_CASE(
+    "a front is laid with the largest C for which all is proved, never with larger triangles") {
+  for (const double C : {0.05, 0.08, 0.2, 0.21, 0.3, 0.4}) {
+    for (const double Q : {1.5, 1.65, Sizing::quality_for(C), 4.0}) {
+      const Sizing sizing{C, Q}, laid = sizing.laid();
+      CHECK(laid.C <= Sizing::largest_proved_C);
+      CHECK(laid.C * laid.Q <= C * Q * (1 + 1e-15));
+      CHECK(laid.largest_length_scale == sizing.largest_length_scale);
+      if (C <= Sizing::largest_proved_C) CHECK(laid.Q == Q);
+    }
+  }
+}
