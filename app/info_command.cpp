@@ -43,13 +43,12 @@ bool is_hydrogen(const skin::Atom& atom) {
   return element == "H" || element == "D" || element == "T";
 }
 
-// The number goes with the inverse square of the disk's radius that the front lays vertices on.
+// The number goes with the inverse square of the edges' length.
 double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& arguments) {
   const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
   const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
   const Growth grows = growth(arguments.molecule.model);
-  const double share =
-      refine::Sizing{}.tangent_disk_share() / arguments.sizing.tangent_disk_share();
+  const double share = refine::Sizing{}.edge_share() / arguments.sizing.edge_share();
   return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
 }
 
