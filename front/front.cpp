@@ -75,7 +75,11 @@ std::vector<char> Front::marked_vertices() const {
 
 void Front::rename(const SurfaceMesh::Renaming& renaming) {
   for (FrontEdge& edge : edges_) {
-    if (!edge.is_open) continue;
+    if (!edge.is_open) {
+      edge.origin =
+          VertexId{0U};  // some vertex, for whoever asks ahead for that of a stale departure
+      continue;
+    }
     edge.origin = *renaming.vertices[edge.origin.index()];
     edge.half_edge = renaming(edge.half_edge);
   }
