@@ -115,7 +115,7 @@ class Certifier {
     FlowReach reach;
   };
   void check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const;
-  void add(const TriangleFindings& found);
+  void add(TriangleFindings found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
   void compare_counts();
@@ -200,10 +200,13 @@ void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
       check_triangle(t, found[block], sure);
     }
   });
-  for (const TriangleFindings& part : found) add(part);
+  std::size_t far = 0;
+  for (const TriangleFindings& part : found) far += part.reach.far().size();
+  reach_.reserve(far);
+  for (TriangleFindings& part : found) add(std::move(part));
 }
 
-void Certifier::add(const TriangleFindings& found) {
+void Certifier::add(TriangleFindings found) {
   out_.worst_U = std::max(out_.worst_U, found.out.worst_U);
   out_.worst_L = std::min(out_.worst_L, found.out.worst_L);
   out_.violations_U += found.out.violations_U;
@@ -212,7 +215,7 @@ void Certifier::add(const TriangleFindings& found) {
     if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
   }
   if (out_.reason.empty()) out_.reason = found.out.reason;
-  reach_.add(found.reach);
+  reach_.add(std::move(found.reach));
 }
 
 void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const {

@@ -1,6 +1,7 @@
 #include "refine/covering_degree.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 
@@ -13,14 +14,15 @@ void FlowReach::add(std::uint32_t triangle, double circumradius, double way, dou
   // A point of the triangle lies within R of a corner.
   const double ratio = (circumradius + way) / rho;
   if (ratio > most) {
-    far_.push_back({triangle, 2 * circumradius + way});
+    const double reach = std::min<double>(2 * circumradius + way, FLT_MAX);
+    far_.push_back({triangle, static_cast<float>(reach)});
     unbounded_count_ += !std::isfinite(way);
   } else {
     ratio_ = std::max(ratio_, ratio);
   }
 }
 
-void FlowReach::add(const FlowReach& others) {
+void FlowReach::add(FlowReach others) {
   ratio_ = std::max(ratio_, others.ratio_);
   far_.insert(far_.end(), others.far_.begin(), others.far_.end());
   unbounded_count_ += others.unbounded_count_;
@@ -134,9 +136,10 @@ void CoveringDegree::look_from_far(const std::vector<VertexId>& candidates, Look
   places.reserve(candidates.size());
   for (const VertexId v : candidates) places.push_back(position(v.value));
   const geometry::KdTree<VertexId> tree(places);
+  constexpr double room = 1.01;  // far above the rounding to single precision
   for (const auto& [t, from_first_corner] : reach_.far()) {
     const auto& triangle = on_.mesh.triangles[t];
-    tree.for_each_within(position(triangle[0]), 1.01 * from_first_corner,
+    tree.for_each_within(position(triangle[0]), room * from_first_corner,
                          [&](const auto& near) { look_at(triangle, candidates[near.id.index()]); });
   }
 }

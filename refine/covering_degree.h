@@ -26,13 +26,15 @@ class FlowReach {
   /// @param way  no farther than this does the flow move a point of the triangle, Angstrom
   /// @param rho  the least length scale at the corners
   void add(std::uint32_t triangle, double circumradius, double way, double rho);
-  void add(const FlowReach& others);
+  void add(FlowReach others);
+  /// Makes room for what others have listed as far.
+  void reserve(std::size_t far) { far_.reserve(far); }
 
   /// Over the length scale at the corner; but for the triangles that reach beyond `most`.
   double ratio() const { return ratio_; }
   struct Far {
     std::uint32_t triangle;
-    double from_first_corner;  ///< Angstrom
+    float from_first_corner;  ///< Angstrom
   };
   std::span<const Far> far() const { return far_; }
   /// How many of these are not proved, so that nothing bounds how far they reach.

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -40,7 +41,7 @@ namespace morskin::refine {
 /// @param most_G  |G| at the corners, Angstrom^2, at most
 inline double clearance(const std::array<const SurfacePoint*, 3>& corners, const Vector& n,
                         double sides, double most_G) {
-  // The least is far above the rounding of cotangents to single precision.
+  // The least is above the rounding of cotangents when they are noted.
   constexpr double largest = 0.2, residual = 1e-6, least = 1e-3;
   const auto& [a, b, c] = corners;
   const double n2 = n.squaredNorm();
@@ -79,6 +80,11 @@ inline bool is_surely_delaunay(const std::array<const SurfacePoint*, 3>& abc, co
 }
 
 /// The same for the edges of a mesh, from cotangents noted for each triangle.
+///
+/// They are noted to 16 bits, so that a triangle takes eight bytes: cotangents rounded down, the
+/// clearance up. Where (c + c')^2 > k^2 (1 + max(c, c')^2) with c + c' > 0, k < 1, the left-hand
+/// side less the right grows with either cotangent and falls with k, so what the rounded ones tell
+/// the true ones would tell too. A cotangent below -8 counts as -8: no other makes up for it.
 class SureEdges {
  public:
   explicit SureEdges(std::size_t triangles)
@@ -91,8 +97,8 @@ class SureEdges {
     const Vector& n = circle.doubled_area;
     const double squared_area = n.squaredNorm();
     const double sides = 4 * circle.radius * circle.radius * squared_area;
-    opposite_[t.index()] = cotangents(corners, std::sqrt(squared_area));
-    opposite_[t.index()].clearance = static_cast<float>(clearance(corners, n, sides, most_G));
+    opposite_[t.index()] = {cotangents(corners, std::sqrt(squared_area)),
+                            rounded_up(clearance(corners, n, sides, most_G))};
   }
 
   /// Asks for what are_sure() will look at.
@@ -102,30 +108,49 @@ class SureEdges {
   /// ball; false where the angles do not tell.
   /// @pre both have been noted.
   bool are_sure(HalfEdgeId h, HalfEdgeId twin) const {
-    const float here = cotangent(h), there = cotangent(twin), sum = here + there;
-    const float flatter = std::max(here * here, there * there);
-    const float needed = std::max(of(h).clearance, of(twin).clearance);
-    return sum > 0 && sum * sum > needed * needed * (1 + flatter);
+    const int here = cotangent(h), there = cotangent(twin);
+    const auto sum = static_cast<float>(here + there);
+    const auto larger = static_cast<float>(std::max(here, there));
+    const auto needed = static_cast<float>(std::max(of(h).clearance, of(twin).clearance));
+    constexpr auto one = static_cast<float>(cotangent_steps * cotangent_steps);
+    constexpr auto in_steps = static_cast<float>(1 / (clearance_steps * clearance_steps));
+    return sum > 0 && sum * sum > needed * needed * in_steps * (one + larger * larger);
   }
 
  private:
+  static constexpr double cotangent_steps = 4096, most_cotangent = 8;  ///< steps to 1
+  static constexpr double clearance_steps = 1 << 14;
+  /// For none. As it is above 2, no sum is larger.
+  static constexpr std::uint16_t no_clearance = 0xFFFF;
+
   struct Opposite {
-    std::array<float, 3> cotangents;  ///< of the angles opposite the half-edges
-    float clearance;
+    std::array<std::int16_t, 3> cotangents;  ///< of the angles opposite the half-edges
+    std::uint16_t clearance;
   };
 
   const Opposite& of(HalfEdgeId h) const { return opposite_[h.index() / 3]; }
-  float cotangent(HalfEdgeId h) const { return of(h).cotangents[h.index() % 3]; }
+  int cotangent(HalfEdgeId h) const { return of(h).cotangents[h.index() % 3]; }
 
-  static Opposite cotangents(const std::array<const SurfacePoint*, 3>& corners,
-                             double doubled_area) {
+  static std::int16_t rounded_down(double cotangent) {
+    constexpr double least = -most_cotangent, most = most_cotangent - 1 / cotangent_steps;
+    if (!(cotangent > least)) cotangent = least;  // or not a number, of no triangle
+    const double shifted = (std::min(cotangent, most) + most_cotangent) * cotangent_steps;
+    return static_cast<std::int16_t>(static_cast<int>(shifted) -
+                                     static_cast<int>(most_cotangent * cotangent_steps));
+  }
+  static std::uint16_t rounded_up(double clearance) {
+    if (!(clearance < 1)) return no_clearance;
+    return static_cast<std::uint16_t>(static_cast<int>(clearance * clearance_steps) + 1);
+  }
+
+  static std::array<std::int16_t, 3> cotangents(const std::array<const SurfacePoint*, 3>& corners,
+                                                double doubled_area) {
     const auto& [a, b, c] = corners;
     const Vector ab = b->position - a->position, bc = c->position - b->position;
     const Vector ca = a->position - c->position;
     const double scale = -1 / doubled_area;
-    return {{static_cast<float>(scale * bc.dot(ca)), static_cast<float>(scale * ca.dot(ab)),
-             static_cast<float>(scale * ab.dot(bc))},
-            0};
+    return {rounded_down(scale * bc.dot(ca)), rounded_down(scale * ca.dot(ab)),
+            rounded_down(scale * ab.dot(bc))};
   }
 
   std::unique_ptr<Opposite[]> opposite_;  ///< by triangle
