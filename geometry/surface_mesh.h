@@ -55,6 +55,8 @@ class SurfaceMesh {
   HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
+  /// Asks for what prefetch_fan() looks up.
+  void prefetch_outgoing(VertexId v) const { prefetch(&outgoing_[v.index()]); }
   /// Asks for what a walk round v begins with.
   void prefetch_fan(VertexId v) const {
     prefetch(half_edges_.data() + outgoing_[v.index()].index());
@@ -122,6 +124,17 @@ class SurfaceMesh {
   void remove(std::span<const TriangleId> triangles);
 
   std::size_t degree(VertexId v) const;
+  /// Whether v has more neighbours than so many, told after one step more than that.
+  /// @pre v has no boundary.
+  bool has_degree_above(VertexId v, std::size_t most) const {
+    const HalfEdgeId first = outgoing_[v.index()];
+    HalfEdgeId h = first;
+    for (std::size_t step = 0; step < most; ++step) {
+      h = half_edges_[previous(h).index()].twin;
+      if (h == first) return false;
+    }
+    return true;
+  }
   /// Whether an edge joins a and b. @pre a has no boundary.
   bool has_edge(VertexId a, VertexId b) const;
 

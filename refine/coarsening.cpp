@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -31,12 +32,27 @@ std::size_t Coarsening::run(const std::vector<char>& at_boundary) {
   const std::vector<VertexId> all = candidates(at_boundary);
   std::vector<VertexId> crowded = all;
   for (const double limit : crowded_limits) {
-    std::erase_if(crowded, [&](VertexId v) { return !is_crowded_after(v, limit, at_boundary); });
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < crowded.size(); ++i) {
+      ask_ahead(crowded, i);
+      if (is_crowded_after(crowded[i], limit, at_boundary)) crowded[left++] = crowded[i];
+    }
+    crowded.resize(left);
   }
-  for (const VertexId v : all) {
-    if (!is_removed(v)) remove(v, Sizing::spare_limit);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ask_ahead(all, i);
+    if (!is_removed(all[i])) remove(all[i], Sizing::spare_limit);
   }
   return removed_ - before;
+}
+
+/// Asks for vertices that a pass will come to, step by step.
+void Coarsening::ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const {
+  const std::size_t last = pass.size() - 1;
+  const VertexId far = pass[std::min(i + 16, last)], near = pass[std::min(i + 8, last)];
+  mesh_.surface.prefetch_outgoing(far);
+  geometry::prefetch(&mesh_.at(far));
+  mesh_.surface.prefetch_fan(near);
 }
 
 void Coarsening::rename(const geometry::SurfaceMesh::Renaming& renaming) {
@@ -53,19 +69,26 @@ void Coarsening::take_over(const Coarsening& other, std::uint32_t vertices) {
 /// What has waited and what is new, but for what has to wait on; patch by patch, for a front goes
 /// through a large molecule all over the place, and what is far apart there is far apart in memory.
 std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundary) {
-  std::vector<VertexId> looked_at = std::exchange(waiting_, {}), free;
-  for (; known_ < mesh_.surface.vertex_count(); ++known_) looked_at.emplace_back(known_);
-  std::ranges::sort(looked_at, {}, [&](VertexId v) { return std::pair(mesh_.at(v).cell, v); });
-  if (at_boundary.empty()) return looked_at;
-  for (const VertexId v : looked_at) {
-    bool waits = at_boundary[v.index()] != 0;
-    if (!waits) {
-      mesh_.surface.for_each_outgoing(
-          v, [&](HalfEdgeId h) { waits |= at_boundary[mesh_.surface.target(h).index()] != 0; });
-    }
-    (waits ? waiting_ : free).push_back(v);
-  }
-  return free;
+  std::vector<std::uint64_t> free;  // cells and vertices, to be sorted by both
+  const auto look_at = [&](VertexId v) {
+    if (!at_boundary.empty() && is_near_boundary(v, at_boundary)) return waiting_.push_back(v);
+    free.push_back(std::uint64_t{mesh_.at(v).cell.value} << 32 | v.value);
+  };
+  for (const VertexId v : std::exchange(waiting_, {})) look_at(v);
+  for (; known_ < mesh_.surface.vertex_count(); ++known_) look_at(VertexId{known_});
+  std::ranges::sort(free);
+  std::vector<VertexId> result;
+  result.reserve(free.size());
+  for (const std::uint64_t both : free) result.emplace_back(static_cast<std::uint32_t>(both));
+  return result;
+}
+
+bool Coarsening::is_near_boundary(VertexId v, const std::vector<char>& at_boundary) const {
+  bool is_near = at_boundary[v.index()] != 0;
+  if (is_near) return true;  // and has no full fan
+  mesh_.surface.for_each_outgoing(
+      v, [&](HalfEdgeId h) { is_near |= at_boundary[mesh_.surface.target(h).index()] != 0; });
+  return is_near;
 }
 
 /// Takes out a vertex that has a neighbour nearer than [L] allows, or else such a neighbour.
@@ -79,9 +102,7 @@ bool Coarsening::is_crowded_after(VertexId v, double limit, const std::vector<ch
   });
   if (crowd_.empty() || remove(v, limit)) return false;
   const auto may_go = [&](VertexId x) {
-    if (at_boundary.empty()) return true;
-    ring_of(x, ring_);
-    return std::ranges::none_of(ring_, [&](VertexId y) { return at_boundary[y.index()] != 0; });
+    return at_boundary.empty() || !is_near_boundary(x, at_boundary);
   };
   for (const VertexId x : crowd_) {
     if (may_go(x) && remove(x, limit)) break;
@@ -135,7 +156,7 @@ bool Coarsening::find_ears(double limit) {
       ears_[best] = no_ear;
       continue;
     }
-    if (surface.degree(tip) <= 3 || !can_be_proved(a, tip, b)) return false;
+    if (!surface.has_degree_above(tip, 3) || !can_be_proved(a, tip, b)) return false;
     tips_.push_back(tip);
     polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(best));
     ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(best));
@@ -144,7 +165,8 @@ bool Coarsening::find_ears(double limit) {
     look(next);
   }
   const auto [a, b, c] = std::array{polygon_[0], polygon_[1], polygon_[2]};
-  return std::ranges::all_of(polygon_, [&](VertexId x) { return surface.degree(x) > 3; }) &&
+  return std::ranges::all_of(polygon_,
+                             [&](VertexId x) { return surface.has_degree_above(x, 3); }) &&
          ear(a, b, c, limit) != no_ear && can_be_proved(a, b, c);
 }
 

@@ -39,6 +39,8 @@ class Coarsening {
  private:
   bool is_removed(VertexId v) const { return !mesh_.surface.outgoing(v); }
   std::vector<VertexId> candidates(const std::vector<char>& at_boundary);
+  bool is_near_boundary(VertexId v, const std::vector<char>& at_boundary) const;
+  void ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const;
   bool is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary);
   bool remove(VertexId v, double limit);
   bool find_ears(double limit);

@@ -207,7 +207,7 @@ std::optional<HalfEdgeId> LocalOperations::last_flip(VertexId v) const {
     const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(surface.twin(h));
     const VertexId beyond =
         surface.target(surface.twin(SurfaceMesh::previous(surface.twin(SurfaceMesh::previous(h)))));
-    if (c == d || surface.has_edge(c, d) || surface.degree(beyond) <= 3 ||
+    if (c == d || surface.has_edge(c, d) || !surface.has_degree_above(beyond, 3) ||
         !faces_outward(x, c, d) || !faces_outward(beyond, d, c)) {
       return;
     }
@@ -224,7 +224,7 @@ std::optional<HalfEdgeId> LocalOperations::last_flip(VertexId v) const {
 /// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
 bool LocalOperations::remove(VertexId v) {
   SurfaceMesh& surface = mesh_.surface;
-  while (surface.degree(v) > 3) {
+  while (surface.has_degree_above(v, 3)) {
     std::optional<HalfEdgeId> best;
     double least = std::numeric_limits<double>::infinity();
     surface.for_each_outgoing(v, [&](HalfEdgeId h) {
@@ -246,8 +246,8 @@ bool LocalOperations::remove(VertexId v) {
   const HalfEdgeId first = *surface.outgoing(v);
   const VertexId a = surface.target(first), b = surface.apex(first);
   const VertexId c = surface.apex(surface.twin(first));
-  if (a == b || b == c || c == a || surface.degree(a) <= 3 || surface.degree(b) <= 3 ||
-      surface.degree(c) <= 3) {
+  const auto keeps_three = [&](VertexId x) { return surface.has_degree_above(x, 3); };
+  if (a == b || b == c || c == a || !keeps_three(a) || !keeps_three(b) || !keeps_three(c)) {
     return false;
   }
   territory_.rooms.push_back(surface.unsplit(v));

@@ -208,8 +208,12 @@ TEST_CASE("degree and has_edge agree with a count over all triangles") {
     }
     for (std::size_t a = 0; a < n; ++a) {
       if (!mesh.outgoing(VertexId{a})) continue;
-      CHECK(mesh.degree(VertexId{a}) ==
-            static_cast<std::size_t>(std::count(joined[a].begin(), joined[a].end(), 1)));
+      const auto degree =
+          static_cast<std::size_t>(std::count(joined[a].begin(), joined[a].end(), 1));
+      CHECK(mesh.degree(VertexId{a}) == degree);
+      for (std::size_t most = 1; most < 12; ++most) {
+        CHECK(mesh.has_degree_above(VertexId{a}, most) == (degree > most));
+      }
       for (std::size_t b = 0; b < n; ++b) {
         CHECK(mesh.has_edge(VertexId{a}, VertexId{b}) == (joined[a][b] == 1));
       }
