@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <tuple>
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "geometry/parallel.h"
-#include "refine/tube.h"
+#include "refine/vertex_mover.h"
 
 namespace morskin::refine {
 
@@ -19,44 +18,27 @@ namespace {
 /// vertex are tried again, so later rounds are short.
 constexpr int most_rounds = 8;
 
-/// Tried from a place: so many directions, at steps from a quarter of the shortest edge down to a
-/// tenth of that.
-constexpr int directions = 8;
-constexpr double longest_step = 0.25, shortest_step = 0.025;
-
-/// A move must raise the squared sine of the worst angle by this factor, so that moves end.
-constexpr double least_gain = 1.001;
-
-/// What is asked of a triangle.
-struct Shape {
-  double squared_sine;  ///< of its smallest angle
-  double radius;        ///< of its circumcircle, Angstrom
-  Vector normal;        ///< twice its area long
-};
-Shape shape(const Point& a, const Point& b, const Point& c) {
-  const Vector n = (b - a).cross(c - a);
-  const double nn = n.squaredNorm();
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double product = ab * bc * ca;
-  return {nn * std::min({ab, bc, ca}) / product, std::sqrt(product / nn) / 2, n};
-}
-
 class Smoothing {
  public:
-  Smoothing(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal_deg)
+  Smoothing(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal_deg,
+            std::size_t least_block, unsigned threads)
       : skin_(skin),
         sizing_(sizing),
         mesh_(mesh),
-        goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)) {}
+        goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)),
+        block_(std::max(least_block, mesh.surface.triangle_count() / most_blocks + 1)),
+        threads_(threads) {}
 
-  SmoothingCounts run(unsigned threads) {
+  SmoothingCounts run() {
     SmoothingCounts counts;
-    std::vector<TriangleId> waiting = find_all(threads);
+    std::vector<TriangleId> waiting = find_all();
     counts.below = waiting.size();
+    if (mesh_.surface.triangle_count() > block_ && !waiting.empty()) find_owners();
     std::vector<TriangleId> seen = waiting;
     for (int round = 0; round < most_rounds && !waiting.empty(); ++round) {
-      std::vector<TriangleId> next;
-      for (const TriangleId t : waiting) counts.moved += improve(t, next);
+      Work work = improve_all(waiting);
+      counts.moved += work.moved;
+      std::vector<TriangleId>& next = work.changed;
       keep_those_below(next);
       seen.insert(seen.end(), next.begin(), next.end());
       waiting = std::move(next);
@@ -67,15 +49,14 @@ class Smoothing {
   }
 
  private:
-  bool is_below(TriangleId t) const {
-    const auto [a, b, c] = mesh_.surface.corners(t);
-    return shape(mesh_.position(a), mesh_.position(b), mesh_.position(c)).squared_sine < goal_;
-  }
+  static constexpr std::size_t most_blocks = 16;
 
-  std::vector<TriangleId> find_all(unsigned threads) const {
+  bool is_below(TriangleId t) const { return VertexMover::is_below(mesh_, t, goal_); }
+
+  std::vector<TriangleId> find_all() const {
     const std::size_t count = mesh_.surface.triangle_count();
     std::vector<std::vector<TriangleId>> found(geometry::block_count(count));
-    geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+    geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
       for (std::size_t t = begin; t < end; ++t) {
         const TriangleId later{std::min(t + geometry::prefetch_ahead, end - 1)};
         for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
@@ -88,6 +69,19 @@ class Smoothing {
     return std::move(found[0]);
   }
 
+  /// A block of triangles owns the vertices that no other block has at a corner.
+  void find_owners() {
+    constexpr std::uint32_t unseen = Owners::nobody - 1;
+    owners_.assign(mesh_.surface.vertex_count(), unseen);
+    for (std::size_t t = 0; t < mesh_.surface.triangle_count(); ++t) {
+      const auto block = static_cast<std::uint32_t>(t / block_);
+      for (const VertexId v : mesh_.surface.corners(TriangleId{t})) {
+        std::uint32_t& owner = owners_[v.index()];
+        if (owner != block) owner = owner == unseen ? block : Owners::nobody;
+      }
+    }
+  }
+
   /// In the order of their ids, each once.
   void keep_those_below(std::vector<TriangleId>& triangles) const {
     std::sort(triangles.begin(), triangles.end());
@@ -95,136 +89,76 @@ class Smoothing {
     std::erase_if(triangles, [this](TriangleId t) { return !is_below(t); });
   }
 
-  /// Moves the corners of t in turn until it is good enough, and adds all that changed to
-  /// `changed`; returns how many were moved.
-  std::size_t improve(TriangleId t, std::vector<TriangleId>& changed) {
+  /// What came of some triangles.
+  struct Work {
     std::size_t moved = 0;
+    std::vector<TriangleId> changed;  ///< next to a moved vertex
+    std::vector<TriangleId> left;     ///< with a vertex that was not theirs to move
+
+    void add(const Work& other) {
+      moved += other.moved;
+      changed.insert(changed.end(), other.changed.begin(), other.changed.end());
+    }
+  };
+
+  /// Improves the triangles block by block, as many at once as there are threads, and afterwards
+  /// those at the borders of blocks. The blocks are the same for any number of threads.
+  Work improve_all(const std::vector<TriangleId>& triangles) {
+    if (owners_.empty()) return improve(triangles, {});
+    std::vector<Work> found((mesh_.surface.triangle_count() - 1) / block_ + 1);
+    geometry::for_each_task(threads_, found.size(), [&](std::size_t block) {
+      const auto place = [&](std::size_t b) {
+        return std::ranges::lower_bound(triangles, TriangleId{b * block_});
+      };
+      found[block] =
+          improve({place(block), place(block + 1)}, {owners_, static_cast<std::uint32_t>(block)});
+    });
+    Work whole;
+    std::vector<TriangleId> left;
+    for (const Work& part : found) {
+      whole.add(part);
+      left.insert(left.end(), part.left.begin(), part.left.end());
+    }
+    whole.add(improve(left, {}));
+    return whole;
+  }
+
+  Work improve(std::span<const TriangleId> triangles, const Owners& owners) {
+    Work work;
+    VertexMover mover(skin_, sizing_, mesh_, goal_, owners);
+    for (const TriangleId t : triangles) improve(t, mover, work);
+    return work;
+  }
+
+  /// Moves the corners of t in turn until it is good enough.
+  void improve(TriangleId t, VertexMover& mover, Work& work) const {
+    bool is_left = false;
     for (const VertexId v : mesh_.surface.corners(t)) {
-      if (!is_below(t)) break;
-      if (!move(v)) continue;
-      ++moved;
+      if (!is_below(t)) return;
+      const VertexMover::Moved moved = mover.move(v);
+      is_left |= moved == VertexMover::Moved::NotMine;
+      if (moved != VertexMover::Moved::Yes) continue;
+      ++work.moved;
       mesh_.surface.for_each_outgoing(
-          v, [&](HalfEdgeId h) { changed.push_back(SurfaceMesh::triangle(h)); });
+          v, [&](HalfEdgeId h) { work.changed.push_back(SurfaceMesh::triangle(h)); });
     }
-    return moved;
-  }
-
-  /// The vertices around v, counter-clockwise, and those beyond the edges between them.
-  void look_around(VertexId v) {
-    ring_.clear();
-    beyond_.clear();
-    mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-      ring_.push_back(mesh_.surface.target(h));
-      beyond_.push_back(mesh_.surface.apex(mesh_.surface.twin(SurfaceMesh::next(h))));
-    });
-  }
-
-  /// The smallest squared sine around v were it at x; nothing unless it is above `asked`, [L] and
-  /// [U] hold and all triangles face outward.
-  std::optional<double> quality(const SurfacePoint& x, double asked) const {
-    double least = 1;
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const SurfacePoint& p = mesh_.at(ring_[i]);
-      const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
-      const Shape s = shape(x.position, p.position, q.position);
-      const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
-      const bool is_good = s.squared_sine > asked && !sizing_.is_too_short(x, p) &&
-                           sizing_.triangle_ratio(s.radius, rho) < 1 &&
-                           is_upright(s.normal, x, p, q);
-      if (!is_good) return std::nullopt;
-      least = std::min(least, s.squared_sine);
-    }
-    return least;
-  }
-
-  /// Whether the certificate can prove the triangles around v were it at x, where [U] does not see
-  /// to it.
-  bool keeps_provable(const SurfacePoint& x) const {
-    if (sizing_.is_tube_proved()) return true;
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const SurfacePoint& p = mesh_.at(ring_[i]);
-      const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
-      const Circumcircle circle = circumcircle(x.position, p.position, q.position);
-      const double residual = skin_.residual_bound(x.length_scale);
-      if (!prove_tube(skin_, {&x, &p, &q}, circle, residual).holds()) return false;
-    }
-    return true;
-  }
-
-  /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
-  bool keeps_delaunay(const SurfacePoint& x) const {
-    const std::size_t n = ring_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point& p = mesh_.position(ring_[i]);
-      const Point& q = mesh_.position(ring_[(i + 1) % n]);
-      const SurfaceBall inner = exact_surface_ball(skin_, x, p, q);
-      const SurfaceBall outer = exact_surface_ball(skin_, mesh_.at(beyond_[i]), q, p);
-      if (!inner.is_exact || !outer.is_exact || outer.intrusion(x.position) > 0 ||
-          inner.intrusion(mesh_.position(beyond_[i])) > 0 ||
-          inner.intrusion(mesh_.position(ring_[(i + n - 1) % n])) > 0 ||
-          inner.intrusion(mesh_.position(ring_[(i + 2) % n])) > 0) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// The best place a step away from x; nothing if none is better than `asked`.
-  std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,
-                                                           double asked) const {
-    const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
-    std::vector<std::pair<double, SurfacePoint>> better;
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * M_PI * k / directions;
-      const auto y =
-          skin_.project(x.position + step * (std::cos(angle) * e + std::sin(angle) * f), x.cell);
-      if (!y) continue;
-      if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
-    }
-    std::stable_sort(better.begin(), better.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    const auto found = std::find_if(better.begin(), better.end(), [this](const auto& b) {
-      return keeps_provable(b.second) && keeps_delaunay(b.second);
-    });
-    return found == better.end() ? std::nullopt : std::optional(*found);
-  }
-
-  /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
-  /// enough; true if it has moved.
-  bool move(VertexId v) {
-    look_around(v);
-    SurfacePoint& at = mesh_.points[v.index()];
-    double now = 1, shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const Point& p = mesh_.position(ring_[i]);
-      const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
-      now = std::min(now, shape(at.position, p, q).squared_sine);
-      shortest = std::min(shortest, (p - at.position).norm());
-    }
-    bool has_moved = false;
-    for (double step = longest_step * shortest; step > shortest_step * shortest && now < goal_;) {
-      if (const auto found = step_from(at, step, least_gain * now)) {
-        std::tie(now, at) = *found;
-        has_moved = true;
-      } else {
-        step /= 2;
-      }
-    }
-    return has_moved;
+    if (is_left && is_below(t)) work.left.push_back(t);
   }
 
   const skin::SkinSurface& skin_;
   const Sizing sizing_;
   SkinMesh& mesh_;
-  const double goal_;                    // squared sine
-  std::vector<VertexId> ring_, beyond_;  // of look_around()
+  const double goal_;  ///< squared sine
+  const std::size_t block_;
+  const unsigned threads_;
+  std::vector<std::uint32_t> owners_;  ///< by vertex; none where all is one block
 };
 
 }  // namespace
 
 SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
-                       double goal_deg, unsigned threads) {
-  return Smoothing(skin, sizing, mesh, goal_deg).run(threads);
+                       double goal_deg, unsigned threads, std::size_t least_block) {
+  return Smoothing(skin, sizing, mesh, goal_deg, least_block, threads).run();
 }
 
 }  // namespace morskin::refine

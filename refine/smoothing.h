@@ -23,10 +23,15 @@ struct SmoothingCounts {
   std::size_t left = 0;   ///< triangles with an angle below the goal, after
 };
 
-/// @param goal_deg  degrees, at most 60
-/// @param threads   at most, for the first look at the mesh; the outcome is the same for any number
+/// Triangles are gone through in the order of their ids, in a large mesh in blocks of them, several
+/// at a time, with what lies at the borders of blocks last.
+///
+/// @param goal_deg     degrees, at most 60
+/// @param threads      at most; the outcome is the same for any number
+/// @param least_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
 SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
-                       double goal_deg, unsigned threads = 1);
+                       double goal_deg, unsigned threads = 1,
+                       std::size_t least_block = std::size_t{1} << 19);
 
 }  // namespace morskin::refine

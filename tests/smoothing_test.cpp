@@ -124,3 +124,22 @@ TEST_CASE("smoothing is the same with any number of threads") {
   smooth(skin.surface, {}, second, goal_deg, 3);
   CHECK(indexed(first).positions == indexed(second).positions);
 }
+
+TEST_CASE("smoothing in many small blocks keeps every law, and is the same in any order of them") {
+  constexpr std::size_t least_block = 50;  // triangles; there are at most sixteen blocks
+  std::size_t moved = 0;
+  for (const PreparedSkin& skin : skins()) {
+    SkinMesh mesh = rough_mesh(skin);
+    SkinMesh other = mesh;
+    const auto before = mesh.surface.triangle_list();
+    const SmoothingCounts counts = smooth(skin.surface, {}, mesh, goal_deg, 1, least_block);
+    moved += counts.moved;
+    CHECK(counts.left == 0);
+    CHECK(mesh.surface.triangle_list() == before);
+    CHECK(certificate(skin, mesh).reason == "");
+    CHECK(restricted_delaunay(indexed(mesh), skin.surface, mesh.points).violations == 0);
+    CHECK(smooth(skin.surface, {}, other, goal_deg, 4, least_block).moved == counts.moved);
+    CHECK(indexed(mesh).positions == indexed(other).positions);
+  }
+  CHECK(moved > 20);
+}

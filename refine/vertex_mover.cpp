@@ -1,0 +1,149 @@
+#include "refine/vertex_mover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "refine/tube.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// Tried from a place: so many directions, at steps from a quarter of the shortest edge down to a
+/// tenth of that.
+constexpr int directions = 8;
+constexpr double longest_step = 0.25, shortest_step = 0.025;
+
+/// A move must raise the squared sine of the worst angle by this factor, so that moves end.
+constexpr double least_gain = 1.001;
+
+/// What is asked of a triangle.
+struct Shape {
+  double squared_sine;  ///< of its smallest angle
+  double radius;        ///< of its circumcircle, Angstrom
+  Vector normal;        ///< twice its area long
+};
+Shape shape(const Point& a, const Point& b, const Point& c) {
+  const Vector n = (b - a).cross(c - a);
+  const double nn = n.squaredNorm();
+  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  const double product = ab * bc * ca;
+  return {nn * std::min({ab, bc, ca}) / product, std::sqrt(product / nn) / 2, n};
+}
+
+}  // namespace
+
+bool VertexMover::is_below(const SkinMesh& mesh, TriangleId t, double goal) {
+  const auto [a, b, c] = mesh.surface.corners(t);
+  return shape(mesh.position(a), mesh.position(b), mesh.position(c)).squared_sine < goal;
+}
+
+/// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.
+/// @return whether v may move, and none of these may be moved by another. Those around share a
+///         triangle with v; who owns v may look at them.
+bool VertexMover::look_around(VertexId v) {
+  ring_.clear();
+  beyond_.clear();
+  mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
+    ring_.push_back(mesh_.surface.target(h));
+    beyond_.push_back(mesh_.surface.apex(mesh_.surface.twin(SurfaceMesh::next(h))));
+  });
+  return owners_.is_own(v) &&
+         std::ranges::all_of(beyond_, [&](VertexId x) { return owners_.stays_or_is_own(x); });
+}
+
+/// The smallest squared sine around v were it at x; nothing unless it is above `asked`, [L] and
+/// [U] hold and all triangles face outward.
+std::optional<double> VertexMover::quality(const SurfacePoint& x, double asked) const {
+  double least = 1;
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const SurfacePoint& p = mesh_.at(ring_[i]);
+    const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
+    const Shape s = shape(x.position, p.position, q.position);
+    const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
+    const bool is_good = s.squared_sine > asked && !sizing_.is_too_short(x, p) &&
+                         sizing_.triangle_ratio(s.radius, rho) < 1 && is_upright(s.normal, x, p, q);
+    if (!is_good) return std::nullopt;
+    least = std::min(least, s.squared_sine);
+  }
+  return least;
+}
+
+/// Whether the certificate can prove the triangles around v were it at x, where [U] does not see
+/// to it.
+bool VertexMover::keeps_provable(const SurfacePoint& x) const {
+  if (sizing_.is_tube_proved()) return true;
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const SurfacePoint& p = mesh_.at(ring_[i]);
+    const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
+    const Circumcircle circle = circumcircle(x.position, p.position, q.position);
+    const double residual = skin_.residual_bound(x.length_scale);
+    if (!prove_tube(skin_, {&x, &p, &q}, circle, residual).holds()) return false;
+  }
+  return true;
+}
+
+/// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
+bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
+  const std::size_t n = ring_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point& p = mesh_.position(ring_[i]);
+    const Point& q = mesh_.position(ring_[(i + 1) % n]);
+    const SurfaceBall inner = exact_surface_ball(skin_, x, p, q);
+    const SurfaceBall outer = exact_surface_ball(skin_, mesh_.at(beyond_[i]), q, p);
+    if (!inner.is_exact || !outer.is_exact || outer.intrusion(x.position) > 0 ||
+        inner.intrusion(mesh_.position(beyond_[i])) > 0 ||
+        inner.intrusion(mesh_.position(ring_[(i + n - 1) % n])) > 0 ||
+        inner.intrusion(mesh_.position(ring_[(i + 2) % n])) > 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The best place a step away from x; nothing if none is better than `asked`.
+std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const SurfacePoint& x,
+                                                                      double step,
+                                                                      double asked) const {
+  const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
+  std::vector<std::pair<double, SurfacePoint>> better;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2 * M_PI * k / directions;
+    const auto y =
+        skin_.project(x.position + step * (std::cos(angle) * e + std::sin(angle) * f), x.cell);
+    if (!y) continue;
+    if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
+  }
+  std::stable_sort(better.begin(), better.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto found = std::find_if(better.begin(), better.end(), [this](const auto& b) {
+    return keeps_provable(b.second) && keeps_delaunay(b.second);
+  });
+  return found == better.end() ? std::nullopt : std::optional(*found);
+}
+
+VertexMover::Moved VertexMover::move(VertexId v) {
+  if (!look_around(v)) return Moved::NotMine;
+  SurfacePoint& at = mesh_.points[v.index()];
+  double now = 1, shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Point& p = mesh_.position(ring_[i]);
+    const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
+    now = std::min(now, shape(at.position, p, q).squared_sine);
+    shortest = std::min(shortest, (p - at.position).norm());
+  }
+  bool has_moved = false;
+  for (double step = longest_step * shortest; step > shortest_step * shortest && now < goal_;) {
+    if (const auto found = step_from(at, step, least_gain * now)) {
+      std::tie(now, at) = *found;
+      has_moved = true;
+    } else {
+      step /= 2;
+    }
+  }
+  return has_moved ? Moved::Yes : Moved::No;
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,59 @@
+#pragma once
+
+/// Moves one vertex of a mesh along the skin to raise the smallest angle of the triangles around
+/// it: what smoothing does (smoothing.h), and all it asks of a place before a vertex goes there.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "refine/sizing.h"
+#include "refine/triangle_geometry.h"
+
+namespace morskin::refine {
+
+/// Who may move which vertex while others move theirs.
+struct Owners {
+  static constexpr std::uint32_t nobody = 0xFFFFFFFFU;  ///< owns those that stay where they are
+  std::span<const std::uint32_t> of_vertex;             ///< empty if there are no others
+  std::uint32_t own = nobody;
+
+  bool is_own(VertexId v) const { return of_vertex.empty() || of_vertex[v.index()] == own; }
+  bool stays_or_is_own(VertexId v) const { return is_own(v) || of_vertex[v.index()] == nobody; }
+};
+
+class VertexMover {
+ public:
+  /// @param goal    squared sine of an angle, beyond which no angle is raised
+  /// @param owners  which vertices may move, and be looked at
+  VertexMover(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal,
+              const Owners& owners)
+      : skin_(skin), sizing_(sizing), mesh_(mesh), goal_(goal), owners_(owners) {}
+
+  /// Whether a triangle has an angle below the goal.
+  static bool is_below(const SkinMesh& mesh, TriangleId t, double goal);
+
+  enum class Moved { Yes, No, NotMine };
+  /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
+  /// enough.
+  Moved move(VertexId v);
+
+ private:
+  bool look_around(VertexId v);
+  std::optional<double> quality(const SurfacePoint& x, double asked) const;
+  bool keeps_provable(const SurfacePoint& x) const;
+  bool keeps_delaunay(const SurfacePoint& x) const;
+  std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,
+                                                           double asked) const;
+
+  const skin::SkinSurface& skin_;
+  const Sizing sizing_;
+  SkinMesh& mesh_;
+  const double goal_;
+  const Owners owners_;
+  std::vector<VertexId> ring_, beyond_;  ///< of look_around()
+};
+
+}  // namespace morskin::refine
