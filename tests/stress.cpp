@@ -1,10 +1,10 @@
 // Meshes many seeded sets of balls and counts how they came out. Each has a process of its own, so
 // that a crash or an endless loop is one failure among the others.
 //
-//   morskin_stress SETS [FIRST_SEED [METHOD]]   all of them, with a line now and then and a total;
-//                                               METHOD is sweep (default) or static
-//   morskin_stress --balls SEED                 one set's balls as XYZR, for the command
-//                                               (--model vdw)
+//   morskin_stress SETS [FIRST_SEED [METHOD [C]]]   all of them, with a line now and then and a
+//                                                   total; METHOD is sweep (default) or static
+//   morskin_stress --balls SEED                     one set's balls as XYZR, for the command
+//                                                   (--model vdw)
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -36,12 +36,10 @@ struct Message {
   std::array<char, 400> why;
 };
 
-[[noreturn]] void run_child(unsigned seed, front::Method method, int pipe) {
+[[noreturn]] void run_child(unsigned seed, const front::MeshOptions& options, int pipe) {
   const rlimit work{most_seconds, most_seconds};
   ::setrlimit(RLIMIT_CPU, &work);
   ::alarm(most_waiting * most_seconds);
-  front::MeshOptions options;
-  options.method = method;
   const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
   Message message{outcome.kind, outcome.triangles, {}};
   outcome.why.copy(message.why.data(), message.why.size() - 1);
@@ -49,11 +47,11 @@ struct Message {
   ::_exit(is_told ? 0 : 1);
 }
 
-Outcome run_set(unsigned seed, front::Method method) {
+Outcome run_set(unsigned seed, const front::MeshOptions& options) {
   int ends[2];
   if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
   const pid_t child = ::fork();
-  if (child == 0) run_child(seed, method, ends[1]);
+  if (child == 0) run_child(seed, options, ends[1]);
   ::close(ends[1]);
   Message message{};
   const bool is_told = ::read(ends[0], &message, sizeof message) == sizeof message;
@@ -86,13 +84,13 @@ void print(const char* name, const Tally& tally) {
               tally.certified, tally.singular, tally.failed, tally.triangles);
 }
 
-int run_all(unsigned sets, unsigned first, front::Method method) {
+int run_all(unsigned sets, unsigned first, const front::MeshOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
   for (unsigned i = 0; i < sets; ++i) {
     const unsigned seed = first + i;
-    const Outcome outcome = run_set(seed, method);
+    const Outcome outcome = run_set(seed, options);
     total.add(outcome);
     by_kind[seed % support::nasty_kinds].add(outcome);
     if (outcome.kind == Outcome::Kind::Failed) {
@@ -122,10 +120,14 @@ int main(int count, char** words) {
     std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
     return EXIT_SUCCESS;
   }
-  const auto method = count == 4 ? front::parse_method(words[3]) : front::Method::Sweep;
-  if (count < 2 || count > 4 || number(words[1]) == 0 || !method) {
-    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD]] | --balls SEED\n", stderr);
+  front::MeshOptions options;
+  const auto method = count >= 4 ? front::parse_method(words[3]) : options.method;
+  if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
+  if (count < 2 || count > 5 || number(words[1]) == 0 || !method || !(options.sizing.C > 0)) {
+    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
     return 2;
   }
-  return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, *method);
+  options.method = *method;
+  options.sizing.Q = refine::Sizing::quality_for(options.sizing.C);
+  return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, options);
 }

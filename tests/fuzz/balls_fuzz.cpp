@@ -1,7 +1,8 @@
 // Up to 12 balls, eight bytes each, meshed and certified, or refused as singular.
 //
 // Three bytes place a ball on a grid of quarters, or beside the ball before in one of three nasty
-// ways; two its radius; the others set the step off the grid, down to 1e-12.
+// ways; two its radius; the others set the step off the grid, down to 1e-12. A last byte by itself
+// chooses a larger C than the usual one here: coarse meshes go other ways.
 
 #include <algorithm>
 #include <array>
@@ -66,13 +67,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (balls.empty()) return 0;
   // A coarse mesh takes less time; with Q = 1.65 the theory ends at C = 0.109.
+  constexpr std::array coarse{0.15, 0.2, 0.25, 0.3};
   front::MeshOptions options;
-  options.sizing.C = 0.1;
+  options.sizing.C = size % 8 == 1 ? coarse[data[size - 1] % coarse.size()] : 0.1;
+  options.sizing.Q = refine::Sizing::quality_for(options.sizing.C);
   const auto points = support::weighted(balls);
   const support::Outcome outcome = support::outcome_of(points, options);
   if (outcome.kind == support::Outcome::Kind::Failed) {
-    std::fprintf(stderr, "%s, for these balls (x y z r, --model vdw):\n%s", outcome.why.c_str(),
-                 skin::xyzr_text(points).c_str());
+    std::fprintf(stderr, "%s, with C = %g for these balls (x y z r, --model vdw):\n%s",
+                 outcome.why.c_str(), options.sizing.C, skin::xyzr_text(points).c_str());
     fuzz::require(false);
   }
   return 0;
