@@ -1,6 +1,11 @@
 #!/usr/bin/env python3
 """Meshes every molecule of a folder in every model, one line each, and fails on any failure.
 
+C is 0.08; models paper and vdw of the largest molecules take a larger one, with which meshes stay
+below 30 million triangles (COARSER). If the largest molecule has more than 200,000 atoms there is
+one run more: four copies of it side by side, model sas, C = 0.3. --largest leaves out what takes
+too long.
+
 Each mesh goes to a temporary folder and is removed after its run. A run is good when the mesh is
 certified, without a violation, with every angle above the bound and without a fallback to another
 run or method, or when the molecule is refused as singular (exit code 4). With --check the mesh is
@@ -9,23 +14,27 @@ to results/corpus.tsv, each at once.
 """
 
 import concurrent.futures
+import dataclasses
 import math
+import subprocess
 import tempfile
 from pathlib import Path
 
-from molecule_runs import (MODELS, Rows, argument_parser, end, mesh, molecule_folder, run_command,
-                           sized_files)
+from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, end, mesh, molecule_folder,
+                           run_command, sized_files)
 
-LARGEST = {"paper": 20_000, "sas": 60_000, "vdw": 20_000}  # atoms
+# By model, C for molecules of more than so many atoms.
+COARSER = {"paper": [(100_000, 0.34), (20_000, 0.23)], "vdw": [(100_000, 0.3), (20_000, 0.2)]}
+WORTH_TILING = 200_000  # atoms
 
-COLUMNS = ["file", "model", "atoms", "triangles", "chi", "chi_expected", "components", "genus",
-           "min_angle", "worst_L", "worst_U", "seconds", "floor_ratio", "delaunay_violations",
-           "verdict"]
-WIDTHS = [26, 6, 7, 10, 7, 12, 10, 6, 9, 7, 7, 8, 11, 8, 0]
+COLUMNS = ["file", "model", "atoms", "C", "triangles", "chi", "chi_expected", "components", "genus",
+           "min_angle", "worst_L", "worst_U", "seconds", "peak_mib", "floor_ratio",
+           "delaunay_violations", "verdict"]
+WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 7, 7, 8, 8, 11, 8, 0]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=900, results="results/corpus.tsv")
+    parser = argument_parser(__doc__, timeout=3600, results="results/corpus.tsv")
     parser.add_argument("--method", default="sweep", help="default %(default)s")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     parser.add_argument("--check", action="store_true", help="run `check` on every mesh as well")
@@ -33,10 +42,27 @@ def arguments():
 
 
 def plan(options, folder):
-    """Pairs of file and model, small molecules first."""
+    """What to run, small molecules first: file, model, C if it is not the usual one, copies."""
     files, unreadable = sized_files(folder, options.only)
-    largest = {m: min(LARGEST[m], options.largest or math.inf) for m in options.models.split(",")}
-    return [(p, m) for atoms, p in files for m in largest if atoms <= largest[m]], unreadable
+    files = [(atoms, p) for atoms, p in files if atoms <= (options.largest or math.inf)]
+    models = options.models.split(",")
+    runs = [Planned(p, m, next((C for least, C in COARSER.get(m, []) if atoms > least), None))
+            for atoms, p in files for m in models]
+    if files and files[-1][0] > WORTH_TILING and "sas" in models:
+        runs.append(Planned(files[-1][1], "sas", 0.3, "2x2x1"))
+    return runs, unreadable
+
+
+@dataclasses.dataclass
+class Planned:
+    path: Path
+    model: str
+    C: float | None
+    copies: str = ""  # as bench/tile.py has them
+
+    @property
+    def words(self):
+        return ["--model", self.model, *(["-C", str(self.C)] if self.C else [])]
 
 
 def verdict_of(code, report, complaint):
@@ -54,9 +80,9 @@ def verdict_of(code, report, complaint):
     return f"FAILED: exit code {code}: {report.get('reason') or complaint}"
 
 
-def verdict_of_check(made, path, model, report, timeout):
+def verdict_of_check(made, path, planned, report, timeout):
     """Whether `check` agrees with the report of the run that wrote the mesh."""
-    done = run_command(["check", made, "--against", path, "--model", model, "--json"], timeout)
+    done = run_command(["check", made, "--against", path, *planned.words, "--json"], timeout)
     if done.code != 0:
         verdicts = [v["name"] for v in done.report.get("verdicts", []) if not v["holds"]]
         return f"FAILED: check ends with {done.code}: {', '.join(verdicts) or done.complaint}"
@@ -69,27 +95,34 @@ def verdict_of_check(made, path, model, report, timeout):
     return "certified"
 
 
-def run(path, model, folder, options):
+def run(planned, folder, options):
     with tempfile.TemporaryDirectory() as temporary:
-        made = Path(temporary) / "mesh.ply"
-        done = mesh(path, model, options.timeout, "--method", options.method,
-                    keep=made if options.check else None)
-        row = row_of(path, model, folder, done)
+        made, path = Path(temporary) / "mesh.ply", planned.path
+        if planned.copies:
+            path = Path(temporary) / "copies.xyzr"
+            subprocess.run([ROOT / "bench" / "tile.py", MORSKIN, planned.path, "-n", planned.copies,
+                            "-o", path], check=True, capture_output=True)
+        done = mesh(path, planned.model, options.timeout, "--method", options.method,
+                    *planned.words[2:], keep=made if options.check else None)
+        row = row_of(planned, folder, done)
         if options.check and row["verdict"] == "certified":
-            row["verdict"] = verdict_of_check(made, path, model, done.report, options.timeout)
+            row["verdict"] = verdict_of_check(made, path, planned, done.report, options.timeout)
     return row
 
 
-def row_of(path, model, folder, done):
-    row = {"file": str(path.relative_to(folder)), "model": model,
+def row_of(planned, folder, done):
+    name = str(planned.path.relative_to(folder)) + (" " + planned.copies).rstrip()
+    row = {"file": name, "model": planned.model,
            "verdict": verdict_of(done.code, done.report, done.complaint)}
-    keys = {"atoms": "atoms_used", "triangles": "triangles", "chi": "euler_characteristic",
-            "chi_expected": "expected_euler_characteristic", "components": "components",
-            "genus": "genus", "min_angle": "min_angle_deg", "worst_L": "worst_L",
-            "worst_U": "worst_U", "floor_ratio": "floor_ratio",
+    keys = {"atoms": "atoms_used", "C": "C", "triangles": "triangles",
+            "chi": "euler_characteristic", "chi_expected": "expected_euler_characteristic",
+            "components": "components", "genus": "genus", "min_angle": "min_angle_deg",
+            "worst_L": "worst_L", "worst_U": "worst_U", "floor_ratio": "floor_ratio",
             "delaunay_violations": "restricted_delaunay_violations"}
     row.update({column: done.report.get(key, "") for column, key in keys.items()})
     row["seconds"] = done.report.get("seconds", {}).get("total", "")
+    peak = done.report.get("peak_memory_bytes")
+    row["peak_mib"] = "" if peak is None else round(peak / 2**20)
     return row
 
 
@@ -119,7 +152,7 @@ def main():
     runs, unreadable = plan(options, folder)
     with Rows(options.results, COLUMNS, WIDTHS, 2) as rows, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row in pool.map(lambda r: run(*r, folder, options), runs):
+        for row in pool.map(lambda r: run(r, folder, options), runs):
             rows.add(row)
     failures = print_totals(rows.rows)
     for path in unreadable:
