@@ -47,7 +47,7 @@ test-slow: build  ## run the slow tests
 stress: deps  ## mesh SETS random sets of balls (default 2000), the nasty kinds in turn
 	cmake --preset release
 	cmake --build build --parallel $(JOBS) --target morskin_stress
-	build/tests/morskin_stress $(SETS)
+	build/tests/morskin_stress $(SETS) $(STRESS)
 
 # Needs clang and its libFuzzer, which nothing else does. What was found lands in build/fuzz/findings.
 fuzz:  ## run each fuzz target for SECONDS (default 60)

@@ -59,7 +59,7 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
                           const CheckArguments& arguments) {
   const MoleculeInput input = read_input(*arguments.against);
-  const front::PreparedSkin skin = prepare_skin(input);
+  const front::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
   const auto points = refine::locate_vertices(mesh, skin.surface);
   AgainstSkin result;
   result.certificate = refine::certify(mesh, points, skin.surface, skin.topology, arguments.sizing,

@@ -274,7 +274,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch preparing;
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const auto progress = [&](std::string_view stage, double share) { line.show(stage, share); };
-  const front::PreparedSkin skin = prepare_skin(input, progress);
+  const front::PreparedSkin skin = prepare_skin(input, progress, arguments.threads);
   input = {};  // only the skin is needed from here on
   report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
                                 skin.surface.mixed_complex_seconds();

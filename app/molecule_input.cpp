@@ -31,9 +31,10 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   return input;
 }
 
-front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress) {
+front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress,
+                                 unsigned threads) {
   try {
-    return front::prepare_skin(input.points, progress);
+    return front::prepare_skin(input.points, progress, threads);
   } catch (const skin::SingularSkin& singular) {
     std::string names;
     for (const geometry::AtomId atom : singular.atoms) {

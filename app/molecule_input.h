@@ -22,7 +22,8 @@ MoleculeInput read_input(const MoleculeArguments& arguments);
 
 /// front::prepare_skin, but a singular skin is refused with its atoms called by their names.
 /// @throws geometry::RefusedInput
-front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress = {});
+front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress = {},
+                                 unsigned threads = 1);
 
 /// Smallest and largest radius of the atoms' sphere patches, Angstrom.
 struct RadiusRange {

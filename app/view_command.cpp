@@ -45,7 +45,7 @@ morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double rad
 Context context(const MoleculeArguments& molecule, const ViewArguments& arguments,
                 ProgressLine& progress) {
   MoleculeInput input = read_input(molecule);
-  front::PreparedSkin skin = prepare_skin(input);
+  front::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
   Context result{std::move(input), std::move(skin), {}, {}, {}};
   progress.show("integral lines", 0);
   try {

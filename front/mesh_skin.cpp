@@ -46,7 +46,8 @@ void check(const MeshOptions& options) {
 
 }  // namespace
 
-PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Progress& progress) {
+PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Progress& progress,
+                          unsigned threads) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     geometry::WeightedPoint& p = points[i];
     if (!p.position.allFinite() || !std::isfinite(p.weight) ||
@@ -57,9 +58,10 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Pro
     p.position = p.position.unaryExpr(&geometry::on_exact_grid);
     p.weight = geometry::on_exact_grid(p.weight);
   }
-  skin::SkinSurface surface(std::move(points), progress);
+  skin::SkinSurface surface(std::move(points), progress, skin::MixedComplex::Keep::NearSkin,
+                            threads);
   if (progress) progress("dual complex", geometry::unknown_share);
-  skin::DualComplex topology = skin::dual_complex(surface);
+  skin::DualComplex topology = skin::dual_complex(surface, threads);
   surface.forget_facets();
   return {std::move(surface), topology};
 }

@@ -36,9 +36,10 @@ struct MeshResult : RunCounts {
 /// @param points  coordinates and weights of at most 2^30, Angstrom and Angstrom^2; they are
 /// rounded
 ///                to multiples of 2^-64, the grid of the exact predicates
+/// @param threads  at most; the answer is the same for any number
 /// @throws skin::SingularSkin, geometry::RefusedInput
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points,
-                          const Progress& progress = {});
+                          const Progress& progress = {}, unsigned threads = 1);
 
 /// @throws morse::DegenerateFunction when options.function is degenerate for this skin;
 ///         geometry::RefusedInput for a method without a mesher.

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "geometry/orthosphere.h"
+#include "geometry/parallel.h"
 #include "geometry/union_find.h"
 #include "skin/singular_skin.h"
 
@@ -71,37 +72,60 @@ bool contains_orthocentre(const std::array<WeightedPoint, N>& simplex) {
   return true;
 }
 
-/// Membership in K of all simplices of one dimension, given that of the next one.
-///
-/// @param cofaces  the simplices of the next dimension; none above tetrahedra
+/// Membership in K of the simplices of one dimension, given that of the next one.
 template <std::size_t N>
-std::vector<char> members(const SkinSurface& skin,
-                          const std::vector<std::array<AtomId, N>>& simplices,
-                          const std::vector<std::array<AtomId, N + 1>>& cofaces,
-                          const Cofaces& above, const std::vector<char>& above_in_complex) {
-  std::vector<char> result(simplices.size(), 0);
-  for (std::size_t s = 0; s < simplices.size(); ++s) {
+struct Membership {
+  const SkinSurface& skin;
+  const std::vector<std::array<AtomId, N>>& simplices;
+  const std::vector<std::array<AtomId, N + 1>>& above;  ///< of the next dimension, if there is one
+  const Cofaces& cofaces;
+  const std::vector<char>& above_in;
+
+  enum class Verdict : std::uint8_t { Out, In, Singular };
+
+  Verdict operator()(std::size_t s) const {
     const auto corners = weighted(skin, simplices[s]);
     const Sign weight = geometry::orthosphere_weight_sign(corners);
     bool is_face = false;  // of a simplex in K
     if constexpr (N < 4) {
-      for (const std::uint32_t place : above.of(s)) is_face = is_face || above_in_complex[place];
+      for (const std::uint32_t place : cofaces.of(s)) is_face = is_face || above_in[place];
     }
-    result[s] = is_face;
     // Deep in the body nearly all are faces, and nothing else has to be asked.
-    if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) continue;
-    bool attached = false;
+    if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) {
+      return is_face ? Verdict::In : Verdict::Out;
+    }
     if constexpr (N < 4) {
-      for (const std::uint32_t place : above.of(s)) {
-        const AtomId apex = apex_over(simplices[s], cofaces[place]);
-        attached = attached || geometry::orthosphere_power_sign(
-                                   corners, skin.points()[apex.index()]) == Sign::Negative;
+      for (const std::uint32_t place : cofaces.of(s)) {
+        const AtomId apex = apex_over(simplices[s], above[place]);
+        const bool is_attached = geometry::orthosphere_power_sign(
+                                     corners, skin.points()[apex.index()]) == Sign::Negative;
+        if (is_attached) return is_face ? Verdict::In : Verdict::Out;
       }
     }
-    if (!attached) result[s] = 1;
-    if (weight == Sign::Zero && !attached && contains_orthocentre(corners)) {
-      throw SingularSkin({simplices[s].begin(), simplices[s].end()});
-    }
+    return weight == Sign::Zero && contains_orthocentre(corners) ? Verdict::Singular : Verdict::In;
+  }
+};
+
+/// By place, whether each simplex of one dimension is in K.
+/// @throws SingularSkin  for the first that makes the skin singular
+template <std::size_t N>
+std::vector<char> members(const Membership<N>& membership, unsigned threads) {
+  using Verdict = typename Membership<N>::Verdict;
+  const auto& simplices = membership.simplices;
+  std::vector<char> result(simplices.size(), 0);
+  std::vector<std::size_t> singular(geometry::block_count(simplices.size()), simplices.size());
+  geometry::for_each_block(threads, simplices.size(),
+                           [&](std::size_t begin, std::size_t end, std::size_t block) {
+                             for (std::size_t s = begin; s < end; ++s) {
+                               const Verdict verdict = membership(s);
+                               result[s] = verdict == Verdict::In;
+                               if (verdict == Verdict::Singular)
+                                 singular[block] = std::min(singular[block], s);
+                             }
+                           });
+  const std::size_t first = *std::ranges::min_element(singular);
+  if (first < simplices.size()) {
+    throw SingularSkin({simplices[first].begin(), simplices[first].end()});
   }
   return result;
 }
@@ -135,27 +159,27 @@ std::size_t count(const std::vector<char>& in) {
 
 }  // namespace
 
-DualComplex dual_complex(const SkinSurface& skin) {
+DualComplex dual_complex(const SkinSurface& skin, unsigned threads) {
   const RegularTriangulation& t = skin.triangulation();
   assert(t.tetrahedron_triangles.size() == t.tetrahedra.size());
   assert(t.triangle_edges.size() == t.triangles.size());
   DualComplex result;
   // From the top down, and of each dimension only what the next one asks for: in a big molecule
   // these lists are the most that is held before there is a mesh.
-  auto in3 = members(skin, t.tetrahedra, {}, {}, {});
+  auto in3 = members<4>({skin, t.tetrahedra, {}, {}, {}}, threads);
   std::vector<char> in2, in1, in0;
   {
     const Cofaces tetrahedra_of =
         cofaces(t.triangles.size(), t.tetrahedra,
                 [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
-    in2 = members(skin, t.triangles, t.tetrahedra, tetrahedra_of, in3);
+    in2 = members<3>({skin, t.triangles, t.tetrahedra, tetrahedra_of, in3}, threads);
     result.betti[2] = count_voids(tetrahedra_of, in2, in3);
   }
   {
     const Cofaces triangles_of =
         cofaces(t.edges.size(), t.triangles,
                 [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
-    in1 = members(skin, t.edges, t.triangles, triangles_of, in2);
+    in1 = members<2>({skin, t.edges, t.triangles, triangles_of, in2}, threads);
   }
   std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
   for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
@@ -165,7 +189,7 @@ DualComplex dual_complex(const SkinSurface& skin) {
     const Cofaces edges_of = cofaces(vertices.size(), t.edges, [&](std::size_t s, std::size_t k) {
       return vertex_of_atom[t.edges[s][1 - k].index()];
     });
-    in0 = members(skin, vertices, t.edges, edges_of, in1);
+    in0 = members<1>({skin, vertices, t.edges, edges_of, in1}, threads);
   }
   result.simplices = {count(in0), count(in1), count(in2), count(in3)};
 

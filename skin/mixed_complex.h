@@ -60,8 +60,9 @@ class MixedComplex {
 
   /// @param points         the weighted points
   /// @param triangulation  theirs
+  /// @param threads        at most; the complex does not depend on it
   MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation,
-               Keep keep = Keep::NearSkin);
+               Keep keep = Keep::NearSkin, unsigned threads = 1);
 
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
@@ -124,17 +125,24 @@ class MixedComplex {
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
 
-  void choose_kept(Keep keep);
-  void mark_near_skin();
-  template <std::size_t N, class Weight>
-  void mark_kept(const std::vector<double>& power, Weight weight);
+  void choose_kept(Keep keep, unsigned threads);
+  void mark_near_skin(unsigned threads);
+  template <std::size_t N>
+  void mark_kept(const std::vector<double>& powers, std::size_t begin, std::size_t end);
+  template <std::size_t N>
+  std::vector<double> mark_kept_and_pass_down(std::vector<double> powers, unsigned threads);
   template <std::size_t N>
   std::vector<double> largest_powers_of_facets(const std::vector<double>& powers) const;
   void list_edges();
-  void build_patches();
-  void build_walls();
+  void build_patches(unsigned threads);
+  void build_walls(unsigned threads);
+  template <std::size_t N>
+  void count_walls();
+  template <std::size_t N>
+  void fill_walls();
 
   Patch make_patch(CellId cell) const;
+  Patch make_patch_numbered(std::uint32_t number) const;
   template <std::size_t N>
   Patch make_patch(const std::array<AtomId, N>& simplex) const;
   template <std::size_t N>
@@ -150,7 +158,7 @@ class MixedComplex {
   std::vector<std::uint32_t> cofaces(const std::array<AtomId, N>& simplex) const;
   template <std::size_t N>
   std::array<std::uint32_t, N> facets(std::size_t place) const;
-  template <class Visit>
+  template <std::size_t N, class Visit>
   void for_each_kept_incidence(Visit visit) const;
   template <std::size_t N>
   decltype(auto) simplices() const;

@@ -24,7 +24,7 @@ const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& poin
 }  // namespace
 
 SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress,
-                         MixedComplex::Keep keep)
+                         MixedComplex::Keep keep, unsigned threads)
     : complex_([&] {
         const auto told = [&](double share) {
           if (progress) progress("triangulate", share);
@@ -35,7 +35,7 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Prog
         });
         if (progress) progress("mixed complex", geometry::unknown_share);
         return geometry::timed(mixed_complex_seconds_, [&] {
-          return MixedComplex(std::move(points), std::move(triangulation), keep);
+          return MixedComplex(std::move(points), std::move(triangulation), keep, threads);
         });
       }()) {}
 

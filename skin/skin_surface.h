@@ -25,8 +25,10 @@ class SkinSurface {
  public:
   /// @pre  every coordinate and weight lies on the exact grid (geometry/predicates.h).
   /// @throws geometry::RefusedInput when there is no point with a positive weight.
+  /// @param threads  at most; the surface does not depend on it
   explicit SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress = {},
-                       MixedComplex::Keep keep = MixedComplex::Keep::NearSkin);
+                       MixedComplex::Keep keep = MixedComplex::Keep::NearSkin,
+                       unsigned threads = 1);
 
   const std::vector<WeightedPoint>& points() const { return complex_.points(); }
   const geometry::RegularTriangulation& triangulation() const { return complex_.triangulation(); }

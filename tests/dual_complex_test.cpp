@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/parallel.h"
 #include "morse/critical_points.h"
 #include "skin/singular_skin.h"
 #include "tests/support/molecules.h"
@@ -118,6 +119,30 @@ TEST_CASE("two balls that just touch are refused by name, one ulp more or less i
   // A third ball, far off, changes the names only.
   CHECK(singular_atoms({{{50, 0, 0}, 1}, {{0, 0, 0}, 9}, {{7, 0, 0}, 16}}) == atoms({1, 2}));
   CHECK_THROWS_WITH_AS(dual_complex(SkinSurface(two(9))), doctest::Contains("0, 1"), SingularSkin);
+}
+
+TEST_CASE("several threads find the complex that one finds, and name the same singular balls") {
+  const SkinSurface skin(support::in_a_row(support::molecule("1crn.pdb", skin::Model::Vdw), 4, 20));
+  const DualComplex one = dual_complex(skin), other = dual_complex(skin, 4);
+  CHECK(skin.triangulation().triangles.size() > geometry::usual_block);
+  CHECK(one.simplices == other.simplices);
+  CHECK(one.betti == other.betti);
+  // A lattice of balls of diameter 1: thousands of pairs just touch, and the first is named.
+  WeightedPoints lattice;
+  for (int i = 0; i < 15 * 15 * 15; ++i) {
+    const int x = i % 15, y = i / 15 % 15, z = i / 225;
+    lattice.push_back({geometry::Point(x, y, z), 0.25});
+  }
+  const SkinSurface touching(lattice);
+  for (const unsigned threads : {1U, 4U}) {
+    CAPTURE(threads);
+    try {
+      dual_complex(touching, threads);
+      FAIL("not refused");
+    } catch (const SingularSkin& singular) {
+      CHECK(singular.atoms == atoms({0, 1}));
+    }
+  }
 }
 
 TEST_CASE("a ball that touches another from inside is not singular") {

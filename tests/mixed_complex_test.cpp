@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 #include "skin/skin_surface.h"
 #include "tests/support/molecules.h"
 
@@ -239,6 +240,25 @@ TEST_CASE("walls made on demand are the kept ones, in the same order") {
     }
   }
   CHECK(kept > 1000);  // the law was put to the test
+}
+
+TEST_CASE("the complex is the same made by one thread and by several") {
+  const support::WeightedPoints points =
+      support::in_a_row(support::molecule("1crn.pdb", skin::Model::Vdw), 4, 20);
+  const SkinSurface alone(points), together(points, {}, MixedComplex::Keep::NearSkin, 4);
+  const MixedComplex &one = alone.complex(), &other = together.complex();
+  REQUIRE(one.kept_size() == other.kept_size());
+  CHECK(one.kept_size() > 2 * geometry::usual_block);  // there was work for more than one
+  const auto is_same_wall = [](const Wall& a, const Wall& b) {
+    return a.normal == b.normal && a.offset == b.offset && a.beyond == b.beyond;
+  };
+  for (std::uint32_t i = 0; i < one.kept_size(); ++i) {
+    const CellId cell{i};
+    const Patch &p = one.kept_patch(cell), &q = other.kept_patch(cell);
+    REQUIRE(one.number(cell) == other.number(cell));
+    REQUIRE((p.centre == q.centre && p.axis == q.axis && p.half_weight == q.half_weight));
+    REQUIRE(std::ranges::equal(one.kept_walls(cell), other.kept_walls(cell), is_same_wall));
+  }
 }
 
 TEST_CASE("walls made on demand are the same once the lists of facets are forgotten") {

@@ -48,6 +48,18 @@ inline WeightedPoints doubled(WeightedPoints points) {
   return points;
 }
 
+/// So many copies in a row, each a step farther along x.
+inline WeightedPoints in_a_row(const WeightedPoints& points, int copies, double step) {
+  WeightedPoints row;
+  for (int i = 0; i < copies; ++i) {
+    for (geometry::WeightedPoint p : points) {
+      p.position.x() += i * step;
+      row.push_back(p);
+    }
+  }
+  return row;
+}
+
 inline WeightedPoints shuffled(WeightedPoints points, unsigned seed) {
   Random random(seed);
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
