@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "geometry/prefetch.h"
@@ -128,6 +129,33 @@ void Sweep::coarsen() {
   coarsen_at_ = count + std::max(options_.coarsen_after, count / 4);
 }
 
+/// Gives a mesh that will be big room for all of it, by the share of the atoms that the front has
+/// passed. An array that grows is there twice for a moment; room that is not used takes no memory.
+void Sweep::make_room(double value) {
+  constexpr std::size_t enough_to_tell = std::size_t{1} << 19;  // vertices
+  constexpr double margin = 1.5;  // a quarter waits for coarsening, the rest is for the guess
+  constexpr double most = 32;     // a guess from few atoms is a bad one
+  const std::size_t count = mesh_.points.size();
+  if (count < enough_to_tell) return;
+  std::size_t passed = 0, all = 0;
+  for (const geometry::AtomId atom : skin_.triangulation().vertices) {
+    const double at = guide_.function(skin_.points()[atom.index()].position);
+    passed += at <= value;
+    all += at <= last_;
+  }
+  has_room_ = true;
+  const double share =
+      static_cast<double>(passed) / static_cast<double>(std::max<std::size_t>(all, 1));
+  const double growth = share * most > margin ? margin / share : most;
+  const auto room = static_cast<std::size_t>(growth * static_cast<double>(count));
+  try {
+    mesh_.points.reserve(room);
+    mesh_.surface.reserve(room);
+  } catch (const std::bad_alloc&) {
+    // They grow as they fill, then.
+  }
+}
+
 void Sweep::join(Sweep& above, unsigned threads) {
   const auto vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count());
   const auto half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count());
@@ -158,7 +186,10 @@ void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
     const Departure departure = queue_.top();    // 2
     queue_.pop();
-    if (mesh_.surface.triangle_count() >= coarsen_at_) coarsen();
+    if (mesh_.surface.triangle_count() >= coarsen_at_) {
+      coarsen();
+      if (!has_room_) make_room(departure.value);
+    }
     prefetch_next();
     if (!is_current(departure)) continue;
     report(departure);

@@ -130,6 +130,7 @@ class Sweep {
 
   void finish();
   void coarsen();
+  void make_room(double value);
   /// Triangles so far, those counted that coarsening has taken out again.
   std::size_t triangles_laid() const {
     return mesh_.surface.triangle_count() + 2 * operations_.coarsen;
@@ -192,6 +193,7 @@ class Sweep {
   Operations operations_;
   std::optional<refine::Coarsening> coarsening_;
   std::size_t coarsen_at_ = std::numeric_limits<std::size_t>::max();  ///< triangles
+  bool has_room_ = false;                                             ///< for all that is to come
 };
 
 }  // namespace morskin::front
