@@ -132,11 +132,10 @@ void Sweep::coarsen() {
 /// Gives a mesh that will be big room for all of it, by the share of the atoms that the front has
 /// passed. An array that grows is there twice for a moment; room that is not used takes no memory.
 void Sweep::make_room(double value) {
-  constexpr std::size_t enough_to_tell = std::size_t{1} << 19;  // vertices
   constexpr double margin = 1.5;  // a quarter waits for coarsening, the rest is for the guess
   constexpr double most = 32;     // a guess from few atoms is a bad one
   const std::size_t count = mesh_.points.size();
-  if (count < enough_to_tell) return;
+  if (count < options_.coarsen_after) return;  // too early to tell
   std::size_t passed = 0, all = 0;
   for (const geometry::AtomId atom : skin_.triangulation().vertices) {
     const double at = guide_.function(skin_.points()[atom.index()].position);
