@@ -238,7 +238,7 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
               << ": not certified: " << report.certificate.reason << "; see "
               << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
   }
-  if (arguments.quiet) return;
+  if (arguments.quiet && !arguments.json) return;
   // A mesh, or the report as JSON, on standard output sends the report for people elsewhere.
   const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
                         (arguments.report && is_standard_output(*arguments.report));

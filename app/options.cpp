@@ -151,7 +151,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
-  command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
+  command.add_flag("-q,--quiet", mesh.quiet,
+                   "Print nothing but errors, and the report if --json asks for it");
   add_threads_option(command, mesh.threads);
   add_timeout_option(command, mesh.timeout);
   command.add_option("--max-memory", typed.max_memory,

@@ -154,6 +154,12 @@ class Mesh(CommandTest):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q")
         self.assertEqual(done.stdout + done.stderr, b"")
 
+    def test_quiet_prints_the_report_that_json_asks_for_and_nothing_else(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q", "--json",
+                                "--progress", "always")
+        self.assertTrue(json.loads(done.stdout)["certified"])
+        self.assertEqual(done.stderr, b"")
+
     def test_the_same_input_gives_the_same_bytes(self):
         for name in ("a.ply", "b.ply"):
             self.run_morskin("mesh", self.ring, "-o", name, "-q")
