@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <span>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
