@@ -211,8 +211,9 @@ std::string json_text(const CheckReport& report) {
     json["defects"][name_of(defect.kind)] = {{"count", defect.count}, {"first", defect.first}};
   }
   json["component_list"] = components_json(report.topology);
-  json["min_angle_deg"] = report.shape.min_angle_deg;
-  json["max_angle_deg"] = report.shape.max_angle_deg;
+  const bool has_angles = report.triangles > 0;
+  json["min_angle_deg"] = has_angles ? ordered_json(report.shape.min_angle_deg) : nullptr;
+  json["max_angle_deg"] = has_angles ? ordered_json(report.shape.max_angle_deg) : nullptr;
   json["angle_histogram"] = report.angles;
   json["area"] = rounded(report.shape.area, 12);
   json["volume"] = rounded(report.shape.volume, 12);
@@ -238,10 +239,12 @@ std::string people_text(const CheckReport& report) {
   if (report.against) {
     text += skin_text(report);
   } else {
-    text += line("mesh", grouped(report.triangles) + " triangles, " + grouped(report.vertices) +
-                             " vertices");
-    text += line("angles", brief(report.shape.min_angle_deg) + " to " +
-                               brief(report.shape.max_angle_deg) + " degrees");
+    text += line("mesh", counted(report.triangles, "triangle", "triangles") + ", " +
+                             counted(report.vertices, "vertex", "vertices"));
+    if (report.triangles > 0) {
+      text += line("angles", brief(report.shape.min_angle_deg) + " to " +
+                                 brief(report.shape.max_angle_deg) + " degrees");
+    }
     text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
                                brief(report.shape.volume, 6) + " A^3");
   }

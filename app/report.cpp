@@ -237,11 +237,13 @@ std::string certificate_text(const Certificate& c, const refine::Sizing& sizing)
                                  ", Euler characteristic " +
                                  grouped(static_cast<long long>(c.expected_euler_characteristic)));
   }
-  text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                             " degrees (bound " + brief(sizing.least_angle_deg()) + ")");
-  text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
-                            brief(c.worst_U, 6) + " (good below 1), " +
-                            counted(c.violations_L + c.violations_U, "violation", "violations"));
+  if (c.triangles > 0) {
+    text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
+                               " degrees (bound " + brief(sizing.least_angle_deg()) + ")");
+    text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
+                              brief(c.worst_U, 6) + " (good below 1), " +
+                              counted(c.violations_L + c.violations_U, "violation", "violations"));
+  }
   text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
                                " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
                                " of the length scale");

@@ -57,9 +57,10 @@ class SurfaceMesh {
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
   /// Asks for what prefetch_fan() looks up.
   void prefetch_outgoing(VertexId v) const { prefetch(&outgoing_[v.index()]); }
-  /// Asks for what a walk round v begins with.
+  /// Asks for what a walk round v begins with, where there is something to walk round.
   void prefetch_fan(VertexId v) const {
-    prefetch(half_edges_.data() + outgoing_[v.index()].index());
+    const HalfEdgeId first = outgoing_[v.index()];
+    if (first.value != kBoundary) prefetch(&half_edges_[first.index()]);
   }
   std::array<VertexId, 3> corners(TriangleId t) const {
     const HalfEdge* first = &half_edges_[3 * t.index()];

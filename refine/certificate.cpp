@@ -55,7 +55,6 @@ class Certifier {
 
  private:
   void prove(unsigned threads) {
-    if (mesh_.triangles.empty()) return fail(Claim::Manifold, "the mesh has no triangles");
     find_places_and_neighbours(threads);
     SureEdges sure(mesh_.triangles.size());
     check_vertices(threads);
@@ -159,6 +158,10 @@ void Certifier::find_places_and_neighbours(unsigned threads) {
 }
 
 void Certifier::find_neighbours() {
+  if (mesh_.triangles.empty()) {
+    built_.defect = "no triangles";
+    return;
+  }
   const std::vector<geometry::HalfEdgeId> twins = std::move(said_.twins);
   auto mesh = geometry::SurfaceMesh::glued_as_said(mesh_.positions.size(), mesh_.triangles, twins);
   is_built_as_said_ = mesh.has_value();

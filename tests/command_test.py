@@ -747,6 +747,18 @@ class OtherCommands(CommandTest):
                 self.assertIn(words, done.stdout + done.stderr)
                 self.run_morskin("check", name, "--against", self.ring, code=code)
 
+    def test_check_of_a_mesh_without_triangles_has_no_angles_and_still_looks_at_the_vertices(self):
+        self.input("ball.xyzr", "0 0 0 1.5\n")
+        self.input("points.off", "OFF\n1 0 0\n1 2 3\n")
+        for against in ([], ["--against", "ball.xyzr"]):
+            done = self.run_morskin("check", "points.off", *against, code=5)
+            self.assertNotIn(b"\n  angles ", done.stdout)
+            report = json.loads(
+                self.run_morskin("check", "points.off", *against, "--json", code=5).stdout)
+            self.assertIsNone(report["min_angle_deg"])
+        verdicts = {v["name"]: v for v in report["verdicts"]}
+        self.assertIn("vertex 0 lies", verdicts["vertices on the skin"]["reason"])
+
     def test_check_of_coordinates_near_the_ends_of_the_doubles(self):
         for size in ("1e300", "1e-300"):
             text = f"OFF\n4 4 0\n0 0 0\n{size} 0 0\n0 {size} 0\n0 0 {size}\n" \

@@ -409,6 +409,12 @@ TEST_CASE("closed_mesh names a triangle that repeats a corner and a vertex that 
         "vertex 6 belongs to no triangle");
 }
 
+// Found by mesh_fuzz: asking ahead for the first triangle looked for it among none.
+TEST_CASE("closed_mesh names the first vertex of a mesh without triangles") {
+  CHECK(closed_mesh(4, {}).defect.value_or("") == "vertex 0 belongs to no triangle");
+  CHECK_FALSE(closed_mesh(0, {}).defect);
+}
+
 TEST_CASE("components are those that a search from triangle to triangle finds") {
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
