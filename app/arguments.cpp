@@ -11,7 +11,7 @@
 #include "app/limits.h"
 #include "app/options.h"
 #include "app/output_names.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {
@@ -48,8 +48,8 @@ std::uint64_t parsed_bytes(std::string_view text) {
   return static_cast<std::uint64_t>(*value * factor);
 }
 
-void check_sizing(const refine::Sizing& sizing) {
-  if (!(sizing.C >= refine::Sizing::least_C) || !std::isfinite(sizing.C)) {
+void check_sizing(const certify::Sizing& sizing) {
+  if (!(sizing.C >= certify::Sizing::least_C) || !std::isfinite(sizing.C)) {
     throw UsageError("-C must be at least 1e-5");
   }
   if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
@@ -57,12 +57,12 @@ void check_sizing(const refine::Sizing& sizing) {
 }
 
 /// -C, -Q and --size.
-void finish(refine::Sizing& sizing, const Typed& typed) {
-  if (typed.size && !(*typed.size >= refine::Sizing::least_size && std::isfinite(*typed.size))) {
+void finish(certify::Sizing& sizing, const Typed& typed) {
+  if (typed.size && !(*typed.size >= certify::Sizing::least_size && std::isfinite(*typed.size))) {
     throw UsageError("--size must be at least 1e-6 Angstrom");
   }
-  sizing.C = typed.C.value_or(typed.size ? refine::Sizing::largest_proved_C : sizing.C);
-  sizing.Q = typed.Q.value_or(refine::Sizing::quality_for(sizing.C));
+  sizing.C = typed.C.value_or(typed.size ? certify::Sizing::largest_proved_C : sizing.C);
+  sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));
   check_sizing(sizing);
   if (typed.size) sizing.set_edge_length(*typed.size);
 }
@@ -121,7 +121,7 @@ void finish(ViewArguments& view, const Typed& typed) {
 
 /// --grow T0..T1
 void parse_growth(MeshArguments& mesh, const std::string& text) {
-  if (mesh.method != front::Method::Dynamic) throw UsageError("--grow is for --method dynamic");
+  if (mesh.method != morskin::Method::Dynamic) throw UsageError("--grow is for --method dynamic");
   double from = 0, to = 0;
   // "-3..0" would read "-3." as a number: cut at the two dots.
   const std::size_t dots = text.find("..");
@@ -140,10 +140,10 @@ void parse_growth(MeshArguments& mesh, const std::string& text) {
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
-  mesh.method = *front::parse_method(typed.method);
-  const bool is_sweep = mesh.method == front::Method::Sweep;
-  const bool is_dynamic = mesh.method == front::Method::Dynamic;
-  const bool is_smoothed = is_sweep || mesh.method == front::Method::Static;
+  mesh.method = *morskin::parse_method(typed.method);
+  const bool is_sweep = mesh.method == morskin::Method::Sweep;
+  const bool is_dynamic = mesh.method == morskin::Method::Dynamic;
+  const bool is_smoothed = is_sweep || mesh.method == morskin::Method::Static;
   if (typed.angle_goal && !is_smoothed) {
     throw UsageError("--angle-goal is for the methods sweep and static");
   }
@@ -151,7 +151,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
     throw UsageError("--angle-goal must be from 0 to 60");
   }
-  if (mesh.grid_step && mesh.method != front::Method::MarchingCubes) {
+  if (mesh.grid_step && mesh.method != morskin::Method::MarchingCubes) {
     throw UsageError("--grid is for --method marching-cubes");
   }
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
@@ -190,7 +190,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
                                       &all.info.molecule, &all.against, &all.view.molecule}) {
     finish(*molecule, typed);
   }
-  for (refine::Sizing* sizing :
+  for (certify::Sizing* sizing :
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
     finish(*sizing, typed);
   }

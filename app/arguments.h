@@ -11,9 +11,9 @@
 
 #include "app/exit_codes.h"
 #include "app/picture_arguments.h"
-#include "front/method.h"
+#include "certify/sizing.h"
 #include "morse/morse_function.h"
-#include "refine/sizing.h"
+#include "morskin/method.h"
 #include "skin/model.h"
 
 namespace morskin::app {
@@ -37,14 +37,14 @@ enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error i
 struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
-  refine::Sizing sizing;
+  certify::Sizing sizing;
   double angle_goal_deg = 30;  ///< of the smoothing, degrees; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
-  front::Method method = front::Method::Sweep;
+  morskin::Method method = morskin::Method::Sweep;
   std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   double grow_to = 0;  ///< of the dynamic method: Angstrom^2 added to every weight at the end
   std::optional<double> growth_shown_from;  ///< and when its snapshots begin
@@ -54,7 +54,7 @@ struct MeshArguments {
   std::vector<double> snapshot_values;  ///< and at these
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
-  int fronts = 2;                           ///< front::MeshOptions::fronts
+  int fronts = 2;                           ///< morskin::MeshOptions::fronts
   unsigned threads = 1;                     ///< at most; the result is the same for any number
   std::optional<double> timeout;            ///< seconds of real time
   std::optional<std::uint64_t> max_memory;  ///< bytes
@@ -81,14 +81,14 @@ struct BallsArguments {
 
 struct InfoArguments {
   MoleculeArguments molecule;
-  refine::Sizing sizing;
+  certify::Sizing sizing;
   bool json = false;
 };
 
 struct CheckArguments {
   std::filesystem::path mesh;
   std::optional<MoleculeArguments> against;
-  refine::Sizing sizing;
+  certify::Sizing sizing;
   bool self_intersections = true;  ///< search for them
   bool json = false;
   unsigned threads = 1;           ///< at most; the result is the same for any number
@@ -100,7 +100,7 @@ struct ViewArguments {
   std::filesystem::path output;
   std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
   std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
-  refine::Sizing sizing;
+  certify::Sizing sizing;
   std::optional<morse::MorseFunction> function;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;

@@ -10,9 +10,9 @@
 #include "app/limits.h"
 #include "app/molecule_input.h"
 #include "app/report.h"
+#include "certify/located_vertices.h"
 #include "geometry/error.h"
-#include "geometry/mesh_files.h"
-#include "refine/located_vertices.h"
+#include "geometry/files/mesh_files.h"
 
 namespace morskin::app {
 namespace {
@@ -25,10 +25,10 @@ constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;  // a half-edge's id has
 // Which components of the mesh lie on which of the skin: by their first vertex, and by the sign of
 // their volume, which is negative in a void. Empty if rounding hides the skin's components.
 std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
-                                                 const front::PreparedSkin& skin,
+                                                 const morskin::PreparedSkin& skin,
                                                  const IndexedMesh& mesh,
                                                  const geometry::MeshCheck& topology,
-                                                 std::span<const skin::SurfacePoint> points) {
+                                                 std::span<const surface::SurfacePoint> points) {
   const SkinComponents parts(skin.surface);
   if (parts.body_count() != skin.topology.betti[0] ||
       parts.void_count() != skin.topology.betti[2]) {
@@ -59,13 +59,13 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
                           const CheckArguments& arguments) {
   const MoleculeInput input = read_input(*arguments.against);
-  const front::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
-  const auto points = refine::locate_vertices(mesh, skin.surface);
+  const morskin::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
+  const auto points = certify::locate_vertices(mesh, skin.surface);
   AgainstSkin result;
-  result.certificate = refine::certify(mesh, points, skin.surface, skin.topology, arguments.sizing,
-                                       arguments.threads);
-  result.deviations = refine::measure_deviations(mesh, skin.surface, points, arguments.sizing);
-  result.delaunay = refine::restricted_delaunay(mesh, skin.surface, points, 10, arguments.threads);
+  result.certificate = certify::certify(mesh, points, skin.surface, skin.topology, arguments.sizing,
+                                        arguments.threads);
+  result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
+  result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, arguments.threads);
   result.covered = covered_components(input, skin, mesh, topology, points);
   return result;
 }

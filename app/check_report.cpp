@@ -67,9 +67,9 @@ template <class Bad>
 ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
   ordered_json result = ordered_json::array();
   for (const Bad& bad : worst) {
-    if constexpr (std::is_same_v<Bad, refine::BadEdge>) {
+    if constexpr (std::is_same_v<Bad, certify::BadEdge>) {
       result.push_back({{"edge", {bad.a, bad.b}}, {value, rounded(bad.value)}});
-    } else if constexpr (std::is_same_v<Bad, refine::BadVertex>) {
+    } else if constexpr (std::is_same_v<Bad, certify::BadVertex>) {
       result.push_back({{"vertex", bad.vertex},
                         {"distance", rounded(bad.distance)},
                         {value, rounded(bad.relative)}});
@@ -81,7 +81,7 @@ ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
 }
 
 void add_skin_json(ordered_json& json, const AgainstSkin& against) {
-  const refine::Deviations& d = against.deviations;
+  const certify::Deviations& d = against.deviations;
   json["max_centroid_distance"] = rounded(d.max_centroid_distance);
   json["max_centroid_relative_distance"] = rounded(d.max_centroid_relative);
   json["mean_relative_distance"] = rounded(d.mean_vertex_relative);
@@ -95,7 +95,7 @@ void add_skin_json(ordered_json& json, const AgainstSkin& against) {
   json["restricted_delaunay_violations"] = against.delaunay.violations;
   json["restricted_delaunay_undecided"] = against.delaunay.undecided;
   json["restricted_delaunay_deepest"] = ordered_json::array();
-  for (const refine::DelaunayViolation& v : against.delaunay.deepest) {
+  for (const certify::DelaunayViolation& v : against.delaunay.deepest) {
     json["restricted_delaunay_deepest"].push_back(
         {{"triangle", v.triangle}, {"vertex", v.vertex}, {"depth", rounded(v.depth)}});
   }
@@ -147,7 +147,7 @@ std::string worst_text(const std::string& label, const std::vector<Bad>& worst, 
 
 std::string skin_text(const CheckReport& report) {
   const AgainstSkin& against = *report.against;
-  const refine::Deviations& d = against.deviations;
+  const certify::Deviations& d = against.deviations;
   std::string text = certificate_text(against.certificate, report.arguments.sizing);
   text += line("centroids", "no farther than " + brief(d.max_centroid_distance, 2) +
                                 " A from the skin, " + brief(d.max_centroid_relative, 2) +
@@ -156,19 +156,19 @@ std::string skin_text(const CheckReport& report) {
   text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
                                " with a vertex in the surface ball");
   text += "the worst ten:\n";
-  const auto triangle = [](const refine::BadTriangle& bad) {
+  const auto triangle = [](const certify::BadTriangle& bad) {
     return std::to_string(bad.triangle) + ": " + brief(bad.value);
   };
-  text += worst_text("vertices", d.farthest_vertices, [](const refine::BadVertex& bad) {
+  text += worst_text("vertices", d.farthest_vertices, [](const certify::BadVertex& bad) {
     return std::to_string(bad.vertex) + ": " + brief(bad.relative, 2);
   });
   text += worst_text("centroids", d.farthest_centroids, triangle);
-  text += worst_text("edges [L]", d.shortest_edges, [](const refine::BadEdge& bad) {
+  text += worst_text("edges [L]", d.shortest_edges, [](const certify::BadEdge& bad) {
     return std::to_string(bad.a) + "-" + std::to_string(bad.b) + ": " + brief(bad.value);
   });
   text += worst_text("sizes [U]", d.largest_triangles, triangle);
   text += worst_text("normals", d.steepest_triangles, triangle);
-  text += worst_text("Delaunay", against.delaunay.deepest, [](const refine::DelaunayViolation& v) {
+  text += worst_text("Delaunay", against.delaunay.deepest, [](const certify::DelaunayViolation& v) {
     return std::to_string(v.triangle) + ": " + brief(v.depth, 2);
   });
   return text;

@@ -8,12 +8,12 @@
 
 #include "app/arguments.h"
 #include "app/molecule_input.h"
+#include "certify/certificate.h"
+#include "certify/deviations.h"
+#include "certify/restricted_delaunay.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/self_intersections.h"
-#include "refine/certificate.h"
-#include "refine/deviations.h"
-#include "refine/restricted_delaunay.h"
 #include "skin/skin_components.h"
 
 namespace morskin::app {
@@ -34,9 +34,9 @@ struct CoveredComponent {
 
 /// What only the molecule can tell.
 struct AgainstSkin {
-  refine::Certificate certificate;
-  refine::Deviations deviations;
-  refine::RestrictedDelaunay delaunay;
+  certify::Certificate certificate;
+  certify::Deviations deviations;
+  certify::RestrictedDelaunay delaunay;
   std::vector<CoveredComponent> covered;  ///< empty if the components could not be told apart
 };
 

@@ -59,9 +59,9 @@ Verdict on_components(const AgainstSkin& against) {
 }
 
 void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdicts) {
-  const refine::Certificate& c = against.certificate;
+  const certify::Certificate& c = against.certificate;
   if (!against.covered.empty()) verdicts.push_back(on_components(against));
-  using refine::Claim;
+  using certify::Claim;
   for (const auto& [claim, name] :
        {std::pair(Claim::OnSkin, "vertices on the skin"),
         std::pair(Claim::Upright, "triangles face the way the skin does"),
@@ -75,7 +75,7 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
   }
   verdicts.push_back({"homeomorphic to the skin, proved", c.is_homeomorphic,
                       c.is_homeomorphic ? "" : c.reason, true});
-  const refine::RestrictedDelaunay& d = against.delaunay;
+  const certify::RestrictedDelaunay& d = against.delaunay;
   Verdict delaunay{"restricted Delaunay", d.violations + d.undecided == 0, "", false};
   if (d.violations > 0) {
     delaunay.reason = "vertex " + std::to_string(d.deepest[0].vertex) +

@@ -8,8 +8,8 @@
 #include "app/function_argument.h"
 #include "app/output_names.h"
 #include "app/report.h"
-#include "geometry/text_lines.h"
-#include "geometry/vtu_grid.h"
+#include "geometry/files/text_lines.h"
+#include "geometry/files/vtu_grid.h"
 
 namespace morskin::app {
 namespace {

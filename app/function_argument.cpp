@@ -6,7 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/report.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {

@@ -48,7 +48,7 @@ double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& 
   const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
   const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
   const Growth grows = growth(arguments.molecule.model);
-  const double share = refine::Sizing{}.edge_share() / arguments.sizing.edge_share();
+  const double share = certify::Sizing{}.edge_share() / arguments.sizing.edge_share();
   return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
 }
 

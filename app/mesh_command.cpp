@@ -18,10 +18,10 @@
 #include "app/staged_outputs.h"
 #include "bench/baselines/dynamic_skin.h"
 #include "bench/baselines/marching_cubes.h"
-#include "front/safety_net.h"
 #include "geometry/error.h"
-#include "geometry/mesh_files.h"
+#include "geometry/files/mesh_files.h"
 #include "geometry/predicates.h"
+#include "morskin/safety_net.h"
 
 namespace morskin::app {
 namespace {
@@ -49,8 +49,8 @@ bool can_be_certified(MeshFormat format) {
 }
 
 // The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
-front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                             StagedOutputs& outputs, MeshReport& report) {
+morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
+                               StagedOutputs& outputs, MeshReport& report) {
   baselines::GrowthOptions growth;
   double largest = 0;
   for (const auto& p : skin.surface.points()) largest = std::max(largest, p.weight);
@@ -65,21 +65,21 @@ front::Mesher dynamic_mesher(const front::PreparedSkin& skin, const MeshArgument
   }
   std::ranges::sort(growth.snapshot_times);
   growth.snapshot = [&arguments, &outputs, number = std::size_t{0}](
-                        double, const skin::SkinMesh& mesh) mutable {
+                        double, const surface::Mesh& mesh) mutable {
     outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, mesh); });
   };
   if (arguments.keep_delaunay) growth.kept = &report.kept_delaunay.emplace();
   return baselines::dynamic_mesher(growth, &report.growth.emplace());
 }
 
-front::MeshOptions options_of(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                              StagedOutputs& outputs, MeshReport& report) {
-  front::MeshOptions options;
+morskin::MeshOptions options_of(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
+                                StagedOutputs& outputs, MeshReport& report) {
+  morskin::MeshOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.method = arguments.method;
   if (report.grid_step) options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
-  if (arguments.method == front::Method::Dynamic) {
+  if (arguments.method == morskin::Method::Dynamic) {
     options.mesher = dynamic_mesher(skin, arguments, outputs, report);
   }
   options.function = arguments.function;
@@ -92,16 +92,16 @@ front::MeshOptions options_of(const front::PreparedSkin& skin, const MeshArgumen
   return options;
 }
 
-front::MeshResult mesh(const front::PreparedSkin& skin, const MeshArguments& arguments,
-                       front::MeshOptions options, StagedOutputs& outputs,
-                       const front::Progress& progress) {
+morskin::MeshResult mesh(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
+                         morskin::MeshOptions options, StagedOutputs& outputs,
+                         const morskin::Progress& progress) {
   std::size_t number = 0;
   options.snapshot = [&](const front::Snapshot& snapshot) {
     outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, snapshot); });
   };
   options.progress = progress;
   try {
-    return front::mesh_skin(skin, options);
+    return morskin::mesh_skin(skin, options);
   } catch (const morse::DegenerateFunction& error) {
     // Which exit code depends on whose choice the function was.
     if (arguments.function) throw UsageError(error.what());
@@ -125,9 +125,9 @@ geometry::IndexedMesh read_back(const PendingFile& file) {
 // The certificate of the first file whose format keeps every coordinate, from its bytes; if there
 // is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
 // `result.mesh` becomes what was read, so that it is held once.
-refine::Certificate certify(std::span<const PendingFile> files, front::MeshResult& result,
-                            const front::PreparedSkin& skin, const MeshArguments& arguments,
-                            std::string& certified_file) {
+certify::Certificate certify(std::span<const PendingFile> files, morskin::MeshResult& result,
+                             const morskin::PreparedSkin& skin, const MeshArguments& arguments,
+                             std::string& certified_file) {
   certified_file.clear();
   geometry::IndexedMesh& mesh = result.mesh;
   geometry::IndexedMesh copy;
@@ -153,9 +153,9 @@ refine::Certificate certify(std::span<const PendingFile> files, front::MeshResul
     defect = error.what();
   }
   mesh = std::move(copy);
-  refine::Certificate certificate =
-      refine::certify(mesh, {std::move(result.twins), result.cells}, skin.surface, skin.topology,
-                      arguments.sizing, arguments.threads);
+  certify::Certificate certificate =
+      certify::certify(mesh, {std::move(result.twins), result.cells}, skin.surface, skin.topology,
+                       arguments.sizing, arguments.threads);
   if (!defect.empty()) {
     certificate.certified = false;
     certificate.reason = defect;
@@ -213,7 +213,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
-void describe_run(MeshReport& report, const front::MeshResult& result) {
+void describe_run(MeshReport& report, const morskin::MeshResult& result) {
   report.surviving_minima = result.surviving_minima;
   report.surviving_saddles = result.surviving_saddles;
   report.surviving_maxima = result.surviving_maxima;
@@ -274,18 +274,18 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch preparing;
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const auto progress = [&](std::string_view stage, double share) { line.show(stage, share); };
-  const front::PreparedSkin skin = prepare_skin(input, progress, arguments.threads);
+  const morskin::PreparedSkin skin = prepare_skin(input, progress, arguments.threads);
   input = {};  // only the skin is needed from here on
   report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
                                 skin.surface.mixed_complex_seconds();
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
-  if (arguments.method == front::Method::MarchingCubes) {
+  if (arguments.method == morskin::Method::MarchingCubes) {
     report.grid_step = arguments.grid_step
                            ? *arguments.grid_step
                            : baselines::step_like_sweep(skin.surface, report.sizing);
   }
-  const front::MeshOptions options = options_of(skin, arguments, outputs, report);
-  front::MeshResult result = mesh(skin, arguments, options, outputs, progress);
+  const morskin::MeshOptions options = options_of(skin, arguments, outputs, report);
+  morskin::MeshResult result = mesh(skin, arguments, options, outputs, progress);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
 
@@ -296,7 +296,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch certifying;
   progress("certify", geometry::unknown_share);
   report.certificate = certify(files, result, skin, arguments, report.certified_file);
-  if (!report.certificate.certified && front::mend(skin, options, result)) {
+  if (!report.certificate.certified && morskin::mend(skin, options, result)) {
     write(files, result.mesh);
     report.certificate = certify(files, result, skin, arguments, report.certified_file);
   }
@@ -313,7 +313,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
   report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
   report.peak_memory_bytes = peak_memory_bytes();
-  report.floor_seconds = front::floor_seconds(skin.surface, result);
+  report.floor_seconds = morskin::floor_seconds(skin.surface, result);
   if (report_file != nullptr) report_file->write(json_text(report));
   time_limit.cancel();
   outputs.undisturbed([&] {

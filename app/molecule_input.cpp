@@ -31,10 +31,10 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   return input;
 }
 
-front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress,
-                                 unsigned threads) {
+morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Progress& progress,
+                                   unsigned threads) {
   try {
-    return front::prepare_skin(input.points, progress, threads);
+    return morskin::prepare_skin(input.points, progress, threads);
   } catch (const skin::SingularSkin& singular) {
     std::string names;
     for (const geometry::AtomId atom : singular.atoms) {

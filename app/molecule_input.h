@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "front/mesh_skin.h"
 #include "geometry/point.h"
+#include "morskin/mesh_skin.h"
 #include "skin/molecule.h"
 
 namespace morskin::app {
@@ -20,10 +20,10 @@ struct MoleculeInput {
 ///         weight is out of the range of the exact predicates
 MoleculeInput read_input(const MoleculeArguments& arguments);
 
-/// front::prepare_skin, but a singular skin is refused with its atoms called by their names.
+/// morskin::prepare_skin, but a singular skin is refused with its atoms called by their names.
 /// @throws geometry::RefusedInput
-front::PreparedSkin prepare_skin(const MoleculeInput& input, const front::Progress& progress = {},
-                                 unsigned threads = 1);
+morskin::PreparedSkin prepare_skin(const MoleculeInput& input,
+                                   const morskin::Progress& progress = {}, unsigned threads = 1);
 
 /// Smallest and largest radius of the atoms' sphere patches, Angstrom.
 struct RadiusRange {

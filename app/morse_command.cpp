@@ -31,7 +31,7 @@ std::optional<std::string> objection_to(const morse::MorseSmaleComplex& complex,
   return morse::validate(complex);
 }
 
-Traced trace(const front::PreparedSkin& skin, const MorseArguments& arguments,
+Traced trace(const morskin::PreparedSkin& skin, const MorseArguments& arguments,
              ProgressLine& progress) {
   Traced traced;
   progress.show("critical points", geometry::unknown_share);
@@ -104,7 +104,7 @@ ExitCode morse_command(const MorseArguments& arguments) {
   const MoleculeInput input = read_input(arguments.molecule);
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
-  const front::PreparedSkin skin = prepare_skin(input);
+  const morskin::PreparedSkin skin = prepare_skin(input);
   const Traced traced = trace(skin, arguments, progress);
 
   progress.show("simplify", geometry::unknown_share);
@@ -114,7 +114,7 @@ ExitCode morse_command(const MorseArguments& arguments) {
   report.arcs = traced.complex.arcs.size();
   report.regions = traced.complex.regions.size();
   report.pairs = morse::persistence_pairs(traced.complex);
-  report.radius_share = refine::Sizing{}.tangent_disk_share();
+  report.radius_share = certify::Sizing{}.tangent_disk_share();
   report.simplified = simplified(traced.complex, arguments, report.radius_share);
   for (const morse::CriticalPoint& p : traced.complex.points) {
     report.dimension.push_back(skin.surface.complex().dimension(p.point.cell));

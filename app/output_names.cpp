@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
-#include "geometry/mesh_files.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/mesh_files.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {

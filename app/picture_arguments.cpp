@@ -8,7 +8,7 @@
 #include "app/arguments.h"
 #include "app/figures/figures.h"
 #include "app/output_names.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "front/two_fronts.h"
+#include "morse/make_guide.h"
 #include "refine/smoothing.h"
 
 namespace morskin::app {
@@ -15,11 +16,11 @@ using Corners = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-IndexedMesh plain(const skin::SkinMesh& mesh) {
+IndexedMesh plain(const surface::Mesh& mesh) {
   IndexedMesh result;
   result.triangles = mesh.surface.triangle_list();
   result.positions.reserve(mesh.points.size());
-  for (const skin::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  for (const surface::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
   return result;
 }
 
@@ -105,17 +106,18 @@ std::vector<std::uint32_t> births(const IndexedMesh& before, const IndexedMesh& 
   return birth;
 }
 
-RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshOptions& options) {
+RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
+                             const morskin::MeshOptions& options) {
   RecordedMesh recorded;
-  front::MeshResult& result = recorded.result;
+  morskin::MeshResult& result = recorded.result;
   const auto progress = [&](std::string_view stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
   progress("critical points", 0);
-  const refine::Sizing laid = options.sizing.laid();
+  const certify::Sizing laid = options.sizing.laid();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                        front::sphere_share(skin.surface, laid), options.threads);
+                        morskin::sphere_share(skin.surface, laid), options.threads);
   std::tie(result.minima, result.saddles, result.maxima) =
       std::tuple(guide.found[0], guide.found[1], guide.found[2]);
   result.function = guide.function;
@@ -149,10 +151,10 @@ RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshO
                                       options.angle_goal_deg, options.threads);
   }
   result.mesh = plain(swept.mesh);  // with the triangles of before, for smoothing moves vertices
-  for (const skin::SurfacePoint& p : swept.mesh.points) result.cells.push_back(p.cell);
+  for (const surface::SurfacePoint& p : swept.mesh.points) result.cells.push_back(p.cell);
   progress("certify", 0);
   result.certificate =
-      refine::certify(result.mesh, skin.surface, skin.topology, options.sizing, options.threads);
+      certify::certify(result.mesh, skin.surface, skin.topology, options.sizing, options.threads);
   return recorded;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 
 namespace morskin::app {
 
@@ -17,7 +17,7 @@ struct RecordedStep {
 };
 
 struct RecordedMesh {
-  front::MeshResult result;                         ///< refined and certified
+  morskin::MeshResult result;                       ///< refined and certified
   std::vector<std::array<std::uint32_t, 3>> swept;  ///< the triangles as the sweep laid them
   std::vector<RecordedStep> steps;                  ///< of the sweep
   /// By triangle of the result, the number of the swept triangle in whose place it lies: the time
@@ -28,9 +28,10 @@ struct RecordedMesh {
   std::vector<std::uint32_t> birth;
 };
 
-/// front::mesh_skin from one front, as Algorithm 1 is printed, and recorded.
+/// morskin::mesh_skin from one front, as Algorithm 1 is printed, and recorded.
 /// @throws morse::DegenerateFunction
-RecordedMesh mesh_and_record(const front::PreparedSkin& skin, const front::MeshOptions& options);
+RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
+                             const morskin::MeshOptions& options);
 
 /// By triangle of a refined mesh, its birth as above.
 /// @param before  triangles of the sweep, in order, and the positions of their vertices

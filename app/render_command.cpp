@@ -8,10 +8,10 @@
 #include "app/pictures/png.h"
 #include "app/pictures/render.h"
 #include "app/staged_outputs.h"
+#include "certify/triangle_geometry.h"
 #include "geometry/error.h"
-#include "geometry/mesh_files.h"
+#include "geometry/files/mesh_files.h"
 #include "geometry/union_find.h"
-#include "refine/triangle_geometry.h"
 
 namespace morskin::app {
 namespace {
@@ -29,8 +29,8 @@ std::vector<Colour> colours_by_angle(const geometry::IndexedMesh& mesh) {
                              Colour::of(0x8fc3de), Colour::of(0x2d6fb0)};
   std::vector<Colour> colours;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const refine::AngleRange angles =
-        refine::angle_range(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    const certify::AngleRange angles =
+        certify::angle_range(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     const double share = std::clamp((angles.smallest_deg - 21) / (60 - 21), 0.0, 1.0);
     const double place = share * (stops.size() - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(place), stops.size() - 2);

@@ -11,8 +11,8 @@
 namespace morskin::app {
 namespace {
 
+using certify::Certificate;
 using nlohmann::ordered_json;
-using refine::Certificate;
 
 ordered_json operations_json(const MeshReport& report) {
   const front::Operations& done = report.operations;
@@ -74,9 +74,9 @@ ordered_json skipped_json(const skin::ReadingCounts& counts) {
           {"unknown_elements", counts.unknown}};
 }
 
-ordered_json fallbacks_json(const std::vector<front::Fallback>& fallbacks) {
+ordered_json fallbacks_json(const std::vector<morskin::Fallback>& fallbacks) {
   ordered_json json = ordered_json::array();
-  for (const front::Fallback& f : fallbacks) {
+  for (const morskin::Fallback& f : fallbacks) {
     json.push_back({{"component", f.component}, {"from", f.from}, {"to", f.to}, {"why", f.why}});
   }
   return json;
@@ -160,7 +160,7 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_hidden", report.atoms_hidden},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
-                       {"method", front::name_of(report.method)},
+                       {"method", morskin::name_of(report.method)},
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
@@ -202,7 +202,7 @@ std::string json_text(const MeshReport& report) {
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string doubts_about(const refine::Sizing& sizing) {
+std::string doubts_about(const certify::Sizing& sizing) {
   std::string doubts;
   const auto add = [&](bool is_proved, const std::string& text) {
     if (!is_proved) doubts += (doubts.empty() ? "" : ", and ") + text;
@@ -220,7 +220,7 @@ std::string doubts_about(const refine::Sizing& sizing) {
   return doubts;
 }
 
-std::string certificate_text(const Certificate& c, const refine::Sizing& sizing) {
+std::string certificate_text(const Certificate& c, const certify::Sizing& sizing) {
   const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
                             c.euler_characteristic == c.expected_euler_characteristic;
   std::string text;
@@ -312,8 +312,8 @@ std::string method_text(const MeshReport& report) {
     return growth_text(*report.growth) +
            (report.kept_delaunay ? kept_delaunay_text(report.kept_delaunay->counts()) : "");
   }
-  const bool is_sweep = report.method == front::Method::Sweep;
-  return (is_sweep ? "" : line("method", std::string(front::name_of(report.method)))) +
+  const bool is_sweep = report.method == morskin::Method::Sweep;
+  return (is_sweep ? "" : line("method", std::string(morskin::name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
          line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
                                 counted(report.refinement.contract, "contraction", "contractions") +
@@ -324,13 +324,13 @@ std::string method_text(const MeshReport& report) {
 }
 
 /// What was replaced; first what could not be, which is why the mesh is not certified.
-std::string fallback_text(std::vector<front::Fallback> fallbacks) {
+std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
   constexpr std::size_t most_lines = 5;
   std::stable_partition(fallbacks.begin(), fallbacks.end(),
-                        [](const front::Fallback& f) { return f.to == "nothing"; });
+                        [](const morskin::Fallback& f) { return f.to == "nothing"; });
   std::string text;
   for (std::size_t i = 0; i < std::min(fallbacks.size(), most_lines); ++i) {
-    const front::Fallback& f = fallbacks[i];
+    const morskin::Fallback& f = fallbacks[i];
     text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
                                  " to " + f.to + ": " + f.why);
   }

@@ -11,7 +11,7 @@
 
 #include "app/molecule_input.h"
 #include "bench/baselines/growth.h"
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "skin/molecule.h"
 
 namespace morskin::app {
@@ -19,24 +19,24 @@ namespace morskin::app {
 /// Seconds by stage, by the wall clock.
 struct RunSeconds {
   double read = 0, dual_complex = 0, write = 0, certify = 0, total = 0;
-  front::StageSeconds stages;  ///< its certify is not used
+  morskin::StageSeconds stages;  ///< its certify is not used
 };
 
 /// Everything `morskin mesh` tells about a run. Every figure of the certificate was measured on the
 /// bytes written.
 struct MeshReport {
   MoleculeArguments molecule;
-  refine::Sizing sizing;
+  certify::Sizing sizing;
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;
   double patch_radius_min = 0, patch_radius_max = 0;
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
   std::string certified_file;
-  refine::Certificate certificate;
+  certify::Certificate certificate;
   std::size_t minima = 0, saddles = 0, maxima = 0;
   std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
-  front::Method method = front::Method::Sweep;
+  morskin::Method method = morskin::Method::Sweep;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
   std::optional<baselines::KeptDelaunay> kept_delaunay;
@@ -47,7 +47,7 @@ struct MeshReport {
   double angle_goal_deg = 0;
   refine::SmoothingCounts smoothing;
   std::size_t open_edges = 0;
-  std::vector<front::Fallback> fallbacks;
+  std::vector<morskin::Fallback> fallbacks;
   RunSeconds seconds;
   double floor_seconds = 0;
   long long peak_memory_bytes = 0;
@@ -60,11 +60,12 @@ std::string people_text(const MeshReport& report);
 
 /// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
 /// theory.
-std::string doubts_about(const refine::Sizing& sizing);
+std::string doubts_about(const certify::Sizing& sizing);
 
 /// What `morskin check --against` tells.
-nlohmann::ordered_json certificate_json(const refine::Certificate& certificate);
-std::string certificate_text(const refine::Certificate& certificate, const refine::Sizing& sizing);
+nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
+std::string certificate_text(const certify::Certificate& certificate,
+                             const certify::Sizing& sizing);
 
 /// A line of a report: two spaces, the label in a column, the text.
 std::string line(std::string_view label, const std::string& text);

@@ -2,16 +2,16 @@
 
 #include <string>
 
-#include "geometry/atomic_file.h"
-#include "geometry/mesh_files.h"
-#include "geometry/vtu_grid.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/mesh_files.h"
+#include "geometry/files/vtu_grid.h"
 
 namespace morskin::app {
 namespace {
 
-geometry::IndexedMesh indexed(const skin::SkinMesh& mesh) {
+geometry::IndexedMesh indexed(const surface::Mesh& mesh) {
   geometry::IndexedMesh result;
-  for (const skin::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  for (const surface::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
   result.triangles = mesh.surface.triangle_list();
   return result;
 }
@@ -47,7 +47,7 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
 }  // namespace
 
 void write_snapshot(const std::filesystem::path& folder, std::size_t number,
-                    const skin::SkinMesh& mesh) {
+                    const surface::Mesh& mesh) {
   geometry::write_file_atomically(
       folder / ("snapshot-" + std::to_string(number) + ".ply"),
       geometry::serialized(indexed(mesh), geometry::MeshFormat::PlyBinary));

@@ -19,6 +19,6 @@ std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& f
 /// Writes snapshot-K.ply, a state of the growing skin.
 /// @throws geometry::UnwritableOutput
 void write_snapshot(const std::filesystem::path& folder, std::size_t number,
-                    const skin::SkinMesh& mesh);
+                    const surface::Mesh& mesh);
 
 }  // namespace morskin::app

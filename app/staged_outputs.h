@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/interruption.h"
-#include "geometry/atomic_file.h"
+#include "geometry/files/atomic_file.h"
 
 namespace morskin::app {
 

@@ -11,12 +11,12 @@
 #include "app/staged_outputs.h"
 #include "app/version.h"
 #include "app/view_layers.h"
+#include "certify/located_vertices.h"
 #include "geometry/error.h"
+#include "geometry/files/mesh_files.h"
 #include "geometry/mesh_check.h"
-#include "geometry/mesh_files.h"
 #include "geometry/mesh_shape.h"
 #include "morse/validate_complex.h"
-#include "refine/located_vertices.h"
 
 namespace morskin::app {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 // What a page shows beside the mesh, if the molecule is known.
 struct Context {
   MoleculeInput input;
-  front::PreparedSkin skin;
+  morskin::PreparedSkin skin;
   morse::MorseFunction function;
   morse::MorseSmaleComplex complex;
   morse::Simplification simplified;
@@ -45,7 +45,7 @@ morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double rad
 Context context(const MoleculeArguments& molecule, const ViewArguments& arguments,
                 ProgressLine& progress) {
   MoleculeInput input = read_input(molecule);
-  front::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
+  morskin::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
   Context result{std::move(input), std::move(skin), {}, {}, {}};
   progress.show("integral lines", 0);
   try {
@@ -59,7 +59,7 @@ Context context(const MoleculeArguments& molecule, const ViewArguments& argument
     if (arguments.function) throw UsageError(error.what());
     throw;
   }
-  const double share = front::sphere_share(result.skin.surface, arguments.sizing);
+  const double share = morskin::sphere_share(result.skin.surface, arguments.sizing);
   const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
   result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
                                  : unsimplified(result.complex, share);
@@ -98,18 +98,18 @@ bool has_both_extrema(const std::vector<morse::CriticalPoint>& points) {
 
 struct Viewed {
   geometry::IndexedMesh mesh;
-  std::optional<refine::Certificate> certificate;
+  std::optional<certify::Certificate> certificate;
 };
 
 Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLine& progress) {
   const Context context = app::context(arguments.molecule, arguments, progress);
-  front::MeshOptions options;
+  morskin::MeshOptions options;
   options.sizing = arguments.sizing;
   options.function = context.function;
   options.threads = arguments.threads;
   options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
   RecordedMesh recorded = mesh_and_record(context.skin, options);
-  front::MeshResult& result = recorded.result;
+  morskin::MeshResult& result = recorded.result;
 
   progress.show("page", 0);
   page.about["kind"] = "molecule";
@@ -144,13 +144,13 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   progress.show("page", 0);
   describe(page, context, arguments, molecule);
   page.about["against"] = molecule.input.filename().string();
-  const auto points = refine::locate_vertices(mesh, context.skin.surface);
-  viewed.certificate = refine::certify(mesh, points, context.skin.surface, context.skin.topology,
-                                       arguments.sizing, arguments.threads);
+  const auto points = certify::locate_vertices(mesh, context.skin.surface);
+  viewed.certificate = certify::certify(mesh, points, context.skin.surface, context.skin.topology,
+                                        arguments.sizing, arguments.threads);
   const FrontCode code = add_mesh(page, "mesh", mesh);
   std::vector<geometry::CellId> cells;
   cells.reserve(points.size());
-  for (const skin::SurfacePoint& p : points) cells.push_back(p.cell);
+  for (const surface::SurfacePoint& p : points) cells.push_back(p.cell);
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&
       !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {

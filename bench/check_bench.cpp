@@ -3,14 +3,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include "front/mesh_skin.h"
+#include "certify/deviations.h"
+#include "certify/located_vertices.h"
+#include "certify/restricted_delaunay.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/self_intersections.h"
 #include "geometry/surface_mesh.h"
-#include "refine/deviations.h"
-#include "refine/located_vertices.h"
-#include "refine/restricted_delaunay.h"
+#include "morskin/mesh_skin.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 #include "skin/skin_components.h"
@@ -19,19 +19,19 @@ namespace {
 
 using namespace morskin;
 
-constexpr refine::Sizing sizing{0.0425, 1.65};
+constexpr certify::Sizing sizing{0.0425, 1.65};
 
 struct Million {
-  front::PreparedSkin skin = front::prepare_skin(skin::weighted_points(
+  morskin::PreparedSkin skin = morskin::prepare_skin(skin::weighted_points(
       skin::read_molecule("bench/molecules/1grm_model1.pdb"), skin::Model::Paper, 1.4));
   geometry::IndexedMesh mesh = [this] {
-    front::MeshOptions options;
+    morskin::MeshOptions options;
     options.sizing = sizing;
     options.certify = false;
-    return front::mesh_skin(skin, options).mesh;
+    return morskin::mesh_skin(skin, options).mesh;
   }();
   geometry::SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
-  std::vector<skin::SurfacePoint> points = refine::locate_vertices(mesh, skin.surface);
+  std::vector<surface::SurfacePoint> points = certify::locate_vertices(mesh, skin.surface);
 };
 
 const Million& million() {
@@ -65,26 +65,26 @@ int main(int count, char** words) {
   kernel("check/self_intersections",
          [](const Million& m) { return geometry::self_intersections(m.mesh); });
   kernel("check/locate",
-         [](const Million& m) { return refine::locate_vertices(m.mesh, m.skin.surface); });
+         [](const Million& m) { return certify::locate_vertices(m.mesh, m.skin.surface); });
   kernel("check/certificate", [](const Million& m) {
-    return refine::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing, 1);
+    return certify::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing, 1);
   });
   kernel("check/deviations", [](const Million& m) {
-    return refine::measure_deviations(m.mesh, m.skin.surface, m.points, sizing);
+    return certify::measure_deviations(m.mesh, m.skin.surface, m.points, sizing);
   });
   kernel("check/restricted_delaunay", [](const Million& m) {
-    return refine::restricted_delaunay(m.mesh, m.skin.surface, m.points);
+    return certify::restricted_delaunay(m.mesh, m.skin.surface, m.points);
   });
   kernel("check/local_delaunay", [](const Million& m) {
-    refine::SureEdges sure(m.mesh.triangles.size());
+    certify::SureEdges sure(m.mesh.triangles.size());
     for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
       const auto [a, b, c] = m.mesh.triangles[t];
       const std::array p{&m.points[a], &m.points[b], &m.points[c]};
       sure.note(geometry::TriangleId{t}, p,
-                refine::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
                 m.skin.surface.residual_bound(p[0]->length_scale));
     }
-    return refine::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, sure);
+    return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, sure);
   });
   kernel("check/skin_components",
          [](const Million& m) { return skin::SkinComponents(m.skin.surface).body_count(); });

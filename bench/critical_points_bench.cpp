@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "certify/sizing.h"
 #include "morse/critical_points.h"
-#include "morse/protecting_spheres.h"
-#include "refine/sizing.h"
+#include "morse/skin_spheres.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -44,9 +44,9 @@ void critical_points_of_distance(benchmark::State& state) {
 void protecting_spheres(benchmark::State& state) {
   const skin::SkinSurface surface = gramicidin();
   const morse::CriticalPoints critical = morse::critical_points(surface, {});
-  const double share = refine::Sizing{}.tangent_disk_share();
+  const double share = certify::Sizing{}.tangent_disk_share();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(morse::ProtectingSpheres(surface, critical.points, share));
+    benchmark::DoNotOptimize(morse::protecting_spheres(surface, critical.points, share));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(critical.points.size()));
 }

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "bench/baselines/dynamic_skin.h"
-#include "front/mesh_skin.h"
 #include "geometry/regular_triangulation.h"
 #include "geometry/stopwatch.h"
+#include "morskin/mesh_skin.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -20,14 +20,14 @@ using namespace morskin;
 enum class Tetrahedrization { None, Kept, Anew };
 
 /// @return those of the triangulation of the mesh's vertices
-std::size_t tetrahedra_of(const skin::SkinMesh& mesh) {
+std::size_t tetrahedra_of(const surface::Mesh& mesh) {
   std::vector<geometry::WeightedPoint> points;
-  for (const skin::SurfacePoint& p : mesh.points) points.push_back({p.position, 0});
+  for (const surface::SurfacePoint& p : mesh.points) points.push_back({p.position, 0});
   return geometry::regular_triangulation(points).tetrahedra.size();
 }
 
 void growth(benchmark::State& state, const std::string& file, Tetrahedrization what) {
-  const front::PreparedSkin skin = front::prepare_skin(skin::weighted_points(
+  const morskin::PreparedSkin skin = morskin::prepare_skin(skin::weighted_points(
       skin::read_molecule("bench/molecules/" + file), skin::Model::Paper, 1.4));
   baselines::KeptDelaunay kept;
   baselines::GrowthCounts counts;
@@ -40,7 +40,7 @@ void growth(benchmark::State& state, const std::string& file, Tetrahedrization w
     for (const auto& m : baselines::find_metamorphoses(skin.surface, options.end)) {
       options.snapshot_times.push_back(m.time);
     }
-    options.snapshot = [&](double, const skin::SkinMesh& mesh) {
+    options.snapshot = [&](double, const surface::Mesh& mesh) {
       geometry::timed(seconds, [&] { tetrahedra += tetrahedra_of(mesh); });
     };
   }

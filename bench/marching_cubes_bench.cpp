@@ -5,7 +5,7 @@
 
 #include "bench/baselines/marching_cubes.h"
 #include "bench/baselines/narrow_band.h"
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -13,8 +13,8 @@ namespace {
 
 using namespace morskin;
 
-const front::PreparedSkin& gramicidin() {
-  static const front::PreparedSkin skin = front::prepare_skin(skin::weighted_points(
+const morskin::PreparedSkin& gramicidin() {
+  static const morskin::PreparedSkin skin = morskin::prepare_skin(skin::weighted_points(
       skin::read_molecule("bench/molecules/1grm_model1.pdb"), skin::Model::Paper, 1.4));
   return skin;
 }

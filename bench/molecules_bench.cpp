@@ -7,8 +7,8 @@
 #include <chrono>
 #include <string>
 
-#include "front/mesh_skin.h"
-#include "geometry/mesh_files.h"
+#include "geometry/files/mesh_files.h"
+#include "morskin/mesh_skin.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -24,25 +24,25 @@ std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Mo
 
 /// The whole run: file in, mesh written in binary PLY form, read back and certified.
 void whole_run(benchmark::State& state, const std::string& file, skin::Model model,
-               front::Method method) {
+               morskin::Method method) {
   double floor = 0, seconds = 0;
   double morse = 0, smooth = 0;  // critical points, integral lines, simplification; smoothing
-  refine::Certificate certificate;
+  certify::Certificate certificate;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const front::PreparedSkin skin = front::prepare_skin(points_of(file, model));
-    front::MeshOptions options;
+    const morskin::PreparedSkin skin = morskin::prepare_skin(points_of(file, model));
+    morskin::MeshOptions options;
     options.certify = false;
     options.method = method;
-    const front::MeshResult result = front::mesh_skin(skin, options);
+    const morskin::MeshResult result = morskin::mesh_skin(skin, options);
     const std::string bytes = geometry::serialized(result.mesh, geometry::MeshFormat::PlyBinary);
-    certificate = refine::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology,
-                                  {}, options.threads);
+    certificate = certify::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology,
+                                   {}, options.threads);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     morse += result.seconds.critical_points;
     smooth += result.seconds.smooth;
     state.PauseTiming();
-    floor += front::floor_seconds(skin.surface, result);
+    floor += morskin::floor_seconds(skin.surface, result);
     state.ResumeTiming();
   }
   if (!certificate.certified) state.SkipWithError(certificate.reason.c_str());
@@ -60,20 +60,20 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
 
 /// Locating and projecting every vertex of gramicidin's mesh once, from its own cell.
 void locate_and_project(benchmark::State& state) {
-  const front::PreparedSkin skin =
-      front::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
-  const front::MeshResult result = front::mesh_skin(skin);
-  for (auto _ : state) benchmark::DoNotOptimize(front::floor_seconds(skin.surface, result));
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
+  const morskin::MeshResult result = morskin::mesh_skin(skin);
+  for (auto _ : state) benchmark::DoNotOptimize(morskin::floor_seconds(skin.surface, result));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(result.cells.size()));
 }
 
 /// The certificate of gramicidin's mesh, in memory.
 void certificate(benchmark::State& state) {
-  const front::PreparedSkin skin =
-      front::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
-  const front::MeshResult result = front::mesh_skin(skin);
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
+  const morskin::MeshResult result = morskin::mesh_skin(skin);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(refine::certify(result.mesh, skin.surface, skin.topology));
+    benchmark::DoNotOptimize(certify::certify(result.mesh, skin.surface, skin.topology));
   }
   state.SetItemsProcessed(state.iterations() *
                           static_cast<std::int64_t>(result.mesh.triangles.size()));
@@ -88,9 +88,9 @@ bool register_molecules() {
                          std::pair{"1grm_model1.pdb", "1GRM_gramicidin_A"}};
   for (const auto& [file, name] : table) {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      for (const front::Method method : {front::Method::Sweep, front::Method::Static}) {
+      for (const morskin::Method method : {morskin::Method::Sweep, morskin::Method::Static}) {
         const std::string row = std::string(name) + "/" + std::string(skin::name_of(model)) + "/" +
-                                std::string(front::name_of(method));
+                                std::string(morskin::name_of(method));
         benchmark::RegisterBenchmark(
             row.c_str(),
             [=, file = file](benchmark::State& state) { whole_run(state, file, model, method); })

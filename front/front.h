@@ -12,16 +12,16 @@
 #include <vector>
 
 #include "front/front_grid.h"
-#include "skin/skin_mesh.h"
+#include "surface/mesh.h"
 
 namespace morskin::front {
 
 using geometry::HalfEdgeId;
 using geometry::VertexId;
-using skin::Point;
-using skin::SkinMesh;
-using skin::SurfacePoint;
-using skin::Vector;
+using surface::Mesh;
+using surface::Point;
+using surface::SurfacePoint;
+using surface::Vector;
 
 /// On one cache line: the fronts of a big molecule do not fit the near caches, and vertices are
 /// taken up all over them.
@@ -52,7 +52,7 @@ class Front {
  public:
   /// @param reach  how far the grid of corners can be asked, in units of the length scale
   /// @param largest_length_scale  a larger one counts as this, Angstrom
-  explicit Front(SkinMesh& mesh, double reach = 0.4,
+  explicit Front(Mesh& mesh, double reach = 0.4,
                  double largest_length_scale = std::numeric_limits<double>::infinity())
       : mesh_(mesh), grid_(reach, largest_length_scale) {}
 
@@ -114,7 +114,7 @@ class Front {
   }
   void zip(FrontEdgeId e);
 
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   std::vector<FrontEdge> edges_;
   std::vector<FrontEdgeId> free_;
   FrontGrid grid_;

@@ -34,7 +34,7 @@ struct LocalPoint {
 
 class Neighbourhood {
  public:
-  Neighbourhood(const SkinMesh& mesh, const Front& front) : mesh_(mesh), front_(front) {}
+  Neighbourhood(const Mesh& mesh, const Front& front) : mesh_(mesh), front_(front) {}
 
   /// Looks round a point of the skin: every front corner within the grid's reach of its length
   /// scale, and the edges on both sides of each.
@@ -110,7 +110,7 @@ class Neighbourhood {
     return {first_axis_.dot(d), second_axis_.dot(d)};
   }
 
-  const SkinMesh& mesh_;
+  const Mesh& mesh_;
   const Front& front_;
   Point origin_ = Point::Zero();
   double reach_ = 0;

@@ -8,16 +8,13 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/predicates.h"
-#include "geometry/stopwatch.h"
-#include "refine/delaunay_refinement.h"
-#include "refine/refinement.h"
 
 namespace morskin::front {
 
 namespace {
 
 using geometry::Vector;
-using skin::SurfacePoint;
+using surface::SurfacePoint;
 
 using SeedId = geometry::Id<struct SeedTag>;
 
@@ -38,9 +35,9 @@ std::size_t open_edges(const geometry::SurfaceMesh& surface) {
 }
 
 /// A critical point and two more, 60 degrees apart seen from it.
-std::optional<std::array<SurfacePoint, 3>> seed_triangle(const skin::SkinSurface& skin,
+std::optional<std::array<SurfacePoint, 3>> seed_triangle(const surface::Surface& skin,
                                                          const SurfacePoint& p,
-                                                         const refine::Sizing& sizing) {
+                                                         const certify::Sizing& sizing) {
   Eigen::Index axis = 0;
   p.normal.cwiseAbs().minCoeff(&axis);
   const Vector x = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
@@ -61,9 +58,9 @@ std::optional<std::array<SurfacePoint, 3>> seed_triangle(const skin::SkinSurface
 
 }  // namespace
 
-std::vector<SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
+std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
                                          const std::vector<morse::CriticalPoint>& critical,
-                                         const refine::Sizing& sizing) {
+                                         const certify::Sizing& sizing) {
   // Three places for each critical point; those of a triangle that could not be laid stay unused.
   std::vector<SurfacePoint> candidates;
   std::vector<geometry::Point> places;
@@ -110,49 +107,14 @@ std::vector<SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
   return seeds;
 }
 
-MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options) {
-  MethodResult result;
-  const auto progress = [&](std::string_view stage) {
-    if (options.progress) options.progress(stage, geometry::unknown_share);
-  };
-  // Circumcentres of the coarse samples lie in all cells.
-  const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
-  progress("critical points");
-  morse::ChosenFunction chosen;
-  geometry::timed(result.seconds.critical_points, [&] {
-    chosen = morse::choose_function(surface, skin.topology.skin_euler_characteristic(),
-                                    options.function);
-  });
-  result.minima = result.surviving_minima = chosen.critical.count(0);
-  result.saddles = result.surviving_saddles = chosen.critical.count(1);
-  result.maxima = result.surviving_maxima = chosen.critical.count(2);
-  result.function = chosen.function;
-  progress("refine");
-  geometry::timed(result.seconds.refine, [&] {
-    const std::vector<SurfacePoint> seeds =
-        delaunay_seeds(surface, chosen.critical.points, options.sizing);
-    refine::DelaunayRefinement refinement(surface, options.sizing, seeds);
-    refinement.run(
-        [&](std::size_t samples) { progress("refine, " + std::to_string(samples) + " samples"); });
-    result.mesh = refinement.mesh();
-    for (SurfacePoint& p : result.mesh.points) {
-      p.cell = skin.surface.complex().same(p.cell, surface.complex());
-    }
-    const refine::DelaunayRefinementCounts& done = refinement.counts();
-    result.refinement.insert = done.too_big + done.topological;
-    result.refinement.refused = done.refused;
-    result.open_edges = open_edges(result.mesh.surface);
-  });
-  if (result.open_edges > 0) return result;
-  // Where C is coarse, samples that show the skin's topology stand nearer to others than [L]
-  // allows. Once the mesh is a surface most of them are not needed any more.
-  geometry::timed(result.seconds.refine, [&] {
-    refine::Refinement contraction(skin.surface, options.sizing, result.mesh, options.threads);
-    contraction.run();
-    const std::size_t inserted = result.refinement.insert;
-    result.refinement = contraction.counts();
-    result.refinement.insert += inserted;
-  });
+StaticResult static_mesh(const surface::Surface& surface,
+                         const std::vector<morse::CriticalPoint>& critical,
+                         const certify::Sizing& sizing,
+                         const std::function<void(std::size_t)>& progress) {
+  refine::DelaunayRefinement refinement(surface, sizing, delaunay_seeds(surface, critical, sizing));
+  refinement.run(progress);
+  StaticResult result{refinement.mesh(), refinement.counts(), 0};
+  result.open_edges = open_edges(result.mesh.surface);
   return result;
 }
 

@@ -3,9 +3,14 @@
 /// The static method (papers/5-static.md): restricted Delaunay refinement from seeds at the
 /// critical points of a Morse function.
 
+#include <functional>
 #include <vector>
 
-#include "front/method.h"
+#include "certify/sizing.h"
+#include "morse/critical_point.h"
+#include "refine/delaunay_refinement.h"
+#include "surface/mesh.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 
@@ -15,11 +20,22 @@ namespace morskin::front {
 ///
 /// Law:  two seeds are farther apart than 0.9 C Q times their larger length scale, which meets [L]
 ///       where Q^2 > 2.3. Every component has three seeds at least.
-std::vector<skin::SurfacePoint> delaunay_seeds(const skin::SkinSurface& skin,
-                                               const std::vector<morse::CriticalPoint>& critical,
-                                               const refine::Sizing& sizing);
+std::vector<surface::SurfacePoint> delaunay_seeds(const surface::Surface& surface,
+                                                  const std::vector<morse::CriticalPoint>& critical,
+                                                  const certify::Sizing& sizing);
 
-/// @throws morse::DegenerateFunction
-MethodResult static_method(const PreparedSkin& skin, const MeshOptions& options);
+struct StaticResult {
+  surface::Mesh mesh;
+  refine::DelaunayRefinementCounts counts;
+  std::size_t open_edges = 0;  ///< where refinement gave up; 0 when the mesh is closed
+};
+
+/// Restricted Delaunay refinement from those seeds.
+/// @param surface   all its cells kept: circumcentres of coarse samples lie in all of them
+/// @param progress  called with the number of samples so far; may be empty
+StaticResult static_mesh(const surface::Surface& surface,
+                         const std::vector<morse::CriticalPoint>& critical,
+                         const certify::Sizing& sizing,
+                         const std::function<void(std::size_t)>& progress = {});
 
 }  // namespace morskin::front

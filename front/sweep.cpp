@@ -3,10 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <utility>
-
-#include "geometry/prefetch.h"
 
 namespace morskin::front {
 
@@ -15,9 +12,6 @@ namespace {
 /// Nearer than the length scale all skin is one sheet, a graph over the tangent plane: normals
 /// differ by less than a right angle. This near they differ by less than asin(0.85) = 58 degrees.
 constexpr double largest_view = 0.85;
-
-/// Of protecting spheres, for the guards that look no farther.
-constexpr double enlargement = 3;
 
 /// Vertices a patch takes where each has the area that it has when they stand 0.85 disk radii
 /// apart, which is denser than any sweep lays them, and twice as many: with more, the front has
@@ -30,14 +24,6 @@ double most_vertices(double area, double share) {
 }
 
 constexpr double sphere_area = 4 * M_PI;
-
-/// The area of a hyperboloid up to a length scale, in units of the length scale's square: at a
-/// distance s from the middle along the axis, where rho^2 = k + 2 s^2, it is the integral of
-/// 2 pi / rho ds on both sides; with two sheets, going by the distance from the axis, it is less.
-/// @param k  the square of the waist's radius, or of half the distance of the sheets
-double hyperboloid_area(double k, double largest_length_scale) {
-  return 2 * std::sqrt(2.0) * M_PI * std::asinh(largest_length_scale / std::sqrt(k));
-}
 
 }  // namespace
 
@@ -53,8 +39,8 @@ Operations& Operations::operator+=(const Operations& other) {
   return *this;
 }
 
-Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const SweepOptions& options,
-             SkinMesh& mesh, double last)
+Sweep::Sweep(const surface::Surface& skin, const morse::Guide& guide, const SweepOptions& options,
+             Mesh& mesh, double last)
     : skin_(skin),
       guide_(guide),
       options_(options),
@@ -66,18 +52,12 @@ Sweep::Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const Swe
       near_(mesh, front_),
       marked_(guide.points.size()),
       last_(last),
-      laid_(skin.complex().kept_size(), 0),
+      laid_(skin.cell_count(), 0),
       most_on_sphere_(most_vertices(sphere_area, disk_share_)) {
   if (options_.coarser) {
     coarsening_.emplace(skin, *options_.coarser, mesh);
     coarsen_at_ = options_.coarsen_after;
   }
-  if (options_.guard == Guard::Everywhere) return;
-  std::vector<double> radii;
-  for (std::size_t c = 0; c < guide.points.size(); ++c) {
-    radii.push_back(enlargement * guide.spheres.radius(CriticalId{c}));
-  }
-  enlarged_.emplace(skin, guide.points, std::move(radii));
 }
 
 void Sweep::run() {
@@ -129,32 +109,6 @@ void Sweep::coarsen() {
   coarsen_at_ = count + std::max(options_.coarsen_after, count / 4);
 }
 
-/// Gives a mesh that will be big room for all of it, by the share of the atoms that the front has
-/// passed. An array that grows is there twice for a moment; room that is not used takes no memory.
-void Sweep::make_room(double value) {
-  constexpr double margin = 1.5;  // a quarter waits for coarsening, the rest is for the guess
-  constexpr double most = 32;     // a guess from few atoms is a bad one
-  const std::size_t count = mesh_.points.size();
-  if (count < options_.coarsen_after) return;  // too early to tell
-  std::size_t passed = 0, all = 0;
-  for (const geometry::AtomId atom : skin_.triangulation().vertices) {
-    const double at = guide_.function(skin_.points()[atom.index()].position);
-    passed += at <= value;
-    all += at <= last_;
-  }
-  has_room_ = true;
-  const double share =
-      static_cast<double>(passed) / static_cast<double>(std::max<std::size_t>(all, 1));
-  const double growth = share * most > margin ? margin / share : most;
-  const auto room = static_cast<std::size_t>(growth * static_cast<double>(count));
-  try {
-    mesh_.points.reserve(room);
-    mesh_.surface.reserve(room);
-  } catch (const std::bad_alloc&) {
-    // They grow as they fill, then.
-  }
-}
-
 void Sweep::join(Sweep& above, unsigned threads) {
   const auto vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count());
   const auto half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count());
@@ -185,11 +139,7 @@ void Sweep::creep_triangles() {
   while (!queue_.empty() && !is_overlapping_) {  // 1
     const Departure departure = queue_.top();    // 2
     queue_.pop();
-    if (mesh_.surface.triangle_count() >= coarsen_at_) {
-      coarsen();
-      if (!has_room_) make_room(departure.value);
-    }
-    prefetch_next();
+    if (mesh_.surface.triangle_count() >= coarsen_at_) coarsen();
     if (!is_current(departure)) continue;
     report(departure);
     if (!may_depart(departure)) {
@@ -212,12 +162,6 @@ void Sweep::creep_triangles() {
   }  // 15
 }
 // [/excerpt]
-
-/// Asks for the surface point that the next departure begins with.
-void Sweep::prefetch_next() const {
-  if (queue_.empty()) return;
-  geometry::prefetch(&mesh_.at(front_[queue_.top().corner].origin));
-}
 
 /// Tells of progress, and of the values that the front has come to.
 void Sweep::report(const Departure& departure) {
@@ -243,7 +187,7 @@ void Sweep::show_up_to(double value) {
 /// Gathers what the guard is to see round a departure vertex.
 void Sweep::look_round(FrontEdgeId corner) {
   const SurfacePoint& centre = mesh_.at(front_[corner].origin);
-  if (!enlarged_ || enlarged_->containing(centre)) {
+  if (options_.guard == Guard::Everywhere || options_.enlarged->containing(centre)) {
     near_.gather(centre);
   } else {
     near_.gather_along(centre, corner, options_.guard == Guard::Adjacent);
@@ -254,14 +198,11 @@ void Sweep::look_round(FrontEdgeId corner) {
 /// sphere with triangles of full size, and few have as many: most are not looked at closely.
 bool Sweep::is_covered_twice(const SurfacePoint& x) {
   largest_laid_ = std::max(largest_laid_, x.length_scale);
-  if (!skin_.complex().is_kept(x.cell) || ++laid_[x.cell.index()] <= most_on_sphere_) return false;
-  const skin::Patch& patch = skin_.complex().kept_patch(x.cell);
-  const bool is_sphere = patch.axis.isZero(0);
-  const double largest = is_sphere ? x.length_scale : largest_laid_;
-  const double area =
-      is_sphere ? sphere_area : hyperboloid_area(std::abs(patch.half_weight), largest);
+  if (x.cell.index() >= laid_.size() || ++laid_[x.cell.index()] <= most_on_sphere_) return false;
+  const surface::PatchExtent patch = skin_.extent(x.cell, largest_laid_);
+  const double largest = patch.max_length_scale;
   const double share = disk_share_ * options_.sizing.scale(largest) / largest;
-  return laid_[x.cell.index()] > most_vertices(area, share);
+  return laid_[x.cell.index()] > most_vertices(patch.area, share);
 }
 
 Operations Sweep::operations() const {

@@ -9,12 +9,12 @@
 #include <queue>
 #include <vector>
 
+#include "certify/sizing.h"
+#include "certify/triangle_geometry.h"
 #include "front/front.h"
 #include "front/neighbourhood.h"
 #include "morse/guide.h"
 #include "refine/coarsening.h"
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
 
 namespace morskin::front {
 
@@ -68,17 +68,19 @@ enum class Guard {
 struct Snapshot {
   const morse::MorseFunction& function;
   double value;  ///< of the function at the departure vertex
-  const SkinMesh& mesh;
+  const Mesh& mesh;
   const Front& front;
 };
 
 struct SweepOptions {
-  refine::Sizing sizing = {};
+  certify::Sizing sizing = {};
   /// What the mesh is to be coarsened to behind the front, whenever so many triangles are new; not
   /// at all without.
-  std::optional<refine::Sizing> coarser = {};
+  std::optional<certify::Sizing> coarser = {};
   std::size_t coarsen_after = std::size_t{1} << 19;
   Guard guard = Guard::Everywhere;
+  /// The protecting spheres enlarged, for the guards that go by them.
+  std::optional<morse::ProtectingSpheres> enlarged = {};
   /// Told now and then the value at the departure vertex.
   std::function<void(double)> progress = {};
   /// What to call when the front gets to some values of the Morse function, and how many values at
@@ -97,8 +99,8 @@ class Sweep {
   /// @param last  the sweep stays below this value of the Morse function, by a disk's radius or
   ///              more where it moves on, by next to nothing where a bowl is laid
   /// @pre the mesh is empty. Guide and mesh must outlive the sweep.
-  Sweep(const skin::SkinSurface& skin, const morse::Guide& guide, const SweepOptions& options,
-        SkinMesh& mesh, double last = std::numeric_limits<double>::infinity());
+  Sweep(const surface::Surface& skin, const morse::Guide& guide, const SweepOptions& options,
+        Mesh& mesh, double last = std::numeric_limits<double>::infinity());
 
   /// Sweeps until no bare surface is left that the front can reach.
   void run();
@@ -130,12 +132,10 @@ class Sweep {
 
   void finish();
   void coarsen();
-  void make_room(double value);
   /// Triangles so far, those counted that coarsening has taken out again.
   std::size_t triangles_laid() const {
     return mesh_.surface.triangle_count() + 2 * operations_.coarsen;
   }
-  void prefetch_next() const;
   void report(const Departure& departure);
   void note(Operation operation) const;
   void show_up_to(double value);
@@ -161,21 +161,20 @@ class Sweep {
   void push_current(std::vector<Departure>& departures);
   void push(FrontEdgeId corner);
   bool is_ear_small(FrontEdgeId corner) const;
-  refine::Circumcircle ear(FrontEdgeId corner) const;
+  certify::Circumcircle ear(FrontEdgeId corner) const;
   void attach(FrontEdgeId e, FrontEdgeId corner);
   std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector2& direction);
   double disk_radius(const SurfacePoint& centre, const Vector& direction) const;
   int side_of_saddle(CriticalId saddle, VertexId v) const;
   bool is_protected(VertexId v) const;
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const morse::Guide& guide_;
   SweepOptions options_;
-  std::optional<morse::ProtectingSpheres> enlarged_;  ///< for the guards that go by them
   Spacing spacing_;
   double wing_cosine_;
   double disk_share_;  ///< r_a over rho
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   Front front_;
   Neighbourhood near_;
   std::priority_queue<Departure, std::vector<Departure>, std::greater<>> queue_;
@@ -193,7 +192,6 @@ class Sweep {
   Operations operations_;
   std::optional<refine::Coarsening> coarsening_;
   std::size_t coarsen_at_ = std::numeric_limits<std::size_t>::max();  ///< triangles
-  bool has_room_ = false;                                             ///< for all that is to come
 };
 
 }  // namespace morskin::front

@@ -21,9 +21,7 @@ constexpr double sixty_degrees = M_PI / 3;
 // [excerpt: disk]
 double Sweep::disk_radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = disk_share_ * options_.sizing.scale(centre.length_scale);
-  const double far = skin_.with_patch(centre.cell, [&](const skin::Patch& patch) {
-    return patch.length_scale(centre.position + r * direction);
-  });
+  const double far = skin_.length_scale(centre.position + r * direction, centre.cell);
   return disk_share_ * options_.sizing.scale(std::min(centre.length_scale, far));
 }
 
@@ -182,9 +180,9 @@ void Sweep::break_long_edge(FrontEdgeId e, const SurfacePoint& centre) {
 }
 
 /// The circle through a corner and its two neighbours.
-refine::Circumcircle Sweep::ear(FrontEdgeId corner) const {
-  return refine::circumcircle(front_[corner].position, front_.previous(corner).position,
-                              front_.next(corner).position);
+certify::Circumcircle Sweep::ear(FrontEdgeId corner) const {
+  return certify::circumcircle(front_[corner].position, front_.previous(corner).position,
+                               front_.next(corner).position);
 }
 
 /// Whether the triangle that closes a corner is not much bigger than those of a fan there.
@@ -217,7 +215,7 @@ void Sweep::wing() {
     if (!front_[c].is_open || !near_.is_acute(c, wing_cosine_) || !is_ear_small(c)) continue;
     // One closed corner makes the next one small, and so on out of view: what lies there is not
     // known. Such a corner waits for its own turn.
-    const refine::Circumcircle circle = ear(c);
+    const certify::Circumcircle circle = ear(c);
     if (!near_.is_in_view(circle.centre, circle.radius)) continue;
     if (near_.delaunay_apex(c) != front_[c].previous) continue;
     close_corner(c);

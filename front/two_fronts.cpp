@@ -32,9 +32,9 @@ std::vector<Interval> close_pairs(const std::vector<morse::CriticalPoint>& point
   });
   std::vector<Interval> pairs;
   for (std::size_t i = 0; i < extrema.size(); ++i) {
-    const skin::SurfacePoint& p = extrema[i]->point;
+    const surface::SurfacePoint& p = extrema[i]->point;
     for (std::size_t j = i + 1; j < extrema.size(); ++j) {
-      const skin::SurfacePoint& q = extrema[j]->point;
+      const surface::SurfacePoint& q = extrema[j]->point;
       if (q.position.x() - p.position.x() > largest) break;
       const bool is_close =
           (p.position - q.position).norm() <= std::min(p.length_scale, q.length_scale);
@@ -51,14 +51,14 @@ std::vector<Interval> close_pairs(const std::vector<morse::CriticalPoint>& point
 /// Turns the values that the fronts have come to into the share of atoms that they have passed.
 class PassedAtoms {
  public:
-  PassedAtoms(const skin::SkinSurface& skin, const morse::Guide& guide,
+  PassedAtoms(const surface::Surface& skin, const morse::Guide& guide,
               const std::function<void(double)>& told)
       : told_(told) {
     if (!told_) return;
-    const auto& atoms = skin.triangulation().vertices;
-    constexpr std::size_t most = 1 << 14;  // a sample is enough
-    for (std::size_t i = 0; i < atoms.size(); i += 1 + atoms.size() / most) {
-      values_.push_back(guide.function(skin.points()[atoms[i].index()].position));
+    const std::vector<Point> samples = skin.samples();
+    constexpr std::size_t most = 1 << 14;  // enough
+    for (std::size_t i = 0; i < samples.size(); i += 1 + samples.size() / most) {
+      values_.push_back(guide.function(samples[i]));
     }
     std::sort(values_.begin(), values_.end());
   }
@@ -89,11 +89,9 @@ class PassedAtoms {
 
 }  // namespace
 
-double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
+double middle_level(const surface::Surface& skin, const morse::Guide& guide) {
   std::vector<double> values;
-  for (const geometry::AtomId atom : skin.triangulation().vertices) {
-    values.push_back(guide.function(skin.points()[atom.index()].position));
-  }
+  for (const Point& sample : skin.samples()) values.push_back(guide.function(sample));
   const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), median, values.end());
   double level = *median;
@@ -103,7 +101,7 @@ double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide) {
   return level;
 }
 
-SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
+SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
                        const SweepOptions& options) {
   SweepResult result;
   PassedAtoms passed(skin, guide, options.progress);
@@ -116,12 +114,12 @@ SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
   return result;
 }
 
-SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
+SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
                                  const SweepOptions& options, unsigned threads) {
   const double middle = middle_level(skin, guide);
   const morse::Guide reversed = guide.reversed();
   SweepResult result;
-  skin::SkinMesh upper_mesh;
+  surface::Mesh upper_mesh;
   PassedAtoms passed(skin, guide, options.progress);
   SweepOptions lower = options, upper = options;
   lower.progress = passed.from_below();

@@ -14,23 +14,23 @@
 namespace morskin::front {
 
 struct SweepResult {
-  skin::SkinMesh mesh;
+  surface::Mesh mesh;
   Operations operations;
   std::size_t open_edges = 0;  ///< 0 when the mesh is closed
 };
 
 /// One sweep from below, Algorithm 1 as printed.
-SweepResult sweep_once(const skin::SkinSurface& skin, const morse::Guide& guide,
+SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
                        const SweepOptions& options = {});
 
 /// From both ends.
 /// @param threads  with one, the two sweeps run one after the other
-SweepResult sweep_from_both_ends(const skin::SkinSurface& skin, const morse::Guide& guide,
+SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
                                  const SweepOptions& options = {}, unsigned threads = 2);
 
 /// The level where they meet: as near as can be to the median value over the atoms, so that both
 /// have about as much to do, but never between a minimum below and a maximum above that are so
 /// close to each other that their bowls might overlap.
-double middle_level(const skin::SkinSurface& skin, const morse::Guide& guide);
+double middle_level(const surface::Surface& skin, const morse::Guide& guide);
 
 }  // namespace morskin::front

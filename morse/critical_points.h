@@ -17,25 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/id.h"
-#include "morse/morse_function.h"
+#include "morse/critical_point.h"
 #include "skin/skin_surface.h"
 
 namespace morskin::morse {
-
-using CriticalId = geometry::Id<struct CriticalTag>;
-
-struct CriticalPoint {
-  skin::SurfacePoint point;
-  int index = 0;     ///< number of descending directions: 0 minimum, 1 saddle, 2 maximum
-  double value = 0;  ///< of the Morse function
-  /// At a saddle the unit tangents of steepest descent and ascent, one of the two each; they are
-  /// orthogonal. Otherwise zero.
-  Vector descending = Vector::Zero(), ascending = Vector::Zero();
-
-  /// The same point as one of the reversed function.
-  CriticalPoint reversed() const { return {point, 2 - index, -value, ascending, descending}; }
-};
 
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  ///< in the order of the cells

@@ -4,11 +4,8 @@
 /// protecting spheres (sections 3.1, 3.2; "Initialization" of section 4.1).
 
 #include <array>
-#include <optional>
 #include <vector>
 
-#include "geometry/progress.h"
-#include "morse/choose_function.h"
 #include "morse/protecting_spheres.h"
 
 namespace morskin::morse {
@@ -26,14 +23,5 @@ struct Guide {
   Guide reversed() const;
   std::size_t count(int index) const;
 };
-
-/// @param euler_characteristic  of the skin
-/// @param asked                 the function; without one, the first default that will do
-/// @param radius_share          radius of a protecting sphere over the length scale at its centre
-/// @param threads               at most; the guide is the same for any number
-/// @throws DegenerateFunction
-Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
-                 const std::optional<MorseFunction>& asked, double radius_share,
-                 unsigned threads = 1, const geometry::Progress& progress = {});
 
 }  // namespace morskin::morse

@@ -31,7 +31,7 @@ IntegralLines::IntegralLines(const skin::SkinSurface& skin, const MorseFunction&
 }
 
 double IntegralLines::wall_distance(CriticalId id) const {
-  const skin::SurfacePoint& at = points_[id.index()].point;
+  const surface::SurfacePoint& at = points_[id.index()].point;
   double nearest = INFINITY;
   for (const skin::Wall& wall : skin_.complex().walls(at.cell)) {
     nearest = std::min(nearest, wall.offset - wall.normal.dot(at.position));
@@ -92,7 +92,7 @@ void IntegralLines::build_disc(CriticalId id) {
 
 Course IntegralLines::trace(CriticalId saddle, const Vector& tangent, Way way,
                             std::vector<Point>& points, std::vector<CellId>& cells) const {
-  const skin::SurfacePoint& at = points_[saddle.index()].point;
+  const surface::SurfacePoint& at = points_[saddle.index()].point;
   points.push_back(at.position);
   cells.push_back(at.cell);
   Tracer tracer(*this, way, &points, &cells);
@@ -102,7 +102,7 @@ Course IntegralLines::trace(CriticalId saddle, const Vector& tangent, Way way,
   return tracer.course();
 }
 
-Course IntegralLines::trace(const skin::SurfacePoint& start, Way way, std::vector<Point>& points,
+Course IntegralLines::trace(const surface::SurfacePoint& start, Way way, std::vector<Point>& points,
                             std::vector<CellId>& cells) const {
   Tracer tracer(*this, way, &points, &cells);
   tracer.start(start.position, start.cell);

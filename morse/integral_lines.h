@@ -86,7 +86,7 @@ class IntegralLines {
   Course trace(CriticalId saddle, const Vector& tangent, Way way, std::vector<Point>& points,
                std::vector<skin::CellId>& cells) const;
   /// The same from any point of the skin that is not critical.
-  Course trace(const skin::SurfacePoint& start, Way way, std::vector<Point>& points,
+  Course trace(const surface::SurfacePoint& start, Way way, std::vector<Point>& points,
                std::vector<skin::CellId>& cells) const;
 
   /// Where a line passes a level, with the velocity (of no fixed length) there.

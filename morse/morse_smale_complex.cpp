@@ -256,7 +256,7 @@ class Builder {
 
   /// The maximum at the end of a line from beside a minimum.
   std::optional<CriticalId> maximum_above(CriticalId minimum) const {
-    const skin::SurfacePoint& at = point(minimum).point;
+    const surface::SurfacePoint& at = point(minimum).point;
     constexpr double beside = 0.1;  // of rho, or half of the way to the nearest wall
     const double away =
         std::min(beside * at.length_scale, lines_.tracer(0).wall_distance(minimum) / 2);

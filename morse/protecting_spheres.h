@@ -5,28 +5,28 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "morse/critical_points.h"
+#include "morse/critical_point.h"
 
 namespace morskin::morse {
 
 class ProtectingSpheres {
  public:
-  ProtectingSpheres() = default;  ///< none
-  /// @param radius_share  radius of a sphere over the length scale at its centre; it shrinks to
-  /// half
-  ///                      the distance to the nearest other critical point, so that no two overlap.
-  ///                      Erratum: papers/errata.md, E15.
-  ProtectingSpheres(const skin::SkinSurface& skin, std::span<const CriticalPoint> points,
-                    double radius_share);
-  /// @param radii  by point, Angstrom; where spheres overlap, the one with the lowest id counts
-  ProtectingSpheres(const skin::SkinSurface& skin, std::span<const CriticalPoint> points,
-                    std::vector<double> radii);
+  /// A cell of the surface and a sphere that reaches into it.
+  using Incidence = std::pair<surface::CellId, CriticalId>;
 
-  /// The sphere that a point of the skin lies in, or nothing. O(1): each mixed cell knows the
-  /// spheres that reach into it.
-  std::optional<CriticalId> containing(const skin::SurfacePoint& p) const;
+  ProtectingSpheres() = default;  ///< none
+  /// @param radii       by point, Angstrom; where spheres overlap, the one with the lowest id
+  /// counts
+  /// @param incidences  all of them, for cells below `cells`
+  ProtectingSpheres(std::span<const CriticalPoint> points, std::vector<double> radii,
+                    std::vector<Incidence> incidences, std::size_t cells);
+
+  /// The sphere that a point of the surface lies in, or nothing. O(1): each cell knows the spheres
+  /// that reach into it.
+  std::optional<CriticalId> containing(const surface::SurfacePoint& p) const;
 
   double radius(CriticalId id) const { return radius_[id.index()]; }
 

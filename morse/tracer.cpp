@@ -114,7 +114,7 @@ void Tracer::start(const Point& x, CellId cell) {
 // functions of b by symmetry; the first coefficient of s + s1 b^2 follows from ds/db = s'/b'.
 void Tracer::start(CriticalId saddle, const Vector& tangent, double share) {
   origin_ = saddle;
-  const skin::SurfacePoint& at = lines_.points_[saddle.index()].point;
+  const surface::SurfacePoint& at = lines_.points_[saddle.index()].point;
   const Patch& patch = lines_.skin_.complex().patch(at.cell);
   const Vector u = at.position - patch.centre;
   const Vector& axis = patch.axis;

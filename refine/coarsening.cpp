@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "refine/tube.h"
+#include "certify/tube.h"
 
 namespace morskin::refine {
 
@@ -24,7 +24,7 @@ constexpr double no_ear = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Coarsening::Coarsening(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh)
+Coarsening::Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh)
     : skin_(skin), sizing_(sizing), mesh_(mesh) {}
 
 std::size_t Coarsening::run(const std::vector<char>& at_boundary) {

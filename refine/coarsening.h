@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
+#include "refine/names.h"
 
 namespace morskin::refine {
 
@@ -21,7 +20,7 @@ class Coarsening {
  public:
   /// @param sizing  what the mesh is to meet
   /// @param mesh    vertices are points of the skin; may have a boundary, and may grow between runs
-  Coarsening(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh);
+  Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh);
 
   /// Looks at the vertices that are new since the last run, and at those that had to wait: of these
   /// takes out what can be spared. First those nearer to a neighbour than [L] allows, then others
@@ -48,9 +47,9 @@ class Coarsening {
   bool can_be_proved(VertexId a, VertexId b, VertexId c) const;
   void ring_of(VertexId v, std::vector<VertexId>& ring) const;
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   std::vector<VertexId> waiting_;  ///< too near the boundary when last looked at
   std::size_t known_ = 0;          ///< vertices from here on are new
   std::size_t removed_ = 0;

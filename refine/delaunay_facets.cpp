@@ -7,7 +7,6 @@
 
 #include "geometry/surface_mesh.h"
 #include "refine/delaunay_refinement.h"
-#include "skin/line_crossings.h"
 
 namespace morskin::refine {
 
@@ -38,8 +37,8 @@ std::size_t DelaunayRefinement::follow(Facet f) {
   const std::uint32_t u = Triangulator::tetrahedron_of(behind(f));
   const Dual &from = duals_[t], &to = duals_[u];
   if (!is_ghost(u) && is_inside(t) == is_inside(u) &&
-      skin::is_surely_clear((from.centre - to.centre).norm(), std::abs(from.root),
-                            std::abs(to.root))) {
+      surface::is_surely_clear((from.centre - to.centre).norm(), std::abs(from.root),
+                               std::abs(to.root))) {
     return 0;
   }
   const FacetGeometry facet = geometry_of(f);
@@ -52,7 +51,7 @@ std::size_t DelaunayRefinement::follow(Facet f) {
   const Point p = facet.circle.centre + low * facet.normal;
   const Point q = facet.circle.centre + high * facet.normal;
   std::size_t found = 0;
-  for (const skin::LineCrossing& crossing : skin::line_crossings(skin_, p, q, from.cell).all) {
+  for (const surface::LineCrossing& crossing : skin_.crossings(p, q, from.cell).all) {
     const Ball ball = ball_at(facet, low + crossing.at * (high - low), crossing.cell);
     if (ball.ratio < 1) continue;
     push(ball, f);
@@ -200,12 +199,12 @@ bool DelaunayRefinement::make_disks() {
   return !bad.empty();
 }
 
-SkinMesh DelaunayRefinement::mesh() const {
+Mesh DelaunayRefinement::mesh() const {
   std::vector<Triangle> triangles;
   for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
   Numbered compact = numbered(triangles, samples_.size());
   geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
-  SkinMesh mesh;
+  Mesh mesh;
   std::vector<std::uint32_t> corners = compact.corners;
   if (built.defect) {
     for (std::size_t v = 0; v < corners.size(); ++v) mesh.surface.add_vertex();

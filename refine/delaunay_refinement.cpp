@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "certify/tube.h"
 #include "geometry/predicates.h"
 #include "refine/circumcentre.h"
-#include "refine/tube.h"
 
 namespace morskin::refine {
 
@@ -25,11 +25,11 @@ WeightedPoint unweighted(const Point& p) { return {p, 0}; }
 
 }  // namespace
 
-DelaunayRefinement::DelaunayRefinement(const skin::SkinSurface& skin, const Sizing& sizing,
+DelaunayRefinement::DelaunayRefinement(const surface::Surface& skin, const Sizing& sizing,
                                        std::span<const SurfacePoint> seeds)
     : skin_(skin),
       sizing_(sizing),
-      body_(skin.points()),
+      body_(skin.bounding_ball()),
       delaunay_([&] {
         std::vector<WeightedPoint> points;
         for (const SurfacePoint& p : seeds) points.push_back(unweighted(p.position));
@@ -70,9 +70,10 @@ void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   dual.centre = circumcentre({&samples_[corners[0]].position, &samples_[corners[1]].position,
                               &samples_[corners[2]].position, &samples_[corners[3]].position});
   dual.root = 0;
-  if (!((dual.centre - body_.middle).squaredNorm() < far * far * body_.reach * body_.reach)) return;
+  if (!((dual.centre - body_.centre).squaredNorm() < far * far * body_.radius * body_.radius))
+    return;
   dual.cell = skin_.locate(dual.centre, start);
-  const double g = skin_.complex().patch(dual.cell).value(dual.centre);
+  const double g = skin_.jet(dual.centre, dual.cell).value;
   dual.root = std::copysign(std::sqrt(std::abs(g)), g);
 }
 
@@ -190,9 +191,7 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
   for (int step = 0; step < most_steps; ++step) {
     const Point x = facet.circle.centre + height * facet.normal;
     cell = skin_.locate(x, cell);
-    const skin::Patch& patch = skin_.complex().patch(cell);
-    const Vector n = patch.half_gradient(x);
-    const double g = (x - patch.centre).dot(n) - patch.half_weight;
+    const auto& [g, n] = skin_.jet(x, cell);
     if (std::abs(g) <= skin_.residual_bound(n.norm())) return ball_at(facet, height, cell);
     (g < 0 ? low : high) = height;
     const double slope = 2 * n.dot(facet.normal);

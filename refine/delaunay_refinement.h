@@ -29,9 +29,8 @@
 #include <vector>
 
 #include "geometry/triangulator.h"
-#include "refine/body_ball.h"
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
+#include "refine/names.h"
+#include "surface/bounding_ball.h"
 
 namespace morskin::refine {
 
@@ -51,7 +50,7 @@ class DelaunayRefinement {
   ///               enough for [U]; should they lie in one plane, as only seeds without those can,
   ///               nothing is done and the mesh is empty
   /// @throws geometry::LimitReached
-  DelaunayRefinement(const skin::SkinSurface& skin, const Sizing& sizing,
+  DelaunayRefinement(const surface::Surface& skin, const Sizing& sizing,
                      std::span<const SurfacePoint> seeds);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
@@ -61,7 +60,7 @@ class DelaunayRefinement {
 
   /// The restricted facets as they are, samples that have none left out, in an order in which
   /// neighbours are near each other. Where they are no closed manifold no two are glued.
-  SkinMesh mesh() const;
+  Mesh mesh() const;
 
   const DelaunayRefinementCounts& counts() const { return counts_; }
   const geometry::Triangulator& triangulation() const { return delaunay_; }
@@ -128,9 +127,9 @@ class DelaunayRefinement {
   std::vector<Facet> restricted_facets() const;
   Triangle triangle(Facet inner) const;
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
-  const BodyBall body_;
+  const surface::BoundingBall body_;
   std::vector<SurfacePoint> samples_;  ///< by corner
   geometry::Triangulator delaunay_;
   std::vector<Dual> duals_;  ///< by tetrahedron

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "refine/sure_edges.h"
-#include "refine/tube.h"
+#include "certify/sure_edges.h"
+#include "certify/tube.h"
 
 namespace morskin::refine {
 
@@ -24,8 +24,8 @@ void Work::append(const Work& other) {
   big.insert(big.end(), other.big.begin(), other.big.end());
 }
 
-LocalOperations::LocalOperations(const skin::SkinSurface& skin, const Sizing& sizing,
-                                 SkinMesh& mesh, Work work, Territory territory)
+LocalOperations::LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+                                 Work work, Territory territory)
     : skin_(skin),
       sizing_(sizing),
       mesh_(mesh),

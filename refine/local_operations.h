@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "geometry/progress.h"
-#include "refine/ball_pencil.h"
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
+#include "refine/names.h"
 
 namespace morskin::refine {
 
@@ -50,8 +48,8 @@ class LocalOperations {
   /// Does what is to be done in a territory. What has to wait for its neighbours stays behind as
   /// work, and the territory recedes from there.
   /// @pre the mesh is closed, its vertices are points of the skin.
-  LocalOperations(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
-                  Work work = {}, Territory territory = {});
+  LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, Work work = {},
+                  Territory territory = {});
 
   /// Told now and then what share of the work known so far is done; insertions may make more.
   void report_to(const geometry::Told& told) { told_ = told; }
@@ -93,9 +91,9 @@ class LocalOperations {
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
   bool can_flip(HalfEdgeId h) const;
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   Work work_, left_;  ///< to do; to be left to whom takes over
   Territory territory_;
   RefinementCounts counts_;

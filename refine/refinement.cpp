@@ -7,7 +7,7 @@
 
 namespace morskin::refine {
 
-Refinement::Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+Refinement::Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
                        unsigned threads)
     : mesh_(mesh),
       skin_(skin),

@@ -5,8 +5,8 @@
 /// for [U], until neither is left. Where [U] alone does not imply the certificate's conditions (c1)
 /// and (c2), insertion breaks what does not meet these as well.
 
+#include "certify/sure_edges.h"
 #include "refine/local_operations.h"
-#include "refine/sure_edges.h"
 
 namespace morskin::refine {
 
@@ -14,8 +14,7 @@ class Refinement {
  public:
   /// @param threads  at most; the outcome is the same for any number
   /// @pre the mesh is closed, its vertices are points of the skin.
-  Refinement(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
-             unsigned threads = 1);
+  Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, unsigned threads = 1);
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
   /// @param told  the share of edges and triangles in breach so far that have been looked at
@@ -30,8 +29,8 @@ class Refinement {
   void deal_rooms(std::size_t each, std::array<Territory, 2>& territories);
   std::vector<char> touched(std::size_t begin, std::size_t end) const;
 
-  SkinMesh& mesh_;
-  const skin::SkinSurface& skin_;
+  Mesh& mesh_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
   const unsigned threads_;
   LocalOperations operations_;  ///< on the whole mesh

@@ -20,7 +20,7 @@ constexpr int most_rounds = 8;
 
 class Smoothing {
  public:
-  Smoothing(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal_deg,
+  Smoothing(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal_deg,
             std::size_t least_block, unsigned threads)
       : skin_(skin),
         sizing_(sizing),
@@ -145,9 +145,9 @@ class Smoothing {
     if (is_left && is_below(t)) work.left.push_back(t);
   }
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   const double goal_;  ///< squared sine
   const std::size_t block_;
   const unsigned threads_;
@@ -156,7 +156,7 @@ class Smoothing {
 
 }  // namespace
 
-SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
                        double goal_deg, unsigned threads, std::size_t least_block) {
   return Smoothing(skin, sizing, mesh, goal_deg, least_block, threads).run();
 }

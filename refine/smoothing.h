@@ -12,8 +12,7 @@
 
 #include <cstddef>
 
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
+#include "refine/names.h"
 
 namespace morskin::refine {
 
@@ -30,7 +29,7 @@ struct SmoothingCounts {
 /// @param threads      at most; the outcome is the same for any number
 /// @param least_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
-SmoothingCounts smooth(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh,
+SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
                        double goal_deg, unsigned threads = 1,
                        std::size_t least_block = std::size_t{1} << 19);
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "refine/tube.h"
+#include "certify/tube.h"
 
 namespace morskin::refine {
 
@@ -35,7 +35,7 @@ Shape shape(const Point& a, const Point& b, const Point& c) {
 
 }  // namespace
 
-bool VertexMover::is_below(const SkinMesh& mesh, TriangleId t, double goal) {
+bool VertexMover::is_below(const Mesh& mesh, TriangleId t, double goal) {
   const auto [a, b, c] = mesh.surface.corners(t);
   return shape(mesh.position(a), mesh.position(b), mesh.position(c)).squared_sine < goal;
 }

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "refine/sizing.h"
-#include "refine/triangle_geometry.h"
+#include "refine/names.h"
 
 namespace morskin::refine {
 
@@ -28,12 +27,12 @@ class VertexMover {
  public:
   /// @param goal    squared sine of an angle, beyond which no angle is raised
   /// @param owners  which vertices may move, and be looked at
-  VertexMover(const skin::SkinSurface& skin, const Sizing& sizing, SkinMesh& mesh, double goal,
+  VertexMover(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal,
               const Owners& owners)
       : skin_(skin), sizing_(sizing), mesh_(mesh), goal_(goal), owners_(owners) {}
 
   /// Whether a triangle has an angle below the goal.
-  static bool is_below(const SkinMesh& mesh, TriangleId t, double goal);
+  static bool is_below(const Mesh& mesh, TriangleId t, double goal);
 
   enum class Moved { Yes, No, NotMine };
   /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
@@ -48,9 +47,9 @@ class VertexMover {
   std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,
                                                            double asked) const;
 
-  const skin::SkinSurface& skin_;
+  const surface::Surface& skin_;
   const Sizing sizing_;
-  SkinMesh& mesh_;
+  Mesh& mesh_;
   const double goal_;
   const Owners owners_;
   std::vector<VertexId> ring_, beyond_;  ///< of look_around()

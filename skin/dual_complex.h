@@ -6,6 +6,7 @@
 /// mesh. All signs are exact. Source: Edelsbrunner, Skin surfaces (1999).
 
 #include "skin/skin_surface.h"
+#include "surface/topology.h"
 
 namespace morskin::skin {
 
@@ -21,6 +22,10 @@ struct DualComplex {
   long skin_euler_characteristic() const { return 2 * euler_characteristic(); }
   std::size_t skin_components() const { return betti[0] + betti[2]; }
   std::size_t skin_genus() const { return betti[1]; }  ///< summed over components
+  /// What a mesh of the skin is held against.
+  operator surface::Topology() const {
+    return {skin_components(), skin_genus(), skin_euler_characteristic()};
+  }
 };
 
 /// @pre    the skin's facets have not been forgotten (SkinSurface::forget_facets).

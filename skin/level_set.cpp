@@ -1,11 +1,33 @@
 #include "skin/level_set.h"
 
+#include <algorithm>
+
+#include "skin/line_crossings.h"
 #include "skin/slide.h"
 
 namespace morskin::skin {
 
-std::optional<SurfacePoint> LevelSet::project(const Point& x, CellId start) const {
-  return slide_onto(*this, x, start);
+std::optional<SurfacePoint> LevelSet::project(const Point& x, CellId hint) const {
+  return slide_onto(*this, x, hint);
+}
+
+LineCrossings LevelSet::crossings(const Point& p, const Point& q, CellId hint) const {
+  return line_crossings(*this, p, q, hint);
+}
+
+BoundingBall LevelSet::bounding_ball() const {
+  BoundingBall ball = skin_->bounding_ball();
+  ball.radius += std::sqrt(std::max(2 * half_time_, 0.0));
+  return ball;
+}
+
+double LevelSet::max_length_scale() const {
+  const double rho = skin_->max_length_scale();
+  return std::sqrt(std::max(rho * rho + half_time_, 0.0));
+}
+
+PatchExtent LevelSet::extent(CellId cell, double max_length_scale) const {
+  return extent_of(patch(cell), max_length_scale);
 }
 
 }  // namespace morskin::skin

@@ -5,17 +5,15 @@
 /// weight becomes w + t; so the skin at t is the level set G = t / 2 of the one function whose zero
 /// set is the skin at t = 0 (papers/5-dynamic.md).
 ///
-/// A LevelSet is a view of a SkinSurface at such a time, with the same questions.
-
-#include <optional>
+/// A LevelSet is a view of a SkinSurface at such a time.
 
 #include "skin/skin_surface.h"
 
 namespace morskin::skin {
 
-class LevelSet {
+class LevelSet final : public surface::Surface {
  public:
-  /// @param skin  must outlive this object
+  /// @param skin  must outlive this object, with all cells kept
   /// @param time  Angstrom^2 added to every weight
   LevelSet(const SkinSurface& skin, double time) : skin_(&skin), half_time_(time / 2) {}
 
@@ -29,11 +27,21 @@ class LevelSet {
   decltype(auto) with_patch(CellId cell, Work work) const {
     return work(patch(cell));
   }
-  CellId locate(const Point& x, CellId start) const { return skin_->locate(x, start); }
-  double residual_bound(double rho) const { return skin_->residual_bound(rho); }
-  /// As SkinSurface::project, onto the level set.
-  std::optional<SurfacePoint> project(const Point& x, CellId start) const;
-  SurfacePoint at(const Point& x, CellId cell) const { return skin_->at(x, cell); }
+
+  CellId locate(const Point& x, CellId hint) const override { return skin_->locate(x, hint); }
+  bool is_in(const Point& x, CellId cell) const override { return skin_->is_in(x, cell); }
+  Jet jet(const Point& x, CellId cell) const override { return patch(cell).jet(x); }
+  double length_scale(const Point& x, CellId cell) const override {
+    return skin_->length_scale(x, cell);
+  }
+  std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;
+  double residual_bound(double rho) const override { return skin_->residual_bound(rho); }
+  LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
+  BoundingBall bounding_ball() const override;
+  double max_length_scale() const override;
+  std::vector<Point> samples() const override { return skin_->samples(); }
+  std::size_t cell_count() const override { return skin_->cell_count(); }
+  PatchExtent extent(CellId cell, double max_length_scale) const override;
 
  private:
   const SkinSurface* skin_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "skin/level_set.h"
+
 namespace morskin::skin {
 
 namespace {
@@ -54,8 +56,8 @@ struct Piece {
 
 }  // namespace
 
-LineCrossings line_crossings(const SkinSurface& skin, const Point& p, const Point& q,
-                             CellId start) {
+template <class Skin>
+LineCrossings line_crossings(const Skin& skin, const Point& p, const Point& q, CellId hint) {
   const MixedComplex& complex = skin.complex();
   const Vector d = q - p;
   const double length = d.norm();
@@ -64,7 +66,7 @@ LineCrossings line_crossings(const SkinSurface& skin, const Point& p, const Poin
   // Past a wall by twice the tolerance, so that the walk cannot be held back by it.
   const double least_step = 2 * complex.wall_tolerance() / length;
   const std::size_t most_steps = 1000 + 8 * complex.size();
-  CellId cell = skin.locate(p, start);
+  CellId cell = skin.locate(p, hint);
   double from = 0;
   bool is_outside = false;
   for (std::size_t step = 0; from < 1; ++step) {
@@ -73,7 +75,7 @@ LineCrossings line_crossings(const SkinSurface& skin, const Point& p, const Poin
       break;
     }
     const double to = std::min(exit_of(complex, cell, p, d, from), 1.0);
-    const Piece piece(complex.patch(cell), p, d, from + (to - from) / 2);
+    const Piece piece(skin.patch(cell), p, d, from + (to - from) / 2);
     if (step == 0) is_outside = piece.is_outside(0);
     // Signs are carried from piece to piece, so that a zero on a wall is found once.
     double low = from;
@@ -91,5 +93,8 @@ LineCrossings line_crossings(const SkinSurface& skin, const Point& p, const Poin
   }
   return result;
 }
+
+template LineCrossings line_crossings(const SkinSurface&, const Point&, const Point&, CellId);
+template LineCrossings line_crossings(const LevelSet&, const Point&, const Point&, CellId);
 
 }  // namespace morskin::skin

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/text_lines.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/files/text_lines.h"
 #include "geometry/predicates.h"
-#include "geometry/text_lines.h"
 
 namespace morskin::skin {
 namespace {

@@ -38,7 +38,7 @@ double weight(double radius, Model model, double probe);
 double patch_radius(double weight);
 
 /// The weighted points of all atoms, in the atoms' order, every number on the grid of the exact
-/// predicates; whoever uses them checks that none is beyond 2^30 (front::prepare_skin does).
+/// predicates; whoever uses them checks that none is beyond 2^30 (morskin::prepare_skin does).
 std::vector<geometry::WeightedPoint> weighted_points(const Molecule& molecule, Model model,
                                                      double probe);
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/atomic_file.h"
 #include "geometry/error.h"
-#include "geometry/gzip.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/gzip.h"
+#include "geometry/files/text_lines.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/point.h"
+#include "surface/surface.h"
 
 namespace morskin::skin {
 
@@ -44,6 +45,12 @@ struct Patch {
   /// Local length scale rho = 1 / kappa_max at a point of the skin (section 2.2), Angstrom.
   double length_scale(const Point& x) const { return (x - centre).norm(); }
   // [/excerpt]
+
+  /// G and N at once.
+  surface::Jet jet(const Point& x) const {
+    const Vector n = half_gradient(x);
+    return {(x - centre).dot(n) - half_weight, n};
+  }
 
   /// Unit normal, out of the body. @pre x is not the centre.
   Vector normal(const Point& x) const { return half_gradient(x).normalized(); }

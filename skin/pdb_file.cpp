@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geometry/error.h"
-#include "geometry/text_lines.h"
+#include "geometry/files/text_lines.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 

@@ -5,6 +5,7 @@
 
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
+#include "skin/line_crossings.h"
 #include "skin/slide.h"
 
 namespace morskin::skin {
@@ -57,10 +58,10 @@ std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
   }
 }
 
-CellId SkinSurface::locate(const Point& x, CellId start) const {
-  CellId current = start;
+CellId SkinSurface::locate(const Point& x, CellId hint) const {
+  CellId current = hint;
   // To notice a round: a cell on the way, later and later ones as the way grows (Brent 1980).
-  CellId passed = start;
+  CellId passed = hint;
   std::size_t steps = 0, next_mark = 8;
   for (;;) {
     const CellId beyond = complex_.is_kept(current)
@@ -122,15 +123,55 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
   return best;
 }
 
-std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId start) const {
-  return slide_onto(*this, x, start);
+std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId hint) const {
+  return slide_onto(*this, x, hint);
 }
 
-SurfacePoint SkinSurface::at(const Point& x, CellId cell) const {
-  Vector n;
-  with_patch(cell, [&](const Patch& patch) { n = patch.half_gradient(x); });
-  const double rho = n.norm();
-  return {x, n / rho, rho, cell};
+LineCrossings SkinSurface::crossings(const Point& p, const Point& q, CellId hint) const {
+  return line_crossings(*this, p, q, hint);
+}
+
+BoundingBall SkinSurface::bounding_ball() const {
+  constexpr double margin = 1.01;
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = -low;
+  double max_weight = 0;
+  for (const WeightedPoint& p : points()) {
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
+    max_weight = std::max(max_weight, p.weight);
+  }
+  return {(low + high) / 2, margin * ((high - low).norm() / 2 + std::sqrt(max_weight))};
+}
+
+double SkinSurface::max_length_scale() const {
+  double max_weight = 0;
+  for (const WeightedPoint& p : points()) max_weight = std::max(max_weight, p.weight);
+  return std::sqrt(max_weight / 2);
+}
+
+std::vector<Point> SkinSurface::samples() const {
+  std::vector<Point> positions;
+  positions.reserve(triangulation().vertices.size());
+  for (const AtomId atom : triangulation().vertices) {
+    positions.push_back(points()[atom.index()].position);
+  }
+  return positions;
+}
+
+/// On a hyperboloid, at a distance s from the middle along the axis, rho^2 = k + 2 s^2, with k the
+/// square of the waist's radius or of half the distance of the sheets. The integral of 2 pi / rho
+/// ds on both sides is the area over rho^2; with two sheets, by the distance from the axis, it is
+/// less.
+PatchExtent extent_of(const Patch& patch, double max_length_scale) {
+  const double k = std::abs(patch.half_weight);
+  if (patch.axis.isZero(0)) return {4 * M_PI, std::sqrt(k)};
+  const double area = 2 * std::sqrt(2.0) * M_PI * std::asinh(max_length_scale / std::sqrt(k));
+  return {area, max_length_scale};
+}
+
+PatchExtent SkinSurface::extent(CellId cell, double max_length_scale) const {
+  return extent_of(complex_.kept_patch(cell), max_length_scale);
 }
 
 }  // namespace morskin::skin

@@ -10,18 +10,17 @@
 
 #include "geometry/progress.h"
 #include "skin/mixed_complex.h"
+#include "surface/surface.h"
 
 namespace morskin::skin {
 
-/// A point of the skin with what the mesher asks of it.
-struct SurfacePoint {
-  Point position;
-  Vector normal;        ///< unit, out of the body
-  double length_scale;  ///< rho, Angstrom, > 0
-  CellId cell;          ///< the mixed cell that contains it
-};
+using surface::BoundingBall;
+using surface::Jet;
+using surface::LineCrossings;
+using surface::PatchExtent;
+using surface::SurfacePoint;
 
-class SkinSurface {
+class SkinSurface final : public surface::Surface {
  public:
   /// @pre  every coordinate and weight lies on the exact grid (geometry/predicates.h).
   /// @throws geometry::RefusedInput when there is no point with a positive weight.
@@ -49,36 +48,40 @@ class SkinSurface {
 
   /// The mixed cell that contains x, by a walk over cell walls.
   ///
-  /// @param start  where the walk begins; the nearer, the shorter.
   /// The mixed complex is a regular subdivision, so a walk that always crosses a wall which x lies
   /// beyond cannot go round. With rounded walls it can, where several cells are flatter than
-  /// rounding; when it does, every way is tried.
-  CellId locate(const Point& x, CellId start) const;
-
+  /// rounding; when it does, every path is tried.
+  CellId locate(const Point& x, CellId hint) const override;
   /// Whether x lies in a cell that is kept, so that the walk from there ends at once.
-  /// @param cell  any number
-  bool is_in(const Point& x, CellId cell) const;
+  bool is_in(const Point& x, CellId cell) const override;
 
-  /// G(x), and the cell it was taken in.
-  double value(const Point& x, CellId start) const {
-    return complex_.patch(locate(x, start)).value(x);
+  Jet jet(const Point& x, CellId cell) const override {
+    return with_patch(cell, [&](const Patch& patch) { return patch.jet(x); });
+  }
+  double length_scale(const Point& x, CellId cell) const override {
+    return with_patch(cell, [&](const Patch& patch) { return patch.length_scale(x); });
+  }
+  /// G(x).
+  double value(const Point& x, CellId hint) const {
+    return complex_.patch(locate(x, hint)).value(x);
   }
 
-  /// The point of F that x slides to along the gradient, patch by patch.
-  ///
-  /// @param x      a point less than rho from F
-  /// @param start  a cell near x
-  /// @return       nothing when the slide does not settle on F to residual_bound(rho).
-  std::optional<SurfacePoint> project(const Point& x, CellId start) const;
-
-  /// The point of F at x. @pre x lies on F, in `cell`.
-  SurfacePoint at(const Point& x, CellId cell) const;
-
-  /// Largest |G| of a point that project() returns, Angstrom^2: a distance to F of 1e-11 rho and of
-  /// the rounding that coordinates of this size cannot avoid.
-  double residual_bound(double rho) const {
+  /// Slides patch by patch.
+  std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;
+  /// A distance to F of 1e-11 rho and of the rounding that coordinates of this size cannot avoid.
+  double residual_bound(double rho) const override {
     return 2 * rho * (1e-11 * rho + 0x1p-9 * complex_.wall_tolerance());
   }
+  /// Inside one mixed cell G is a quadratic along a line, so its zeros are known in closed form and
+  /// none is missed.
+  LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
+
+  BoundingBall bounding_ball() const override;
+  double max_length_scale() const override;
+  /// The atoms.
+  std::vector<Point> samples() const override;
+  std::size_t cell_count() const override { return complex_.kept_size(); }
+  PatchExtent extent(CellId cell, double max_length_scale) const override;
 
  private:
   template <class Walls>
@@ -89,5 +92,8 @@ class SkinSurface {
   double mixed_complex_seconds_ = 0;
   MixedComplex complex_;
 };
+
+/// How much surface a patch can describe up to a length scale.
+PatchExtent extent_of(const Patch& patch, double max_length_scale);
 
 }  // namespace morskin::skin

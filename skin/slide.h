@@ -9,24 +9,21 @@
 
 namespace morskin::skin {
 
-/// @param surface  tells the patch of a cell, locates points and bounds the residual
+/// @param skin  tells the patch of a cell, locates points and bounds the residual
 template <class Surface>
-std::optional<SurfacePoint> slide_onto(const Surface& surface, const Point& x, CellId start) {
+std::optional<SurfacePoint> slide_onto(const Surface& skin, const Point& x, CellId hint) {
   // Two or three rounds settle a point within rho / 2; the cap is for points that are out of reach.
   constexpr int most_rounds = 40;
   Point y = x;
-  CellId cell = surface.locate(y, start);
+  CellId cell = skin.locate(y, hint);
   for (int round = 0; round < most_rounds; ++round) {
-    surface.with_patch(cell, [&](const Patch& patch) { y = patch.slide(y); });
-    cell = surface.locate(y, cell);
-    Vector n;
-    double g = 0;
-    surface.with_patch(cell, [&](const Patch& patch) {
-      n = patch.half_gradient(y);
-      g = (y - patch.centre).dot(n) - patch.half_weight;
-    });
-    const double rho = n.norm();
-    if (std::abs(g) <= surface.residual_bound(rho)) return SurfacePoint{y, n / rho, rho, cell};
+    skin.with_patch(cell, [&](const Patch& patch) { y = patch.slide(y); });
+    cell = skin.locate(y, cell);
+    const surface::Jet jet = skin.jet(y, cell);
+    const double rho = jet.half_gradient.norm();
+    if (std::abs(jet.value) <= skin.residual_bound(rho)) {
+      return SurfacePoint{y, jet.half_gradient / rho, rho, cell};
+    }
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-#include "refine/candidate_grid.h"
+#include "certify/candidate_grid.h"
 
 #include <doctest/doctest.h>
 
@@ -6,10 +6,10 @@
 #include <vector>
 
 using namespace morskin;
+using certify::Candidate;
+using certify::CandidateGrid;
 using geometry::Point;
 using geometry::VertexId;
-using refine::Candidate;
-using refine::CandidateGrid;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "refine/certificate.h"
+#include "certify/certificate.h"
 
 #include <doctest/doctest.h>
 
@@ -7,14 +7,14 @@
 #include <limits>
 #include <set>
 
-#include "refine/triangle_geometry.h"
+#include "certify/triangle_geometry.h"
 #include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::Certificate;
 using geometry::IndexedMesh;
 using geometry::Point;
-using refine::Certificate;
 using support::ball;
 using support::WeightedPoints;
 
@@ -23,14 +23,14 @@ namespace {
 /// A skin and a good mesh of it.
 struct Good {
   explicit Good(const WeightedPoints& points)
-      : skin(front::prepare_skin(points)),
-        mesh(front::mesh_skin(skin, support::uncertified()).mesh) {}
+      : skin(morskin::prepare_skin(points)),
+        mesh(morskin::mesh_skin(skin, support::uncertified()).mesh) {}
 
   Certificate certify(const IndexedMesh& other) const {
-    return refine::certify(other, skin.surface, skin.topology);
+    return certify::certify(other, skin.surface, skin.topology);
   }
 
-  front::PreparedSkin skin;
+  morskin::PreparedSkin skin;
   IndexedMesh mesh;
 };
 
@@ -192,11 +192,11 @@ TEST_CASE("a connected double cover of a ball is rejected though all its counts 
 TEST_CASE("coarse meshes are certified up to C = 0.4, and their double covers rejected") {
   for (const double C : {0.12, 0.16, 0.2, 0.25, 0.3, 0.35, 0.4}) {
     CAPTURE(C);
-    const refine::Sizing sizing{C, refine::Sizing::quality_for(C)};
+    const certify::Sizing sizing{C, certify::Sizing::quality_for(C)};
     for (const Good& good : {one_ball(), two_overlapping(), two_apart(), cage()}) {
-      const IndexedMesh mesh = front::mesh_skin(good.skin, support::with(sizing)).mesh;
+      const IndexedMesh mesh = morskin::mesh_skin(good.skin, support::with(sizing)).mesh;
       const auto certify = [&](const IndexedMesh& other) {
-        return refine::certify(other, good.skin.surface, good.skin.topology, sizing);
+        return certify::certify(other, good.skin.surface, good.skin.topology, sizing);
       };
       const Certificate certificate = certify(mesh);
       CHECK_MESSAGE(certificate.certified, certificate.reason);
@@ -207,8 +207,8 @@ TEST_CASE("coarse meshes are certified up to C = 0.4, and their double covers re
     }
     const Good ball = one_ball();
     check_rejected(
-        refine::certify(double_cover(front::mesh_skin(ball.skin, support::with(sizing)).mesh),
-                        ball.skin.surface, ball.skin.topology, sizing),
+        certify::certify(double_cover(morskin::mesh_skin(ball.skin, support::with(sizing)).mesh),
+                         ball.skin.surface, ball.skin.topology, sizing),
         "could not be shown to cover the skin once");
   }
 }
@@ -257,9 +257,9 @@ TEST_CASE("a mesh of another molecule is rejected, though of one kind") {
 
 TEST_CASE("a mesh too coarse for its sizing is homeomorphic but breaks [U]") {
   const Good good = two_overlapping();
-  constexpr refine::Sizing finer{0.06, 1.65};
+  constexpr certify::Sizing finer{0.06, 1.65};
   const Certificate certificate =
-      refine::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
+      certify::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
   CHECK(certificate.is_homeomorphic);
   CHECK_FALSE(certificate.certified);
   CHECK_MESSAGE(certificate.reason.find("break [U]") != std::string::npos, certificate.reason);
@@ -323,7 +323,7 @@ TEST_CASE("the measured angles, area and volume are those of a count triangle by
   for (const auto& [a, b, c] : good.mesh.triangles) {
     const Point &p = good.mesh.positions[a], &q = good.mesh.positions[b],
                 &r = good.mesh.positions[c];
-    const auto range = refine::angle_range(p, q, r);
+    const auto range = certify::angle_range(p, q, r);
     smallest = std::min(smallest, range.smallest_deg);
     largest = std::max(largest, range.largest_deg);
     area += (q - p).cross(r - p).norm() / 2;

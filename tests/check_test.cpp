@@ -7,22 +7,22 @@
 #include <optional>
 #include <set>
 
+#include "certify/certificate.h"
+#include "certify/deviations.h"
+#include "certify/located_vertices.h"
+#include "certify/restricted_delaunay.h"
+#include "geometry/files/mesh_files.h"
 #include "geometry/mesh_check.h"
-#include "geometry/mesh_files.h"
 #include "geometry/self_intersections.h"
-#include "refine/certificate.h"
-#include "refine/deviations.h"
-#include "refine/located_vertices.h"
-#include "refine/restricted_delaunay.h"
 #include "skin/skin_components.h"
 #include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::Certificate;
+using certify::Claim;
 using geometry::IndexedMesh;
 using geometry::Point;
-using refine::Certificate;
-using refine::Claim;
 using support::ball;
 using support::Random;
 
@@ -31,34 +31,34 @@ namespace {
 /// A skin and a good mesh of it.
 struct Good {
   explicit Good(const support::WeightedPoints& points)
-      : skin(front::prepare_skin(points)),
-        mesh(front::mesh_skin(skin, support::uncertified()).mesh) {}
+      : skin(morskin::prepare_skin(points)),
+        mesh(morskin::mesh_skin(skin, support::uncertified()).mesh) {}
 
   Certificate certify(const IndexedMesh& other) const {
-    return refine::certify(other, skin.surface, skin.topology);
+    return certify::certify(other, skin.surface, skin.topology);
   }
-  refine::RestrictedDelaunay delaunay(const IndexedMesh& other, unsigned threads = 1) const {
-    const auto points = refine::locate_vertices(other, skin.surface);
-    return refine::restricted_delaunay(other, skin.surface, points, 10, threads);
+  certify::RestrictedDelaunay delaunay(const IndexedMesh& other, unsigned threads = 1) const {
+    const auto points = certify::locate_vertices(other, skin.surface);
+    return certify::restricted_delaunay(other, skin.surface, points, 10, threads);
   }
 
-  front::PreparedSkin skin;
+  morskin::PreparedSkin skin;
   IndexedMesh mesh;
 };
 
 /// The count that the certificate makes.
 std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
                              const geometry::SurfaceMesh& surface) {
-  const auto points = refine::locate_vertices(mesh, good.skin.surface);
-  refine::SureEdges sure(mesh.triangles.size());
+  const auto points = certify::locate_vertices(mesh, good.skin.surface);
+  certify::SureEdges sure(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
     const std::array p{&points[a], &points[b], &points[c]};
     sure.note(geometry::TriangleId{t}, p,
-              refine::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+              certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
               good.skin.surface.residual_bound(p[0]->length_scale));
   }
-  return refine::local_delaunay_violations(mesh, surface, good.skin.surface, points, sure);
+  return certify::local_delaunay_violations(mesh, surface, good.skin.surface, points, sure);
 }
 
 Good vdw(const char* file) { return Good(support::molecule(file, skin::Model::Vdw)); }
@@ -70,7 +70,7 @@ bool contains(const std::string& text, const std::string& part) {
 /// By component of the mesh, the component of the skin that its first vertex lies on.
 std::vector<skin::SkinComponents::Sides> sides_of(const Good& good, const IndexedMesh& mesh) {
   const skin::SkinComponents parts(good.skin.surface);
-  const auto points = refine::locate_vertices(mesh, good.skin.surface);
+  const auto points = certify::locate_vertices(mesh, good.skin.surface);
   std::vector<skin::SkinComponents::Sides> result;
   for (const geometry::MeshComponent& c : geometry::check_mesh(mesh).components) {
     const auto sides = parts.sides(points[mesh.triangles[c.first_triangle][0]]);
@@ -122,7 +122,7 @@ TEST_CASE("vertices are located whatever the order of the triangles") {
   }
   const skin::MixedComplex& complex = good.skin.surface.complex();
   for (const IndexedMesh& mesh : {good.mesh, shuffled}) {
-    const auto points = refine::locate_vertices(mesh, good.skin.surface);
+    const auto points = certify::locate_vertices(mesh, good.skin.surface);
     REQUIRE(points.size() == mesh.positions.size());
     bool all_inside = true;
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -178,12 +178,12 @@ TEST_CASE("a handle that is dropped shows in the genus") {
 TEST_CASE("a vertex off the surface is named, and first in the list of the farthest") {
   const Good good = vdw("caffeine.xyz");
   IndexedMesh bad = good.mesh;
-  const auto points = refine::locate_vertices(good.mesh, good.skin.surface);
+  const auto points = certify::locate_vertices(good.mesh, good.skin.surface);
   bad.positions[77] += 1e-5 * points[77].normal;
   const Certificate certificate = good.certify(bad);
   CHECK(contains(certificate.broken_by(Claim::OnSkin), "vertex 77 lies 1e-05 Angstrom off"));
-  const auto deviations = refine::measure_deviations(
-      bad, good.skin.surface, refine::locate_vertices(bad, good.skin.surface), {});
+  const auto deviations = certify::measure_deviations(
+      bad, good.skin.surface, certify::locate_vertices(bad, good.skin.surface), {});
   REQUIRE(deviations.farthest_vertices.size() == 10);
   CHECK(deviations.farthest_vertices[0].vertex == 77);
   CHECK(deviations.farthest_vertices[0].distance == doctest::Approx(1e-5).epsilon(1e-3));
@@ -221,16 +221,16 @@ TEST_CASE("a vertex pushed through the body crosses the far side") {
 
 TEST_CASE("the deviations' extremes are the certificate's and lead their lists") {
   const Good good = vdw("caffeine.xyz");
-  const refine::Sizing finer{0.07, 1.6};
+  const certify::Sizing finer{0.07, 1.6};
   const Certificate certificate =
-      refine::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
-  const auto d = refine::measure_deviations(
-      good.mesh, good.skin.surface, refine::locate_vertices(good.mesh, good.skin.surface), finer);
+      certify::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
+  const auto d = certify::measure_deviations(
+      good.mesh, good.skin.surface, certify::locate_vertices(good.mesh, good.skin.surface), finer);
   CHECK(d.shortest_edges[0].value == certificate.worst_L);
   CHECK(d.largest_triangles[0].value == certificate.worst_U);
   CHECK(d.max_vertex_relative == doctest::Approx(certificate.max_relative_distance_to_skin));
-  CHECK(std::ranges::is_sorted(d.largest_triangles, std::greater{}, &refine::BadTriangle::value));
-  CHECK(std::ranges::is_sorted(d.shortest_edges, {}, &refine::BadEdge::value));
+  CHECK(std::ranges::is_sorted(d.largest_triangles, std::greater{}, &certify::BadTriangle::value));
+  CHECK(std::ranges::is_sorted(d.shortest_edges, {}, &certify::BadEdge::value));
   CHECK(certificate.violations_U > 0);
   CHECK(contains(certificate.broken_by(Claim::U), "triangle "));
   CHECK(d.steepest_triangles[0].value == doctest::Approx(d.max_normal_deg));
@@ -259,7 +259,7 @@ TEST_CASE("every vertex of a component lies on the same component of the skin") 
     CAPTURE(file);
     const Good good = vdw(file);
     const skin::SkinComponents parts(good.skin.surface);
-    const auto points = refine::locate_vertices(good.mesh, good.skin.surface);
+    const auto points = certify::locate_vertices(good.mesh, good.skin.surface);
     const geometry::MeshCheck check = geometry::check_mesh(good.mesh);
     const auto first = sides_of(good, good.mesh);
     REQUIRE(first.size() > 1);
@@ -313,17 +313,17 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
       if (c != d && !mesh.has_edge(c, d)) mesh.flip(h);
     }
     const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
-    const auto located = refine::locate_vertices(bad, good.skin.surface);
+    const auto located = certify::locate_vertices(bad, good.skin.surface);
     std::size_t expected = 0;
     for (const auto& t : bad.triangles) {
-      const auto ball = refine::exact_surface_ball(good.skin.surface, located[t[0]],
-                                                   bad.positions[t[1]], bad.positions[t[2]]);
+      const auto ball = certify::exact_surface_ball(good.skin.surface, located[t[0]],
+                                                    bad.positions[t[1]], bad.positions[t[2]]);
       if (!ball.is_exact) continue;
       expected += std::ranges::any_of(bad.positions, [&](const Point& p) {
         return ball.intrusion(p) > 1e-8 * ball.squared_radius;
       });
     }
-    const refine::RestrictedDelaunay found = good.delaunay(bad);
+    const certify::RestrictedDelaunay found = good.delaunay(bad);
     CHECK(found.violations == expected);
     CHECK(found.violations > 0);
     CHECK(found.deepest[0].depth > 0);
@@ -332,8 +332,8 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
     std::size_t local = 0;
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto [a, b, c] = bad.triangles[t];
-      const auto ball = refine::exact_surface_ball(good.skin.surface, located[a], bad.positions[b],
-                                                   bad.positions[c]);
+      const auto ball = certify::exact_surface_ball(good.skin.surface, located[a], bad.positions[b],
+                                                    bad.positions[c]);
       bool is_entered = false;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const auto h = geometry::SurfaceMesh::half_edge(geometry::TriangleId{t}, k);
@@ -353,7 +353,7 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
 
 TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both counts") {
   const Good good = vdw("caffeine.xyz");
-  const auto located = refine::locate_vertices(good.mesh, good.skin.surface);
+  const auto located = certify::locate_vertices(good.mesh, good.skin.surface);
   for (unsigned seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -373,7 +373,7 @@ TEST_CASE("a vertex of another sheet in a surface ball counts, though no neighbo
   // A lone vertex right over the middle of triangle 0, that no triangle knows.
   const auto& [a, b, c] = bad.triangles[0];
   bad.positions.push_back((bad.positions[a] + bad.positions[b] + bad.positions[c]) / 3);
-  const refine::RestrictedDelaunay found = good.delaunay(bad);
+  const certify::RestrictedDelaunay found = good.delaunay(bad);
   CHECK(found.violations >= 1);
   CHECK(std::ranges::any_of(found.deepest, [](const auto& v) { return v.triangle == 0; }));
   CHECK(found.deepest[0].vertex == bad.positions.size() - 1);
@@ -381,7 +381,7 @@ TEST_CASE("a vertex of another sheet in a surface ball counts, though no neighbo
 
 TEST_CASE("hardly any triangle needs its surface ball computed") {
   const Good good = vdw("caffeine.xyz");
-  const refine::RestrictedDelaunay found = good.delaunay(good.mesh);
+  const certify::RestrictedDelaunay found = good.delaunay(good.mesh);
   CHECK(found.violations == 0);
   CHECK(found.exact_balls < good.mesh.triangles.size() / 10);
 }

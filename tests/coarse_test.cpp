@@ -7,13 +7,14 @@
 #include <cmath>
 #include <vector>
 
+#include "certify/triangle_geometry.h"
 #include "front/two_fronts.h"
-#include "refine/triangle_geometry.h"
+#include "morse/make_guide.h"
 #include "skin/model.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using refine::Sizing;
+using certify::Sizing;
 
 namespace {
 
@@ -39,13 +40,13 @@ Sizing by_length(double C, double length) {
 
 TEST_CASE(
     "edges asked for by length have that length in the median where the skin is flat enough") {
-  const auto skin = front::prepare_skin({support::ball(0, 0, 0, 10)});
+  const auto skin = morskin::prepare_skin({support::ball(0, 0, 0, 10)});
   for (const double C : {0.08, 0.2, 0.3}) {
     for (const double length : {0.4, 0.7, 1.2}) {
       CAPTURE(C);
       CAPTURE(length);
       const Sizing sizing = by_length(C, length);
-      const front::MeshResult result = front::mesh_skin(skin, support::with(sizing));
+      const morskin::MeshResult result = morskin::mesh_skin(skin, support::with(sizing));
       REQUIRE_MESSAGE(result.certificate.certified, result.certificate.reason);
       const std::vector<double> edges = edge_lengths(result.mesh);
       constexpr double tenth = 0.1;
@@ -80,21 +81,22 @@ TEST_CASE("a front that has passed itself on a hyperboloid does not go round it 
     points.push_back({{x, y, z}, skin::weight(radius, skin::Model::Paper, 1.4)});
   }
   // Laid with C itself, as no mesh is any more beyond C = 0.2.
-  const auto skin = front::prepare_skin(points);
+  const auto skin = morskin::prepare_skin(points);
   const Sizing sizing{0.4, Sizing::quality_for(0.4)};
-  const morse::Guide guide = morse::make_guide(
-      skin.surface, skin.topology.skin_euler_characteristic(),
-      morse::MorseFunction::height({0.0123, 1, 0.0271}), front::sphere_share(skin.surface, sizing));
+  const morse::Guide guide =
+      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(),
+                        morse::MorseFunction::height({0.0123, 1, 0.0271}),
+                        morskin::sphere_share(skin.surface, sizing));
   const front::SweepResult swept = front::sweep_once(skin.surface, guide, {.sizing = sizing});
   constexpr std::size_t twice_round = 10'000;  // the whole skin takes some 1,100
   CHECK(swept.operations.creep < twice_round);
 }
 
 TEST_CASE("a length longer than C gives anywhere changes nothing") {
-  const auto skin = front::prepare_skin(support::ball_set(7));
+  const auto skin = morskin::prepare_skin(support::ball_set(7));
   const Sizing plain{0.2, Sizing::quality_for(0.2)};
-  const auto a = front::mesh_skin(skin, support::with(plain));
-  const auto b = front::mesh_skin(skin, support::with(by_length(0.2, 100)));
+  const auto a = morskin::mesh_skin(skin, support::with(plain));
+  const auto b = morskin::mesh_skin(skin, support::with(by_length(0.2, 100)));
   CHECK(a.mesh.positions == b.mesh.positions);
   CHECK(a.mesh.triangles == b.mesh.triangles);
 }
@@ -107,7 +109,7 @@ TEST_CASE("random ball sets are certified with edges of any length, by C and by 
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
       for (const Sizing& sizing : {Sizing{C, Sizing::quality_for(C)}, by_length(C, 0.4)}) {
-        const front::MeshResult result = front::mesh_skin(*skin, support::with(sizing));
+        const morskin::MeshResult result = morskin::mesh_skin(*skin, support::with(sizing));
         CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
       }
     }

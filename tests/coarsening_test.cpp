@@ -8,31 +8,32 @@
 #include <optional>
 #include <vector>
 
+#include "certify/certificate.h"
+#include "certify/tube.h"
 #include "front/two_fronts.h"
-#include "refine/certificate.h"
+#include "morse/make_guide.h"
 #include "refine/refinement.h"
-#include "refine/tube.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::Sizing;
 using geometry::SurfaceMesh;
 using refine::Coarsening;
-using refine::Sizing;
-using skin::SkinMesh;
-using skin::SurfacePoint;
+using surface::Mesh;
+using surface::SurfacePoint;
 
 namespace {
 
 Sizing sizing_for(double C) { return {C, Sizing::quality_for(C)}; }
 
-morse::Guide guide_for(const front::PreparedSkin& skin, const Sizing& laid) {
+morse::Guide guide_for(const morskin::PreparedSkin& skin, const Sizing& laid) {
   return morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), std::nullopt,
-                           front::sphere_share(skin.surface, laid));
+                           morskin::sphere_share(skin.surface, laid));
 }
 
-SkinMesh fine_mesh(const front::PreparedSkin& skin, const Sizing& laid) {
-  SkinMesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
+Mesh fine_mesh(const morskin::PreparedSkin& skin, const Sizing& laid) {
+  Mesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
   refine::Refinement(skin.surface, laid, mesh).run();
   return mesh;
 }
@@ -47,7 +48,7 @@ void for_each_fine_mesh(unsigned count, Check check) {
   }
 }
 
-std::size_t short_edges(const SkinMesh& mesh, const Sizing& sizing) {
+std::size_t short_edges(const Mesh& mesh, const Sizing& sizing) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
     const geometry::HalfEdgeId h{i};
@@ -57,21 +58,21 @@ std::size_t short_edges(const SkinMesh& mesh, const Sizing& sizing) {
 }
 
 /// Whether [U] holds for each triangle, and what the certificate has to prove of it.
-bool is_fine_enough(const skin::SkinSurface& skin, const SkinMesh& mesh, const Sizing& sizing) {
+bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizing& sizing) {
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(geometry::TriangleId{t});
     const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
-    const auto circle = refine::circumcircle(p[0]->position, p[1]->position, p[2]->position);
+    const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
     if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
-        !refine::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
+        !certify::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
       return false;
     }
   }
   return true;
 }
 
-geometry::IndexedMesh plain(const SkinMesh& mesh) {
+geometry::IndexedMesh plain(const Mesh& mesh) {
   geometry::IndexedMesh result;
   result.triangles = mesh.surface.triangle_list();
   for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
@@ -85,11 +86,11 @@ long euler_characteristic(const SurfaceMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles can all be proved") {
-  for_each_fine_mesh(40, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
+  for_each_fine_mesh(40, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     for (const double C : {0.25, 0.3, 0.4}) {
       CAPTURE(C);
       const Sizing sizing = sizing_for(C);
-      SkinMesh mesh = fine;
+      Mesh mesh = fine;
       const std::size_t removed = Coarsening(skin.surface, sizing, mesh).run();
       mesh.compact();
       CHECK(fine.points.size() - mesh.points.size() == removed);
@@ -102,8 +103,8 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
 }
 
 TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
-  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
-    SkinMesh mesh = fine;
+  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+    Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
     mesh.compact();
     std::size_t next = 0;
@@ -118,8 +119,8 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
 TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles less than half") {
   std::size_t triangles_before = 0, triangles = 0, short_before = 0, short_after = 0;
   const Sizing sizing = sizing_for(0.3);
-  for_each_fine_mesh(40, [&](const front::PreparedSkin& skin, const SkinMesh& fine) {
-    SkinMesh mesh = fine;
+  for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
+    Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
     mesh.compact();
     triangles_before += fine.surface.triangle_count();
@@ -132,8 +133,8 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
 }
 
 TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
-  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const SkinMesh& fine) {
-    SkinMesh mesh = fine;
+  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+    Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
     std::vector<char> marked(count, 0), stays(count, 0);
@@ -190,7 +191,7 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     }
     refine::Refinement(skin->surface, sizing, coarse.mesh).run();
     const auto certificate =
-        refine::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
@@ -210,7 +211,7 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
     refine::Refinement(skin->surface, sizing, one.mesh).run();
     const auto certificate =
-        refine::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }

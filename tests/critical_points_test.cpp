@@ -5,14 +5,14 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "morse/protecting_spheres.h"
-#include "refine/sizing.h"
+#include "certify/sizing.h"
+#include "morse/skin_spheres.h"
 #include "tests/support/molecules.h"
 
 using namespace morskin;
 using namespace morskin::morse;
 using skin::SkinSurface;
-using skin::SurfacePoint;
+using surface::SurfacePoint;
 
 namespace {
 
@@ -194,13 +194,13 @@ TEST_CASE(
 }
 
 TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their own centres") {
-  const double share = refine::Sizing{}.tangent_disk_share();
+  const double share = certify::Sizing{}.tangent_disk_share();
   for (unsigned seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
     const Case test(seed);
     if (test.is_degenerate()) continue;
     const auto& points = test.critical.points;
-    const ProtectingSpheres spheres(test.skin, points, share);
+    const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double r = spheres.radius(CriticalId{i});
       CHECK(r > 0);
@@ -221,14 +221,14 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
 }
 
 TEST_CASE("the sphere that holds a point of the skin is the one that a look at all spheres finds") {
-  const double share = refine::Sizing{}.tangent_disk_share();
+  const double share = certify::Sizing{}.tangent_disk_share();
   std::size_t held = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
     Case test(seed);
     if (test.is_degenerate()) continue;
     const auto& points = test.critical.points;
-    const ProtectingSpheres spheres(test.skin, points, share);
+    const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const SurfacePoint& centre = points[i].point;
       const Vector tangent = centre.normal.cross(test.random.direction()).normalized();

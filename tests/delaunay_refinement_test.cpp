@@ -14,15 +14,15 @@
 #include "tests/support/nasty_sets.h"
 
 using namespace morskin;
-using front::PreparedSkin;
+using certify::Sizing;
 using geometry::VertexId;
+using morskin::PreparedSkin;
 using refine::DelaunayRefinement;
-using refine::Sizing;
 using skin::Point;
-using skin::SurfacePoint;
 using skin::Vector;
 using support::Random;
 using support::WeightedPoints;
+using surface::SurfacePoint;
 
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<SurfacePoint> seeds_of(const PreparedSkin& skin, const Sizing& sizin
   return front::delaunay_seeds(skin.surface, chosen.critical.points, sizing);
 }
 
-std::vector<Point> positions(const skin::SkinMesh& mesh) {
+std::vector<Point> positions(const surface::Mesh& mesh) {
   std::vector<Point> list;
   for (const SurfacePoint& p : mesh.points) list.push_back(p.position);
   return list;
@@ -44,7 +44,7 @@ using Triple = std::array<std::uint32_t, 3>;
 /// places within `reach` of the triangle's plane.
 std::vector<Point> centres(const skin::SkinSurface& skin, const Point& a, const Point& b,
                            const Point& c, double reach) {
-  const refine::Circumcircle circle = refine::circumcircle(a, b, c);
+  const certify::Circumcircle circle = certify::circumcircle(a, b, c);
   const Vector n = circle.doubled_area.normalized();
   const auto value = [&](double h) {
     return skin.value(circle.centre + h * n, geometry::CellId{0U});
@@ -80,7 +80,7 @@ TEST_CASE("the mesh is the triples of samples with an empty ball about a point o
     const Sizing coarse{.C = 0.125, .Q = 1.69};  // CQ = 0.21
     DelaunayRefinement refinement(skin->surface, coarse, seeds_of(*skin, coarse));
     refinement.run();
-    const skin::SkinMesh mesh = refinement.mesh();
+    const surface::Mesh mesh = refinement.mesh();
     const std::vector<Point> points = positions(mesh);
     REQUIRE(points.size() == refinement.counts().seeds + refinement.counts().too_big);
     std::set<Triple> facets;
@@ -133,7 +133,7 @@ TEST_CASE("every point of the skin has a sample within 0.153 of its length scale
     if (!skin) continue;
     DelaunayRefinement refinement(skin->surface, {}, seeds_of(*skin));
     refinement.run();
-    const skin::SkinMesh mesh = refinement.mesh();
+    const surface::Mesh mesh = refinement.mesh();
     const geometry::KdTree<VertexId> tree(positions(mesh));
     Random random(seed);
     const support::Box box = support::box_of(skin->surface.points());
@@ -151,14 +151,14 @@ TEST_CASE("every point of the skin has a sample within 0.153 of its length scale
 
 TEST_CASE("a component without seeds is found where dual points lie in it") {
   const WeightedPoints points{support::ball(0, 0, 0, 1), support::ball(7, 0, 0, 3)};
-  const PreparedSkin skin = front::prepare_skin(points);
+  const PreparedSkin skin = morskin::prepare_skin(points);
   std::vector<SurfacePoint> seeds = seeds_of(skin);
   std::erase_if(seeds, [](const SurfacePoint& p) { return p.position.x() > 2; });
   DelaunayRefinement refinement(skin.surface, {}, seeds);
   refinement.run();
-  const skin::SkinMesh mesh = refinement.mesh();
-  const refine::Certificate certificate =
-      refine::certify({positions(mesh), mesh.surface.triangle_list()}, skin.surface, skin.topology);
+  const surface::Mesh mesh = refinement.mesh();
+  const certify::Certificate certificate = certify::certify(
+      {positions(mesh), mesh.surface.triangle_list()}, skin.surface, skin.topology);
   CHECK(certificate.reason == "");
   CHECK(certificate.components == 2);
 }
@@ -188,7 +188,7 @@ TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no bor
 }
 
 TEST_CASE("seeds in one plane give no mesh") {
-  const PreparedSkin skin = front::prepare_skin({support::ball(0, 0, 0, 1)});
+  const PreparedSkin skin = morskin::prepare_skin({support::ball(0, 0, 0, 1)});
   std::vector<SurfacePoint> seeds = seeds_of(skin);
   for (const std::size_t count : {0, 1, 2, 3}) {
     DelaunayRefinement refinement(skin.surface, {}, std::span(seeds).first(count));
@@ -232,7 +232,7 @@ TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
     const Sizing sizing{.C = 0.08, .Q = 1.584};  // the smallest Q with a proof
     DelaunayRefinement refinement(skin->surface, sizing, seeds_of(*skin, sizing));
     refinement.run();
-    const skin::SkinMesh mesh = refinement.mesh();
+    const surface::Mesh mesh = refinement.mesh();
     const geometry::KdTree<VertexId> tree(positions(mesh));
     std::size_t too_short = 0;
     for (const SurfacePoint& p : mesh.points) {

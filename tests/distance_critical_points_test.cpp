@@ -70,12 +70,12 @@ TEST_CASE("every critical point of a distance lies on the skin, its normal towar
     CAPTURE(seed);
     const Case test(seed);
     for (const CriticalPoint& p : test.critical.points) {
-      const skin::SurfacePoint& x = p.point;
+      const surface::SurfacePoint& x = p.point;
       const CellId cell = test.skin.locate(x.position, x.cell);
       const double rho = x.length_scale;
       const double off = 1e-10 * rho + test.skin.complex().wall_tolerance();
       CHECK(std::abs(test.skin.complex().patch(cell).value(x.position)) <= 2 * rho * off);
-      const skin::SurfacePoint there = test.skin.at(x.position, cell);
+      const surface::SurfacePoint there = test.skin.at(x.position, cell);
       CHECK((there.normal - x.normal).norm() <= 4 * off / rho);
       CHECK(std::abs(there.length_scale - rho) <= 4 * off);
       // The part of x - p in the tangent plane, against the rounding of the places and, near a

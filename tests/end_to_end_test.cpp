@@ -4,13 +4,13 @@
 #include <cmath>
 #include <string>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using front::MeshOptions;
-using front::MeshResult;
-using front::PreparedSkin;
+using morskin::MeshOptions;
+using morskin::MeshResult;
+using morskin::PreparedSkin;
 using support::WeightedPoints;
 
 namespace {
@@ -21,8 +21,8 @@ constexpr std::array small_molecules{"5tmn_ligand.pdb", "caffeine.xyz",     "ben
 constexpr std::array all_models{skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw};
 
 /// What every result must be, whatever went in.
-void check_result(const MeshResult& result, const refine::Sizing& sizing = {}) {
-  const refine::Certificate& certificate = result.certificate;
+void check_result(const MeshResult& result, const certify::Sizing& sizing = {}) {
+  const certify::Certificate& certificate = result.certificate;
   CHECK(certificate.reason == "");
   CHECK(certificate.certified);
   CHECK(certificate.is_homeomorphic);
@@ -63,7 +63,7 @@ TEST_CASE("small molecules are certified in all three models, every angle above 
     CAPTURE(std::string(name));
     for (const skin::Model model : all_models) {
       CAPTURE(std::string(skin::name_of(model)));
-      const MeshResult result = front::mesh_skin(support::molecule(name, model));
+      const MeshResult result = morskin::mesh_skin(support::molecule(name, model));
       check_result(result);
       CHECK(result.certificate.min_angle_deg > 21.54);
     }
@@ -74,24 +74,24 @@ TEST_CASE("random ball sets are certified or refused as singular") {
   for (unsigned seed = 0; seed < 25; ++seed) {
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) check_result(front::mesh_skin(*skin));
+    if (skin) check_result(morskin::mesh_skin(*skin));
   }
 }
 
 TEST_CASE("the same run twice gives the same bytes") {
   const WeightedPoints points = support::molecule("5tmn_ligand.pdb", skin::Model::Vdw);
   const MeshOptions options = support::uncertified();
-  const MeshResult first = front::mesh_skin(points, options);
-  front::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
-  CHECK(are_same_bytes(first, front::mesh_skin(points, options)));
-  CHECK(are_same_bytes(first, front::mesh_skin(front::prepare_skin(points))));
+  const MeshResult first = morskin::mesh_skin(points, options);
+  morskin::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
+  CHECK(are_same_bytes(first, morskin::mesh_skin(points, options)));
+  CHECK(are_same_bytes(first, morskin::mesh_skin(morskin::prepare_skin(points))));
 }
 
 TEST_CASE("shuffled atoms give the same surface: its Euler characteristic, and its area to 0.1 %") {
   constexpr double same_area = 1e-3;
   const auto check = [&](const WeightedPoints& points) {
-    const MeshResult plain = front::mesh_skin(points);
-    const MeshResult other = front::mesh_skin(support::shuffled(points, 1));
+    const MeshResult plain = morskin::mesh_skin(points);
+    const MeshResult other = morskin::mesh_skin(support::shuffled(points, 1));
     check_result(other);
     CHECK(other.certificate.euler_characteristic == plain.certificate.euler_characteristic);
     CHECK(std::abs(other.certificate.area - plain.certificate.area) <
@@ -110,7 +110,7 @@ TEST_CASE("shuffled atoms give the same surface: its Euler characteristic, and i
 TEST_CASE("the mesh of one ball has nearly the ball's area and volume, from inside") {
   for (const double r : {0.5, 1.0, 3.0}) {
     CAPTURE(r);
-    const MeshResult result = front::mesh_skin(WeightedPoints{support::ball(1, 2, 3, r)});
+    const MeshResult result = morskin::mesh_skin(WeightedPoints{support::ball(1, 2, 3, r)});
     check_result(result);
     const double area = 4 * M_PI * r * r, volume = area * r / 3;
     // A triangle of circumradius R lies within R^2 / rho of the sphere it is inscribed in: 1e.
@@ -124,14 +124,14 @@ TEST_CASE("the mesh of one ball has nearly the ball's area and volume, from insi
 
 TEST_CASE("every direction gives a certified mesh of the same surface") {
   const PreparedSkin skin =
-      front::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
+      morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
   support::Random random(1);
-  const double area = front::mesh_skin(skin).certificate.area;
+  const double area = morskin::mesh_skin(skin).certificate.area;
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
     MeshOptions options;
     options.function = morse::MorseFunction::height(3 * random.direction());  // of any length
-    const MeshResult result = front::mesh_skin(skin, options);
+    const MeshResult result = morskin::mesh_skin(skin, options);
     check_result(result);
     CHECK(result.function.direction == options.function->direction);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
@@ -141,16 +141,16 @@ TEST_CASE("every direction gives a certified mesh of the same surface") {
 TEST_CASE(
     "every squared distance gives a certified mesh of the same surface, with one front or two") {
   const PreparedSkin skin =
-      front::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
+      morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
   support::Random random(2);
-  const double area = front::mesh_skin(skin).certificate.area;
+  const double area = morskin::mesh_skin(skin).certificate.area;
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
     MeshOptions options;
     options.function =
         morse::MorseFunction::squared_distance(random.between(0, 12) * random.direction());
     options.fronts = 1 + i % 2;
-    const MeshResult result = front::mesh_skin(skin, options);
+    const MeshResult result = morskin::mesh_skin(skin, options);
     check_result(result);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
   }
@@ -158,22 +158,22 @@ TEST_CASE(
 
 TEST_CASE("a degenerate direction that the user gives is refused, the default finds its way") {
   for (const skin::Model model : all_models) {
-    const PreparedSkin skin = front::prepare_skin(support::molecule("cube8.xyzr", model));
-    CHECK_THROWS_AS(front::mesh_skin(skin, support::along(geometry::Vector::UnitY())),
+    const PreparedSkin skin = morskin::prepare_skin(support::molecule("cube8.xyzr", model));
+    CHECK_THROWS_AS(morskin::mesh_skin(skin, support::along(geometry::Vector::UnitY())),
                     morse::DegenerateFunction);
-    check_result(front::mesh_skin(skin));
+    check_result(morskin::mesh_skin(skin));
   }
 }
 
 TEST_CASE("other constants give meshes that keep their own bounds, finer for smaller C") {
-  const PreparedSkin skin = front::prepare_skin(
+  const PreparedSkin skin = morskin::prepare_skin(
       {support::ball(0, 0, 0, 1), support::ball(1.7, 0, 0, 1.2), support::ball(0.8, 1.5, 0, 0.8)});
   std::size_t finer = 0;
-  for (const refine::Sizing sizing : {refine::Sizing{0.05, 1.65}, refine::Sizing{0.08, 1.65},
-                                      refine::Sizing{0.08, 1.7}, refine::Sizing{0.1, 1.65}}) {
+  for (const certify::Sizing sizing : {certify::Sizing{0.05, 1.65}, certify::Sizing{0.08, 1.65},
+                                       certify::Sizing{0.08, 1.7}, certify::Sizing{0.1, 1.65}}) {
     CAPTURE(sizing.C);
     CAPTURE(sizing.Q);
-    const MeshResult result = front::mesh_skin(skin, support::with(sizing));
+    const MeshResult result = morskin::mesh_skin(skin, support::with(sizing));
     check_result(result, sizing);
     if (sizing.Q == 1.65) {
       CHECK((finer == 0 || result.mesh.triangles.size() < finer));
@@ -185,7 +185,8 @@ TEST_CASE("other constants give meshes that keep their own bounds, finer for sma
 TEST_CASE(
     "operations and stages are counted: one bowl for each surviving minimum, progress from stage "
     "to stage") {
-  const PreparedSkin skin = front::prepare_skin(support::molecule("ring12.xyzr", skin::Model::Vdw));
+  const PreparedSkin skin =
+      morskin::prepare_skin(support::molecule("ring12.xyzr", skin::Model::Vdw));
   std::vector<std::string> stages;
   MeshOptions options;
   options.progress = [&](std::string_view stage, double share) {
@@ -193,7 +194,7 @@ TEST_CASE(
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
   };
   options.fronts = 1;
-  const MeshResult result = front::mesh_skin(skin, options);
+  const MeshResult result = morskin::mesh_skin(skin, options);
   CHECK(result.operations.creation == result.surviving_minima);
   CHECK(result.operations.bridge <= result.surviving_saddles);
   CHECK(result.operations.seal <= result.surviving_maxima);
@@ -202,9 +203,9 @@ TEST_CASE(
 }
 
 TEST_CASE("input without a surface is refused") {
-  CHECK_THROWS_AS(front::mesh_skin(WeightedPoints{}), geometry::RefusedInput);
-  CHECK_THROWS_AS(front::mesh_skin(WeightedPoints{{{0, 0, 0}, 0.0}}), geometry::RefusedInput);
-  CHECK_THROWS_AS(front::mesh_skin(WeightedPoints{{{0, 0, 0}, 9}, {{0, 7, 0}, 16}}),
+  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{}), geometry::RefusedInput);
+  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{{{0, 0, 0}, 0.0}}), geometry::RefusedInput);
+  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{{{0, 0, 0}, 9}, {{0, 7, 0}, 16}}),
                   skin::SingularSkin);
 }
 
@@ -212,8 +213,8 @@ TEST_CASE("doubling all lengths doubles every coordinate exactly") {
   for (unsigned seed = 100; seed < 110; ++seed) {  // 104 once hung the refinement
     CAPTURE(seed);
     const support::WeightedPoints points = support::ball_set(seed);
-    const MeshResult a = front::mesh_skin(points, support::uncertified());
-    const MeshResult b = front::mesh_skin(support::doubled(points), support::uncertified());
+    const MeshResult a = morskin::mesh_skin(points, support::uncertified());
+    const MeshResult b = morskin::mesh_skin(support::doubled(points), support::uncertified());
     REQUIRE(a.mesh.triangles == b.mesh.triangles);
     for (std::size_t v = 0; v < a.mesh.positions.size(); ++v) {
       REQUIRE(2 * a.mesh.positions[v] == b.mesh.positions[v]);
@@ -226,6 +227,6 @@ TEST_CASE(
   MeshOptions options;
   options.sizing.C = 0.02;
   const MeshResult result =
-      front::mesh_skin(support::WeightedPoints{{geometry::Point(0, 0, 0), 2}}, options);
+      morskin::mesh_skin(support::WeightedPoints{{geometry::Point(0, 0, 0), 2}}, options);
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
 }

@@ -118,7 +118,7 @@ TEST_CASE("a figure drawn twice has the same bytes") {
 }
 
 TEST_CASE("a recorded sweep tells of every operation and leaves out no triangle") {
-  const front::PreparedSkin skin = figures::bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
+  const morskin::PreparedSkin skin = figures::bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
   const figures::RecordedSweep sweep = figures::recorded_sweep(skin, 0.08);
   const front::SweepResult plain = front::sweep_once(skin.surface, sweep.guide);
   std::size_t triangles = 0;

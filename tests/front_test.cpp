@@ -24,7 +24,7 @@ SurfacePoint flat(double x, double y) {
 
 /// A front round regular fans of triangles laid by hand on the plane.
 struct Plane {
-  SkinMesh mesh;
+  Mesh mesh;
   Front front{mesh};
 
   /// A fan about a centre; the front runs counter-clockwise round it, bare plane outside. Entry k

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bench/baselines/dynamic_skin.h"
-#include "front/mesh_skin.h"
 #include "geometry/predicates.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
@@ -29,7 +29,7 @@ long euler_characteristic(const SurfaceMesh& surface) {
 }
 
 /// What the dual complex says of the balls grown to time t, unless that skin is singular.
-std::optional<long> expected_at(const front::PreparedSkin& skin, double t) {
+std::optional<long> expected_at(const morskin::PreparedSkin& skin, double t) {
   support::WeightedPoints points = skin.surface.points();
   bool is_empty = true;
   for (geometry::WeightedPoint& p : points) {
@@ -43,14 +43,14 @@ std::optional<long> expected_at(const front::PreparedSkin& skin, double t) {
 }
 
 struct Grown {
-  front::MeshResult result;
+  morskin::MeshResult result;
   GrowthCounts counts;
   std::size_t triangles_at_last = 0;  ///< after the last metamorphosis
   std::size_t compared = 0;           ///< states of the mesh with the dual complex
 };
 
 /// Grows a skin and checks the mesh about every metamorphosis.
-Grown grown(const front::PreparedSkin& skin) {
+Grown grown(const morskin::PreparedSkin& skin) {
   constexpr std::array<long, 4> change{2, -2, 2, -2};  // of the Euler characteristic, by kind
   Grown out;
   const auto metamorphoses = find_metamorphoses(skin.surface, 0);
@@ -77,10 +77,10 @@ Grown grown(const front::PreparedSkin& skin) {
     CHECK(now == *expected);
     ++out.compared;
   };
-  front::MeshOptions meshing;
-  meshing.method = front::Method::Dynamic;
+  morskin::MeshOptions meshing;
+  meshing.method = morskin::Method::Dynamic;
   meshing.mesher = dynamic_mesher(options, &out.counts);
-  out.result = front::mesh_skin(skin, meshing);
+  out.result = morskin::mesh_skin(skin, meshing);
   CHECK(out.counts.failed == 0);
   CHECK(out.result.certificate.reason == "");
   CHECK(out.result.certificate.certified);
@@ -171,7 +171,7 @@ TEST_CASE("a growth stopped early is the growth of smaller balls") {
   options.end = -1.5;  // two spheres, not joined yet
   Growth growth(skin->surface, options);
   growth.run();
-  const skin::SkinMesh mesh = growth.mesh();
+  const surface::Mesh mesh = growth.mesh();
   CHECK(geometry::validate(mesh.surface).value_or("") == "");
   CHECK(geometry::components(mesh.surface).count == 2);
   const LevelSet level(skin->surface, options.end);
@@ -187,7 +187,7 @@ TEST_CASE("snapshots are closed meshes that come at the times asked for") {
   GrowthOptions options;
   options.snapshot_times = {-3, -2, -1, 0};
   std::vector<long> seen;
-  options.snapshot = [&](double time, const skin::SkinMesh& mesh) {
+  options.snapshot = [&](double time, const surface::Mesh& mesh) {
     CHECK(time == options.snapshot_times[seen.size()]);
     CHECK(geometry::validate(mesh.surface).value_or("") == "");
     seen.push_back(euler_characteristic(mesh.surface));

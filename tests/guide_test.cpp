@@ -1,10 +1,9 @@
-#include "morse/guide.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "refine/sizing.h"
+#include "certify/sizing.h"
+#include "morse/make_guide.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 
@@ -13,9 +12,9 @@ using namespace morskin::morse;
 
 namespace {
 
-const double share = refine::Sizing{}.tangent_disk_share();
+const double share = certify::Sizing{}.tangent_disk_share();
 
-Guide guide_of(const front::PreparedSkin& skin, unsigned threads = 1) {
+Guide guide_of(const morskin::PreparedSkin& skin, unsigned threads = 1) {
   return make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share, threads);
 }
 
@@ -57,8 +56,8 @@ TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than
 }
 
 TEST_CASE("a guide is the same made by one thread as by two, and its reverse's reverse") {
-  const front::PreparedSkin skin =
-      front::prepare_skin(support::molecule("1grm_model1.pdb", skin::Model::Paper));
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin(support::molecule("1grm_model1.pdb", skin::Model::Paper));
   const Guide one = guide_of(skin, 1), two = guide_of(skin, 2);
   REQUIRE(one.points.size() == two.points.size());
   const Guide back = one.reversed().reversed();

@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "refine/certificate.h"
-#include "refine/located_vertices.h"
+#include "certify/certificate.h"
+#include "certify/located_vertices.h"
 #include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::Certificate;
 using geometry::HalfEdgeId;
 using geometry::IndexedMesh;
 using geometry::SurfaceMesh;
-using refine::Certificate;
 using skin::CellId;
 using support::ball;
 
@@ -129,20 +129,21 @@ std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh&
 }  // namespace
 
 TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so or not") {
-  const front::PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
-  const IndexedMesh mesh = front::mesh_skin(skin, support::uncertified()).mesh;
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
+  const IndexedMesh mesh = morskin::mesh_skin(skin, support::uncertified()).mesh;
   support::Random random(1);
   for (const auto& one : good_and_bad(mesh)) {
     const std::string& kind = one.first;
     const IndexedMesh& looked_at = one.second;
     CAPTURE(kind);
-    const auto certificate = [&](refine::Hearsay said, unsigned threads) {
-      return refine::certify(looked_at, std::move(said), skin.surface, skin.topology, {}, threads);
+    const auto certificate = [&](certify::Hearsay said, unsigned threads) {
+      return certify::certify(looked_at, std::move(said), skin.surface, skin.topology, {}, threads);
     };
     const Certificate expected = certificate({}, 1);
     CHECK(expected.certified == (kind == "good"));
     std::vector<CellId> cells;
-    for (const auto& p : refine::locate_vertices(looked_at, skin.surface)) cells.push_back(p.cell);
+    for (const auto& p : certify::locate_vertices(looked_at, skin.surface)) cells.push_back(p.cell);
     const SurfaceMesh glued =
         geometry::glued_mesh(looked_at.positions.size(), looked_at.triangles).mesh;
     for (const unsigned threads : {1U, 2U}) {
@@ -190,8 +191,8 @@ TEST_CASE("what may be said of twins is not enough where a triangle repeats a co
 }
 
 TEST_CASE("a mesh comes with twins and cells that the certificate need not look for") {
-  const front::PreparedSkin skin = front::prepare_skin(support::tetrahedron_balls(2.8));
-  const front::MeshResult result = front::mesh_skin(skin, support::uncertified());
+  const morskin::PreparedSkin skin = morskin::prepare_skin(support::tetrahedron_balls(2.8));
+  const morskin::MeshResult result = morskin::mesh_skin(skin, support::uncertified());
   CHECK(
       SurfaceMesh::glued_as_said(result.mesh.positions.size(), result.mesh.triangles, result.twins)
           .has_value());

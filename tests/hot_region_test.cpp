@@ -37,7 +37,7 @@ TEST_CASE("the strip between two rings is an annulus, however jagged they are") 
   const CellId cell = skin->surface.locate({0, 0, 0}, CellId{0U});
   std::mt19937_64 random(7);
   for (int set = 0; set < 500; ++set) {
-    MovingMesh mesh(skin->surface, refine::Sizing{});
+    MovingMesh mesh(skin->surface, certify::Sizing{});
     const Frame frame(skin->surface.patch(cell));
     const Ring lower = jagged_ring(mesh, frame, cell, random, -0.1);
     const Ring upper = jagged_ring(mesh, frame, cell, random, 0.1);

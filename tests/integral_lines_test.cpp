@@ -20,7 +20,7 @@ namespace {
 double way_of(const TracedLine& line) { return line.way == Way::Up ? 1 : -1; }
 
 /// The part of f's gradient along the skin, on the way of the line, over the gradient's length.
-Vector slope(const MorseCase& test, const skin::SurfacePoint& x, double way) {
+Vector slope(const MorseCase& test, const surface::SurfacePoint& x, double way) {
   const Vector g = way * test.f.gradient(x.position).normalized();
   return g - g.dot(x.normal) * x.normal;
 }
@@ -227,7 +227,7 @@ TEST_CASE("on one ball every line is half a great circle to the pole, of heights
     const IntegralLines lines(test.skin, f, test.critical.points);
     const Vector pole = f.gradient(centre).normalized();
     const Vector start = random.direction();
-    const skin::SurfacePoint x = test.skin.at(centre + radius * start, CellId{0U});
+    const surface::SurfacePoint x = test.skin.at(centre + radius * start, CellId{0U});
     for (const Way way : {Way::Down, Way::Up}) {
       std::vector<Point> points;
       std::vector<CellId> cells;

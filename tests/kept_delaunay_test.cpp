@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/baselines/dynamic_skin.h"
-#include "front/mesh_skin.h"
 #include "geometry/predicates.h"
 #include "geometry/regular_triangulation.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 #include "tests/support/molecules.h"
@@ -87,7 +87,7 @@ std::vector<VertexId> vertices_of(const SurfaceMesh& surface) {
 ///
 /// @param C  of the sizing; a coarse mesh is quicker
 void check_growth(const support::WeightedPoints& points, std::size_t least_moved,
-                  double C = refine::Sizing().C) {
+                  double C = certify::Sizing().C) {
   const auto skin = support::prepared(points);
   REQUIRE(skin.has_value());
   KeptDelaunay kept;
@@ -100,12 +100,12 @@ void check_growth(const support::WeightedPoints& points, std::size_t least_moved
     CHECK(kept_tetrahedra(kept) == fresh_tetrahedra(kept));
     ++compared;
   };
-  front::MeshOptions meshing;
-  meshing.method = front::Method::Dynamic;
+  morskin::MeshOptions meshing;
+  meshing.method = morskin::Method::Dynamic;
   meshing.sizing.C = C;
-  meshing.sizing.Q = refine::Sizing::quality_for(C);
+  meshing.sizing.Q = certify::Sizing::quality_for(C);
   meshing.mesher = dynamic_mesher(options);
-  const front::MeshResult result = front::mesh_skin(*skin, meshing);
+  const morskin::MeshResult result = morskin::mesh_skin(*skin, meshing);
   CHECK(compared > 0);
   CHECK(result.certificate.certified);
   CHECK(kept_tetrahedra(kept) == fresh_tetrahedra(kept));
@@ -118,7 +118,7 @@ void check_growth(const support::WeightedPoints& points, std::size_t least_moved
   CHECK(counts.facets_not_crossed == 0);
 
   meshing.mesher = dynamic_mesher();
-  const front::MeshResult without = front::mesh_skin(*skin, meshing);
+  const morskin::MeshResult without = morskin::mesh_skin(*skin, meshing);
   CHECK(without.mesh.positions == result.mesh.positions);
   CHECK(without.mesh.triangles == result.mesh.triangles);
 }

@@ -9,9 +9,9 @@
 
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
-#include "front/mesh_skin.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/surface_mesh.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -54,12 +54,12 @@ std::set<std::pair<std::size_t, std::size_t>> open_sides(const CubeCase& c) {
   return open;
 }
 
-front::PreparedSkin skin_of(std::string_view file, skin::Model model) {
-  return front::prepare_skin(support::molecule(file, model));
+morskin::PreparedSkin skin_of(std::string_view file, skin::Model model) {
+  return morskin::prepare_skin(support::molecule(file, model));
 }
 
-refine::Certificate certificate(const front::PreparedSkin& skin, const GridMesh& made) {
-  return refine::certify(made.mesh, skin.surface, skin.topology);
+certify::Certificate certificate(const morskin::PreparedSkin& skin, const GridMesh& made) {
+  return certify::certify(made.mesh, skin.surface, skin.topology);
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ TEST_CASE("a single inside corner is cut off by a triangle that faces away from 
 }
 
 TEST_CASE("no skin lies within the free distance of a point") {
-  const front::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
+  const morskin::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
   const support::Box box = support::box_of(skin.surface.points());
   support::Random random(5);
   for (int i = 0; i < 2000; ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("no skin lies within the free distance of a point") {
 }
 
 TEST_CASE("every cell whose corners lie on both sides of the skin is visited, once") {
-  const front::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
+  const morskin::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
   const Grid grid = grid_over(skin.surface, 0.6);
   std::map<GridPlace, int> visits;
   for_each_cell_near_skin(skin.surface, grid,
@@ -190,14 +190,14 @@ TEST_CASE("marching cubes gives closed oriented manifolds with every vertex on t
   for (const char* file : {"two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr",
                            "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"}) {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      const front::PreparedSkin skin = skin_of(file, model);
+      const morskin::PreparedSkin skin = skin_of(file, model);
       for (const double step : {0.9, 0.31}) {
         CAPTURE(file);
         CAPTURE(step);
         const GridMesh made = marching_cubes(skin.surface, step);
-        const refine::Certificate c = certificate(skin, made);
-        CHECK(c.broken_by(refine::Claim::Manifold) == "");
-        CHECK(c.broken_by(refine::Claim::OnSkin) == "");
+        const certify::Certificate c = certificate(skin, made);
+        CHECK(c.broken_by(certify::Claim::Manifold) == "");
+        CHECK(c.broken_by(certify::Claim::OnSkin) == "");
         CHECK(c.volume > 0);
         REQUIRE(made.cells.size() == made.mesh.positions.size());
       }
@@ -208,9 +208,9 @@ TEST_CASE("marching cubes gives closed oriented manifolds with every vertex on t
 TEST_CASE("a fine grid gives the skin's topology, but no quality and no certificate") {
   for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "caffeine.xyz"}) {
     CAPTURE(file);
-    const front::PreparedSkin skin = skin_of(file, skin::Model::Paper);
-    const refine::Certificate c = certificate(skin, marching_cubes(skin.surface, 0.12));
-    CHECK(c.broken_by(refine::Claim::Counts) == "");
+    const morskin::PreparedSkin skin = skin_of(file, skin::Model::Paper);
+    const certify::Certificate c = certificate(skin, marching_cubes(skin.surface, 0.12));
+    CHECK(c.broken_by(certify::Claim::Counts) == "");
     CHECK_FALSE(c.certified);
     CHECK(c.violations_L > 0);
     CHECK(c.min_angle_deg < 5);
@@ -218,10 +218,10 @@ TEST_CASE("a fine grid gives the skin's topology, but no quality and no certific
 }
 
 TEST_CASE("area and volume of a ball come nearer with the square of the step") {
-  const front::PreparedSkin skin = front::prepare_skin({ball(0.1, -0.2, 0.3, 1.5)});
+  const morskin::PreparedSkin skin = morskin::prepare_skin({ball(0.1, -0.2, 0.3, 1.5)});
   const double area = 4 * M_PI * 1.5 * 1.5, volume = area * 1.5 / 3;
   const auto miss = [&](double step) {
-    const refine::Certificate c = certificate(skin, marching_cubes(skin.surface, step));
+    const certify::Certificate c = certificate(skin, marching_cubes(skin.surface, step));
     CHECK(c.euler_characteristic == 2);
     return std::pair{area - c.area, volume - c.volume};
   };
@@ -232,7 +232,7 @@ TEST_CASE("area and volume of a ball come nearer with the square of the step") {
 }
 
 TEST_CASE("marching cubes gives the same mesh twice") {
-  const front::PreparedSkin skin = skin_of("5tmn_ligand.pdb", skin::Model::Paper);
+  const morskin::PreparedSkin skin = skin_of("5tmn_ligand.pdb", skin::Model::Paper);
   const GridMesh first = marching_cubes(skin.surface, 0.3);
   const GridMesh second = marching_cubes(skin.surface, 0.3);
   CHECK(first.mesh.triangles == second.mesh.triangles);
@@ -245,11 +245,11 @@ TEST_CASE("the grid step chosen makes as many triangles as the sweep, within a f
       for (const double C : {0.08, 0.05}) {
         CAPTURE(file);
         CAPTURE(C);
-        const front::PreparedSkin skin = skin_of(file, model);
-        front::MeshOptions options = support::with({.C = C});
+        const morskin::PreparedSkin skin = skin_of(file, model);
+        morskin::MeshOptions options = support::with({.C = C});
         options.certify = false;
         const double swept =
-            static_cast<double>(front::mesh_skin(skin, options).mesh.triangles.size());
+            static_cast<double>(morskin::mesh_skin(skin, options).mesh.triangles.size());
         const GridMesh made =
             marching_cubes(skin.surface, step_like_sweep(skin.surface, options.sizing));
         CHECK(static_cast<double>(made.mesh.triangles.size()) / swept ==
@@ -260,6 +260,6 @@ TEST_CASE("the grid step chosen makes as many triangles as the sweep, within a f
 }
 
 TEST_CASE("a step so small that the grid has too many cells is refused") {
-  const front::PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1.5)});
+  const morskin::PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1.5)});
   CHECK_THROWS_AS(marching_cubes(skin.surface, 1e-7), geometry::LimitReached);
 }

@@ -1,4 +1,4 @@
-#include "geometry/mesh_files.h"
+#include "geometry/files/mesh_files.h"
 
 #include <doctest/doctest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 #include <string>
 
-#include "geometry/atomic_file.h"
 #include "geometry/error.h"
+#include "geometry/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 using morskin::geometry::IndexedMesh;

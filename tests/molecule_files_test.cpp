@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "geometry/gzip.h"
+#include "geometry/files/gzip.h"
 #include "skin/radii.h"
 #include "tests/support/temporary_folder.h"
 

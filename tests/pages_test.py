@@ -3,7 +3,7 @@
 
 - Every relative link and picture resolves, with its heading if it names one; in READMEs as well.
 - Every code span names something that is there:
-      a file or folder              `refine/sizing.h`, `papers/`
+      a file or folder              `certify/sizing.h`, `papers/`
       a name in the file before it  `Sizing::edge_ratio` (a header stands for its .cpp too);
                                     with no file before it in the block, in any source file
       a test case, word for word    `"points on a line are collinear"`, in the test file before it
@@ -28,8 +28,8 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
 PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
-CODE_FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "cmake",
-                "papers"]
+CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
+                "app", "bench", "tests", "cmake", "papers"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")

@@ -5,34 +5,35 @@
 #include <cmath>
 
 #include "front/sweep.h"
+#include "morse/make_guide.h"
 #include "morse/protecting_spheres.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::refine;
-using front::PreparedSkin;
+using morskin::PreparedSkin;
 using support::ball;
 
 namespace {
 
 /// What the sweep leaves for the refinement.
-SkinMesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
+Mesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
   const morse::Guide guide = morse::make_guide(
       skin.surface, skin.topology.skin_euler_characteristic(), {}, sizing.tangent_disk_share());
-  SkinMesh mesh;
+  Mesh mesh;
   front::Sweep sweep(skin.surface, guide, {.sizing = sizing}, mesh);
   sweep.run();
   REQUIRE(sweep.open_edges() == 0);
   return mesh;
 }
 
-SkinMesh refined_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  front::MeshOptions options = support::with(sizing);
+Mesh refined_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
+  morskin::MeshOptions options = support::with(sizing);
   options.certify = false;
-  return support::skin_mesh(skin.surface, front::mesh_skin(skin, options));
+  return support::skin_mesh(skin.surface, morskin::mesh_skin(skin, options));
 }
 
-RefinementCounts refine_mesh(const PreparedSkin& skin, SkinMesh& mesh, const Sizing& sizing = {}) {
+RefinementCounts refine_mesh(const PreparedSkin& skin, Mesh& mesh, const Sizing& sizing = {}) {
   Refinement refinement(skin.surface, sizing, mesh);
   refinement.run();
   return refinement.counts();
@@ -42,7 +43,7 @@ struct Breaches {
   std::size_t L = 0, U = 0;
   bool operator==(const Breaches&) const = default;
 };
-Breaches breaches(const SkinMesh& mesh, const Sizing& sizing = {}) {
+Breaches breaches(const Mesh& mesh, const Sizing& sizing = {}) {
   Breaches found;
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
@@ -58,7 +59,7 @@ Breaches breaches(const SkinMesh& mesh, const Sizing& sizing = {}) {
 }
 
 /// Sound, of the skin's topology, every vertex with its point, no breach left.
-void check_refined(const PreparedSkin& skin, const SkinMesh& mesh, const Sizing& sizing = {}) {
+void check_refined(const PreparedSkin& skin, const Mesh& mesh, const Sizing& sizing = {}) {
   CHECK(geometry::validate(mesh.surface).value_or("") == "");
   REQUIRE(mesh.points.size() == mesh.surface.vertex_count());
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -74,7 +75,7 @@ void check_refined(const PreparedSkin& skin, const SkinMesh& mesh, const Sizing&
 /// A ball this shallowly entered counts as empty: the refinement's own share of its squared radius.
 constexpr double least_intrusion = 1e-9;
 
-std::size_t entered_balls(const PreparedSkin& skin, const SkinMesh& mesh) {
+std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
   std::size_t entered = 0;
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
@@ -99,7 +100,7 @@ std::vector<support::WeightedPoints> small_skins() {
           support::tetrahedron_balls(2.3)};
 }
 
-bool faces_outward(const SkinMesh& mesh, VertexId a, VertexId b, VertexId c) {
+bool faces_outward(const Mesh& mesh, VertexId a, VertexId b, VertexId c) {
   const Vector n =
       (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).normalized();
   constexpr double upright = 0.5;
@@ -108,7 +109,7 @@ bool faces_outward(const SkinMesh& mesh, VertexId a, VertexId b, VertexId c) {
 }
 
 /// Flips random edges as long as both new triangles face outward; returns how many were flipped.
-std::size_t spoil_by_flips(SkinMesh& mesh, support::Random& random, std::size_t tries) {
+std::size_t spoil_by_flips(Mesh& mesh, support::Random& random, std::size_t tries) {
   std::size_t flipped = 0;
   SurfaceMesh& surface = mesh.surface;
   for (std::size_t i = 0; i < tries; ++i) {
@@ -127,7 +128,7 @@ std::size_t spoil_by_flips(SkinMesh& mesh, support::Random& random, std::size_t 
 }
 
 /// Puts new vertices into random triangles, mostly close to a corner.
-std::size_t spoil_by_splits(const PreparedSkin& skin, SkinMesh& mesh, support::Random& random,
+std::size_t spoil_by_splits(const PreparedSkin& skin, Mesh& mesh, support::Random& random,
                             std::size_t count) {
   std::size_t made = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -151,7 +152,7 @@ TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps t
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
-    SkinMesh mesh = swept_mesh(*skin);
+    Mesh mesh = swept_mesh(*skin);
     const std::size_t components = geometry::components(mesh.surface).count;
     CHECK(components == skin->topology.skin_components());
     refine_mesh(*skin, mesh);
@@ -164,7 +165,7 @@ namespace {
 constexpr Sizing coarse{.C = 0.12, .Q = 1.65};
 
 /// Every triangle too big for the default sizing.
-Work all_big(const SkinMesh& mesh) {
+Work all_big(const Mesh& mesh) {
   Work work;
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) work.big.emplace_back(t);
   return work;
@@ -174,8 +175,8 @@ Work all_big(const SkinMesh& mesh) {
 
 TEST_CASE("operations in a territory change no triangle with a vertex that it does not hold") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    SkinMesh mesh = refined_mesh(skin, coarse);
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    Mesh mesh = refined_mesh(skin, coarse);
     const std::size_t triangles = mesh.surface.triangle_count();
     Territory west;
     west.is_whole = false;
@@ -212,8 +213,8 @@ TEST_CASE("operations in a territory change no triangle with a vertex that it do
 }
 
 TEST_CASE("a territory without room leaves its work as it is") {
-  const PreparedSkin skin = front::prepare_skin(small_skins()[2]);
-  SkinMesh mesh = refined_mesh(skin, coarse);
+  const PreparedSkin skin = morskin::prepare_skin(small_skins()[2]);
+  Mesh mesh = refined_mesh(skin, coarse);
   Territory full;
   full.is_whole = false;
   full.is_foreign.resize(mesh.points.size(), 0);
@@ -227,14 +228,14 @@ TEST_CASE("a territory without room leaves its work as it is") {
 
 TEST_CASE("refinement in two halves has one outcome for any number of threads") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    const SkinMesh rough = refined_mesh(skin, coarse);
-    SkinMesh alone = rough;
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh rough = refined_mesh(skin, coarse);
+    Mesh alone = rough;
     const RefinementCounts counts = refine_mesh(skin, alone);
     CHECK(counts.insert > 128);  // else no halves
     check_refined(skin, alone);
     for (const unsigned threads : {2U, 3U}) {
-      SkinMesh together = rough;
+      Mesh together = rough;
       Refinement refinement(skin.surface, {}, together, threads);
       refinement.run();
       CHECK(refinement.counts().flip == counts.flip);
@@ -250,8 +251,8 @@ TEST_CASE("refinement in two halves has one outcome for any number of threads") 
 
 TEST_CASE("refining twice changes nothing the second time") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    Mesh mesh = refined_mesh(skin);
     const auto before = mesh.surface.triangle_list();
     const RefinementCounts counts = refine_mesh(skin, mesh);
     CHECK(counts.flip + counts.contract + counts.insert + counts.refused == 0);
@@ -261,8 +262,8 @@ TEST_CASE("refining twice changes nothing the second time") {
 
 TEST_CASE("no vertex lies in the surface ball of a triangle of a refined mesh") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    const SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh mesh = refined_mesh(skin);
     CHECK(entered_balls(skin, mesh) == 0);
   }
 }
@@ -271,8 +272,8 @@ TEST_CASE("random flips are undone: the restricted Delaunay triangulation is fou
   for (unsigned seed = 0; seed < 8; ++seed) {
     CAPTURE(seed);
     support::Random random(seed);
-    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
-    SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+    Mesh mesh = refined_mesh(skin);
     REQUIRE(spoil_by_flips(mesh, random, 500) > 50);
     refine_mesh(skin, mesh);
     check_refined(skin, mesh);
@@ -284,8 +285,8 @@ TEST_CASE("vertices put in too close to others are taken out again") {
   for (unsigned seed = 0; seed < 8; ++seed) {
     CAPTURE(seed);
     support::Random random(seed);
-    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
-    SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+    Mesh mesh = refined_mesh(skin);
     REQUIRE(spoil_by_splits(skin, mesh, random, 100) > 50);
     CHECK(breaches(mesh).L > 0);
     const RefinementCounts counts = refine_mesh(skin, mesh);
@@ -299,8 +300,8 @@ TEST_CASE("a mesh spoiled by splits and flips together is repaired") {
   for (unsigned seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     support::Random random(seed);
-    const PreparedSkin skin = front::prepare_skin(small_skins()[seed % 4]);
-    SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+    Mesh mesh = refined_mesh(skin);
     spoil_by_splits(skin, mesh, random, 150);
     spoil_by_flips(mesh, random, 600);
     refine_mesh(skin, mesh);
@@ -309,9 +310,9 @@ TEST_CASE("a mesh spoiled by splits and flips together is repaired") {
 }
 
 TEST_CASE("the sphere of eight times four triangles, far too coarse, is refined to a good one") {
-  const PreparedSkin skin = front::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
+  const PreparedSkin skin = morskin::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
   const auto sphere = support::sphere_mesh(Point::Zero(), 1, 1);
-  SkinMesh mesh;
+  Mesh mesh;
   mesh.surface = geometry::closed_mesh(sphere.positions.size(), sphere.triangles).mesh;
   for (const Point& p : sphere.positions) {
     mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
@@ -322,8 +323,8 @@ TEST_CASE("the sphere of eight times four triangles, far too coarse, is refined 
 
 TEST_CASE("a surface ball is centred on the skin and passes through its triangle's corners") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    const SkinMesh mesh = refined_mesh(skin);
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh mesh = refined_mesh(skin);
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
       const SurfaceBall around =
@@ -341,8 +342,8 @@ TEST_CASE("a surface ball is centred on the skin and passes through its triangle
 
 TEST_CASE("a surface ball found to rounding is as deep as its bounds say, and they mostly decide") {
   for (const auto& points : small_skins()) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    const SkinMesh mesh = swept_mesh(skin);  // worse triangles than a refined one has
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh mesh = swept_mesh(skin);  // worse triangles than a refined one has
     std::size_t asked = 0, decided = 0;
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
@@ -372,9 +373,9 @@ TEST_CASE(
     "two vertices close together in one triangle of a coarse mesh do not hang the refinement") {
   // While the only vertex that could go has neighbours of degree three, contraction is refused; the
   // flips tried on the way queued the same edge again, for ever.
-  const PreparedSkin skin = front::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
+  const PreparedSkin skin = morskin::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
   const auto s = support::sphere_mesh(Point::Zero(), 1, 0);
-  SkinMesh mesh;
+  Mesh mesh;
   mesh.surface = geometry::closed_mesh(6, s.triangles).mesh;
   for (const Point& p : s.positions) {
     mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
@@ -395,8 +396,8 @@ TEST_CASE("a mesh too coarse for its sizing is refined, one too fine is thinned"
   for (const support::WeightedPoints& points :
        {support::WeightedPoints{ball(0, 0, 0, 1)},
         support::WeightedPoints{ball(0, 0, 0, 1.2), ball(2, 0, 0, 1.5), ball(0, 2.5, 0, 1)}}) {
-    const PreparedSkin skin = front::prepare_skin(points);
-    SkinMesh mesh = refined_mesh(skin, coarse), other = refined_mesh(skin, fine);
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    Mesh mesh = refined_mesh(skin, coarse), other = refined_mesh(skin, fine);
     CHECK(refine_mesh(skin, mesh, fine).insert > 0);
     check_refined(skin, mesh, fine);
     CHECK(refine_mesh(skin, other, coarse).contract > 0);

@@ -1,4 +1,4 @@
-#include "front/safety_net.h"
+#include "morskin/safety_net.h"
 
 #include <doctest/doctest.h>
 
@@ -8,15 +8,16 @@
 #include <string>
 
 #include "front/two_fronts.h"
+#include "morse/make_guide.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using front::Mesher;
-using front::MeshOptions;
-using front::MeshResult;
-using front::MethodResult;
-using front::PreparedSkin;
 using geometry::VertexId;
+using morskin::Mesher;
+using morskin::MeshOptions;
+using morskin::MeshResult;
+using morskin::MethodResult;
+using morskin::PreparedSkin;
 using support::WeightedPoints;
 
 namespace {
@@ -36,9 +37,9 @@ template <class IsLost>
 Mesher sweep_without(IsLost is_lost) {
   auto count = std::make_shared<int>(0);
   return [=](const PreparedSkin& skin, const MeshOptions& options) {
-    MethodResult result = front::sweep_method(skin, options);
+    MethodResult result = morskin::sweep_method(skin, options);
     ++*count;
-    skin::SkinMesh broken;
+    surface::Mesh broken;
     broken.points = result.mesh.points;
     for (std::size_t v = 0; v < broken.points.size(); ++v) broken.surface.add_vertex();
     for (const auto& [a, b, c] : result.mesh.surface.triangle_list()) {
@@ -65,7 +66,7 @@ geometry::SurfaceMesh without_first_triangle(const geometry::SurfaceMesh& surfac
 MeshResult mesh_by(const WeightedPoints& points, const Mesher& mesher) {
   MeshOptions options;
   options.mesher = mesher;
-  return front::mesh_skin(points, options);
+  return morskin::mesh_skin(points, options);
 }
 
 /// The positions of a mesh's vertices that are far out on one side, in order.
@@ -82,7 +83,7 @@ std::vector<std::array<double, 3>> far_out(const MeshResult& result, double side
 
 TEST_CASE("a component that the sweep spoils is swept in another direction") {
   const WeightedPoints points = four_components();
-  const MeshResult plain = front::mesh_skin(points);
+  const MeshResult plain = morskin::mesh_skin(points);
   REQUIRE(plain.certificate.certified);
   CHECK(plain.fallbacks.empty());
   const MeshResult mended = mesh_by(points, sweep_without([](const auto& p, int sweeps) {
@@ -104,7 +105,7 @@ TEST_CASE("a component that every sweep spoils is meshed by the static method") 
               sweep_without([](const auto& p, int) { return p.norm() < 20 && p.z() > 0.1; }));
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 2);  // both sides of the shell
-  for (const front::Fallback& fallback : mended.fallbacks) CHECK(fallback.to == "static");
+  for (const morskin::Fallback& fallback : mended.fallbacks) CHECK(fallback.to == "static");
   CHECK(mended.fallbacks[0].component != mended.fallbacks[1].component);
 }
 
@@ -120,10 +121,10 @@ TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
   // As sweep_method() does: what is open is not refined at all.
   const Mesher mesher = [sweeps = std::make_shared<int>(0)](const PreparedSkin& skin,
                                                             const MeshOptions& options) {
-    if (++*sweeps > 1) return front::sweep_method(skin, options);
+    if (++*sweeps > 1) return morskin::sweep_method(skin, options);
     const morse::Guide guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                          front::sphere_share(skin.surface, options.sizing));
+                          morskin::sphere_share(skin.surface, options.sizing));
     MethodResult result;
     result.mesh = front::sweep_once(skin.surface, guide, {.sizing = options.sizing}).mesh;
     result.function = guide.function;
@@ -135,13 +136,13 @@ TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
   CHECK(mended.certificate.certified);
   CHECK(mended.certificate.restricted_delaunay_violations == 0);
   CHECK(mended.fallbacks.size() == 4);
-  for (const front::Fallback& f : mended.fallbacks) CHECK(f.to.starts_with("sweep along"));
+  for (const morskin::Fallback& f : mended.fallbacks) CHECK(f.to.starts_with("sweep along"));
 }
 
 TEST_CASE("a mesh that runs from one component to another is replaced on both") {
   // One triangle between the two balls.
   const Mesher joining = [](const PreparedSkin& skin, const MeshOptions& options) {
-    MethodResult result = front::sweep_method(skin, options);
+    MethodResult result = morskin::sweep_method(skin, options);
     const auto by_x = [](const auto& p, const auto& q) { return p.position.x() < q.position.x(); };
     const auto& points = result.mesh.points;
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_x);
@@ -171,7 +172,7 @@ TEST_CASE("the net holds in the nasty case of two components that nearly touch")
 TEST_CASE("when nothing helps the report says so and the mesh stays as it was") {
   MeshOptions options;
   options.sizing = {.C = 0.9, .Q = 1.9};  // triangles as big as the surface's features
-  const MeshResult result = front::mesh_skin(support::octahedron_balls(), options);
+  const MeshResult result = morskin::mesh_skin(support::octahedron_balls(), options);
   CHECK_FALSE(result.certificate.certified);
   REQUIRE(result.fallbacks.size() == 1);
   CHECK(result.fallbacks[0].to == "nothing");
@@ -179,14 +180,14 @@ TEST_CASE("when nothing helps the report says so and the mesh stays as it was") 
 
 TEST_CASE("what other methods and narrow guards do is not mended") {
   MeshOptions options;
-  options.method = front::Method::Static;
+  options.method = morskin::Method::Static;
   options.mesher = sweep_without([](const auto&, int) { return true; });
-  MeshResult result = front::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  MeshResult result = morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options);
   CHECK_FALSE(result.certificate.certified);
   CHECK(result.fallbacks.empty());
-  options.method = front::Method::Sweep;
+  options.method = morskin::Method::Sweep;
   options.guard = front::Guard::Spheres;
-  result = front::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  result = morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options);
   CHECK_FALSE(result.certificate.certified);
   CHECK(result.fallbacks.empty());
 }

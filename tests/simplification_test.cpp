@@ -149,8 +149,8 @@ TEST_CASE("contracting short arcs is what doing the least allowed one again and 
     const MorseSmaleComplex complex = random_complex(seed, 30);
     const Simplification left = contract_short_arcs(complex, share);
     const auto overlap = [&](CriticalId a, CriticalId b) {
-      const skin::SurfacePoint& p = complex.points[a.index()].point;
-      const skin::SurfacePoint& q = complex.points[b.index()].point;
+      const surface::SurfacePoint& p = complex.points[a.index()].point;
+      const surface::SurfacePoint& q = complex.points[b.index()].point;
       return (p.position - q.position).norm() < share * (p.length_scale + q.length_scale);
     };
     PlainComplex plain(complex);

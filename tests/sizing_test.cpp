@@ -1,12 +1,12 @@
-#include "refine/sizing.h"
+#include "certify/sizing.h"
 
 #include <doctest/doctest.h>
 
-#include "refine/triangle_geometry.h"
+#include "certify/triangle_geometry.h"
 #include "tests/support/ball_sets.h"
 
 using namespace morskin;
-using refine::Sizing;
+using certify::Sizing;
 
 namespace {
 
@@ -17,7 +17,7 @@ Sizing random_sizing(support::Random& random) {
   return {random.between(0.01, 0.15), random.between(1.45, 1.75)};
 }
 
-skin::SurfacePoint corner(const geometry::Point& position, double length_scale) {
+surface::SurfacePoint corner(const geometry::Point& position, double length_scale) {
   return {position, geometry::Vector::UnitZ(), length_scale, geometry::CellId{}};
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
     const auto near = [&]() -> geometry::Vector {
       return 0.35 * random.uniform() * random.direction();
     };
-    std::array<skin::SurfacePoint, 3> p;
-    for (skin::SurfacePoint& x : p) x = corner(near(), random.between(0.8, 1.2));
-    const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
+    std::array<surface::SurfacePoint, 3> p;
+    for (surface::SurfacePoint& x : p) x = corner(near(), random.between(0.8, 1.2));
+    const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
     const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
     if (sizing.triangle_ratio(circle.radius, rho) >= 1) continue;
     bool keeps_L = true;
@@ -82,7 +82,7 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
     }
     if (!keeps_L) continue;
     ++kept;
-    const auto angles = refine::angle_range(p[0].position, p[1].position, p[2].position);
+    const auto angles = certify::angle_range(p[0].position, p[1].position, p[2].position);
     CHECK(angles.smallest_deg > sizing.least_angle_deg());
   }
   CHECK(kept > 20);  // the law was put to the test

@@ -4,12 +4,13 @@
 
 #include <cmath>
 
-#include "refine/restricted_delaunay.h"
+#include "certify/restricted_delaunay.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using namespace morskin::certify;
 using namespace morskin::refine;
-using front::PreparedSkin;
+using morskin::PreparedSkin;
 using support::ball;
 
 namespace {
@@ -17,24 +18,24 @@ namespace {
 constexpr double goal_deg = 30;
 
 /// A mesh of the sweep, refined and not smoothed.
-SkinMesh rough_mesh(const PreparedSkin& skin) {
-  front::MeshOptions options = support::uncertified();
+Mesh rough_mesh(const PreparedSkin& skin) {
+  morskin::MeshOptions options = support::uncertified();
   options.angle_goal_deg = 0;
-  return support::skin_mesh(skin.surface, front::mesh_skin(skin, options));
+  return support::skin_mesh(skin.surface, morskin::mesh_skin(skin, options));
 }
 
-geometry::IndexedMesh indexed(const SkinMesh& mesh) {
+geometry::IndexedMesh indexed(const Mesh& mesh) {
   geometry::IndexedMesh result;
   result.triangles = mesh.surface.triangle_list();
   for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
   return result;
 }
 
-Certificate certificate(const PreparedSkin& skin, const SkinMesh& mesh) {
+Certificate certificate(const PreparedSkin& skin, const Mesh& mesh) {
   return certify(indexed(mesh), skin.surface, skin.topology);
 }
 
-std::size_t triangles_below(const SkinMesh& mesh, double angle_deg) {
+std::size_t triangles_below(const Mesh& mesh, double angle_deg) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
@@ -48,7 +49,7 @@ std::vector<PreparedSkin> skins() {
   std::vector<PreparedSkin> result;
   for (const char* file : {"cube8.xyzr", "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"}) {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      result.push_back(front::prepare_skin(support::molecule(file, model)));
+      result.push_back(morskin::prepare_skin(support::molecule(file, model)));
     }
   }
   for (unsigned seed = 0; seed < 15; ++seed) {
@@ -62,7 +63,7 @@ std::vector<PreparedSkin> skins() {
 TEST_CASE("smoothing leaves no angle below 30 degrees, and the mesh certified") {
   std::size_t moved = 0;
   for (const PreparedSkin& skin : skins()) {
-    SkinMesh mesh = rough_mesh(skin);
+    Mesh mesh = rough_mesh(skin);
     const SmoothingCounts counts = smooth(skin.surface, {}, mesh, goal_deg);
     moved += counts.moved;
     CHECK(counts.left == 0);
@@ -75,7 +76,7 @@ TEST_CASE("smoothing leaves no angle below 30 degrees, and the mesh certified") 
 
 TEST_CASE("smoothing keeps every triangle's corners and lets no vertex into a surface ball") {
   for (const PreparedSkin& skin : skins()) {
-    SkinMesh mesh = rough_mesh(skin);
+    Mesh mesh = rough_mesh(skin);
     const auto before = mesh.surface.triangle_list();
     smooth(skin.surface, {}, mesh, goal_deg);
     CHECK(mesh.surface.triangle_list() == before);
@@ -85,7 +86,7 @@ TEST_CASE("smoothing keeps every triangle's corners and lets no vertex into a su
 
 TEST_CASE("the counts before and after are those of a look at every triangle") {
   for (const PreparedSkin& skin : skins()) {
-    SkinMesh mesh = rough_mesh(skin);
+    Mesh mesh = rough_mesh(skin);
     constexpr double high_deg = 36;  // so that some are left
     const std::size_t before = triangles_below(mesh, high_deg);
     const SmoothingCounts counts = smooth(skin.surface, {}, mesh, high_deg);
@@ -95,8 +96,8 @@ TEST_CASE("the counts before and after are those of a look at every triangle") {
 }
 
 TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks nothing") {
-  const PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
-  SkinMesh mesh = rough_mesh(skin);
+  const PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
+  Mesh mesh = rough_mesh(skin);
   const double before = certificate(skin, mesh).min_angle_deg;
   const SmoothingCounts counts = smooth(skin.surface, {}, mesh, 60);
   CHECK(counts.left > 0);
@@ -106,8 +107,8 @@ TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks
 }
 
 TEST_CASE("a mesh without an angle below the goal is left as it is, and so is any for the goal 0") {
-  const PreparedSkin skin = front::prepare_skin({ball(0, 0, 0, 1)});
-  SkinMesh mesh = rough_mesh(skin);
+  const PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1)});
+  Mesh mesh = rough_mesh(skin);
   smooth(skin.surface, {}, mesh, goal_deg);
   const geometry::IndexedMesh once = indexed(mesh);
   CHECK(smooth(skin.surface, {}, mesh, goal_deg).moved == 0);
@@ -117,9 +118,9 @@ TEST_CASE("a mesh without an angle below the goal is left as it is, and so is an
 
 TEST_CASE("smoothing is the same with any number of threads") {
   const PreparedSkin skin =
-      front::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
-  SkinMesh first = rough_mesh(skin);
-  SkinMesh second = first;
+      morskin::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  Mesh first = rough_mesh(skin);
+  Mesh second = first;
   smooth(skin.surface, {}, first, goal_deg, 1);
   smooth(skin.surface, {}, second, goal_deg, 3);
   CHECK(indexed(first).positions == indexed(second).positions);
@@ -129,8 +130,8 @@ TEST_CASE("smoothing in many small blocks keeps every law, and is the same in an
   constexpr std::size_t least_block = 50;  // triangles; there are at most sixteen blocks
   std::size_t moved = 0;
   for (const PreparedSkin& skin : skins()) {
-    SkinMesh mesh = rough_mesh(skin);
-    SkinMesh other = mesh;
+    Mesh mesh = rough_mesh(skin);
+    Mesh other = mesh;
     const auto before = mesh.surface.triangle_list();
     const SmoothingCounts counts = smooth(skin.surface, {}, mesh, goal_deg, 1, least_block);
     moved += counts.moved;

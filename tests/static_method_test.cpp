@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <string>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
 
 using namespace morskin;
-using front::MeshOptions;
-using front::Method;
+using morskin::MeshOptions;
+using morskin::Method;
 using support::Outcome;
 
 namespace {
@@ -43,9 +43,9 @@ void check_molecule(const char* file) {
 
 TEST_CASE("a method's name says which it is") {
   for (const Method method : {Method::Sweep, Method::Static, Method::Dynamic}) {
-    CHECK(front::parse_method(front::name_of(method)) == method);
+    CHECK(morskin::parse_method(morskin::name_of(method)) == method);
   }
-  CHECK_FALSE(front::parse_method("fast"));
+  CHECK_FALSE(morskin::parse_method("fast"));
 }
 
 TEST_CASE("the static method meshes one ball, two with and without a neck, and nearly touching") {
@@ -78,8 +78,8 @@ TEST_CASE("the static method breaks what the certificate could not prove of a co
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
       MeshOptions options = by_static_method();
-      options.sizing = {C, refine::Sizing::quality_for(C)};
-      const front::MeshResult result = front::mesh_skin(*skin, options);
+      options.sizing = {C, certify::Sizing::quality_for(C)};
+      const morskin::MeshResult result = morskin::mesh_skin(*skin, options);
       CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
     }
   }
@@ -90,8 +90,8 @@ TEST_CASE("samples too near to others, which the topology took, do not stay in a
   for (const skin::Model model : {skin::Model::Paper, skin::Model::Vdw}) {
     CAPTURE(std::string(skin::name_of(model)));
     MeshOptions options = by_static_method();
-    options.sizing = {0.4, refine::Sizing::quality_for(0.4)};
-    const auto result = front::mesh_skin(support::molecule("1crn.pdb", model), options);
+    options.sizing = {0.4, certify::Sizing::quality_for(0.4)};
+    const auto result = morskin::mesh_skin(support::molecule("1crn.pdb", model), options);
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
     CHECK(result.certificate.violations_L == 0);
   }
@@ -99,11 +99,11 @@ TEST_CASE("samples too near to others, which the topology took, do not stay in a
 
 TEST_CASE("the static method gives the same bytes every time") {
   const auto points = support::molecule("caffeine.xyz", skin::Model::Paper);
-  const auto first = front::mesh_skin(points, by_static_method());
-  front::mesh_skin(support::ball_set(1), by_static_method());
+  const auto first = morskin::mesh_skin(points, by_static_method());
+  morskin::mesh_skin(support::ball_set(1), by_static_method());
   MeshOptions one_thread = by_static_method();
   one_thread.threads = 1;
-  const auto second = front::mesh_skin(points, one_thread);
+  const auto second = morskin::mesh_skin(points, one_thread);
   CHECK(first.mesh.triangles == second.mesh.triangles);
   CHECK(first.mesh.positions == second.mesh.positions);
 }
@@ -119,7 +119,7 @@ TEST_CASE("the static method tells how many samples there are, more each time") 
     }
   };
   const auto result =
-      front::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
+      morskin::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
   REQUIRE(told.size() > 1);
   CHECK(std::ranges::is_sorted(told));
   CHECK(std::ranges::adjacent_find(told) == told.end());
@@ -130,9 +130,9 @@ TEST_CASE("the static method tells how many samples there are, more each time") 
 TEST_CASE("a method that lives outside the library is refused without its mesher") {
   MeshOptions options;
   options.method = Method::Dynamic;
-  CHECK_THROWS_AS(front::mesh_skin({support::ball(0, 0, 0, 1)}, options), geometry::RefusedInput);
-  options.mesher = front::static_method;
-  CHECK(front::mesh_skin({support::ball(0, 0, 0, 1)}, options).certificate.certified);
+  CHECK_THROWS_AS(morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options), geometry::RefusedInput);
+  options.mesher = static_method;
+  CHECK(morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options).certificate.certified);
 }
 
 TEST_SUITE("slow") {

@@ -36,7 +36,7 @@ struct Message {
   std::array<char, 400> why;
 };
 
-[[noreturn]] void run_child(unsigned seed, const front::MeshOptions& options, int pipe) {
+[[noreturn]] void run_child(unsigned seed, const morskin::MeshOptions& options, int pipe) {
   const rlimit work{most_seconds, most_seconds};
   ::setrlimit(RLIMIT_CPU, &work);
   ::alarm(most_waiting * most_seconds);
@@ -47,7 +47,7 @@ struct Message {
   ::_exit(is_told ? 0 : 1);
 }
 
-Outcome run_set(unsigned seed, const front::MeshOptions& options) {
+Outcome run_set(unsigned seed, const morskin::MeshOptions& options) {
   int ends[2];
   if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
   const pid_t child = ::fork();
@@ -84,7 +84,7 @@ void print(const char* name, const Tally& tally) {
               tally.certified, tally.singular, tally.failed, tally.triangles);
 }
 
-int run_all(unsigned sets, unsigned first, const front::MeshOptions& options) {
+int run_all(unsigned sets, unsigned first, const morskin::MeshOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
@@ -120,14 +120,14 @@ int main(int count, char** words) {
     std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
     return EXIT_SUCCESS;
   }
-  front::MeshOptions options;
-  const auto method = count >= 4 ? front::parse_method(words[3]) : options.method;
+  morskin::MeshOptions options;
+  const auto method = count >= 4 ? morskin::parse_method(words[3]) : options.method;
   if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
   if (count < 2 || count > 5 || number(words[1]) == 0 || !method || !(options.sizing.C > 0)) {
     std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
     return 2;
   }
   options.method = *method;
-  options.sizing.Q = refine::Sizing::quality_for(options.sizing.C);
+  options.sizing.Q = certify::Sizing::quality_for(options.sizing.C);
   return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, options);
 }

@@ -1,16 +1,16 @@
-#include "refine/sure_edges.h"
+#include "certify/sure_edges.h"
 
 #include <doctest/doctest.h>
 
-#include "refine/located_vertices.h"
+#include "certify/located_vertices.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::SureEdges;
 using geometry::HalfEdgeId;
 using geometry::TriangleId;
-using refine::SureEdges;
-using skin::SurfacePoint;
 using skin::Vector;
+using surface::SurfacePoint;
 
 namespace {
 
@@ -18,7 +18,7 @@ using Corners = std::array<const SurfacePoint*, 3>;
 
 void note(const skin::SkinSurface& skin, SureEdges& sure, TriangleId t, const Corners& p) {
   const double rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  sure.note(t, p, refine::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+  sure.note(t, p, certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
             skin.residual_bound(rho));
 }
 
@@ -26,7 +26,7 @@ void note(const skin::SkinSurface& skin, SureEdges& sure, TriangleId t, const Co
 /// where there is no such ball.
 std::optional<double> depth(const skin::SkinSurface& skin, const Corners& p,
                             const SurfacePoint& x) {
-  const auto ball = refine::exact_surface_ball(skin, *p[0], p[1]->position, p[2]->position);
+  const auto ball = certify::exact_surface_ball(skin, *p[0], p[1]->position, p[2]->position);
   if (!ball.is_exact) return std::nullopt;
   return ball.intrusion(x.position) / ball.squared_radius;
 }
@@ -68,15 +68,15 @@ std::optional<Pair> random_pair(const skin::SkinSurface& skin, const SurfacePoin
 TEST_CASE("at a sure edge neither far corner lies in the other triangle's surface ball") {
   std::size_t seen = 0, seen_quickly = 0;
   for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
-    const auto skin = front::prepare_skin(support::molecule(file, skin::Model::Vdw));
-    const auto mesh = front::mesh_skin(skin, support::uncertified());
+    const auto skin = morskin::prepare_skin(support::molecule(file, skin::Model::Vdw));
+    const auto mesh = morskin::mesh_skin(skin, support::uncertified());
     support::Random random(7);
     for (int i = 0; i < 40000; ++i) {
       const std::size_t v = random.below(mesh.cells.size());
       const SurfacePoint x = skin.surface.at(mesh.mesh.positions[v], mesh.cells[v]);
       const auto pair = random_pair(skin.surface, x, random);
       if (!pair) continue;
-      const bool is_quick = refine::is_surely_delaunay(
+      const bool is_quick = certify::is_surely_delaunay(
           pair->left(), pair->d, skin.surface.residual_bound(pair->d.length_scale));
       const bool is_noted = is_sure(skin.surface, *pair);
       if (!is_quick && !is_noted) continue;
@@ -95,9 +95,9 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
 }
 
 TEST_CASE("nearly all edges of a refined mesh are sure") {
-  const auto skin = front::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
+  const auto skin = morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
   const auto mesh =
-      support::skin_mesh(skin.surface, front::mesh_skin(skin, support::uncertified()));
+      support::skin_mesh(skin.surface, morskin::mesh_skin(skin, support::uncertified()));
   SureEdges sure(mesh.surface.triangle_count());
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;

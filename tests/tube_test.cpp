@@ -1,4 +1,4 @@
-#include "refine/tube.h"
+#include "certify/tube.h"
 
 #include <doctest/doctest.h>
 
@@ -7,15 +7,15 @@
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::TubeProof;
 using geometry::Point;
-using refine::TubeProof;
-using skin::SurfacePoint;
+using surface::SurfacePoint;
 
 namespace {
 
 TubeProof proof(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p) {
-  const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
-  return refine::prove_tube(skin, {&p[0], &p[1], &p[2]}, circle, 0);
+  const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
+  return certify::prove_tube(skin, {&p[0], &p[1], &p[2]}, circle, 0);
 }
 
 /// An equilateral triangle in the unit sphere with a circumradius.
@@ -61,9 +61,9 @@ TEST_CASE("what is proved of a triangle holds at each of its points, and so does
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
-    front::MeshOptions options = support::uncertified();
-    options.sizing = {0.2, refine::Sizing::quality_for(0.2)};
-    const auto mesh = support::skin_mesh(skin->surface, front::mesh_skin(*skin, options));
+    morskin::MeshOptions options = support::uncertified();
+    options.sizing = {0.2, certify::Sizing::quality_for(0.2)};
+    const auto mesh = support::skin_mesh(skin->surface, morskin::mesh_skin(*skin, options));
     support::Random random(seed);
     for (int i = 0; i < 200; ++i) {
       // A vertex and two points of the skin about it, up to a length scale off.
@@ -78,7 +78,7 @@ TEST_CASE("what is proved of a triangle holds at each of its points, and so does
       const auto b = around(angle), c = around(angle + turn);
       if (!b || !c) continue;
       const std::array p{a, *b, *c};
-      const auto circle = refine::circumcircle(p[0].position, p[1].position, p[2].position);
+      const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
       const TubeProof found = proof(skin->surface, p);
       if (!found.holds()) continue;
       ++held;

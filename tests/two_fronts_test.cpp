@@ -6,7 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "front/mesh_skin.h"
+#include "morse/make_guide.h"
+#include "morskin/mesh_skin.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -19,7 +20,7 @@ struct Swept {
   explicit Swept(unsigned seed) : skin(support::prepared(support::ball_set(seed))) {
     if (!skin) return;
     guide = morse::make_guide(skin->surface, skin->topology.skin_euler_characteristic(), {},
-                              refine::Sizing{}.tangent_disk_share());
+                              certify::Sizing{}.tangent_disk_share());
   }
   SweepResult sweep(unsigned threads) const {
     return sweep_from_both_ends(skin->surface, guide, {}, threads);

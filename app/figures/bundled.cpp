@@ -14,8 +14,8 @@ skin::Molecule bundled_molecule(std::string_view name) {
   throw std::logic_error("no bundled molecule " + std::string(name));
 }
 
-front::PreparedSkin bundled_skin(std::string_view name, skin::Model model, double probe) {
-  return front::prepare_skin(skin::weighted_points(bundled_molecule(name), model, probe));
+morskin::PreparedSkin bundled_skin(std::string_view name, skin::Model model, double probe) {
+  return morskin::prepare_skin(skin::weighted_points(bundled_molecule(name), model, probe));
 }
 
 }  // namespace morskin::figures

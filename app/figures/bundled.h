@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "skin/model.h"
 #include "skin/molecule.h"
 
@@ -17,7 +17,7 @@ std::span<const BundledMolecule> bundled_molecules();
 
 /// @pre  one of them has this name
 skin::Molecule bundled_molecule(std::string_view name);
-front::PreparedSkin bundled_skin(std::string_view name, skin::Model model = skin::Model::Paper,
-                                 double probe = 1.4);
+morskin::PreparedSkin bundled_skin(std::string_view name, skin::Model model = skin::Model::Paper,
+                                   double probe = 1.4);
 
 }  // namespace morskin::figures

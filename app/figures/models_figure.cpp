@@ -58,7 +58,7 @@ Scene solvent_accessible(const skin::Molecule& molecule) {
 
 Image ball_and_stick_to_skin(double scale) {
   const skin::Molecule molecule = bundled_molecule("9dna.pdb");
-  const front::PreparedSkin skin = bundled_skin("9dna.pdb");
+  const morskin::PreparedSkin skin = bundled_skin("9dna.pdb");
   Scene surface;
   surface.meshes.push_back(skin_layer(skin, meshed(skin, 0.08)));
   std::vector<Point> centres;

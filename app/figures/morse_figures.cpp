@@ -46,7 +46,7 @@ std::vector<Colour> front_colours(const geometry::IndexedMesh& mesh) {
 }  // namespace
 
 Image level_curves(double scale) {
-  const front::PreparedSkin skin = front::prepare_skin(two_legs_two_horns());
+  const morskin::PreparedSkin skin = morskin::prepare_skin(two_legs_two_horns());
   const morse::MorseFunction height = morse::MorseFunction::height(Vector(0, 1, 0));
   const morse::ChosenFunction chosen =
       morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(), height);
@@ -81,7 +81,7 @@ Image level_curves(double scale) {
 
 Image cube_snapshots(double scale) {
   // Without a probe the balls leave the six faces of the cube open.
-  const front::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
+  const morskin::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
   const RecordedSweep sweep = recorded_sweep(skin, 0.08);
   const MeshLayer whole = skin_layer(sweep.mesh, sweep.mesh.surface.triangle_count());
   Scene measure;
@@ -121,7 +121,7 @@ Image cube_snapshots(double scale) {
 }
 
 Image inhibitor_complex(double scale) {
-  const front::PreparedSkin skin = bundled_skin("5tmn_ligand.pdb");
+  const morskin::PreparedSkin skin = bundled_skin("5tmn_ligand.pdb");
   const morse::ChosenFunction chosen =
       morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(), {});
   const morse::MorseSmaleComplex complex =

@@ -17,15 +17,15 @@ namespace {
 using front::Operation;
 
 struct Stage {
-  front::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
+  morskin::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
   RecordedSweep sweep = recorded_sweep(skin, 0.08);
   MeshLayer bare = backdrop(skin, sweep.guide.function, 0.03);
-  double disk_share = front::Spacing{}.disk_share * refine::Sizing{}.tangent_disk_share();
+  double disk_share = front::Spacing{}.disk_share * certify::Sizing{}.tangent_disk_share();
 
   std::array<geometry::VertexId, 3> corners(std::size_t triangle) const {
     return sweep.mesh.surface.corners(geometry::TriangleId{triangle});
   }
-  const skin::SurfacePoint& at(geometry::VertexId v) const { return sweep.mesh.at(v); }
+  const surface::SurfacePoint& at(geometry::VertexId v) const { return sweep.mesh.at(v); }
 };
 
 // The triangles of an operation as a fan: its centre, and the rim in order.
@@ -93,13 +93,13 @@ pictures::Line circle(const Point& centre, double radius, const Vector& first, c
   return line;
 }
 
-pictures::Line tangent_disk(const Stage& stage, const skin::SurfacePoint& p) {
+pictures::Line tangent_disk(const Stage& stage, const surface::SurfacePoint& p) {
   const Vector first = p.normal.unitOrthogonal();
   return circle(p.position, stage.disk_share * p.length_scale, first, p.normal.cross(first), 7);
 }
 
 // A camera over a point of the skin, the Morse function rising upwards in the picture.
-Camera over(const Stage& stage, const skin::SurfacePoint& p, double half_width, double tilt) {
+Camera over(const Stage& stage, const surface::SurfacePoint& p, double half_width, double tilt) {
   const Vector gradient = stage.sweep.guide.function.gradient(p.position);
   const Vector rise = (gradient - gradient.dot(p.normal) * p.normal).normalized();
   Camera camera = pictures::camera_from(p.normal - tilt * rise, rise, 460, 400);
@@ -146,7 +146,7 @@ Image bowl(double scale) {
   const Stage stage;
   const Event& event = chosen(stage, Operation::Creation, 0, [](const Event&) { return true; });
   const Fan fan = *fan_of(stage, event);
-  const skin::SurfacePoint& p0 = stage.at(fan.centre);
+  const surface::SurfacePoint& p0 = stage.at(fan.centre);
   const double r = stage.disk_share * p0.length_scale;
   Scene scene = state(stage, event.after, event.before);
   scene.lines.push_back(tangent_disk(stage, p0));
@@ -175,7 +175,7 @@ Image creep(double scale) {
     return e.after - e.before == 3 && fan_of(stage, e).has_value();
   });
   const Fan fan = *fan_of(stage, event);
-  const skin::SurfacePoint& p = stage.at(fan.centre);
+  const surface::SurfacePoint& p = stage.at(fan.centre);
   const double r = stage.disk_share * p.length_scale;
   const Camera camera = over(stage, p, 2.6 * r, 0.45);
   Scene before = state(stage, event.before, event.before);
@@ -210,7 +210,7 @@ Image wing(double scale) {
   const auto c = stage.corners(event.before);
   std::size_t k = 0;
   while (k < 2 && !(is_front(c[k], c[(k + 1) % 3]) && is_front(c[k], c[(k + 2) % 3]))) ++k;
-  const skin::SurfacePoint& f = stage.at(c[k]);
+  const surface::SurfacePoint& f = stage.at(c[k]);
   const double r = stage.disk_share * f.length_scale;
   const Camera camera = over(stage, f, 2.6 * r, 0.45);
   Scene before = state(stage, event.before, event.before);

@@ -13,7 +13,7 @@ Image head(double scale) {
   const std::vector<Point> samples =
       samples_of(head_function, Point(-1.1, -2.2, -1.4), Point(1.1, 1.4, 1.4), 0.04);
   const std::vector<geometry::WeightedPoint> balls = inner_polar_balls(samples, head_function);
-  const front::PreparedSkin skin = front::prepare_skin(balls);
+  const morskin::PreparedSkin skin = morskin::prepare_skin(balls);
   Scene points, inside, surface;
   for (const Point& p : samples) points.balls.push_back({p, 0.013, Colour::of(0x3c5f80)});
   for (std::size_t i = 0; i < balls.size(); i += 20) {
@@ -34,7 +34,7 @@ Image head(double scale) {
 }
 
 Image gramicidin(double scale) {
-  const front::PreparedSkin skin = bundled_skin("1grm_model1.pdb");
+  const morskin::PreparedSkin skin = bundled_skin("1grm_model1.pdb");
   Scene scene;
   scene.meshes.push_back(skin_layer(skin, meshed(skin, 0.08)));
   const Camera camera =

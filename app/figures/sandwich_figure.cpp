@@ -8,7 +8,7 @@
 
 #include "app/figures/figures.h"
 #include "app/figures/panels.h"
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 
 namespace morskin::figures {
 namespace {
@@ -31,21 +31,22 @@ struct Section {
 };
 
 struct Scenario {
-  front::PreparedSkin skin;
-  skin::SurfacePoint a;
+  morskin::PreparedSkin skin;
+  surface::SurfacePoint a;
 };
 
 // Two balls about the x axis; `a` lies on the neck between them, off its waist.
 Scenario scenario() {
   std::vector<geometry::WeightedPoint> balls{{{-1.62, 0, 0}, 2 * 1.15 * 1.15},
                                              {{1.5, 0, 0}, 2 * 1.3 * 1.3}};
-  front::PreparedSkin skin = front::prepare_skin(std::move(balls));
+  morskin::PreparedSkin skin = morskin::prepare_skin(std::move(balls));
   const auto a = skin.surface.project(Point(0.12, 0.75, 0), geometry::CellId{});
   return {std::move(skin), *a};
 }
 
 // Fills the body and draws its boundary: the sign and the size of G at every pixel.
-void draw_body(Image& image, const front::PreparedSkin& skin, const Section& section, double pen) {
+void draw_body(Image& image, const morskin::PreparedSkin& skin, const Section& section,
+               double pen) {
   const Colour body = Colour::of(0xdbe8f3), line = Colour::of(0x1d4e7e);
   constexpr int fine = 3;
   geometry::CellId cell{};
@@ -74,7 +75,7 @@ Image section_of(const Scenario& s, const Section& section, double scale, bool i
   const Vector2 a = flat(s.a.position), n = flat(s.a.normal);
   const Vector2 t(n.y(), -n.x());  // along the surface, to the right
   const double rho = s.a.length_scale;
-  const refine::Sizing sizing;
+  const certify::Sizing sizing;
   const double half_edge = sizing.C * sizing.Q / (1 + 2 * sizing.C * sizing.Q) * rho;
   const double theta = std::asin(half_edge / rho);
   const double r = sizing.tangent_disk_share() * rho;

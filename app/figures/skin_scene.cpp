@@ -6,7 +6,7 @@
 
 namespace morskin::figures {
 
-MeshLayer skin_layer(const front::PreparedSkin& skin, const front::MeshResult& result) {
+MeshLayer skin_layer(const morskin::PreparedSkin& skin, const morskin::MeshResult& result) {
   MeshLayer layer;
   layer.mesh = result.mesh;
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
@@ -16,9 +16,9 @@ MeshLayer skin_layer(const front::PreparedSkin& skin, const front::MeshResult& r
   return layer;
 }
 
-MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles) {
+MeshLayer skin_layer(const surface::Mesh& mesh, std::size_t triangles) {
   MeshLayer layer;
-  for (const skin::SurfacePoint& p : mesh.points) {
+  for (const surface::SurfacePoint& p : mesh.points) {
     layer.mesh.positions.push_back(p.position);
     layer.normals.push_back(p.normal);
   }
@@ -28,13 +28,13 @@ MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles) {
   return layer;
 }
 
-MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& function,
+MeshLayer backdrop(const morskin::PreparedSkin& skin, const morse::MorseFunction& function,
                    double inwards) {
   constexpr double fine = 0.02;
-  const front::MeshResult result = meshed(skin, fine, function);
+  const morskin::MeshResult result = meshed(skin, fine, function);
   MeshLayer layer = skin_layer(skin, result);
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
-    const skin::SurfacePoint p = skin.surface.at(result.mesh.positions[v], result.cells[v]);
+    const surface::SurfacePoint p = skin.surface.at(result.mesh.positions[v], result.cells[v]);
     layer.mesh.positions[v] -= inwards * p.length_scale * p.normal;
   }
   layer.coat.colour = bare_grey;
@@ -42,13 +42,13 @@ MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& 
   return layer;
 }
 
-front::MeshResult meshed(const front::PreparedSkin& skin, double C,
-                         const std::optional<morse::MorseFunction>& function) {
-  front::MeshOptions options;
+morskin::MeshResult meshed(const morskin::PreparedSkin& skin, double C,
+                           const std::optional<morse::MorseFunction>& function) {
+  morskin::MeshOptions options;
   options.sizing.C = C;
   options.function = function;
   options.certify = false;
-  return front::mesh_skin(skin, options);
+  return morskin::mesh_skin(skin, options);
 }
 
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points,

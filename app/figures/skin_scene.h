@@ -3,22 +3,22 @@
 /// Skins, their meshes and their Morse theory as things to be drawn.
 
 #include "app/figures/panels.h"
-#include "front/mesh_skin.h"
 #include "morse/morse_smale_complex.h"
+#include "morskin/mesh_skin.h"
 
 namespace morskin::figures {
 
 /// The mesh of a skin with the skin's own normals.
-MeshLayer skin_layer(const front::PreparedSkin& skin, const front::MeshResult& result);
+MeshLayer skin_layer(const morskin::PreparedSkin& skin, const morskin::MeshResult& result);
 /// A partial mesh: its first triangles.
-MeshLayer skin_layer(const skin::SkinMesh& mesh, std::size_t triangles);
+MeshLayer skin_layer(const surface::Mesh& mesh, std::size_t triangles);
 /// The same moved inwards by a share of the length scale, so that a coarser mesh stands before it.
-MeshLayer backdrop(const front::PreparedSkin& skin, const morse::MorseFunction& function,
+MeshLayer backdrop(const morskin::PreparedSkin& skin, const morse::MorseFunction& function,
                    double inwards);
 
-/// @param C, function  as in front::MeshOptions; uncertified
-front::MeshResult meshed(const front::PreparedSkin& skin, double C,
-                         const std::optional<morse::MorseFunction>& function = {});
+/// @param C, function  as in morskin::MeshOptions; uncertified
+morskin::MeshResult meshed(const morskin::PreparedSkin& skin, double C,
+                           const std::optional<morse::MorseFunction>& function = {});
 
 /// A ball at each critical point in the colour of its kind, most of it out of the surface.
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points, double radius);

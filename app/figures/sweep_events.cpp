@@ -1,8 +1,10 @@
 #include "app/figures/sweep_events.h"
 
+#include "morse/make_guide.h"
+
 namespace morskin::figures {
 
-RecordedSweep recorded_sweep(const front::PreparedSkin& skin, double C) {
+RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, double C) {
   RecordedSweep record;
   front::SweepOptions options;
   options.sizing.C = C;

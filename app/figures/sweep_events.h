@@ -3,9 +3,9 @@
 /// A sweep taken down as it happens. Triangles are only ever added, so a state of the sweep is a
 /// number of triangles, and its front the edges that only one of them has.
 
-#include "front/mesh_skin.h"
 #include "front/two_fronts.h"
 #include "morse/guide.h"
+#include "morskin/mesh_skin.h"
 
 namespace morskin::figures {
 
@@ -16,11 +16,11 @@ struct Event {
 
 struct RecordedSweep {
   morse::Guide guide;
-  skin::SkinMesh mesh;
+  surface::Mesh mesh;
   std::vector<Event> events;
 };
 
 /// A sweep from below, Algorithm 1 as printed.
-RecordedSweep recorded_sweep(const front::PreparedSkin& skin, double C);
+RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, double C);
 
 }  // namespace morskin::figures

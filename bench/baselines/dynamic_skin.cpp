@@ -4,14 +4,14 @@
 
 namespace morskin::baselines {
 
-front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) {
-  return [growth, counts](const front::PreparedSkin& skin, const front::MeshOptions& options) {
+morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) {
+  return [growth, counts](const morskin::PreparedSkin& skin, const morskin::MeshOptions& options) {
     GrowthOptions growing = growth;
     growing.sizing = options.sizing;
     if (options.progress) {
       growing.progress = [&](double share) { options.progress("grow", share); };
     }
-    front::MethodResult result;
+    morskin::MethodResult result;
     bool has_failed = false;
     geometry::timed(result.seconds.sweep, [&] {
       // The skins of all times pass through all cells.
@@ -20,7 +20,7 @@ front::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) 
       Growth run(surface, growing);
       run.run();
       result.mesh = run.mesh();
-      for (skin::SurfacePoint& p : result.mesh.points) {
+      for (surface::SurfacePoint& p : result.mesh.points) {
         p.cell = skin.surface.complex().same(p.cell, surface.complex());
       }
       if (counts != nullptr) *counts = run.counts();

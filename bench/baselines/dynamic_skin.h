@@ -3,7 +3,7 @@
 /// The dynamic baseline as a method of the mesher.
 
 #include "bench/baselines/growth.h"
-#include "front/method.h"
+#include "morskin/method.h"
 
 namespace morskin::baselines {
 
@@ -15,6 +15,6 @@ namespace morskin::baselines {
 ///                of the refined mesh, and is compared with it
 /// @param counts  where to leave what the growth counted, or nullptr
 /// @pre growth.end == 0
-front::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);
+morskin::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);
 
 }  // namespace morskin::baselines

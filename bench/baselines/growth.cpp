@@ -63,9 +63,9 @@ void Growth::run() {
   for (; shown < options_.snapshot_times.size(); ++shown) show(options_.end);
 }
 
-skin::SkinMesh Growth::mesh() {
+surface::Mesh Growth::mesh() {
   mesh_.set_time(options_.end);
-  skin::SkinMesh result;
+  surface::Mesh result;
   result.surface = mesh_.surface();
   const auto renamed = result.surface.compact();
   result.points.reserve(result.surface.vertex_count());
@@ -78,7 +78,7 @@ skin::SkinMesh Growth::mesh() {
 void Growth::show(double time) {
   if (!options_.snapshot) return;
   mesh_.set_time(time);
-  skin::SkinMesh copy;
+  surface::Mesh copy;
   copy.surface = mesh_.surface();
   const auto renamed = copy.surface.compact();
   for (std::size_t v = 0; v < renamed.size(); ++v) {
@@ -161,9 +161,9 @@ void Growth::look(TriangleId t, double time) {
   }
   const std::array<SurfacePoint, 3> p{mesh_.at(corners[0]), mesh_.at(corners[1]),
                                       mesh_.at(corners[2])};
-  const refine::Circumcircle circle =
-      refine::circumcircle(p[0].position, p[1].position, p[2].position);
-  const refine::SurfaceBall ball = refine::quick_surface_ball(mesh_.level(), p[0], circle);
+  const certify::Circumcircle circle =
+      certify::circumcircle(p[0].position, p[1].position, p[2].position);
+  const certify::SurfaceBall ball = certify::quick_surface_ball(mesh_.level(), p[0], circle);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
     const VertexId beyond = surface.apex(surface.twin(h));

@@ -15,7 +15,7 @@
 namespace morskin::baselines {
 
 struct GrowthOptions {
-  refine::Sizing sizing;  ///< of the mesh at all times
+  certify::Sizing sizing;  ///< of the mesh at all times
   Slack slack;
   double end = 0;  ///< the time to stop at, Angstrom^2 added to every weight
   std::function<void(double share)> progress;  ///< of the metamorphoses; may be empty
@@ -23,7 +23,7 @@ struct GrowthOptions {
   std::function<void(const Metamorphosis&, const SurfaceMesh&, bool is_after)> observer;
   /// Times at which `snapshot` is to see the mesh, ascending.
   std::vector<double> snapshot_times;
-  std::function<void(double time, const skin::SkinMesh&)> snapshot;
+  std::function<void(double time, const surface::Mesh&)> snapshot;
   KeptDelaunay* kept = nullptr;  ///< the samples' Delaunay triangulation, if it is to be kept
 };
 
@@ -43,7 +43,7 @@ class Growth {
   void run();
 
   /// The mesh at the end, removed elements dropped.
-  skin::SkinMesh mesh();
+  surface::Mesh mesh();
   const GrowthCounts& counts() const { return counts_; }
 
  private:

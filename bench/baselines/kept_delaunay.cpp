@@ -165,7 +165,7 @@ void KeptDelaunay::rename(std::span<const std::optional<VertexId>> names) {
   for (VertexId& v : waiting_) v = *names[v.index()];
 }
 
-void KeptDelaunay::become(std::span<const skin::SurfacePoint> points) {
+void KeptDelaunay::become(std::span<const surface::SurfacePoint> points) {
   struct Place {
     Point position;
     VertexId v;

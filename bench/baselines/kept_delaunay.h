@@ -16,7 +16,8 @@
 
 #include "geometry/surface_mesh.h"
 #include "geometry/triangulator.h"
-#include "skin/skin_mesh.h"
+#include "skin/skin_surface.h"
+#include "surface/mesh.h"
 
 namespace morskin::baselines {
 
@@ -53,10 +54,10 @@ class KeptDelaunay {
   void rename(std::span<const std::optional<VertexId>> names);
 
   /// Makes the samples those of a mesh: what is at the same place stays, what is not comes or goes.
-  void become(std::span<const skin::SurfacePoint> points);
+  void become(std::span<const surface::SurfacePoint> points);
   /// Looks each triangle of the mesh up: whether it is a facet, and its dual edge crosses the skin.
   /// @pre become(mesh.points)
-  void compare(const skin::SkinMesh& mesh, const skin::SkinSurface& skin);
+  void compare(const surface::Mesh& mesh, const skin::SkinSurface& skin);
 
   /// The triangulation, unless the samples do not span space; coordinates on the exact grid.
   const geometry::Triangulator* triangulation() const { return delaunay_ ? &*delaunay_ : nullptr; }

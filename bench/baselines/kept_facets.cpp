@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "bench/baselines/kept_delaunay.h"
-#include "refine/body_ball.h"
+#include "certify/triangle_geometry.h"
 #include "refine/circumcentre.h"
-#include "refine/triangle_geometry.h"
 #include "skin/line_crossings.h"
+#include "surface/bounding_ball.h"
 
 namespace morskin::baselines {
 
@@ -24,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// over the facet's circumradius: 0 if it crosses; infinity if it does not within a radius of its
 /// ends.
 double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::SkinSurface& skin,
-            const refine::BodyBall& body, geometry::CellId near) {
+            const surface::BoundingBall& body, geometry::CellId near) {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto tetrahedra = delaunay.tetrahedra();
@@ -38,7 +38,7 @@ double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::Ski
     return delaunay.point(t.corners[k]).position;
   };
   const auto& places = outward[Triangulator::place_of(f)];
-  const refine::Circumcircle circle = refine::circumcircle(
+  const certify::Circumcircle circle = certify::circumcircle(
       corner(inner, places[0]), corner(inner, places[1]), corner(inner, places[2]));
   const Vector normal = circle.doubled_area.normalized();
   const auto height = [&](const Triangulator::Tetrahedron& t) {
@@ -60,7 +60,7 @@ double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::Ski
   const double length = high - low + 2 * circle.radius;
   if (!(length > 0)) return infinity;
   double least = infinity;
-  for (const skin::LineCrossing& crossing :
+  for (const surface::LineCrossing& crossing :
        skin::line_crossings(skin, p, p + length * normal, near).all) {
     const double at = low - circle.radius + crossing.at * length;
     least = std::min(least, std::max({low - at, at - high, 0.0}) / circle.radius);
@@ -89,8 +89,8 @@ std::optional<Triangulator::Facet> KeptDelaunay::facet(const std::array<Corner, 
   return std::nullopt;
 }
 
-void KeptDelaunay::compare(const skin::SkinMesh& mesh, const skin::SkinSurface& skin) {
-  const refine::BodyBall body(skin.points());
+void KeptDelaunay::compare(const surface::Mesh& mesh, const skin::SkinSurface& skin) {
+  const surface::BoundingBall body = skin.bounding_ball();
   for (const std::array<std::uint32_t, 3>& triangle : mesh.surface.triangle_list()) {
     ++counts_.facets;
     std::array<Corner, 3> corners{};

@@ -170,7 +170,7 @@ GridMesh marching_cubes(const skin::SkinSurface& skin, double step) {
   return March(skin, grid_over(skin, step)).run();
 }
 
-double step_like_sweep(const skin::SkinSurface& skin, const refine::Sizing& sizing) {
+double step_like_sweep(const skin::SkinSurface& skin, const certify::Sizing& sizing) {
   std::vector<double> radii;
   for (const geometry::WeightedPoint& p : skin.points()) {
     if (p.weight > 0) radii.push_back(std::sqrt(p.weight / 2));
@@ -195,10 +195,10 @@ double step_like_sweep(const skin::SkinSurface& skin, const refine::Sizing& sizi
   return std::sqrt(grid_share * area / triangles);
 }
 
-front::Mesher marching_cubes_mesher(double step) {
-  return [step](const front::PreparedSkin& skin, const front::MeshOptions& options) {
+morskin::Mesher marching_cubes_mesher(double step) {
+  return [step](const morskin::PreparedSkin& skin, const morskin::MeshOptions& options) {
     if (options.progress) options.progress("marching cubes", 0);
-    front::MethodResult result;
+    morskin::MethodResult result;
     geometry::timed(result.seconds.sweep, [&] {
       const GridMesh made = marching_cubes(skin.surface, step);
       result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "front/method.h"
 #include "geometry/indexed_mesh.h"
+#include "morskin/method.h"
 
 namespace morskin::baselines {
 
@@ -28,9 +28,9 @@ GridMesh marching_cubes(const skin::SkinSurface& skin, double step);
 
 /// The grid step, Angstrom, with which marching cubes makes about as many triangles as the sweep
 /// with these constants. From the skin's area and its integral of 1 / rho^2, on a coarse grid.
-double step_like_sweep(const skin::SkinSurface& skin, const refine::Sizing& sizing = {});
+double step_like_sweep(const skin::SkinSurface& skin, const certify::Sizing& sizing = {});
 
 /// The same as a method of the mesher.
-front::Mesher marching_cubes_mesher(double step);
+morskin::Mesher marching_cubes_mesher(double step);
 
 }  // namespace morskin::baselines

@@ -6,7 +6,7 @@
 
 namespace morskin::baselines {
 
-using refine::circumcircle;
+using certify::circumcircle;
 
 VertexId MovingMesh::add_vertex(SurfacePoint p) {
   moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
@@ -118,7 +118,7 @@ bool MovingMesh::flip_if_better(HalfEdgeId h) {
   const HalfEdgeId g = surface_.twin(h);
   const VertexId a = surface_.origin(h), b = surface_.origin(g);
   const VertexId c = surface_.apex(h), d = surface_.apex(g);
-  const refine::SurfaceBall left = exact_ball(a, b, c), right = exact_ball(b, a, d);
+  const certify::SurfaceBall left = exact_ball(a, b, c), right = exact_ball(b, a, d);
   const double now = std::max(left.intrusion(position(d)), right.intrusion(position(c)));
   // A share that rounding and motion do not turn at once.
   constexpr double least_gain = 1e-3;
@@ -189,7 +189,7 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return position(v); };
   const auto found =
-      refine::triangle_under(surface_, place, t, *x, [](HalfEdgeId) { return true; });
+      certify::triangle_under(surface_, place, t, *x, [](HalfEdgeId) { return true; });
   if (!found) return false;
   const TriangleId under = *found;
   for (const VertexId v : surface_.corners(under)) {

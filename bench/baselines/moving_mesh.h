@@ -10,9 +10,9 @@
 
 #include "bench/baselines/kept_delaunay.h"
 #include "bench/baselines/trajectory.h"
+#include "certify/sizing.h"
 #include "geometry/surface_mesh.h"
 #include "refine/refinement.h"
-#include "refine/sizing.h"
 
 namespace morskin::baselines {
 
@@ -36,7 +36,7 @@ struct Slack {
 /// allows, 2 C / Q, is 0.42 of that edge.
 inline constexpr double template_share = 0.79;
 /// That longest edge, over the length scale.
-inline double longest_edge(const refine::Sizing& sizing) {
+inline double longest_edge(const certify::Sizing& sizing) {
   return std::sqrt(3.0) * sizing.C * sizing.Q;
 }
 
@@ -44,7 +44,7 @@ class MovingMesh {
  public:
   /// @param sizing  what the growing mesh is kept to
   /// @param kept    is told of each vertex that comes, moves or goes; or nullptr
-  MovingMesh(const SkinSurface& skin, const refine::Sizing& sizing, KeptDelaunay* kept = nullptr)
+  MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing, KeptDelaunay* kept = nullptr)
       : skin_(skin),
         sizing_(sizing),
         level_(skin, 0),
@@ -130,12 +130,12 @@ class MovingMesh {
   bool can_flip(HalfEdgeId h);
   void flip(HalfEdgeId h);
   bool remove(VertexId v);
-  refine::SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) {
-    return refine::exact_surface_ball(level_, at(a), position(b), position(c));
+  certify::SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) {
+    return certify::exact_surface_ball(level_, at(a), position(b), position(c));
   }
 
   const SkinSurface& skin_;
-  const refine::Sizing sizing_;
+  const certify::Sizing sizing_;
   LevelSet level_;
   double now_ = 0;
   SurfaceMesh surface_;

@@ -18,8 +18,8 @@ using skin::LevelSet;
 using skin::Patch;
 using skin::Point;
 using skin::SkinSurface;
-using skin::SurfacePoint;
 using skin::Vector;
+using surface::SurfacePoint;
 
 /// The part of a trajectory in one mixed cell.
 class Trajectory {

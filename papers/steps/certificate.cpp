@@ -1,28 +1,28 @@
-// Section 2.2 and papers/certificate.md, refine/certificate.h: a certificate, and what it refuses.
+// Section 2.2 and papers/certificate.md, certify/certificate.h: a certificate, and what it refuses.
 //
 // The mesh of three balls, two of them joined, is certified from its coordinates and triangles
 // alone: [L], [U], so angles above arcsin(1 / Q^2), and as many components and handles as the balls
 // have. Then a triangle is turned round, a vertex is moved by a hundredth, a ball is left out.
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "papers/steps/step.h"
 
 int main() {
   using namespace morskin;
-  const front::PreparedSkin skin =
-      front::prepare_skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}, {{6, 0, 0}, 1.5}});
-  const geometry::IndexedMesh mesh = front::mesh_skin(skin).mesh;
-  const refine::Certificate good = refine::certify(mesh, skin.surface, skin.topology);
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}, {{6, 0, 0}, 1.5}});
+  const geometry::IndexedMesh mesh = morskin::mesh_skin(skin).mesh;
+  const certify::Certificate good = certify::certify(mesh, skin.surface, skin.topology);
   std::printf("[L] %.3f (above 1), [U] %.3f (below 1), smallest angle %.1f (bound %.2f)\n",
-              good.worst_L, good.worst_U, good.min_angle_deg, refine::Sizing{}.least_angle_deg());
+              good.worst_L, good.worst_U, good.min_angle_deg, certify::Sizing{}.least_angle_deg());
   std::printf("V - E + F = %ld, expected %ld\n", good.euler_characteristic,
               good.expected_euler_characteristic);
   bool holds = good.worst_L > 1 && good.worst_U < 1 && good.euler_characteristic == 4 &&
-               good.min_angle_deg > refine::Sizing{}.least_angle_deg();
+               good.min_angle_deg > certify::Sizing{}.least_angle_deg();
 
   // [excerpt: step-certificate]
   const auto is_certified = [&](const char* what, const geometry::IndexedMesh& some) {
-    const auto certificate = refine::certify(some, skin.surface, skin.topology);
+    const auto certificate = certify::certify(some, skin.surface, skin.topology);
     std::printf("%s: %s\n", what, certificate.certified ? "certified" : certificate.reason.c_str());
     return certificate.certified;
   };

@@ -8,14 +8,16 @@
 #include <cmath>
 #include <vector>
 
-#include "front/mesh_skin.h"
 #include "front/two_fronts.h"
+#include "morse/make_guide.h"
+#include "morskin/mesh_skin.h"
 #include "papers/steps/step.h"
 
 int main() {
   using namespace morskin;
-  const front::PreparedSkin skin = front::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
-  const double share = refine::Sizing{}.tangent_disk_share();
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
+  const double share = certify::Sizing{}.tangent_disk_share();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share);
   // [excerpt: step-creep]
@@ -26,7 +28,7 @@ int main() {
     done.push_back(operation);
     laid.push_back(triangles);
   };
-  const skin::SkinMesh mesh = front::sweep_once(skin.surface, guide, options).mesh;
+  const surface::Mesh mesh = front::sweep_once(skin.surface, guide, options).mesh;
   // [/excerpt]
   bool holds = done.at(0) == front::Operation::Creation && laid[0] == 6 &&
                done.at(1) == front::Operation::Creep && laid[1] - laid[0] == 4;
@@ -41,7 +43,7 @@ int main() {
       while (k < 3 && std::ranges::find(c, corners(t)[k]) == c.end()) ++k;
     }
     if (k == 3) return 1;
-    const skin::SurfacePoint& p = mesh.at(corners(t)[k]);
+    const surface::SurfacePoint& p = mesh.at(corners(t)[k]);
     // On a sphere about the origin q lies over its projection p in the tangent plane of p_t.
     const auto q = [&](std::size_t corner) {
       const geometry::Point& x = mesh.position(corners(t)[corner % 3]);

@@ -6,18 +6,19 @@
 
 #include <algorithm>
 
-#include "front/mesh_skin.h"
 #include "front/two_fronts.h"
+#include "morse/make_guide.h"
+#include "morskin/mesh_skin.h"
 #include "papers/steps/step.h"
 #include "refine/refinement.h"
 
 int main() {
   using namespace morskin;
-  const front::PreparedSkin skin = front::prepare_skin({{{0, 0, 0}, 2.0}});
+  const morskin::PreparedSkin skin = morskin::prepare_skin({{{0, 0, 0}, 2.0}});
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                        refine::Sizing{}.tangent_disk_share());
-  skin::SkinMesh mesh = front::sweep_once(skin.surface, guide).mesh;
+                        certify::Sizing{}.tangent_disk_share());
+  surface::Mesh mesh = front::sweep_once(skin.surface, guide).mesh;
   refine::Refinement(skin.surface, {}, mesh).run();
   const geometry::HalfEdgeId h{300U};
   const auto ends = [&] { return std::pair(mesh.surface.origin(h), mesh.surface.target(h)); };
@@ -28,7 +29,7 @@ int main() {
   const auto depth = [&] {
     const auto [u, v, w] = mesh.surface.corners(geometry::SurfaceMesh::triangle(h));
     const auto ball =
-        refine::exact_surface_ball(skin.surface, mesh.at(u), mesh.position(v), mesh.position(w));
+        certify::exact_surface_ball(skin.surface, mesh.at(u), mesh.position(v), mesh.position(w));
     const auto far = mesh.surface.apex(mesh.surface.twin(h));
     return ball.intrusion(mesh.position(far)) / ball.squared_radius;
   };

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "geometry/error.h"
-#include "geometry/gzip.h"
+#include "geometry/files/gzip.h"
 #include "tests/fuzz/require.h"
 
 using namespace morskin;

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "geometry/error.h"
-#include "geometry/mesh_files.h"
+#include "geometry/files/mesh_files.h"
 #include "geometry/surface_mesh.h"
 #include "tests/fuzz/require.h"
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "front/mesh_skin.h"
 #include "geometry/surface_mesh.h"
+#include "morskin/mesh_skin.h"
 #include "skin/singular_skin.h"
-#include "skin/skin_mesh.h"
+#include "surface/mesh.h"
 #include "tests/support/molecules.h"
 
 namespace morskin::support {
@@ -61,8 +61,9 @@ inline geometry::IndexedMesh sphere_mesh(const geometry::Point& centre, double r
 }
 
 /// A result's mesh as the refinement works on it.
-inline skin::SkinMesh skin_mesh(const skin::SkinSurface& surface, const front::MeshResult& result) {
-  skin::SkinMesh mesh;
+inline surface::Mesh skin_mesh(const skin::SkinSurface& surface,
+                               const morskin::MeshResult& result) {
+  surface::Mesh mesh;
   mesh.surface = geometry::closed_mesh(result.mesh.positions.size(), result.mesh.triangles).mesh;
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
     mesh.points.push_back(surface.at(result.mesh.positions[v], result.cells[v]));
@@ -71,26 +72,26 @@ inline skin::SkinMesh skin_mesh(const skin::SkinSurface& surface, const front::M
 }
 
 /// The prepared skin of some balls, or nothing when it is singular.
-inline std::optional<front::PreparedSkin> prepared(const WeightedPoints& points) {
+inline std::optional<morskin::PreparedSkin> prepared(const WeightedPoints& points) {
   try {
-    return front::prepare_skin(points);
+    return morskin::prepare_skin(points);
   } catch (const skin::SingularSkin&) {
     return std::nullopt;
   }
 }
 
-inline front::MeshOptions along(const geometry::Vector& height) {
-  front::MeshOptions options;
+inline morskin::MeshOptions along(const geometry::Vector& height) {
+  morskin::MeshOptions options;
   options.function = morse::MorseFunction::height(height);
   return options;
 }
-inline front::MeshOptions with(const refine::Sizing& sizing) {
-  front::MeshOptions options;
+inline morskin::MeshOptions with(const certify::Sizing& sizing) {
+  morskin::MeshOptions options;
   options.sizing = sizing;
   return options;
 }
-inline front::MeshOptions uncertified() {
-  front::MeshOptions options;
+inline morskin::MeshOptions uncertified() {
+  morskin::MeshOptions options;
   options.certify = false;
   return options;
 }

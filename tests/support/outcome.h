@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::support {
@@ -18,11 +18,11 @@ struct Outcome {
 /// Meshes and certifies; what the promise of the program forbids is a failure: no certificate, an
 /// angle below the bound, critical points that do not add up, a refusal for another reason.
 inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
-                          const front::MeshOptions& options = {}) {
+                          const morskin::MeshOptions& options = {}) {
   using Kind = Outcome::Kind;
   try {
-    const front::MeshResult result = front::mesh_skin(points, options);
-    const refine::Certificate& certificate = result.certificate;
+    const morskin::MeshResult result = morskin::mesh_skin(points, options);
+    const certify::Certificate& certificate = result.certificate;
     if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
     if (!(certificate.min_angle_deg > options.sizing.least_angle_deg())) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};

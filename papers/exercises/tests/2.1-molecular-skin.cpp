@@ -9,8 +9,8 @@ using namespace morskin::course;
 TEST_CASE("2.1-molecular-skin, predict: nearer the two balls have one skin, farther they have two" *
           until(touching_distance)) {
   const auto components_at = [](double distance) {
-    const front::PreparedSkin skin =
-        front::prepare_skin({{{0, 0, 0}, 2}, {{geometry::on_exact_grid(distance), 0, 0}, 2}});
+    const morskin::PreparedSkin skin =
+        morskin::prepare_skin({{{0, 0, 0}, 2}, {{geometry::on_exact_grid(distance), 0, 0}, 2}});
     return skin.topology.skin_components();
   };
   CHECK(components_at(*touching_distance - 1e-6) == 1);
@@ -19,15 +19,15 @@ TEST_CASE("2.1-molecular-skin, predict: nearer the two balls have one skin, fart
 
 TEST_CASE("2.1-molecular-skin, run: the counts are those of the cube's dual complex" *
           until(cube_components, cube_euler_characteristic)) {
-  const front::PreparedSkin skin =
-      front::prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper));
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper));
   CHECK(*cube_components == static_cast<long>(skin.topology.skin_components()));
   CHECK(*cube_euler_characteristic == skin.topology.skin_euler_characteristic());
 }
 
 TEST_CASE("2.1-molecular-skin, explain: the formula is the curvature along the meridian" *
           until(smaller_curvature)) {
-  for_skins(20, [](const front::PreparedSkin& skin) {
+  for_skins(20, [](const morskin::PreparedSkin& skin) {
     const skin::MixedComplex& complex = skin.surface.complex();
     support::Random random(1);
     for (std::size_t i = 0; i < complex.size(); ++i) {

@@ -11,8 +11,8 @@ using namespace morskin::course;
 
 TEST_CASE("4.1-algorithm, predict: the reversed function has these critical points" *
           until(from_above)) {
-  const front::PreparedSkin skin =
-      front::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
   const auto function = morse::MorseFunction{}.reversed();
   const auto critical = morse::critical_points(skin.surface, function);
   REQUIRE(critical.degeneracies.empty());

@@ -1,7 +1,7 @@
+#include "certify/sizing.h"
 #include "front/two_fronts.h"
 #include "morse/guide.h"
 #include "papers/exercises/tests/course_support.h"
-#include "refine/sizing.h"
 
 // The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-creation.h"
@@ -11,7 +11,7 @@ using namespace morskin::course;
 
 TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the first creep" *
           until(triangles_of_bowls)) {
-  front::MeshOptions options = one_front();
+  morskin::MeshOptions options = one_front();
   options.certify = false;
   long triangles = 0;
   options.snapshot_values = {-1e9};  // shown before the first departure

@@ -1,5 +1,5 @@
+#include "certify/triangle_geometry.h"
 #include "papers/exercises/tests/course_support.h"
-#include "refine/triangle_geometry.h"
 
 // The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-creep-and-wing.h"
@@ -24,7 +24,7 @@ TEST_CASE("4.1-creep-and-wing, explain: the formula is the circumradius of a fan
   for (double phi = 0.1; phi < 3; phi += 0.1) {
     const double r = 0.7;
     const auto circle =
-        refine::circumcircle({0, 0, 0}, {r, 0, 0}, {r * std::cos(phi), r * std::sin(phi), 0});
+        certify::circumcircle({0, 0, 0}, {r, 0, 0}, {r * std::cos(phi), r * std::sin(phi), 0});
     CHECK((*fan_circumradius)(r, phi) == doctest::Approx(circle.radius));
   }
 }

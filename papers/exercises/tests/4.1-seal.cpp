@@ -1,5 +1,5 @@
+#include "certify/sizing.h"
 #include "papers/exercises/tests/course_support.h"
-#include "refine/sizing.h"
 
 // The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-seal.h"
@@ -18,7 +18,7 @@ TEST_CASE("4.1-seal, run: so many maxima are sealed on 9DNA" * until(seals)) {
 }
 
 TEST_CASE("4.1-seal, explain: a hole of this size just keeps [U]" * until(largest_hole)) {
-  for (const refine::Sizing sizing : {refine::Sizing{}, {0.04, 1.65}, {0.08, 1.8}}) {
+  for (const certify::Sizing sizing : {certify::Sizing{}, {0.04, 1.65}, {0.08, 1.8}}) {
     const double rho = 1.3, radius = (*largest_hole)(sizing.C, sizing.Q) * rho / 2;
     CHECK(sizing.triangle_ratio(radius, rho) == doctest::Approx(1));
   }

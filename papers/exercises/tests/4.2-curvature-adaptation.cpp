@@ -1,5 +1,5 @@
+#include "certify/sizing.h"
 #include "papers/exercises/tests/course_support.h"
-#include "refine/sizing.h"
 
 // The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.2-curvature-adaptation.h"
@@ -9,7 +9,7 @@ using namespace morskin::course;
 
 TEST_CASE("4.2-curvature-adaptation, predict: a lone ball has so many triangles, within 15 %" *
           until(triangles_on_a_ball)) {
-  const auto result = front::mesh_skin({support::ball(0, 0, 0, 1)});
+  const auto result = morskin::mesh_skin({support::ball(0, 0, 0, 1)});
   CHECK(static_cast<double>(result.certificate.triangles) ==
         doctest::Approx(*triangles_on_a_ball).epsilon(0.15));
 }
@@ -25,7 +25,7 @@ TEST_CASE("4.2-curvature-adaptation, explain: the closed form is the derivation'
           until(disk_share)) {
   for (double C = 0.01; C < 0.2; C += 0.01) {
     for (double Q = 1.42; Q < 2; Q += 0.05) {
-      CHECK((*disk_share)(C, Q) == doctest::Approx(refine::Sizing{C, Q}.tangent_disk_share()));
+      CHECK((*disk_share)(C, Q) == doctest::Approx(certify::Sizing{C, Q}.tangent_disk_share()));
     }
   }
 }

@@ -1,6 +1,6 @@
+#include "certify/triangle_geometry.h"
 #include "geometry/surface_mesh.h"
 #include "papers/exercises/tests/course_support.h"
-#include "refine/triangle_geometry.h"
 
 // The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.3-local-refinement.h"
@@ -31,7 +31,7 @@ TEST_CASE("4.3-local-refinement, explain: an edge is flipped when a corner is in
     const skin::Point a(0, 0, 0), b(1, 0, 0);
     const skin::Point c(random.between(-1, 2), random.between(0.1, 2), 0);
     const skin::Point d(random.between(-1, 2), random.between(-2, -0.1), 0);
-    const auto circle = refine::circumcircle(a, b, c);
+    const auto circle = certify::circumcircle(a, b, c);
     CHECK((*flip)(angle(c, a, b), angle(d, a, b)) == ((d - circle.centre).norm() < circle.radius));
   }
 }

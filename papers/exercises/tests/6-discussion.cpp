@@ -18,9 +18,9 @@ TEST_CASE("6-discussion, predict: the critical points of a distance on the cube 
 
 TEST_CASE("6-discussion, run: the distance has so many minima, and the mesh is certified" *
           until(distance_minima)) {
-  front::MeshOptions options;
+  morskin::MeshOptions options;
   options.function = morse::MorseFunction::squared_distance({0, 0, 0});
-  const front::MeshResult result = meshed("caffeine.xyz", options);
+  const morskin::MeshResult result = meshed("caffeine.xyz", options);
   CHECK(result.certificate.certified);
   CHECK(*distance_minima == static_cast<long>(result.minima));
 }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "front/mesh_skin.h"
+#include "morskin/mesh_skin.h"
 #include "papers/exercises/course.h"
 #include "tests/support/meshes.h"
 #include "tests/support/molecules.h"
@@ -20,15 +20,15 @@ doctest::skip until(const Answers&... answers) {
 }
 
 /// Algorithm 1 as printed.
-inline front::MeshOptions one_front() {
-  front::MeshOptions options;
+inline morskin::MeshOptions one_front() {
+  morskin::MeshOptions options;
   options.fronts = 1;
   return options;
 }
 
-inline front::MeshResult meshed(std::string_view file, const front::MeshOptions& options = {},
-                                skin::Model model = skin::Model::Paper) {
-  return front::mesh_skin(support::molecule(file, model), options);
+inline morskin::MeshResult meshed(std::string_view file, const morskin::MeshOptions& options = {},
+                                  skin::Model model = skin::Model::Paper) {
+  return morskin::mesh_skin(support::molecule(file, model), options);
 }
 
 /// Skins of random ball sets.

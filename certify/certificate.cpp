@@ -1,0 +1,310 @@
+#include "certify/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "certify/covering_degree.h"
+#include "certify/located_vertices.h"
+#include "certify/residuals.h"
+#include "certify/restricted_delaunay.h"
+#include "certify/sure_edges.h"
+#include "certify/triangle_geometry.h"
+#include "certify/tube.h"
+#include "geometry/mesh_shape.h"
+#include "geometry/parallel.h"
+
+namespace morskin::certify {
+
+namespace {
+
+using geometry::IndexedMesh;
+using surface::CellId;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// The work of certify(), one claim after the other; the first that breaks is the reason.
+class Certifier {
+ public:
+  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points, Hearsay said,
+            const surface::Surface& surface, const Sizing& sizing, Certificate& certificate)
+      : mesh_(mesh),
+        surface_(surface),
+        sizing_(sizing),
+        out_(certificate),
+        said_(std::move(said)),
+        points_(points) {}
+
+  void run(const surface::Topology& expected, unsigned threads) {
+    out_.vertices = mesh_.positions.size();
+    out_.triangles = mesh_.triangles.size();
+    out_.expected_euler_characteristic = expected.euler_characteristic;
+    out_.expected_components = expected.components;
+    out_.expected_genus = static_cast<long>(expected.genus);
+    prove(threads);
+  }
+
+ private:
+  void prove(unsigned threads) {
+    find_places_and_neighbours(threads);
+    SureEdges sure(mesh_.triangles.size());
+    check_vertices(threads);
+    check_triangles(threads, sure);
+    look_at_fans(threads);
+    if (built_.defect) {
+      measure_shape();
+      out_.reason.clear();  // the first claim is the first reason
+      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
+    } else {
+      const auto look_at_covering = [&] {
+        check_covering_degree();
+        compare_counts();
+        measure_shape();
+      };
+      const auto look_at_balls = [&] {
+        out_.restricted_delaunay_violations =
+            local_delaunay_violations(mesh_, built_.mesh, surface_, points_, sure);
+      };
+      geometry::do_both(threads, look_at_covering, look_at_balls);
+    }
+    out_.is_homeomorphic = out_.reason.empty();
+    if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {
+      out_.reason = std::to_string(out_.violations_L) + " edges break [L], " +
+                    std::to_string(out_.violations_U) + " triangles break [U]";
+    }
+    out_.certified = out_.reason.empty();
+  }
+
+  void fail(Claim claim, const std::string& reason) { fail(out_, claim, reason); }
+  static void fail(Certificate& out, Claim claim, const std::string& reason) {
+    std::string& first = out.broken[static_cast<std::size_t>(claim)];
+    if (first.empty()) first = reason;
+    if (out.reason.empty()) out.reason = reason;
+  }
+  /// The first element that breaks [L] or [U]; no reason against the homeomorphism.
+  static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
+    out.broken[static_cast<std::size_t>(claim)] =
+        element + " has " + number(ratio) + " times its bound";
+  }
+  const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
+
+  /// Angles, area and volume need no connectivity.
+  void measure_shape();
+  /// Where the vertices lie, which needs no connectivity, and the other way round.
+  void find_places_and_neighbours(unsigned threads);
+  void find_neighbours();
+  /// What is wrong round a vertex.
+  void look_at_fans(unsigned threads);
+  /// Each vertex's distance to the skin.
+  void check_vertices(unsigned threads);
+  /// [L], [U], and the conditions c1 and c2 of the theorem.
+  void check_triangles(unsigned threads, SureEdges& sure);
+  /// What a look at some of the triangles finds.
+  struct TriangleFindings {
+    Certificate out;  ///< what triangles have a say in
+    FlowReach reach;
+  };
+  void check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const;
+  void add(TriangleFindings found);
+  /// c3: at one vertex of every component, one sheet of mesh over the skin.
+  void check_covering_degree();
+  void compare_counts();
+
+  const IndexedMesh& mesh_;
+  const surface::Surface& surface_;
+  const Sizing sizing_;
+  Certificate& out_;
+  Hearsay said_;
+  geometry::MeshOrDefect built_;
+  bool is_built_as_said_ = false;
+  geometry::Components parts_;
+  std::vector<SurfacePoint> located_;  ///< unless they were given
+  std::span<const SurfacePoint> points_;
+  double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
+  FlowReach reach_;
+};
+
+void Certifier::measure_shape() {
+  const geometry::MeshShape shape = geometry::measure_shape(mesh_);
+  out_.area = shape.area;
+  out_.volume = shape.volume;
+  out_.min_angle_deg = shape.min_angle_deg;
+  out_.max_angle_deg = shape.max_angle_deg;
+}
+
+void Certifier::find_places_and_neighbours(unsigned threads) {
+  if (!points_.empty()) return find_neighbours();
+  const std::size_t count = mesh_.positions.size();
+  const bool has_cells = said_.cells.size() == count;
+  VertexLocator locator(mesh_, surface_);
+  const auto locate = [&](std::size_t begin, std::size_t end, std::size_t) {
+    if (has_cells) return locator.locate_where_said(said_.cells, begin, end);
+    locator.locate_rest();  // of all, which are one block
+  };
+  geometry::for_each_block_beside(
+      threads, [&] { find_neighbours(); }, count, locate,
+      has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
+  locator.locate_rest();
+  points_ = located_ = locator.take();
+}
+
+void Certifier::find_neighbours() {
+  if (mesh_.triangles.empty()) {
+    built_.defect = "no triangles";
+    return;
+  }
+  const std::vector<geometry::HalfEdgeId> twins = std::move(said_.twins);
+  auto mesh = geometry::SurfaceMesh::glued_as_said(mesh_.positions.size(), mesh_.triangles, twins);
+  is_built_as_said_ = mesh.has_value();
+  built_ = is_built_as_said_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
+                             : geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
+  if (!built_.defect) parts_ = geometry::components(built_.mesh);
+}
+
+void Certifier::look_at_fans(unsigned threads) {
+  if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, threads);
+  // Where no edge stands twice there is one way to glue. Else words do not go by what was said.
+  if (built_.defect && is_built_as_said_) {
+    built_ = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
+  }
+}
+
+void Certifier::check_vertices(unsigned threads) {
+  out_.is_single_precision = is_single_precision(mesh_.positions);
+  const Residuals found =
+      residuals(mesh_.positions, points_, surface_, out_.is_single_precision, threads);
+  out_.max_distance_to_skin = found.max_distance;
+  out_.max_relative_distance_to_skin = found.max_relative_distance;
+  largest_residual_ = found.largest;
+  if (!found.first_off_skin) return;
+  const auto& [v, distance] = *found.first_off_skin;
+  fail(Claim::OnSkin,
+       "vertex " + std::to_string(v) + " lies " + number(distance) + " Angstrom off the skin");
+}
+
+void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
+  out_.worst_L = std::numeric_limits<double>::infinity();
+  const std::size_t count = mesh_.triangles.size();
+  std::vector<TriangleFindings> found(geometry::block_count(count));
+  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+    found[block].out.worst_L = out_.worst_L;
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
+      for (const std::uint32_t v : mesh_.triangles[later]) geometry::prefetch(&points_[v]);
+      check_triangle(t, found[block], sure);
+    }
+  });
+  std::size_t far = 0;
+  for (const TriangleFindings& part : found) far += part.reach.far().size();
+  reach_.reserve(far);
+  for (TriangleFindings& part : found) add(std::move(part));
+}
+
+void Certifier::add(TriangleFindings found) {
+  out_.worst_U = std::max(out_.worst_U, found.out.worst_U);
+  out_.worst_L = std::min(out_.worst_L, found.out.worst_L);
+  out_.violations_U += found.out.violations_U;
+  out_.violations_L += found.out.violations_L;
+  for (std::size_t claim = 0; claim < out_.broken.size(); ++claim) {
+    if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
+  }
+  if (out_.reason.empty()) out_.reason = found.out.reason;
+  reach_.add(std::move(found.reach));
+}
+
+void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const {
+  Certificate& out = found.out;
+  const auto& corner = mesh_.triangles[t];
+  const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  const double u = sizing_.triangle_ratio(circle.radius, rho);
+  out.worst_U = std::max(out.worst_U, u);
+  if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
+    if (a > b) continue;  // each edge from one side
+    // Only a new worst is of interest, and what breaks [L].
+    if (sizing_.is_surely_longer(points_[a], points_[b], std::max(out.worst_L, 1.0))) continue;
+    const double l = sizing_.edge_ratio(points_[a], points_[b]);
+    out.worst_L = std::min(out.worst_L, l);
+    if (!(l > 1) && out.violations_L++ == 0) {
+      note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
+    }
+  }
+  const double residual = residual_at(p, largest_residual_);
+  sure.note(geometry::TriangleId{t}, p, circle, residual);
+  const TubeProof proof = prove_tube(surface_, p, circle, residual);
+  if (!proof.is_upright) {
+    fail(out, Claim::Upright,
+         "triangle " + std::to_string(t) + " does not face the way the skin does");
+  }
+  if (!proof.is_in_tube) {
+    fail(out, Claim::Tube,
+         "triangle " + std::to_string(t) +
+             " is too big for its length scale to be proved near the skin");
+  }
+  found.reach.add(static_cast<std::uint32_t>(t), circle.radius, proof.way, rho);
+}
+
+void Certifier::check_covering_degree() {
+  out_.components = parts_.count;
+  const CoveringDegree degree({mesh_, built_.mesh, parts_, points_, surface_, largest_residual_},
+                              reach_);
+  const std::optional<std::size_t> unshown = degree.first_not_shown();
+  out_.covering_degree_ok = !unshown;
+  if (!unshown) return;
+  fail(Claim::Degree,
+       "component " + std::to_string(*unshown) + " could not be shown to cover the skin once");
+}
+
+void Certifier::compare_counts() {
+  const long v = static_cast<long>(out_.vertices), t = static_cast<long>(out_.triangles);
+  out_.euler_characteristic = v - t / 2;
+  out_.genus = static_cast<long>(out_.components) - out_.euler_characteristic / 2;
+  std::string differences;
+  const auto compare = [&](const char* what, long is, long should) {
+    if (is == should) return;
+    differences += (differences.empty() ? "" : "; ") + std::string(what) + " is " +
+                   std::to_string(is) + ", the skin's is " + std::to_string(should);
+  };
+  compare("the number of components", static_cast<long>(out_.components),
+          static_cast<long>(out_.expected_components));
+  compare("the Euler characteristic", out_.euler_characteristic,
+          out_.expected_euler_characteristic);
+  compare("the genus", out_.genus, out_.expected_genus);
+  if (!differences.empty()) fail(Claim::Counts, differences);
+}
+
+}  // namespace
+
+Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
+                    const surface::Topology& expected, const Sizing& sizing, unsigned threads) {
+  return certify(mesh, Hearsay(), surface, expected, sizing, threads);
+}
+
+Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
+                    const surface::Surface& surface, const surface::Topology& expected,
+                    const Sizing& sizing, unsigned threads) {
+  Certificate certificate;
+  Certifier(mesh, points, {}, surface, sizing, certificate).run(expected, threads);
+  return certificate;
+}
+
+Certificate certify(const IndexedMesh& mesh, Hearsay said, const surface::Surface& surface,
+                    const surface::Topology& expected, const Sizing& sizing, unsigned threads) {
+  Certificate certificate;
+  Certifier(mesh, {}, std::move(said), surface, sizing, certificate).run(expected, threads);
+  return certificate;
+}
+
+}  // namespace morskin::certify

@@ -1,0 +1,182 @@
+#include "certify/restricted_delaunay.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "certify/ball_pencil.h"
+#include "geometry/kd_tree.h"
+#include "geometry/parallel.h"
+
+namespace morskin::certify {
+
+namespace {
+
+using geometry::IndexedMesh;
+
+/// A squared distance of about r^2 between points with coordinates up to L is off by a few times
+/// 2 r u L: a corner's, which defines the ball, and the vertex's. This is 16 u L, Angstrom.
+double rounding_of(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (const Point& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return 16 * std::ldexp(largest, -53);
+}
+
+/// How deep p lies in the ball, over its squared radius, if that is beyond the refinement's margin,
+/// with which four vertices on a circle settle either way, and beyond rounding.
+std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double rounding) {
+  const double intrusion = ball.intrusion(p);
+  const double margin =
+      least_intrusion * ball.squared_radius + rounding * std::sqrt(ball.squared_radius);
+  if (!(intrusion > margin)) return std::nullopt;
+  return intrusion / ball.squared_radius;
+}
+
+class DelaunayCheck {
+ public:
+  DelaunayCheck(const IndexedMesh& mesh, const surface::Surface& surface,
+                std::span<const SurfacePoint> points, const geometry::KdTree<VertexId>& tree)
+      : mesh_(mesh),
+        surface_(surface),
+        points_(points),
+        tree_(tree),
+        rounding_(rounding_of(mesh)) {}
+
+  /// Looks at triangles [begin, end).
+  RestrictedDelaunay run(std::size_t begin, std::size_t end, std::size_t listed) const {
+    RestrictedDelaunay result;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto worst = check(static_cast<std::uint32_t>(t), result);
+      if (!worst) continue;
+      ++result.violations;
+      result.deepest.push_back(*worst);
+      if (result.deepest.size() > 2 * listed + 64) keep_deepest(result, listed);
+    }
+    keep_deepest(result, listed);
+    return result;
+  }
+
+  static void keep_deepest(RestrictedDelaunay& result, std::size_t listed) {
+    std::sort(result.deepest.begin(), result.deepest.end(), [](const auto& a, const auto& b) {
+      return a.depth != b.depth ? a.depth > b.depth : a.triangle < b.triangle;
+    });
+    if (result.deepest.size() > listed) result.deepest.resize(listed);
+    if (result.first_undecided.size() > listed) result.first_undecided.resize(listed);
+  }
+
+ private:
+  std::optional<DelaunayViolation> check(std::uint32_t t, RestrictedDelaunay& result) const;
+  const IndexedMesh& mesh_;
+  const surface::Surface& surface_;
+  std::span<const SurfacePoint> points_;
+  const geometry::KdTree<VertexId>& tree_;
+  double rounding_;  ///< Angstrom
+};
+
+std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
+                                                      RestrictedDelaunay& result) const {
+  const auto& corner = mesh_.triangles[t];
+  const auto is_corner = [&](std::uint32_t v) {
+    return std::ranges::find(corner, v) != corner.end();
+  };
+  const std::array at{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+  const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+  std::optional<SurfaceBall> ball;
+  const auto find_ball = [&] {
+    ball = exact_surface_ball(surface_, *at[0], at[1]->position, at[2]->position);
+    ++result.exact_balls;
+  };
+  std::optional<DelaunayViolation> worst;
+  const auto ask = [&](std::uint32_t v) {
+    if (!ball) find_ball();
+    const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
+    if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
+  };
+  if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
+    // The ball about o that holds every ball of the pencil.
+    const double R = p->circle.radius;
+    const double most = p->reach + std::sqrt(R * R + p->reach * p->reach);
+    tree_.for_each_within(p->circle.centre, most, [&](const auto& near) {
+      const std::uint32_t v = near.id.value;
+      if (is_corner(v) || !(p->depth(mesh_.positions[v]).most > 0)) return;
+      ask(v);
+    });
+    if (!ball || ball->is_exact) return worst;
+  } else {
+    find_ball();
+    if (ball->is_exact) {
+      tree_.for_each_within(ball->centre, std::sqrt(ball->squared_radius), [&](const auto& near) {
+        if (!is_corner(near.id.value)) ask(near.id.value);
+      });
+      return worst;
+    }
+  }
+  ++result.undecided;
+  result.first_undecided.push_back(t);
+  return std::nullopt;
+}
+
+}  // namespace
+
+RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const surface::Surface& surface,
+                                       std::span<const SurfacePoint> points, std::size_t listed,
+                                       unsigned threads) {
+  const geometry::KdTree<VertexId> tree(mesh.positions);
+  const DelaunayCheck check(mesh, surface, points, tree);
+  const std::size_t count = mesh.triangles.size();
+  std::vector<RestrictedDelaunay> results(geometry::block_count(count));
+  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+    results[block] = check.run(begin, end, listed);
+  });
+  RestrictedDelaunay& whole = results[0];
+  for (std::size_t part = 1; part < results.size(); ++part) {
+    const RestrictedDelaunay& other = results[part];
+    whole.violations += other.violations;
+    whole.undecided += other.undecided;
+    whole.exact_balls += other.exact_balls;
+    whole.deepest.insert(whole.deepest.end(), other.deepest.begin(), other.deepest.end());
+    whole.first_undecided.insert(whole.first_undecided.end(), other.first_undecided.begin(),
+                                 other.first_undecided.end());
+  }
+  DelaunayCheck::keep_deepest(whole, listed);
+  return whole;
+}
+
+std::size_t local_delaunay_violations(const IndexedMesh& mesh,
+                                      const geometry::SurfaceMesh& connectivity,
+                                      const surface::Surface& surface,
+                                      std::span<const SurfacePoint> points, const SureEdges& sure) {
+  const double rounding = rounding_of(mesh);
+  const auto is_entered = [&](TriangleId t) {
+    const auto [a, b, c] = mesh.triangles[t.index()];
+    const std::array at{&points[a], &points[b], &points[c]};
+    const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+    const std::optional<BallPencil> bound = ball_pencil(surface, at, circle);
+    std::optional<SurfaceBall> ball;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+      // As located: the corner of a neighbour, so likely at hand.
+      const Point& p = points[connectivity.apex(connectivity.twin(h)).index()].position;
+      if (bound && !(bound->depth(p).most > 0)) continue;
+      if (!ball) ball = exact_surface_ball(surface, *at[0], at[1]->position, at[2]->position);
+      if (ball->is_exact && depth_in(*ball, p, rounding)) return true;
+    }
+    return false;
+  };
+  std::vector<char> is_unsure(mesh.triangles.size(), 0);
+  const std::size_t count = 3 * mesh.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const HalfEdgeId h{i}, twin = connectivity.twin(h);
+    sure.prefetch(
+        connectivity.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, count - 1)}));
+    if (twin < h || sure.are_sure(h, twin)) continue;
+    for (const HalfEdgeId side : {h, twin}) is_unsure[SurfaceMesh::triangle(side).index()] = 1;
+  }
+  std::size_t violations = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    violations += is_unsure[t] != 0 && is_entered(TriangleId{t});
+  }
+  return violations;
+}
+
+}  // namespace morskin::certify

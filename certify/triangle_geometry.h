@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "surface/mesh.h"
+#include "surface/surface.h"
+
+namespace morskin::certify {
+
+using geometry::HalfEdgeId;
+using geometry::SurfaceMesh;
+using geometry::TriangleId;
+using geometry::VertexId;
+using surface::Mesh;
+using surface::Point;
+using surface::SurfacePoint;
+using surface::Vector;
+
+/// Circumcentre, circumradius and normal of a triangle in space.
+struct Circumcircle {
+  Point centre;
+  double radius;        ///< Angstrom; huge for a flat triangle
+  Vector doubled_area;  ///< (b - a) x (c - a): along the normal, twice the area long
+};
+
+inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c) {
+  const Vector e = b - a, f = c - a;
+  const Vector n = e.cross(f);
+  const double nn = std::max(n.squaredNorm(), 1e-300);
+  const Vector offset = (e.squaredNorm() * f.cross(n) + f.squaredNorm() * n.cross(e)) / (2 * nn);
+  return {a + offset, offset.norm(), n};
+}
+
+/// Whether a triangle's normal, of any length, agrees with the skin's at all its corners: then it
+/// lies on the surface the right way up.
+inline bool is_upright(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,
+                       const SurfacePoint& c) {
+  const double least = 0.3 * n.norm();
+  return n.dot(a.normal) > least && n.dot(b.normal) > least && n.dot(c.normal) > least;
+}
+
+/// The smallest and the largest of a triangle's three angles.
+struct AngleRange {
+  double smallest_deg, largest_deg;
+};
+inline AngleRange angle_range(const Point& a, const Point& b, const Point& c) {
+  const auto angle = [](const Point& at, const Point& p, const Point& q) {
+    const Vector e = p - at, f = q - at;
+    return std::atan2(e.cross(f).norm(), e.dot(f)) * 180 / M_PI;
+  };
+  const double at_a = angle(a, b, c), at_b = angle(b, c, a), at_c = angle(c, a, b);
+  return {std::min({at_a, at_b, at_c}), std::max({at_a, at_b, at_c})};
+}
+
+/// The surface ball of a triangle: centred on the skin, through the three vertices. It is the ball
+/// that a restricted Delaunay triangle keeps empty (section 2.2). The centre lies on the line
+/// through the circumcentre along the triangle's normal.
+struct SurfaceBall {
+  Point centre;
+  double squared_radius;
+  bool is_exact;  ///< to rounding; otherwise one Newton step in the patch of a vertex
+
+  /// How deep p lies inside, Angstrom^2: negative outside.
+  double intrusion(const Point& p) const { return squared_radius - (p - centre).squaredNorm(); }
+};
+
+/// The ball with its centre found in one patch, that of a vertex a: off by a few hundredths of the
+/// squared radius where the skin changes patches under the triangle.
+SurfaceBall quick_surface_ball(const surface::Surface& surface, const SurfacePoint& a,
+                               const Circumcircle& circle);
+/// The ball with its centre on the surface to rounding.
+SurfaceBall exact_surface_ball(const surface::Surface& surface, const SurfacePoint& a,
+                               const Point& b, const Point& c);
+
+/// The triangle that a point of the skin lies over, seen along the normal there: a walk over the
+/// mesh, always through the edge that the point is farthest beyond. Nothing if that takes too long,
+/// as it may where the mesh is far from the skin.
+/// @param position   the place of a vertex
+/// @param may_cross  whether the walk may cross an edge; it ends with nothing where it may not
+template <class Position, class MayCross>
+std::optional<TriangleId> triangle_under(const SurfaceMesh& surface, const Position& position,
+                                         TriangleId start, const SurfacePoint& x,
+                                         const MayCross& may_cross) {
+  constexpr int most_steps = 64;
+  TriangleId t = start;
+  for (int step = 0; step < most_steps; ++step) {
+    double least = 0;
+    std::optional<HalfEdgeId> through;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
+      const Point &p = position(surface.origin(h)), &q = position(surface.target(h));
+      const double side = (q - p).cross(x.position - p).dot(x.normal);
+      if (side >= least) continue;
+      least = side;
+      through = h;
+    }
+    if (!through) return t;
+    if (!may_cross(*through)) break;
+    t = SurfaceMesh::triangle(surface.twin(*through));
+  }
+  return std::nullopt;
+}
+
+}  // namespace morskin::certify

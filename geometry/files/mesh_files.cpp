@@ -1,0 +1,211 @@
+#include "geometry/files/mesh_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/gzip.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry {
+namespace mesh_formats {
+
+void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon) {
+  for (std::size_t corner = 2; corner < polygon.size(); ++corner) {
+    mesh.triangles.push_back({polygon[0], polygon[corner - 1], polygon[corner]});
+  }
+}
+
+void append_position(std::string& text, const Point& position) {
+  append_number(text, position.x());
+  text += ' ';
+  append_number(text, position.y());
+  text += ' ';
+  append_number(text, position.z());
+  text += '\n';
+}
+
+Point take_position(std::string_view& fields, const TextLines& lines) {
+  Point position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view field = take_field(fields);
+    const std::optional<double> value = parse_double(field);
+    if (!value) {
+      lines.fail("a vertex needs three coordinates, found " + quoted(field) +
+                 "; write the mesh again");
+    }
+    if (!std::isfinite(*value)) {
+      lines.fail("coordinate " + quoted(field) + " is not finite; remove the vertex");
+    }
+    position[axis] = *value;
+  }
+  return position;
+}
+
+}  // namespace mesh_formats
+
+namespace {
+
+constexpr std::size_t most_bytes = 1ULL << 34;  // of a mesh file, packed or not
+
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
+    {".ply", MeshFormat::PlyBinary},
+    {".off", MeshFormat::Off},
+    {".obj", MeshFormat::Obj},
+    {".stl", MeshFormat::Stl},
+    {".vtu", MeshFormat::Vtu},
+}};
+
+// The first line that is neither blank nor a comment.
+std::string_view first_line(std::string_view bytes) {
+  TextLines lines(bytes.substr(0, 4096), "");
+  while (lines.advance()) {
+    const std::string_view line = trimmed(lines.line());
+    if (!line.empty() && line[0] != '#') return line;
+  }
+  return {};
+}
+
+std::optional<MeshFormat> format_by_content(std::string_view bytes) {
+  if (bytes.starts_with("ply")) return MeshFormat::PlyBinary;
+  if (mesh_formats::looks_like_binary_stl(bytes)) return MeshFormat::Stl;
+  std::string_view line = first_line(bytes);
+  const std::string_view word = take_field(line);
+  if (word.ends_with("OFF")) return MeshFormat::Off;
+  if (word == "solid") return MeshFormat::Stl;
+  if (word == "v" || word == "f" || word == "o" || word == "mtllib") return MeshFormat::Obj;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
+  const std::string ending = lower_case(path.extension().string());
+  for (const auto& [known, format] : endings) {
+    if (ending == known) return format;
+  }
+  return std::nullopt;
+}
+
+std::string serialized(const IndexedMesh& mesh, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::PlyBinary:
+      return mesh_formats::ply_binary(mesh);
+    case MeshFormat::PlyAscii:
+      return mesh_formats::ply_ascii(mesh);
+    case MeshFormat::Off:
+      return mesh_formats::off(mesh);
+    case MeshFormat::Obj:
+      return mesh_formats::obj(mesh);
+    case MeshFormat::Stl:
+      return mesh_formats::stl(mesh);
+    case MeshFormat::Vtu:
+      return mesh_formats::vtu(mesh);
+  }
+  return {};
+}
+
+void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format) {
+  write_file_atomically(path, serialized(mesh, format));
+}
+
+void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  const std::optional<MeshFormat> format = mesh_format_of(path);
+  if (!format) {
+    throw UnwritableOutput(path.string() +
+                           ": cannot write: the ending stands for no mesh format; "
+                           "use .ply, .off, .obj, .stl or .vtu");
+  }
+  write_mesh(path, mesh, *format);
+}
+
+namespace {
+
+// Bytes as they are, or what gzip packed in them.
+std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& room) {
+  if (!is_gzip(bytes)) return bytes;
+  room = unpack_gzip(bytes, source, most_bytes);
+  return room;
+}
+
+// The name without its .gz, if it has one.
+std::filesystem::path unpacked_name(std::filesystem::path path) {
+  if (lower_case(path.extension().string()) == ".gz") path.replace_extension();
+  return path;
+}
+
+bool is_msms(const std::filesystem::path& path, std::string_view ending) {
+  return lower_case(unpacked_name(path).extension().string()) == ending;
+}
+
+// The other file of an MSMS pair: the same name with the other ending, as it is or gzipped.
+std::filesystem::path msms_partner(const std::filesystem::path& path) {
+  std::filesystem::path name = unpacked_name(path);
+  const bool is_upper = name.extension() == ".VERT" || name.extension() == ".FACE";
+  const char* const ending =
+      is_msms(path, ".vert") ? (is_upper ? ".FACE" : ".face") : (is_upper ? ".VERT" : ".vert");
+  name.replace_extension(ending);
+  std::filesystem::path packed = name;
+  packed += ".gz";
+  std::error_code ignored;
+  for (const std::filesystem::path& candidate : {name, packed}) {
+    if (std::filesystem::exists(candidate, ignored)) return candidate;
+  }
+  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " +
+                        name.filename().string() + " beside it");
+}
+
+IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
+  const std::filesystem::path partner = msms_partner(path);
+  const FileBytes other = read_file(partner, most_bytes);
+  std::string room;
+  const mesh_formats::MsmsFile named{bytes, path.string()};
+  const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), room),
+                                     partner.string()};
+  return is_msms(path, ".vert") ? mesh_formats::parse_msms(named, found)
+                                : mesh_formats::parse_msms(found, named);
+}
+
+}  // namespace
+
+IndexedMesh read_mesh(const std::filesystem::path& path) {
+  const FileBytes file = read_file(path, most_bytes);
+  if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
+    return parse_mesh(file.view(), path.string());
+  }
+  std::string room;
+  return read_msms(path, unpacked(file.view(), path.string(), room));
+}
+
+IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
+  std::string room;
+  bytes = unpacked(bytes, source, room);
+  if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
+  std::optional<MeshFormat> format = format_by_content(bytes);
+  if (!format) format = mesh_format_of(unpacked_name(source));
+  if (!format) {
+    throw UnreadableInput(source +
+                          ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL or MSMS");
+  }
+  switch (*format) {
+    case MeshFormat::PlyBinary:
+    case MeshFormat::PlyAscii:
+      return mesh_formats::parse_ply(bytes, source);
+    case MeshFormat::Off:
+      return mesh_formats::parse_off(bytes, source);
+    case MeshFormat::Obj:
+      return mesh_formats::parse_obj(bytes, source);
+    case MeshFormat::Stl:
+      return mesh_formats::parse_stl(bytes, source);
+    case MeshFormat::Vtu:
+      break;
+  }
+  throw UnreadableInput(source + ": VTU files are only written; use the PLY, OFF or OBJ file");
+}
+
+}  // namespace morskin::geometry

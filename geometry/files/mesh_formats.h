@@ -1,0 +1,48 @@
+#pragma once
+
+// Inside mesh_files: one parser and one writer per format, and what they share.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/files/text_lines.h"
+#include "geometry/indexed_mesh.h"
+
+namespace morskin::geometry::mesh_formats {
+
+/// Each parser takes all bytes of a file and its name, and throws UnreadableInput.
+IndexedMesh parse_ply(std::string_view bytes, const std::string& source);
+IndexedMesh parse_off(std::string_view bytes, const std::string& source);
+IndexedMesh parse_obj(std::string_view bytes, const std::string& source);
+IndexedMesh parse_stl(std::string_view bytes, const std::string& source);
+/// The two files of an MSMS mesh, each by its bytes and its name.
+struct MsmsFile {
+  std::string_view bytes;
+  std::string source;
+};
+IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces);
+
+std::string ply_binary(const IndexedMesh& mesh);
+std::string ply_ascii(const IndexedMesh& mesh);
+std::string off(const IndexedMesh& mesh);
+std::string obj(const IndexedMesh& mesh);
+std::string stl(const IndexedMesh& mesh);
+std::string vtu(const IndexedMesh& mesh);
+
+/// Appends the polygon's triangles, all with its first corner. @pre at least three corners.
+void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);
+
+/// Appends "x y z\n" in shortest decimals.
+void append_position(std::string& text, const Point& position);
+
+/// The coordinates at the front of `fields`, which loses them.
+/// @param lines  where they are, for messages.
+/// @throws UnreadableInput  if there are not three finite numbers
+Point take_position(std::string_view& fields, const TextLines& lines);
+
+/// Whether the bytes start as a binary STL file must: a count that fits their number.
+bool looks_like_binary_stl(std::string_view bytes);
+
+}  // namespace morskin::geometry::mesh_formats

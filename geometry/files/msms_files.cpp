@@ -1,0 +1,80 @@
+// MSMS: the vertices in one text file, the triangles in another. Both begin with comment lines and
+// a line of counts (vertices or faces, spheres, density, probe radius), which may be left out.
+//
+//   .vert   x y z  nx ny nz  analytic face  closest sphere  kind  [atom]
+//   .face   a b c  kind  analytic face                    corners are counted from 1
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry::mesh_formats {
+namespace {
+
+constexpr std::size_t fields_of_counts = 4;  // a line of data has at least five
+
+std::size_t field_count(std::string_view line) {
+  std::size_t count = 0;
+  while (!take_field(line).empty()) ++count;
+  return count;
+}
+
+// Calls take(fields) for each line of data, and compares their number with the line of counts.
+template <class Take>
+void for_each_row(TextLines& lines, const std::string& what, Take take) {
+  std::optional<std::int64_t> promised;
+  std::size_t rows = 0;
+  bool is_first = true;
+  while (lines.advance()) {
+    std::string_view fields = trimmed(lines.line());
+    if (fields.empty() || fields[0] == '#') continue;
+    if (std::exchange(is_first, false) && field_count(fields) <= fields_of_counts) {
+      promised = parse_integer(take_field(fields));
+      if (!promised) lines.fail("expected the number of " + what + "; write the mesh again");
+      continue;
+    }
+    take(fields);
+    ++rows;
+  }
+  if (promised && *promised != static_cast<std::int64_t>(rows)) {
+    throw UnreadableInput(lines.source() + ": promises " + std::to_string(*promised) + " " + what +
+                          " and holds " + std::to_string(rows) + "; write it again");
+  }
+}
+
+}  // namespace
+
+IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
+  IndexedMesh mesh;
+  TextLines vertex_lines(vertices.bytes, vertices.source);
+  for_each_row(vertex_lines, "vertices", [&](std::string_view fields) {
+    if (mesh.positions.size() == std::numeric_limits<std::uint32_t>::max()) {
+      vertex_lines.fail("too many vertices; at most 2^32 - 1 are read");
+    }
+    mesh.positions.push_back(take_position(fields, vertex_lines));
+  });
+  TextLines face_lines(faces.bytes, faces.source);
+  for_each_row(face_lines, "faces", [&](std::string_view fields) {
+    std::array<std::uint32_t, 3> triangle;
+    for (std::uint32_t& corner : triangle) {
+      const std::string_view field = take_field(fields);
+      const std::optional<std::int64_t> number = parse_integer(field);
+      if (!number || *number < 1 || static_cast<std::size_t>(*number) > mesh.positions.size()) {
+        face_lines.fail("corner " + quoted(field) + " does not exist, there are " +
+                        std::to_string(mesh.positions.size()) +
+                        " vertices from 1 on; write the mesh again");
+      }
+      corner = static_cast<std::uint32_t>(*number - 1);
+    }
+    mesh.triangles.push_back(triangle);
+  });
+  return mesh;
+}
+
+}  // namespace morskin::geometry::mesh_formats

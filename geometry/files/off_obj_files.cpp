@@ -1,0 +1,188 @@
+// OFF and OBJ: meshes as lines of text.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry::mesh_formats {
+namespace {
+
+constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max();
+
+// Moves to the next OFF line that says something, without its comment; "" at the end.
+std::string_view next_off_line(TextLines& lines) {
+  while (lines.advance()) {
+    const std::string_view line = lines.line();
+    const std::string_view said = trimmed(line.substr(0, line.find('#')));
+    if (!said.empty()) return said;
+  }
+  return {};
+}
+
+std::size_t take_count(std::string_view& fields, const TextLines& lines) {
+  const std::optional<std::int64_t> count = parse_integer(take_field(fields));
+  if (!count || *count < 0) {
+    lines.fail("expected the numbers of vertices, faces and edges; write the mesh again");
+  }
+  return static_cast<std::size_t>(*count);
+}
+
+std::uint32_t off_corner(std::string_view field, std::size_t vertices, const TextLines& lines) {
+  const std::optional<std::int64_t> index = parse_integer(field);
+  if (!index)
+    lines.fail("corner " + quoted(field) + " is not a whole number; write the mesh again");
+  if (*index < 0 || static_cast<std::size_t>(*index) >= vertices) {
+    lines.fail("corner " + quoted(field) + " does not exist, there are " +
+               std::to_string(vertices) + " vertices from 0 on; write the mesh again");
+  }
+  return static_cast<std::uint32_t>(*index);
+}
+
+// One corner of an OBJ face, "v", "v/vt", "v//vn" or "v/vt/vn"; a negative v counts back from the
+// last vertex so far. Whether a positive one exists is known only at the end of the file.
+std::uint32_t obj_corner(std::string_view field, std::size_t vertices, const TextLines& lines) {
+  const std::optional<std::int64_t> number = parse_integer(field.substr(0, field.find('/')));
+  const auto known = static_cast<std::int64_t>(vertices);
+  if (!number || *number == 0 || *number < -known ||
+      *number > static_cast<std::int64_t>(most_vertices)) {
+    lines.fail("corner " + quoted(field) + " names no vertex; write the mesh again");
+  }
+  return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : known + *number);
+}
+
+}  // namespace
+
+IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
+  TextLines lines(bytes, source);
+  std::string_view fields = next_off_line(lines);
+  const std::string_view word = take_field(fields);
+  if (!word.ends_with("OFF") || word.find_first_of("4n") != std::string_view::npos) {
+    lines.fail("expected OFF for points in space, found " + quoted(word) +
+               "; write the mesh as OFF");
+  }
+  if (trimmed(fields).empty()) fields = next_off_line(lines);
+  if (fields.find("BINARY") != std::string_view::npos) {
+    lines.fail("binary OFF is not read; write the mesh as text OFF or as PLY");
+  }
+  const std::size_t vertices = take_count(fields, lines);
+  const std::size_t faces = take_count(fields, lines);
+  if (vertices > most_vertices) lines.fail("too many vertices; at most 2^32 - 1 are read");
+
+  // A vertex needs six bytes of text ("0 0 0\n") and a face eight, whatever the counts say.
+  IndexedMesh mesh;
+  mesh.positions.reserve(std::min(vertices, bytes.size() / 6 + 1));
+  mesh.triangles.reserve(std::min(faces, bytes.size() / 8 + 1));
+  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+    std::string_view line = next_off_line(lines);
+    if (line.empty()) lines.fail("the file ends before its last vertex; write it again");
+    mesh.positions.push_back(take_position(line, lines));
+  }
+  std::vector<std::uint32_t> polygon;
+  for (std::size_t face = 0; face < faces; ++face) {
+    std::string_view line = next_off_line(lines);
+    if (line.empty()) lines.fail("the file ends before its last face; write it again");
+    const std::size_t corners = take_count(line, lines);
+    if (corners < 3) lines.fail("a face needs three corners; remove it");
+    polygon.clear();
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      polygon.push_back(off_corner(take_field(line), vertices, lines));
+    }
+    append_fan(mesh, polygon);
+  }
+  return mesh;
+}
+
+IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
+  TextLines lines(bytes, source);
+  IndexedMesh mesh;
+  std::vector<std::uint32_t> polygon;
+  std::uint32_t last_corner = 0;
+  std::string last_corner_place;  // of the face that names it
+  bool is_other = false;          // some line was neither vertex nor face nor comment
+  std::string joined;             // a line and its continuations
+  while (lines.advance()) {
+    std::string_view fields = lines.line();
+    if (fields.ends_with('\\')) {
+      joined.assign(fields.substr(0, fields.size() - 1));
+      while (fields.ends_with('\\') && lines.advance()) {
+        fields = lines.line();
+        joined.append(fields.substr(0, fields.size() - (fields.ends_with('\\') ? 1 : 0)));
+      }
+      fields = joined;
+    }
+    fields = fields.substr(0, fields.find('#'));
+    const std::string_view word = take_field(fields);
+    if (word == "v") {
+      mesh.positions.push_back(take_position(fields, lines));
+      if (mesh.positions.size() > most_vertices) lines.fail("too many vertices");
+    } else if (word == "f") {
+      polygon.clear();
+      for (auto field = take_field(fields); !field.empty(); field = take_field(fields)) {
+        polygon.push_back(obj_corner(field, mesh.positions.size(), lines));
+      }
+      if (polygon.size() < 3) lines.fail("a face needs three corners; remove it");
+      const std::uint32_t highest = *std::ranges::max_element(polygon);
+      if (highest > last_corner || last_corner_place.empty()) {
+        last_corner = highest;
+        last_corner_place = lines.place();
+      }
+      append_fan(mesh, polygon);
+    } else if (!word.empty()) {
+      is_other = true;
+    }
+  }
+  if (!mesh.triangles.empty() && last_corner >= mesh.positions.size()) {
+    throw UnreadableInput(last_corner_place + ": corner " + std::to_string(last_corner + 1ULL) +
+                          " does not exist, there are " + std::to_string(mesh.positions.size()) +
+                          " vertices; write the mesh again");
+  }
+  if (mesh.positions.empty() && is_other) {
+    throw UnreadableInput(source + ": holds no vertex; is it an OBJ file?");
+  }
+  return mesh;
+}
+
+std::string off(const IndexedMesh& mesh) {
+  std::string text = "OFF\n";
+  text.reserve(64 * mesh.positions.size() + 24 * mesh.triangles.size() + 64);
+  append_number(text, std::uint64_t{mesh.positions.size()});
+  text += ' ';
+  append_number(text, std::uint64_t{mesh.triangles.size()});
+  text += " 0\n";
+  for (const Point& position : mesh.positions) append_position(text, position);
+  for (const auto& triangle : mesh.triangles) {
+    text += '3';
+    for (const std::uint32_t corner : triangle) {
+      text += ' ';
+      append_number(text, std::uint64_t{corner});
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string obj(const IndexedMesh& mesh) {
+  std::string text = "# Angstrom\n";
+  text.reserve(64 * mesh.positions.size() + 24 * mesh.triangles.size() + 64);
+  for (const Point& position : mesh.positions) {
+    text += "v ";
+    append_position(text, position);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    text += 'f';
+    for (const std::uint32_t corner : triangle) {
+      text += ' ';
+      append_number(text, std::uint64_t{corner} + 1);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace morskin::geometry::mesh_formats

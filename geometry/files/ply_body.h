@@ -1,0 +1,121 @@
+#pragma once
+
+// Inside mesh_files: the two ways to take numbers out of the body of a PLY file. Both know how many
+// bytes are left, so that no claim of the header is believed beyond them.
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/files/ply_header.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry::mesh_formats {
+
+static_assert(std::endian::native == std::endian::little);
+
+/// The number at the front of `bytes`, which are in this machine's order or the other.
+template <class Number>
+double number_at(const char* bytes, bool is_swapped) {
+  char copy[sizeof(Number)];
+  std::memcpy(copy, bytes, sizeof copy);
+  if (is_swapped) std::reverse(copy, copy + sizeof copy);
+  Number number;
+  std::memcpy(&number, copy, sizeof number);
+  return static_cast<double>(number);
+}
+
+/// Numbers as bytes.
+class PlyBinaryBody {
+ public:
+  PlyBinaryBody(const PlyHeader& header, std::string source)
+      : rest_(header.body),
+        whole_size_(header.body.size()),
+        is_swapped_(header.encoding == PlyEncoding::BigEndian),
+        source_(std::move(source)) {}
+
+  bool is_swapped() const { return is_swapped_; }
+  std::string_view rest() const { return rest_; }
+  std::size_t least_size(PlyScalar type) const { return size_of(type); }
+  std::string place() const {
+    return source_ + ": byte " + std::to_string(whole_size_ - rest_.size()) + " of the body";
+  }
+
+  void skip(std::size_t size) {
+    if (size > rest_.size())
+      throw UnreadableInput(place() + ": the file ends too early; write it again");
+    rest_.remove_prefix(size);
+  }
+
+  double take(PlyScalar type) {
+    const char* at = rest_.data();
+    skip(size_of(type));
+    switch (type) {
+      case PlyScalar::Int8:
+        return number_at<signed char>(at, is_swapped_);
+      case PlyScalar::UInt8:
+        return number_at<unsigned char>(at, is_swapped_);
+      case PlyScalar::Int16:
+        return number_at<std::int16_t>(at, is_swapped_);
+      case PlyScalar::UInt16:
+        return number_at<std::uint16_t>(at, is_swapped_);
+      case PlyScalar::Int32:
+        return number_at<std::int32_t>(at, is_swapped_);
+      case PlyScalar::UInt32:
+        return number_at<std::uint32_t>(at, is_swapped_);
+      case PlyScalar::Float:
+        return number_at<float>(at, is_swapped_);
+      case PlyScalar::Double:
+        return number_at<double>(at, is_swapped_);
+    }
+    return 0;
+  }
+
+ private:
+  std::string_view rest_;
+  std::size_t whole_size_;
+  bool is_swapped_;
+  std::string source_;
+};
+
+/// Numbers as words.
+class PlyAsciiBody {
+ public:
+  PlyAsciiBody(const PlyHeader& header, std::string source)
+      : lines_(header.body, {}), header_lines_(header.line_count), source_(std::move(source)) {}
+
+  std::string_view rest() const { return lines_.rest(); }
+  std::size_t least_size(PlyScalar) const { return 1; }
+  std::string place() const {
+    return source_ + ":" + std::to_string(header_lines_ + lines_.number());
+  }
+
+  double take(PlyScalar) {
+    std::string_view field = take_field(fields_);
+    while (field.empty()) {
+      if (!lines_.advance())
+        throw UnreadableInput(place() + ": the file ends too early; write it again");
+      fields_ = lines_.line();
+      field = take_field(fields_);
+    }
+    const std::optional<double> value = parse_double(field);
+    if (!value)
+      throw UnreadableInput(place() + ": " + quoted(field) + " is no number; write the mesh again");
+    return *value;
+  }
+
+ private:
+  TextLines lines_;
+  std::string_view fields_;  // what is left of the current line
+  std::size_t header_lines_;
+  std::string source_;
+};
+
+}  // namespace morskin::geometry::mesh_formats

@@ -1,0 +1,114 @@
+#include "geometry/files/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "geometry/error.h"
+
+namespace morskin::geometry {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view white_space = " \t\r\n\v\f";
+
+constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// std::from_chars takes no leading plus sign, though files do.
+std::string_view without_plus(std::string_view field) {
+  if (field.size() > 1 && field[0] == '+' && field[1] != '-' && field[1] != '+') {
+    field.remove_prefix(1);
+  }
+  return field;
+}
+
+template <class Number>
+std::optional<Number> parse(std::string_view field) {
+  field = without_plus(field);
+  Number value{};
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+template <class Number>
+void append(std::string& text, Number value) {
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), end);
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text, std::string source)
+    : rest_(text), source_(std::move(source)) {
+  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+}
+
+bool TextLines::advance() {
+  if (rest_.empty()) return false;
+  std::size_t end = 0;
+  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+  line_ = rest_.substr(0, end);
+  if (end == rest_.size()) {
+    rest_ = {};
+  } else {
+    const bool two_characters = rest_.substr(end, 2) == "\r\n";
+    rest_.remove_prefix(end + (two_characters ? 2 : 1));
+  }
+  ++number_;
+  return true;
+}
+
+std::string TextLines::place() const { return source_ + ":" + std::to_string(number_); }
+
+void TextLines::fail(std::string_view what) const {
+  throw UnreadableInput(place() + ": " + std::string(what));
+}
+
+std::string_view take_field(std::string_view& rest) {
+  std::size_t begin = 0;
+  while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !is_blank(rest[end])) ++end;
+  const std::string_view field = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return field;
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(white_space);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(white_space) - begin + 1);
+}
+
+std::optional<double> parse_double(std::string_view field) { return parse<double>(field); }
+
+std::optional<std::int64_t> parse_integer(std::string_view field) {
+  return parse<std::int64_t>(field);
+}
+
+void append_number(std::string& text, double value) { append(text, value); }
+void append_number(std::string& text, std::uint64_t value) { append(text, value); }
+
+std::string quoted(std::string_view field) {
+  constexpr std::size_t longest = 40;
+  std::string result = "\"";
+  for (const char c : field.substr(0, longest)) {
+    const bool is_printable = c >= 0x20 && c < 0x7f;  // nothing that a terminal obeys or chokes on
+    result += is_printable ? c : '?';
+  }
+  result += field.size() > longest ? "...\"" : "\"";
+  return result;
+}
+
+}  // namespace morskin::geometry

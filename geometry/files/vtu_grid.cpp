@@ -1,0 +1,93 @@
+// Arrays stand inline as base64 of a 64-bit byte count followed by the little-endian numbers.
+
+#include "geometry/files/vtu_grid.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::string_view base64_digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+void append_base64(std::string& text, std::string_view bytes) {
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? std::uint32_t{static_cast<unsigned char>(bytes[i])} : 0U;
+  };
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    const std::array<char, 4> digits = {base64_digits[group >> 18 & 63],
+                                        base64_digits[group >> 12 & 63],
+                                        i + 1 < bytes.size() ? base64_digits[group >> 6 & 63] : '=',
+                                        i + 2 < bytes.size() ? base64_digits[group & 63] : '='};
+    text.append(digits.data(), digits.size());
+  }
+}
+
+template <class Number>
+void append_array(std::string& text, std::string_view attributes,
+                  const std::vector<Number>& numbers) {
+  const std::uint64_t size = numbers.size() * sizeof(Number);
+  std::string bytes(sizeof size + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  if (size > 0) std::memcpy(bytes.data() + sizeof size, numbers.data(), size);
+  text += "<DataArray ";
+  text += attributes;
+  text += " format=\"binary\">";
+  append_base64(text, bytes);
+  text += "</DataArray>\n";
+}
+
+template <class Number>
+void append_named(std::string& text, std::string_view type, const VtuGrid::Named<Number>& arrays) {
+  for (const auto& [name, numbers] : arrays) {
+    append_array(text, "type=\"" + std::string(type) + "\" Name=\"" + name + "\"", numbers);
+  }
+}
+
+}  // namespace
+
+std::string vtu(const VtuGrid& grid) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * grid.points.size());
+  for (const Point& point : grid.points) {
+    coordinates.insert(coordinates.end(), point.data(), point.data() + 3);
+  }
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"";
+  text.reserve(32 * grid.points.size() + 11 * grid.corners.size() + 13 * grid.ends.size() + 1024);
+  append_number(text, std::uint64_t{grid.points.size()});
+  text += "\" NumberOfCells=\"";
+  append_number(text, std::uint64_t{grid.ends.size()});
+  text += "\">\n";
+  if (!grid.point_numbers.empty()) {
+    text += "<PointData>\n";
+    append_named(text, "Float64", grid.point_numbers);
+    text += "</PointData>\n";
+  }
+  if (!grid.cell_numbers.empty() || !grid.cell_integers.empty()) {
+    text += "<CellData>\n";
+    append_named(text, "Int64", grid.cell_integers);
+    append_named(text, "Float64", grid.cell_numbers);
+    text += "</CellData>\n";
+  }
+  text += "<Points>\n";
+  append_array(text, R"(type="Float64" Name="Points" NumberOfComponents="3")", coordinates);
+  text += "</Points>\n<Cells>\n";
+  append_array(text, R"(type="Int64" Name="connectivity")", grid.corners);
+  append_array(text, R"(type="Int64" Name="offsets")", grid.ends);
+  append_array(text, R"(type="UInt8" Name="types")", grid.kinds);
+  text += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return text;
+}
+
+}  // namespace morskin::geometry

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "geometry/id.h"
+#include "morse/morse_function.h"
+#include "surface/surface_point.h"
+
+namespace morskin::morse {
+
+using CriticalId = geometry::Id<struct CriticalTag>;
+
+struct CriticalPoint {
+  surface::SurfacePoint point;
+  int index = 0;     ///< number of descending directions: 0 minimum, 1 saddle, 2 maximum
+  double value = 0;  ///< of the Morse function
+  /// At a saddle the unit tangents of steepest descent and ascent, one of the two each; they are
+  /// orthogonal. Otherwise zero.
+  Vector descending = Vector::Zero(), ascending = Vector::Zero();
+
+  /// The same point as one of the reversed function.
+  CriticalPoint reversed() const { return {point, 2 - index, -value, ascending, descending}; }
+};
+
+}  // namespace morskin::morse

@@ -1,0 +1,71 @@
+#include "morse/skin_spheres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/kd_tree.h"
+
+namespace morskin::morse {
+
+namespace {
+
+using skin::CellId;
+
+/// Cells that a ball about a point of `start` reaches, found by crossing the walls it cuts.
+std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point& centre,
+                                 CellId start, double radius) {
+  std::vector<CellId> reached{start};
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (const skin::Wall& wall : complex.walls(reached[i])) {
+      if (wall.offset - wall.normal.dot(centre) > radius + complex.wall_tolerance()) continue;
+      if (std::find(reached.begin(), reached.end(), wall.beyond) == reached.end()) {
+        bool cut = true;  // the ball reaches the cell beyond unless one of its walls shuts it out
+        for (const skin::Wall& other : complex.walls(wall.beyond)) {
+          cut = cut && other.normal.dot(centre) - other.offset <= radius + complex.wall_tolerance();
+        }
+        if (cut) reached.push_back(wall.beyond);
+      }
+    }
+  }
+  return reached;
+}
+
+std::vector<double> disjoint_radii(std::span<const CriticalPoint> points, double radius_share) {
+  std::vector<Point> places;
+  places.reserve(points.size());
+  for (const CriticalPoint& p : points) places.push_back(p.point.position);
+  const geometry::KdTree<CriticalId> tree(places);
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double full = radius_share * points[i].point.length_scale;
+    // Farther than 2 full is of no matter; the look goes a little beyond, so that only the minimum
+    // below decides.
+    const auto other =
+        tree.nearest(places[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
+    radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
+  }
+  return radii;
+}
+
+}  // namespace
+
+ProtectingSpheres protecting_spheres(const skin::SkinSurface& skin,
+                                     std::span<const CriticalPoint> points, double radius_share) {
+  return protecting_spheres(skin, points, disjoint_radii(points, radius_share));
+}
+
+ProtectingSpheres protecting_spheres(const skin::SkinSurface& skin,
+                                     std::span<const CriticalPoint> points,
+                                     std::vector<double> radii) {
+  std::vector<ProtectingSpheres::Incidence> incidences;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const surface::SurfacePoint& p = points[i].point;
+    for (const CellId cell : cells_within(skin.complex(), p.position, p.cell, radii[i])) {
+      if (skin.complex().is_kept(cell)) incidences.emplace_back(cell, CriticalId{i});
+    }
+  }
+  return {points, std::move(radii), std::move(incidences), skin.cell_count()};
+}
+
+}  // namespace morskin::morse

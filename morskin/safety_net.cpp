@@ -1,0 +1,267 @@
+#include "morskin/safety_net.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "geometry/union_find.h"
+#include "skin/skin_components.h"
+
+namespace morskin {
+
+namespace {
+
+using geometry::IndexedMesh;
+using geometry::Vector;
+using surface::SurfacePoint;
+using Sides = skin::SkinComponents::Sides;
+
+/// A mesh with the mixed cells of its vertices.
+struct Piece {
+  IndexedMesh mesh;
+  std::vector<geometry::CellId> cells;
+
+  void append(const Piece& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.mesh.positions.begin(),
+                          other.mesh.positions.end());
+    cells.insert(cells.end(), other.cells.begin(), other.cells.end());
+    for (const auto& [a, b, c] : other.mesh.triangles) {
+      mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+  }
+};
+
+/// What hangs together by triangles, each by itself.
+std::vector<Piece> pieces_of(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) {
+  geometry::UnionFind sets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> piece_of(sets.size()), place(sets.size());
+  for (std::uint32_t v = 0; v < sets.size(); ++v) {
+    const std::uint32_t first = sets.root(v);
+    if (first == v) pieces.emplace_back();
+    piece_of[v] = first == v ? static_cast<std::uint32_t>(pieces.size() - 1) : piece_of[first];
+    Piece& piece = pieces[piece_of[v]];
+    place[v] = static_cast<std::uint32_t>(piece.cells.size());
+    piece.mesh.positions.push_back(mesh.positions[v]);
+    piece.cells.push_back(cells[v]);
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    pieces[piece_of[a]].mesh.triangles.push_back({place[a], place[b], place[c]});
+  }
+  return pieces;
+}
+
+/// The expected topology of one component alone.
+surface::Topology component_topology(long euler_characteristic) {
+  const auto genus = static_cast<std::size_t>(1 - euler_characteristic / 2);
+  return {1, genus, euler_characteristic};
+}
+
+/// The skin's components, each with its topology, or all of them as one where they cannot be told
+/// apart.
+class Parts {
+ public:
+  Parts(const PreparedSkin& skin, const morse::MorseFunction& function)
+      : skin_(skin), components_(skin.surface) {
+    const morse::CriticalPoints critical = morse::critical_points(skin.surface, function);
+    std::map<Sides, long> characteristic;
+    bool is_known = critical.degeneracies.empty();
+    for (const morse::CriticalPoint& p : critical.points) {
+      const std::optional<Sides> sides = components_.sides(p.point);
+      is_known = is_known && sides;
+      if (sides) characteristic[*sides] += p.index == 1 ? -1 : 1;
+    }
+    long sum = 0;
+    for (const auto& [sides, chi] : characteristic) {
+      sum += chi;
+      is_known = is_known && chi <= 2 && chi % 2 == 0;
+      topologies_.push_back(component_topology(chi));
+      index_.emplace(sides, index_.size());
+    }
+    if (is_known && sum == skin.topology.skin_euler_characteristic() &&
+        index_.size() == skin.topology.skin_components()) {
+      return;
+    }
+    index_.clear();
+    topologies_ = {skin.topology};
+  }
+
+  std::size_t count() const { return topologies_.size(); }
+  const surface::Topology& topology(std::size_t part) const { return topologies_[part]; }
+
+  /// The mesh cut up: all that lies on each part. A piece that lies on several is in each of them.
+  std::vector<Piece> cut(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) const {
+    if (index_.empty()) return {Piece{mesh, {cells.begin(), cells.end()}}};
+    std::vector<Piece> result(count());
+    for (Piece& piece : pieces_of(mesh, cells)) {
+      for (const std::size_t part : parts_under(piece)) result[part].append(piece);
+      piece = {};
+    }
+    return result;
+  }
+
+ private:
+  /// The parts that the vertices lie on.
+  std::set<std::size_t> parts_under(const Piece& piece) const {
+    std::set<std::size_t> parts;
+    for (std::size_t v = 0; v < piece.cells.size(); ++v) {
+      const auto sides =
+          components_.sides(skin_.surface.at(piece.mesh.positions[v], piece.cells[v]));
+      const auto part = sides ? index_.find(*sides) : index_.end();
+      if (part != index_.end()) parts.insert(part->second);
+    }
+    return parts;
+  }
+
+  const PreparedSkin& skin_;
+  skin::SkinComponents components_;
+  std::map<Sides, std::size_t> index_;  ///< empty where all is one part
+  std::vector<surface::Topology> topologies_;
+};
+
+/// What is left to do, part by part.
+class Mending {
+ public:
+  Mending(const PreparedSkin& skin, const MeshOptions& options, const Parts& parts,
+          const MeshResult& result)
+      : skin_(skin),
+        options_(options),
+        parts_(parts),
+        pieces_(parts.cut(result.mesh, result.cells)) {
+    // A surface that is open somewhere is not refined anywhere.
+    const bool is_refined = result.open_edges == 0;
+    for (std::size_t part = 0; part < parts.count(); ++part) {
+      std::string why = defect(part, pieces_[part]);
+      const bool is_certified = why.empty();
+      if (is_certified && is_refined) continue;
+      if (is_certified) why = "certified, but not refined: the mesh was open somewhere";
+      faults_.push_back({{part, std::string(name_of(options.method)), nothing, why}, is_certified});
+    }
+  }
+
+  bool is_done() const { return mended() == faults_.size(); }
+  /// The parts that were mended or would have to be.
+  std::vector<Fallback> fallbacks() const {
+    std::vector<Fallback> result;
+    for (const Fault& fault : faults_) {
+      if (fault.is_mended() || !fault.may_stay) result.push_back(fault.fallback);
+    }
+    return result;
+  }
+
+  /// Takes what another run made of the broken parts, where it is certified.
+  void take(const surface::Mesh& mesh, const std::string& name) {
+    IndexedMesh plain;
+    plain.triangles = mesh.surface.triangle_list();
+    std::vector<geometry::CellId> cells;
+    for (const surface::SurfacePoint& p : mesh.points) {
+      plain.positions.push_back(p.position);
+      cells.push_back(p.cell);
+    }
+    std::vector<Piece> others = parts_.cut(plain, cells);
+    for (Fault& fault : faults_) {
+      const std::size_t part = fault.fallback.component;
+      if (fault.is_mended() || !defect(part, others[part]).empty()) continue;
+      fault.fallback.to = name;
+      pieces_[part] = std::move(others[part]);
+    }
+  }
+
+  /// All parts together, if any was replaced.
+  std::optional<Piece> joined() const {
+    if (mended() == 0) return std::nullopt;
+    Piece whole;
+    for (const Piece& piece : pieces_) whole.append(piece);
+    return whole;
+  }
+
+ private:
+  static constexpr const char* nothing = "nothing";  ///< what an unmended part fell back to
+  struct Fault {
+    Fallback fallback;
+    bool may_stay;  ///< certified as it is
+
+    bool is_mended() const { return fallback.to != nothing; }
+  };
+
+  std::size_t mended() const {
+    return static_cast<std::size_t>(std::ranges::count_if(faults_, &Fault::is_mended));
+  }
+  /// Why a mesh of a part is not certified; empty if it is.
+  std::string defect(std::size_t part, const Piece& piece) const {
+    return certify::certify(piece.mesh, skin_.surface, parts_.topology(part), options_.sizing,
+                            options_.threads)
+        .reason;
+  }
+
+  const PreparedSkin& skin_;
+  const MeshOptions& options_;
+  const Parts& parts_;
+  std::vector<Piece> pieces_;  ///< by part
+  std::vector<Fault> faults_;
+};
+
+/// Heights to sweep along instead: off the axes, off the default and off each other.
+std::vector<morse::MorseFunction> other_directions() {
+  std::vector<morse::MorseFunction> functions;
+  for (const Vector& v : {Vector(1, 0.0443, -0.0291), Vector(-0.0367, 0.0519, 1),
+                          Vector(0.5711, 0.6133, 0.5453), Vector(0.5237, -0.6011, 0.6047)}) {
+    functions.push_back(morse::MorseFunction::height(v));
+  }
+  return functions;
+}
+
+std::string sweep_along(const morse::MorseFunction& function) {
+  std::array<char, 80> text{};
+  const Vector& v = function.direction;
+  std::snprintf(text.data(), text.size(), "sweep along (%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
+  return text.data();
+}
+
+}  // namespace
+
+bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& result) {
+  if (options.method != Method::Sweep || options.guard != front::Guard::Everywhere) return false;
+  const Parts parts(skin, result.function);
+  Mending mending(skin, options, parts, result);
+  MeshOptions again = options;
+  again.snapshots = 0;
+  again.snapshot_values.clear();
+  // For triangles this coarse another sweep is no surer than the first, and not much quicker.
+  const int most_sweeps = options.sizing.C <= certify::Sizing::largest_proved_C ? 2 : 0;
+  int tried = 0;
+  for (const morse::MorseFunction& function : other_directions()) {
+    if (mending.is_done() || tried == most_sweeps) break;
+    again.function = function;
+    try {
+      const MethodResult made = run_method(skin, again);
+      ++tried;
+      if (made.open_edges == 0) mending.take(made.mesh, sweep_along(made.function));
+    } catch (const morse::DegenerateFunction&) {
+      continue;  // the next direction
+    }
+  }
+  if (!mending.is_done()) {
+    again.function = result.function;
+    again.method = Method::Static;
+    again.mesher = {};
+    mending.take(run_method(skin, again).mesh, "static");
+  }
+  result.fallbacks = mending.fallbacks();
+  std::optional<Piece> whole = mending.joined();
+  if (!whole) return false;
+  result.mesh = std::move(whole->mesh);
+  result.cells = std::move(whole->cells);
+  return true;
+}
+
+}  // namespace morskin

@@ -1,0 +1,36 @@
+#pragma once
+
+// The names of other rooms that refinement is written in.
+
+#include "certify/ball_pencil.h"
+#include "certify/sizing.h"
+#include "certify/sure_edges.h"
+#include "certify/triangle_geometry.h"
+#include "certify/tube.h"
+#include "surface/mesh.h"
+#include "surface/surface.h"
+
+namespace morskin::refine {
+
+using certify::Circumcircle;
+using certify::circumcircle;
+using certify::Depth;
+using certify::exact_surface_ball;
+using certify::is_surely_delaunay;
+using certify::is_upright;
+using certify::prove_tube;
+using certify::QuestionedBall;
+using certify::Sizing;
+using certify::SureEdges;
+using certify::SurfaceBall;
+using certify::triangle_under;
+using geometry::HalfEdgeId;
+using geometry::SurfaceMesh;
+using geometry::TriangleId;
+using geometry::VertexId;
+using surface::Mesh;
+using surface::Point;
+using surface::SurfacePoint;
+using surface::Vector;
+
+}  // namespace morskin::refine

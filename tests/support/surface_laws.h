@@ -1,0 +1,122 @@
+#pragma once
+
+/// The laws of surface::Surface, for any surface.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "surface/surface.h"
+#include "tests/support/ball_sets.h"
+
+namespace morskin::support {
+
+/// Tries a surface's laws at random points of its bounding ball.
+/// @param rounding  of G, Angstrom^2
+class SurfaceLaws {
+ public:
+  SurfaceLaws(const surface::Surface& surface, unsigned seed, double rounding)
+      : surface_(surface), random_(seed), rounding_(rounding) {}
+
+  void check() {
+    for (int i = 0; i < 40; ++i) {
+      half_gradient_is_lipschitz();
+      enclosures_hold();
+      segments_cross_where_sides_change();
+      const auto p = some_point();
+      if (!p) continue;
+      projection_settles(*p);
+      balls_are_free(*p);
+      length_scale_is_lipschitz(*p);
+    }
+    CHECK(!surface_.samples().empty());
+  }
+
+ private:
+  using Point = geometry::Point;
+
+  Point anywhere() {
+    const surface::BoundingBall ball = surface_.bounding_ball();
+    return ball.centre + ball.radius * random_.uniform() * random_.direction();
+  }
+  surface::CellId cell_at(const Point& x) const { return surface_.locate(x, surface::CellId{0U}); }
+  surface::Jet jet(const Point& x) const { return surface_.jet(x, cell_at(x)); }
+  /// A point of F: where some segment crosses it.
+  std::optional<surface::SurfacePoint> some_point() {
+    const auto found = surface_.crossings(anywhere(), anywhere(), surface::CellId{0U}).all;
+    if (found.empty()) return std::nullopt;
+    const auto& crossing = found[random_.below(found.size())];
+    return surface_.project(crossing.position, crossing.cell);
+  }
+
+  void half_gradient_is_lipschitz() {
+    const Point x = anywhere();
+    const Point y = x + (anywhere() - x) * std::pow(random_.uniform(), 3);
+    const double distance = (x - y).norm();
+    CHECK((jet(x).half_gradient - jet(y).half_gradient).norm() <= distance * (1 + 1e-9) + 1e-9);
+  }
+
+  void enclosures_hold() {
+    const Point x = anywhere();
+    const double r = surface_.max_length_scale() * random_.uniform();
+    const surface::Enclosure about = surface_.enclosure(x, r, cell_at(x));
+    const Point y = x + r * random_.uniform() * random_.direction();
+    const surface::Jet at_y = jet(y);
+    const double along = about.at_centre.half_gradient.norm();
+    CHECK(std::abs(at_y.value) <= about.max_value(along) + rounding_);
+    CHECK(at_y.half_gradient.norm() >= about.min_half_gradient() - 1e-9);
+  }
+
+  void segments_cross_where_sides_change() {
+    const Point p = anywhere(), q = anywhere();
+    const surface::LineCrossings found = surface_.crossings(p, q, cell_at(p));
+    CHECK(found.is_complete);
+    const bool changes = (jet(p).value > 0) != (jet(q).value > 0);
+    CHECK((found.all.size() % 2 == 1) == changes);
+    for (const surface::LineCrossing& crossing : found.all) {
+      CHECK(std::abs(jet(crossing.position).value) <= rounding_);
+    }
+  }
+
+  void projection_settles(const surface::SurfacePoint& p) {
+    const Point x = p.position + 0.4 * p.length_scale * random_.direction();
+    const auto once = surface_.project(x, p.cell), again = surface_.project(x, p.cell);
+    REQUIRE(once.has_value());
+    REQUIRE(again.has_value());
+    CHECK(once->position == again->position);
+    CHECK(once->cell == again->cell);
+    CHECK(std::abs(surface_.jet(once->position, once->cell).value) <=
+          surface_.residual_bound(once->length_scale));
+    CHECK(surface_.is_in(once->position, once->cell));
+    const surface::SurfacePoint same = surface_.at(once->position, once->cell);
+    CHECK(same.length_scale == once->length_scale);
+    CHECK(same.normal == once->normal);
+  }
+
+  void balls_are_free(const surface::SurfacePoint& p) {
+    for (const double side : {1.0, -1.0}) {
+      const Point centre = p.position + side * p.length_scale * p.normal;
+      const Point x = centre + 0.999 * p.length_scale * random_.uniform() * random_.direction();
+      CHECK(side * jet(x).value > -rounding_);
+    }
+  }
+
+  void length_scale_is_lipschitz(const surface::SurfacePoint& p) {
+    const auto q =
+        surface_.project(p.position + 0.5 * p.length_scale * random_.direction(), p.cell);
+    if (!q) return;
+    const double distance = (p.position - q->position).norm();
+    CHECK(std::abs(p.length_scale - q->length_scale) <= distance * (1 + 1e-9) + 1e-9);
+  }
+
+  const surface::Surface& surface_;
+  Random random_;
+  double rounding_;
+};
+
+inline void check_surface_laws(const surface::Surface& surface, unsigned seed, double rounding) {
+  SurfaceLaws(surface, seed, rounding).check();
+}
+
+}  // namespace morskin::support
