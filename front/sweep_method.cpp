@@ -36,16 +36,18 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   result.function = guide.function;
 
   geometry::timed(result.seconds.sweep, [&] {
-    SweepOptions sweeping{.sizing = laid,
-                          .guard = options.guard,
-                          .progress = [&](double share) { progress("sweep", share); },
-                          .snapshot_values = options.snapshot_values,
-                          .snapshots = options.snapshots,
-                          .snapshot = options.snapshot};
-    if (options.sizing.is_coarser_than_laid()) sweeping.coarser = options.sizing;
-    SweepResult swept = options.fronts == 1
-                            ? sweep_once(skin.surface, guide, sweeping)
-                            : sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);
+    const auto guard = experimental_guard(options.guard, skin.surface, guide);
+    SweepOptions sweeping{.sizing = laid};
+    if (guard) sweeping.guard = guard.get();
+    SweepExtras extras{.progress = [&](double share) { progress("sweep", share); }};
+    if (options.sizing.is_coarser_than_laid()) extras.coarsening = {.sizing = options.sizing};
+    const auto sweep_with_snapshots = [&] {
+      Snapshots snapshots(guide, options.snapshot_values, options.snapshots, options.snapshot);
+      return sweep_once(skin.surface, guide, sweeping, extras, {&snapshots});
+    };
+    SweepResult swept = options.fronts == 1 ? sweep_with_snapshots()
+                                            : sweep_from_both_ends(skin.surface, guide, sweeping,
+                                                                   options.threads, extras);
     result.mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;

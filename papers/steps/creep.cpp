@@ -1,4 +1,4 @@
-// Section 4.1, front/sweep.h: one creep.
+// Section 4.1, front/operations.cpp: one creep.
 //
 // A single ball's sweep is looked at after its first creep. The bowl takes 120 of the 360 degrees
 // about the departure vertex p_t, so n = 240 / 60 = 4 triangles are laid. The points q_i stand on
@@ -21,12 +21,11 @@ int main() {
   // [excerpt: step-creep]
   std::vector<front::Operation> done;
   std::vector<std::size_t> laid;  // triangles there are after each
-  front::SweepOptions options;
-  options.operation = [&](front::Operation operation, std::size_t triangles) {
+  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
     done.push_back(operation);
     laid.push_back(triangles);
-  };
-  const skin::SkinMesh mesh = front::sweep_once(skin.surface, guide, options).mesh;
+  });
+  const skin::SkinMesh mesh = front::sweep_once(skin.surface, guide, {}, {}, {&recorder}).mesh;
   // [/excerpt]
   bool holds = done.at(0) == front::Operation::Creation && laid[0] == 6 &&
                done.at(1) == front::Operation::Creep && laid[1] - laid[0] == 4;
