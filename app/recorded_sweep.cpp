@@ -123,12 +123,12 @@ RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
   result.function = guide.function;
   result.expected = skin.topology;
 
-  front::SweepOptions sweeping{.sizing = laid};
-  sweeping.progress = [&](double share) { progress("sweep", share); };
-  sweeping.operation = [&](front::Operation operation, std::size_t triangles) {
+  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
     recorded.steps.push_back({operation, static_cast<std::uint32_t>(triangles)});
-  };
-  front::SweepResult swept = front::sweep_once(skin.surface, guide, sweeping);
+  });
+  front::SweepResult swept =
+      front::sweep_once(skin.surface, guide, {.sizing = laid},
+                        {.progress = [&](double share) { progress("sweep", share); }}, {&recorder});
   const IndexedMesh before = plain(swept.mesh);
   result.operations = swept.operations;
   result.open_edges = swept.open_edges;

@@ -23,8 +23,8 @@ ordered_json operations_json(const MeshReport& report) {
           {"seal", done.seal},
           {"guard_inside_protecting", done.guard_inside_protecting},
           {"guard_outside_protecting", done.guard_outside_protecting},
-          {"vain_inside_protecting", done.vain_inside_protecting},
-          {"vain_outside_protecting", done.vain_outside_protecting},
+          {"vain_inside_protecting", done.futile_inside_protecting},
+          {"vain_outside_protecting", done.futile_outside_protecting},
           {"coarsen", done.coarsen},
           {"flip", report.refinement.flip},
           {"contract", report.refinement.contract},
@@ -271,8 +271,8 @@ std::string sweep_text(const front::Operations& done) {
                            grouped(done.seal) + " sealed") +
          line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
                              grouped(done.guard_outside_protecting) + " outside, of which " +
-                             grouped(done.vain_inside_protecting) + " and " +
-                             grouped(done.vain_outside_protecting) + " in vain") +
+                             grouped(done.futile_inside_protecting) + " and " +
+                             grouped(done.futile_outside_protecting) + " in vain") +
          (done.coarsen == 0
               ? ""
               : line("coarsening", counted(done.coarsen, "vertex", "vertices") + " taken out"));

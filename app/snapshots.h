@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "front/sweep.h"
+#include "front/snapshots.h"
 
 namespace morskin::app {
 

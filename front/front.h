@@ -5,10 +5,12 @@
 /// A front edge runs along a boundary half-edge of the mesh, the mesh on its left and bare surface
 /// on its right. The corner of a front edge is the one at its origin, between the edge before and
 /// the edge itself; a vertex where the front touches itself has several. An edge keeps its id, and
-/// so its corner, from the day the corner comes to be until it closes: ids are reused afterwards,
-/// told apart by a generation.
+/// so its corner, until the corner closes: ids are reused afterwards, told apart by a generation.
+///
+/// Only the front adds triangles to the mesh. It tells every change to its mirrors, once.
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "front/front_grid.h"
@@ -31,30 +33,52 @@ struct alignas(64) FrontEdge {
   FrontEdgeId next, previous;
   HalfEdgeId half_edge;
   std::uint32_t generation = 0;
-  std::uint32_t loop = 0;     ///< the watched loop it belongs to; 0 for none
-  FrontGrid::Places filed{};  ///< where its corner is in the grid
+  FrontGrid::Keys grid_keys{};  ///< of its corner
   bool is_open = false;
 };
 static_assert(sizeof(FrontEdge) == 64);
 
-/// A polygon that a touch split off, watched until it closes.
-struct Loop {
-  bool is_predicted = false;  ///< the touch was inside a protecting sphere
-  bool met_another = false;   ///< it touched the front again
-  bool has_maximum = false;   ///< it came into the protecting sphere of a maximum
-  bool is_closed = false;
+class Front;
 
-  /// Nothing came of it: a spot left out that was filled later.
-  bool is_vain() const { return is_closed && !met_another && !has_maximum; }
+/// What one step changed of the front. Valid only while its mirrors are told.
+struct FrontChange {
+  enum class Kind {
+    OpenedPolygon,  ///< round a bowl
+    NewVertex,      ///< a triangle over an edge, its apex new
+    Touch,          ///< a triangle over an edge, its apex elsewhere on the front
+    ClosedCorner,   ///< a triangle over two neighbouring edges
+    ClosedPolygon,  ///< the same over the last three
+  };
+  Kind kind;
+  const Front& front;                   ///< as it is afterwards
+  std::span<const FrontEdgeId> opened;  ///< new edges
+  std::span<const FrontEdgeId> closed;  ///< edges that are gone: a corner's, or it and the last two
+  std::span<const FrontEdgeId> moved;   ///< edges with another target
+  std::span<const FrontEdgeId> corners;  ///< whose bare angle is new or has changed
+};
+
+/// Keeps something that follows from the front.
+class FrontMirror {
+ public:
+  virtual ~FrontMirror() = default;
+  virtual void follow(const FrontChange& change) = 0;
+};
+
+/// By how much the ids of an absorbed front and its mesh move up.
+struct IdOffsets {
+  std::uint32_t vertices, half_edges, edges;
 };
 
 class Front {
  public:
-  /// @param reach  how far the grid of corners can be asked, in units of the length scale
+  /// @param radius  largest radius of a query to the grid of corners, in units of the length scale
   /// @param largest_length_scale  a larger one counts as this, Angstrom
-  explicit Front(Mesh& mesh, double reach = 0.4,
+  explicit Front(Mesh& mesh, double radius = 0.4,
                  double largest_length_scale = std::numeric_limits<double>::infinity())
-      : mesh_(mesh), grid_(reach, largest_length_scale) {}
+      : mesh_(mesh), grid_(radius, largest_length_scale) {}
+
+  /// Tells a mirror of every change from now on. The mirror must outlive the front.
+  void add_mirror(FrontMirror& mirror) { mirrors_.push_back(&mirror); }
 
   const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }
   const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e.index()].next.index()]; }
@@ -62,24 +86,22 @@ class Front {
     return edges_[edges_[e.index()].previous.index()];
   }
   VertexId target(FrontEdgeId e) const { return next(e).origin; }
+  /// Whether the polygon of an edge has three edges.
+  bool is_triangle(FrontEdgeId e) const { return previous(e).previous == edges_[e.index()].next; }
   const FrontGrid& grid() const { return grid_; }
+  const Mesh& mesh() const { return mesh_; }
   std::size_t capacity() const { return edges_.size(); }
   std::size_t open_edges() const { return open_; }
+  /// Triangles added in all, those counted that coarsening has taken out again.
+  std::size_t triangles_added() const { return triangles_added_; }
+
+  /// Adds a closed fan of triangles about a new vertex, and opens its rim.
+  /// @param rim  counter-clockwise seen from outside
+  void open_fan(const SurfacePoint& centre, std::span<const SurfacePoint> rim);
 
   /// Opens a cycle of front edges along boundary half-edges, each ending where the next begins.
   /// @return the edges, in the same order.
   std::vector<FrontEdgeId> open_polygon(std::span<const HalfEdgeId> half_edges);
-
-  /// Takes over the edges of the front of a mesh that was appended to this one's.
-  /// @param vertices, half_edges  how many this mesh had before
-  /// @return  what to add to an edge's id
-  std::uint32_t append(const Front& other, std::uint32_t vertices, std::uint32_t half_edges);
-
-  /// By vertex of the mesh, whether the front runs through it.
-  std::vector<char> marked_vertices() const;
-  /// Follows the mesh when it is compacted.
-  /// @pre it has lost nothing that the front runs along.
-  void rename(const geometry::SurfaceMesh::Renaming& renaming);
 
   /// Adds the triangle of edge e and a new vertex x. Edge e then runs from its origin to x.
   /// @return the new edge, from x to e's old target.
@@ -95,14 +117,19 @@ class Front {
   /// @return the new edge, from the corner's vertex to e's old target.
   FrontEdgeId attach(FrontEdgeId e, FrontEdgeId corner);
 
-  /// Tells what attach(e, corner) did: when it split a polygon, the smaller part is watched from
-  /// now on. Takes as long as that part has edges.
-  /// @param added  what attach() returned
-  void watch_touch(FrontEdgeId e, FrontEdgeId added, bool is_predicted);
-  /// Notes that an edge's polygon has come to a maximum.
-  void note_maximum(FrontEdgeId e) { loops_[edges_[e.index()].loop].has_maximum = true; }
-  /// How many of the touches with this prediction split off a loop of which nothing came.
-  std::size_t vain_loops(bool is_predicted) const;
+  /// Adds the triangle of edge e and an existing corner's vertex, wherever that is: closes a corner
+  /// where it is next to e, and else attaches it.
+  void finish_edge(FrontEdgeId e, FrontEdgeId corner);
+
+  /// Takes over the edges of a front whose mesh was appended to this one's. Mirrors are not told:
+  /// they absorb their counterparts.
+  void absorb(const Front& other, const IdOffsets& offsets);
+
+  /// By vertex of the mesh, whether the front runs through it.
+  std::vector<char> marked_vertices() const;
+  /// Follows the mesh when it is compacted.
+  /// @pre it has lost nothing that the front runs along.
+  void rename(const geometry::SurfaceMesh::Renaming& renaming);
 
  private:
   geometry::TriangleId add_triangle(FrontEdgeId e, VertexId apex);
@@ -112,14 +139,17 @@ class Front {
     edges_[e.index()].next = f;
     edges_[f.index()].previous = e;
   }
-  void zip(FrontEdgeId e);
+  void tell_mirrors(const FrontChange& change) const {
+    for (FrontMirror* mirror : mirrors_) mirror->follow(change);
+  }
 
   Mesh& mesh_;
+  std::vector<FrontMirror*> mirrors_;
   std::vector<FrontEdge> edges_;
   std::vector<FrontEdgeId> free_;
   FrontGrid grid_;
-  std::vector<Loop> loops_{Loop{}};  ///< the first stands for all that are not watched
   std::size_t open_ = 0;
+  std::size_t triangles_added_ = 0;
 };
 
 }  // namespace morskin::front

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Front corners by place: a hash of cells whose size follows the length scale in bands, each from
-/// a power of four to the next.
+/// Front corners by position: a hash of cells whose size follows the length scale in bands, each
+/// from a power of four to the next.
 ///
 /// A query at a point of length scale rho looks into the band of rho. Since rho is 1-Lipschitz, a
-/// corner within reach() rho of the point has its own length scale within a known factor,
+/// corner within max_radius() of the point has its own length scale within a known factor,
 /// so a corner is filed in every band from which it can be asked for, its own and perhaps one
-/// more: nothing within reach is missed.
+/// more: nothing within the radius is missed.
 
 #include <algorithm>
 #include <array>
@@ -28,66 +28,66 @@ class FrontGrid {
 
  public:
   /// The keys of the boxes that a corner is filed in, from the lowest band up.
-  using Places = std::array<std::uint32_t, 3>;
+  using Keys = std::array<std::uint32_t, 3>;
 
-  /// @param reach  largest query radius in units of the length scale, at most 0.85: corners within
-  ///               reach differ by less than a factor 16 in length scale, and take three bands
+  /// @param radius  largest query radius in units of the length scale, at most 0.85: corners within
+  ///                it differ by less than a factor 16 in length scale, and take three bands
   /// @param largest_length_scale  a larger one counts as this
-  explicit FrontGrid(double reach,
+  explicit FrontGrid(double radius,
                      double largest_length_scale = std::numeric_limits<double>::infinity())
-      : reach_(reach),
+      : radius_(radius),
         largest_length_scale_(largest_length_scale),
-        lowest_share_((1 - margin) / (1 + reach)),
-        highest_share_((1 + margin) / (1 - reach)),
-        cells_per_reach_(1 / (8 * reach)),
+        lowest_share_((1 - margin) / (1 + radius)),
+        highest_share_((1 + margin) / (1 - radius)),
+        cells_per_angstrom_(1 / (8 * radius)),
         first_(1024, none) {}
 
-  /// The largest query radius at a place, Angstrom.
-  double reach(double length_scale) const { return reach_ * counted(length_scale); }
+  /// The largest query radius at a point of this length scale, Angstrom.
+  double max_radius(double length_scale) const { return radius_ * counted(length_scale); }
 
-  /// @return where, for erase()
-  Places insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
+  /// @return the keys for erase()
+  Keys insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
     const double counts_as = counted(length_scale);
     const int highest = band_of(counts_as * highest_share_);
-    Places places{none, none, none};
+    Keys keys{none, none, none};
     std::size_t filed = 0;
     for (int band = band_of(counts_as * lowest_share_); band <= highest; ++band) {
       const double size = cell_size(band);
       const Box box = box_of(band, position);
-      const std::uint32_t key = places[filed++] = key_of(band, box);
-      Cell& cell = cells_[cell_with_room(key)];
+      const std::uint32_t key = keys[filed++] = key_of(band, box);
+      Cell& cell = cells_[cell_with_space(key)];
       const std::uint32_t n = cell.count++;
       cell.x[n] = offset(position.x(), box[0], size);
       cell.y[n] = offset(position.y(), box[1], size);
       cell.z[n] = offset(position.z(), box[2], size);
       cell.corners[n] = corner;
     }
-    return places;
+    return keys;
   }
 
-  /// @pre the corner was inserted there.
-  void erase(FrontEdgeId corner, const Places& places) {
-    for (const std::uint32_t key : places) {
+  /// @pre insert() returned these keys.
+  void erase(FrontEdgeId corner, const Keys& keys) {
+    for (const std::uint32_t key : keys) {
       if (key != none) erase(corner, key);
     }
   }
 
-  /// Calls visit(corner) for every corner within `reach` of a position. When two boxes share a key,
-  /// a corner may be visited twice, and one that lies far away may be visited.
-  /// @pre reach <= reach(length_scale)
+  /// Calls visit(corner) for every corner within `radius` of a position. When two boxes share a
+  /// key, a corner may be visited twice, and one that lies far away may be visited.
+  /// @pre radius <= max_radius(length_scale)
   template <class Visit>
-  void for_each_within(const geometry::Point& p, double length_scale, double reach,
+  void for_each_within(const geometry::Point& p, double length_scale, double radius,
                        Visit visit) const {
     const int band = band_of(counted(length_scale));
     const double size = cell_size(band), s = cells_per_angstrom(band);
-    const Box low{whole((p.x() - reach) * s), whole((p.y() - reach) * s),
-                  whole((p.z() - reach) * s)};
-    const Box high{whole((p.x() + reach) * s), whole((p.y() + reach) * s),
-                   whole((p.z() + reach) * s)};
+    const Box low{whole((p.x() - radius) * s), whole((p.y() - radius) * s),
+                  whole((p.z() - radius) * s)};
+    const Box high{whole((p.x() + radius) * s), whole((p.y() + radius) * s),
+                   whole((p.z() + radius) * s)};
     // Offsets are rounded to single precision, by less than a millionth of the cell.
-    const float squared_reach = static_cast<float>(reach * reach * 1.001);
+    const float squared_radius = static_cast<float>(radius * radius * 1.001);
     // Visited together: a loop over the few of each cell would end where no processor can guess.
-    std::array<FrontEdgeId, 8 * room> near;
+    std::array<FrontEdgeId, 8 * cell_capacity> near;
     std::uint32_t found = 0;
     const auto visit_all = [&] {
       for (std::uint32_t n = 0; n < found; ++n) visit(near[n]);
@@ -103,8 +103,8 @@ class FrontGrid {
           const std::uint32_t key = key_of(band, box);
           for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
             if (cells_[c].key != key) continue;
-            if (found > near.size() - room) visit_all();
-            found += find_near(cells_[c], x, y, z, squared_reach, &near[found]);
+            if (found > near.size() - cell_capacity) visit_all();
+            found += find_near(cells_[c], x, y, z, squared_radius, &near[found]);
           }
         }
       }
@@ -113,42 +113,42 @@ class FrontGrid {
   }
 
  private:
-  using Box = std::array<std::int64_t, 3>;  ///< a cell's place, in cells from the origin
-  static constexpr std::uint32_t room = 8;
+  using Box = std::array<std::int64_t, 3>;  ///< a cell's position, in cells from the origin
+  static constexpr std::uint32_t cell_capacity = 8;
   static constexpr double margin = 1e-12;  ///< for rounding, at the border of two bands
   static constexpr float far = std::numeric_limits<float>::infinity();
-  static constexpr std::array<float, room> all_far{far, far, far, far, far, far, far, far};
+  static constexpr std::array<float, cell_capacity> all_far{far, far, far, far, far, far, far, far};
   /// Corners in one box, as offsets from its low corner; what is empty lies infinitely far. Boxes
-  /// with the same place in the table of first cells are a list, and so are the cells of a box that
+  /// with the same slot in the table of first cells are a list, and so are the cells of a box that
   /// needs more than one.
   struct alignas(64) Cell {
-    std::array<float, room> x = all_far, y{}, z{};
+    std::array<float, cell_capacity> x = all_far, y{}, z{};
     std::uint32_t key = 0, next = none, count = 0;
-    std::array<FrontEdgeId, room> corners;
+    std::array<FrontEdgeId, cell_capacity> corners;
   };
 
-  /// Puts those of a cell that are near into an array with room for all. The distances are
+  /// Puts those of a cell that are near into an array that holds all. The distances are
   /// calculated together, so that the compiler can take four in one instruction; a quarter of the
   /// corners are near, and no branch guesses which.
   /// @return how many
-  static std::uint32_t find_near(const Cell& cell, float x, float y, float z, float squared_reach,
+  static std::uint32_t find_near(const Cell& cell, float x, float y, float z, float squared_radius,
                                  FrontEdgeId* near) {
-    std::array<float, room> squared;
-    for (std::uint32_t n = 0; n < room; ++n) {
+    std::array<float, cell_capacity> squared;
+    for (std::uint32_t n = 0; n < cell_capacity; ++n) {
       const float dx = cell.x[n] - x, dy = cell.y[n] - y, dz = cell.z[n] - z;
       squared[n] = dx * dx + dy * dy + dz * dz;
     }
     std::uint32_t count = 0;
-    for (std::uint32_t n = 0; n < room; ++n) {
+    for (std::uint32_t n = 0; n < cell_capacity; ++n) {
       near[count] = cell.corners[n];
-      count += static_cast<std::uint32_t>(squared[n] <= squared_reach);
+      count += static_cast<std::uint32_t>(squared[n] <= squared_radius);
     }
     return count;
   }
 
-  /// Twice the reach at the top of the band, so that a query touches two cells an axis at most.
-  double cell_size(int band) const { return 8 * reach_ * power_of_four(band); }
-  double cells_per_angstrom(int band) const { return power_of_four(-band) * cells_per_reach_; }
+  /// Twice the radius at the top of the band, so that a query touches two cells an axis at most.
+  double cell_size(int band) const { return 8 * radius_ * power_of_four(band); }
+  double cells_per_angstrom(int band) const { return power_of_four(-band) * cells_per_angstrom_; }
   /// 4^n and the band of x from the bits: the library's functions are calls, and this is the
   /// innermost loop. @pre both are normal numbers.
   static double power_of_four(int n) {
@@ -205,9 +205,9 @@ class FrontGrid {
     cell.x[last] = far;
     return true;
   }
-  std::uint32_t cell_with_room(std::uint32_t key) {
+  std::uint32_t cell_with_space(std::uint32_t key) {
     for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
-      if (cells_[c].key == key && cells_[c].count < room) return c;
+      if (cells_[c].key == key && cells_[c].count < cell_capacity) return c;
     }
     if (unused_.empty()) {
       unused_.push_back(static_cast<std::uint32_t>(cells_.size()));
@@ -220,7 +220,7 @@ class FrontGrid {
     cells_[cell].next = std::exchange(first(key), cell);
     return cell;
   }
-  /// Doubles the table of first cells; with four places for each cell, lists are short.
+  /// Doubles the table of first cells; with four slots for each cell, lists are short.
   void grow() {
     const std::vector<std::uint32_t> old =
         std::exchange(first_, std::vector<std::uint32_t>(2 * first_.size(), none));
@@ -233,9 +233,9 @@ class FrontGrid {
     }
   }
 
-  double reach_, largest_length_scale_;
-  double lowest_share_, highest_share_;  ///< of the length scale: of corners in reach
-  double cells_per_reach_;               ///< cells per Angstrom in band 0
+  double radius_, largest_length_scale_;
+  double lowest_share_, highest_share_;  ///< of the length scale: of corners within the radius
+  double cells_per_angstrom_;            ///< in band 0
   std::vector<std::uint32_t> first_;     ///< by key modulo its size: a cell, or none
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> unused_;  ///< cells in no list

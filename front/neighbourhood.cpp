@@ -3,66 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace morskin::front {
 
-namespace {
-
-/// Whether the open segments ab and cd cross.
-bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  const Vector2 ab = b - a, cd = d - c;
-  return (cross(ab, c - a) > 0) != (cross(ab, d - a) > 0) &&
-         (cross(cd, a - c) > 0) != (cross(cd, b - c) > 0);
-}
-
-/// Whether x is nearer than `gap` to the segment from c along cd. Most are farther from the whole
-/// line, which takes no division to tell.
-/// @param cx, side  x - c, and cd x cx
-bool is_near_segment(const Vector2& cd, const Vector2& cx, double side, double gap) {
-  const double squared_length = cd.squaredNorm();
-  if (side * side >= gap * gap * squared_length) return false;
-  const double along = std::clamp(cd.dot(cx) / squared_length, 0.0, 1.0);
-  return (cx - along * cd).squaredNorm() < gap * gap;
-}
-
-/// The circles through the ends of an edge pw and a vertex on its right, compared by how far along
-/// the edge's right-hand normal their centres lie: of two vertices the one with the smaller offset
-/// lies in the other's circle.
-class CirclesOver {
- public:
-  CirclesOver(const Vector2& p, const Vector2& w)
-      : middle_((p + w) / 2), edge_(w - p), squared_length_(edge_.squaredNorm()) {}
-
-  /// The offset of v's circle, in units of the edge's length; nothing for a vertex not on the
-  /// right.
-  std::optional<double> offset(const Vector2& v) const {
-    const Vector2 m = v - middle_;
-    const double h = -cross(edge_, m);
-    if (h < least_height * squared_length_) return std::nullopt;
-    return (m.squaredNorm() - squared_length_ / 4) / (2 * h);
-  }
-
-  /// Whether v may have an offset below a bound: false for most that have not, without a division.
-  bool may_be_below(const Vector2& v, double bound) const {
-    constexpr double room = 1e-9;  // far above rounding
-    const Vector2 m = v - middle_;
-    const double h = -cross(edge_, m), left = m.squaredNorm(), right = 2 * h * bound;
-    return (h >= least_height * squared_length_) &
-           (left - squared_length_ / 4 <=
-            right + room * (left + squared_length_ + std::abs(right)));
-  }
-
- private:
-  // Flatter than this the triangle is no triangle; such a vertex is reached over another edge.
-  static constexpr double least_height = 0.05;
-  Vector2 middle_, edge_;
-  double squared_length_;
-};
-
-}  // namespace
-
-void Neighbourhood::stand_at(const SurfacePoint& centre) {
+void Neighbourhood::move_to(const SurfacePoint& centre) {
   origin_ = centre.position;
   normal_ = centre.normal;
   // The axis that is farthest from the normal, made orthogonal to it.
@@ -71,40 +15,29 @@ void Neighbourhood::stand_at(const SurfacePoint& centre) {
   first_axis_ = (Vector::Unit(least) - normal_[least] * normal_).normalized();
   second_axis_ = normal_.cross(first_axis_);
   corners_.clear();
-  if (place_.size() < front_.capacity()) place_.resize(2 * front_.capacity(), 0);
-  reach_ = front_.grid().reach(centre.length_scale);
+  if (index_.size() < front_.capacity()) index_.resize(2 * front_.capacity(), 0);
+  radius_ = front_.grid().max_radius(centre.length_scale);
 }
 
 void Neighbourhood::gather(const SurfacePoint& centre) {
-  stand_at(centre);
-  front_.grid().for_each_within(origin_, centre.length_scale, reach_, [&](FrontEdgeId e) {
-    if ((front_[e].position - origin_).squaredNorm() <= reach_ * reach_) list(e);
+  move_to(centre);
+  front_.grid().for_each_within(origin_, centre.length_scale, radius_, [&](FrontEdgeId e) {
+    if (is_within_radius(e)) add(e);
   });
-  // Edges that come into reach from a vertex out of reach.
+  // Edges that come in from a vertex outside.
   const std::size_t within = corners_.size();
-  for (std::size_t i = 0; i < within; ++i) list(front_[corners_[i].edge].previous);
-}
-
-void Neighbourhood::gather_along(const SurfacePoint& centre, FrontEdgeId corner, bool far) {
-  stand_at(centre);
-  list(corner);
-  const auto goes_on = [&](FrontEdgeId e) {
-    return far && e != corner && (front_[e].position - origin_).squaredNorm() <= reach_ * reach_;
-  };
-  FrontEdgeId after = front_[corner].next, before = front_[corner].previous;
-  for (list(after); goes_on(after); list(after)) after = front_[after].next;
-  for (list(before); goes_on(before); list(before)) before = front_[before].previous;
+  for (std::size_t i = 0; i < within; ++i) add(front_[corners_[i].edge].previous);
 }
 
 /// Notes an edge, once.
-void Neighbourhood::list(FrontEdgeId e) {
-  std::uint32_t& place = place_[e.index()];
-  if (place < corners_.size() && corners_[place].edge == e) return;
-  place = static_cast<std::uint32_t>(corners_.size());
-  look_at(e, corners_.emplace_back());
+void Neighbourhood::add(FrontEdgeId e) {
+  std::uint32_t& index = index_[e.index()];
+  if (index < corners_.size() && corners_[index].edge == e) return;
+  index = static_cast<std::uint32_t>(corners_.size());
+  update(e, corners_.emplace_back());
 }
 
-void Neighbourhood::look_at(FrontEdgeId e, Corner& corner) const {
+void Neighbourhood::update(FrontEdgeId e, Corner& corner) const {
   const FrontEdge &edge = front_[e], &next = front_.next(e);
   corner.edge = e;
   corner.vertex = edge.origin;
@@ -114,30 +47,45 @@ void Neighbourhood::look_at(FrontEdgeId e, Corner& corner) const {
   corner.to = plane(next);
 }
 
+void Neighbourhood::follow(const FrontChange& change) {
+  for (const FrontEdgeId e : change.closed) forget(e);
+  for (const FrontEdgeId e : change.moved) refresh(e);
+  for (const FrontEdgeId e : change.opened) refresh(e);
+}
+
+/// Notes that a front edge is new or has new ends.
 void Neighbourhood::refresh(FrontEdgeId e) {
-  if (place_.size() <= e.index()) place_.resize(2 * front_.capacity(), 0);
-  const std::uint32_t place = place_[e.index()];
-  if (place < corners_.size() && corners_[place].edge == e) {
-    look_at(e, corners_[place]);
+  if (index_.size() <= e.index()) index_.resize(2 * front_.capacity(), 0);
+  const std::uint32_t index = index_[e.index()];
+  if (index < corners_.size() && corners_[index].edge == e) {
+    update(e, corners_[index]);
   } else {
-    list(e);
+    add(e);
   }
 }
 
+/// Drops an edge that is no longer open.
 void Neighbourhood::forget(FrontEdgeId e) {
-  if (place_.size() <= e.index()) return;
-  const std::uint32_t place = place_[e.index()];
-  if (place < corners_.size() && corners_[place].edge == e) corners_[place].is_open = false;
+  if (index_.size() <= e.index()) return;
+  const std::uint32_t index = index_[e.index()];
+  if (index < corners_.size() && corners_[index].edge == e) corners_[index].is_open = false;
+}
+
+bool Neighbourhood::is_bare_within(double distance) const {
+  const double within = std::min(distance, radius_);
+  return std::ranges::none_of(corners_, [&](const Corner& c) {
+    return (front_[c.edge].position - origin_).squaredNorm() <= within * within;
+  });
 }
 
 double Neighbourhood::bare_angle(FrontEdgeId corner) const {
   const Vector2 at = plane(front_[corner]);
   const Vector2 out = plane(front_.next(corner)) - at, in = plane(front_.previous(corner)) - at;
   // A finished fan at a vertex never spans less than this, radians.
-  constexpr double least_fan_angle = 0.3;
+  constexpr double min_fan_angle = 0.3;
   double angle = std::atan2(cross(in, out), in.dot(out));
   if (angle < 0) angle += 2 * M_PI;
-  return angle > 2 * M_PI - least_fan_angle ? 0 : angle;
+  return angle > 2 * M_PI - min_fan_angle ? 0 : angle;
 }
 
 bool Neighbourhood::is_acute(FrontEdgeId corner, double cosine) const {
@@ -147,99 +95,8 @@ bool Neighbourhood::is_acute(FrontEdgeId corner, double cosine) const {
   if (along <= 0 || along * along < cosine * cosine * in.squaredNorm() * out.squaredNorm()) {
     return false;
   }
-  constexpr double least_fan_sine = -0.3;  // as in bare_angle()
-  return cross(in, out) > least_fan_sine * along;
-}
-
-bool Neighbourhood::is_crossed(VertexId a, const Vector2& at_a, VertexId b,
-                               const Vector2& at_b) const {
-  for (const Corner& c : corners_) {
-    if (!c.is_open || c.vertex == a || c.vertex == b || c.target == a || c.target == b) continue;
-    if (segments_cross(at_a, at_b, c.at.plane, c.to)) return true;
-  }
-  return false;
-}
-
-bool Neighbourhood::opens_towards(FrontEdgeId corner, const Vector2& at, const Vector2& d) const {
-  const Vector2 out = plane(front_.next(corner)) - at, in = plane(front_.previous(corner)) - at;
-  if (cross(in, out) >= 0) return cross(in, d) > 0 && cross(d, out) > 0;
-  return !(cross(out, d) >= 0 && cross(d, in) >= 0);
-}
-
-bool Neighbourhood::covers(const Corner& c, const Vector2& x) const {
-  const Vector2& a = c.at.plane;
-  const Vector2 apex = local(mesh_.position(mesh_.surface.apex(front_[c.edge].half_edge))).plane;
-  return cross(apex - c.to, x - c.to) >= 0 && cross(a - apex, x - apex) >= 0;
-}
-
-bool Neighbourhood::is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_gap,
-                             double edge_gap) const {
-  const VertexId p = front_[e].origin, w = front_.target(e);
-  const Vector2 at_p = plane(front_[e]), at_w = plane(front_.next(e));
-  const CirclesOver circles(at_p, at_w);
-  const auto offset = circles.offset(x.plane);
-  if (!offset) return false;
-  for (const Corner& c : corners_) {
-    if (!c.is_open || c.edge == e) continue;
-    if (c.vertex != p && c.vertex != w) {
-      if (c.at.squared_distance(x) < vertex_gap * vertex_gap) return false;
-      if (circles.may_be_below(c.at.plane, *offset)) {
-        const auto other = circles.offset(c.at.plane);
-        if (other && *other < *offset && sees(e, c.edge)) return false;
-      }
-    }
-    // On which side of the front edge x lies answers the rest, but for few edges.
-    const Vector2 along = c.to - c.at.plane, to_x = x.plane - c.at.plane;
-    const double side = cross(along, to_x);
-    if (is_near_segment(along, to_x, side, edge_gap)) return false;
-    if (side > 0 && covers(c, x.plane)) return false;
-    const auto crosses = [&](VertexId end, const Vector2& at) {
-      const bool is_joined = c.vertex == end || c.target == end;
-      return !is_joined && (cross(along, at - c.at.plane) > 0) != (side > 0) &&
-             segments_cross(at, x.plane, c.at.plane, c.to);
-    };
-    if (crosses(p, at_p) || crosses(w, at_w)) return false;
-  }
-  return true;
-}
-
-bool Neighbourhood::sees(FrontEdgeId e, FrontEdgeId corner) const {
-  const VertexId p = front_[e].origin, w = front_.target(e), v = front_[corner].origin;
-  const Vector2 at_p = plane(front_[e]), at_w = plane(front_.next(e)), at_v = plane(front_[corner]);
-  const FrontEdgeId after = front_[e].next;
-  const bool is_before = corner == front_[e].previous, is_after = front_[corner].previous == after;
-  if (!is_before &&
-      (!opens_towards(e, at_p, at_v - at_p) || !opens_towards(corner, at_v, at_p - at_v))) {
-    return false;
-  }
-  if (!is_after &&
-      (!opens_towards(after, at_w, at_v - at_w) || !opens_towards(corner, at_v, at_w - at_v))) {
-    return false;
-  }
-  return (is_before || !is_crossed(p, at_p, v, at_v)) &&
-         (is_after || !is_crossed(w, at_w, v, at_v));
-}
-
-std::optional<FrontEdgeId> Neighbourhood::delaunay_apex(FrontEdgeId e) const {
-  const VertexId p = front_[e].origin, w = front_.target(e);
-  const CirclesOver circles(plane(front_[e]), plane(front_.next(e)));
-  std::optional<FrontEdgeId> best;
-  double least = std::numeric_limits<double>::infinity();
-  const auto consider = [&](FrontEdgeId corner, const Vector2& at) {
-    const auto offset = circles.offset(at);
-    if (!offset || *offset >= least || !sees(e, corner)) return;
-    least = *offset;
-    best = corner;
-  };
-  // Mostly it is the vertex before the edge; known first, it spares the others a closer look.
-  const FrontEdgeId before = front_[e].previous;
-  consider(before, plane(front_[before]));
-  for (const Corner& c : corners_) {
-    if (c.is_open && c.vertex != p && c.vertex != w && circles.may_be_below(c.at.plane, least)) {
-      consider(c.edge, c.at.plane);
-    }
-  }
-  return best;
+  constexpr double min_fan_sine = -0.3;  // as in bare_angle()
+  return cross(in, out) > min_fan_sine * along;
 }
 
 }  // namespace morskin::front

@@ -1,12 +1,7 @@
 #pragma once
 
-/// The collision guard: what lies near a departure vertex, seen in its tangent plane.
-///
-/// The skin keeps a ball of radius rho free on both sides of every point
-/// (papers/2.1-molecular-skin.md), so no other sheet comes within reach: the neighbourhood is one
-/// disk of surface, nearly flat, and whether a new triangle would meet the front is a question in
-/// the plane. The paper looks for collisions only inside protecting spheres; fronts meet elsewhere
-/// as well (papers/4.1-algorithm.md).
+/// The collision guard: the front near a departure vertex, seen in its tangent plane
+/// (papers/4.1-algorithm.md, "The collision guard").
 
 #include <optional>
 #include <vector>
@@ -32,17 +27,21 @@ struct LocalPoint {
   }
 };
 
-class Neighbourhood {
+class Neighbourhood : public FrontMirror {
  public:
   Neighbourhood(const Mesh& mesh, const Front& front) : mesh_(mesh), front_(front) {}
 
-  /// Looks round a point of the skin: every front corner within the grid's reach of its length
-  /// scale, and the edges on both sides of each.
-  void gather(const SurfacePoint& centre);
+  const Front& front() const { return front_; }
 
-  /// Looks along the polygon only: at a corner, the one before and the one after, and, if `far`, on
-  /// both ways as far as the grid's reach.
-  void gather_along(const SurfacePoint& centre, FrontEdgeId corner, bool far);
+  /// Moves to a point of the skin and gathers every front corner within the grid's radius of its
+  /// length scale, with the edges on both sides of each.
+  void gather(const SurfacePoint& centre);
+  /// The same in steps: first none are gathered, then some.
+  void move_to(const SurfacePoint& centre);
+  void add(FrontEdgeId e);
+  bool is_within_radius(FrontEdgeId corner) const {
+    return (front_[corner].position - origin_).squaredNorm() <= radius_ * radius_;
+  }
 
   LocalPoint local(const Point& x) const {
     const Vector d = x - origin_;
@@ -56,28 +55,39 @@ class Neighbourhood {
 
   /// Whether every front corner in a ball has been gathered.
   bool is_in_view(const Point& centre, double radius) const {
-    return radius <= reach_ &&
-           (centre - origin_).squaredNorm() <= (reach_ - radius) * (reach_ - radius);
+    return radius <= radius_ &&
+           (centre - origin_).squaredNorm() <= (radius_ - radius) * (radius_ - radius);
   }
+  /// Whether no front corner in view lies within a distance of the centre.
+  bool is_bare_within(double distance) const;
 
-  /// Notes that a front edge is new or has new ends.
-  void refresh(FrontEdgeId e);
-  /// Drops edges that are no longer open.
-  void forget(FrontEdgeId e);
+  /// Sees the front as it is after a change.
+  void follow(const FrontChange& change) override;
 
   /// Counter-clockwise angle, in [0, 2 pi), that is bare at a corner: from the edge before round to
-  /// the edge itself. An overlap of less than `least_fan_angle` counts as no angle at all.
+  /// the edge itself. An overlap of less than `min_fan_angle` counts as no angle at all.
   double bare_angle(FrontEdgeId corner) const;
 
   /// Whether the bare angle at a corner is below the (acute) angle with this cosine, without an arc
   /// tangent. An angle that laps over a little is.
   bool is_acute(FrontEdgeId corner, double cosine) const;
 
-  /// Whether a new vertex x would do as the apex over edge e: not within `vertex_gap` of a front
-  /// vertex nor within `edge_gap` of a front edge (Angstrom), no front vertex in the disk round the
-  /// triangle, no front edge across the triangle's new sides, and not in a finished triangle behind
-  /// the front: a hole that is nearly flat may be inside out by rounding of its vertices' places,
-  /// and then its bare side is where the mesh is.
+  // The guard's five conditions on a new vertex x as the apex over front edge e, pw.
+
+  /// 1. The triangle is no flatter than a twentieth of the edge, and on the edge's bare side.
+  bool is_high(FrontEdgeId e, const LocalPoint& x) const;
+  /// 2. No front vertex but p and w lies within `vertex_gap` of x in space, and no front edge but
+  /// pw within `edge_gap` in the plane, Angstrom.
+  bool keeps_distance(FrontEdgeId e, const LocalPoint& x, double vertex_gap, double edge_gap) const;
+  /// 3. No front vertex that both p and w see lies in the circle of p, w, x.
+  bool has_empty_circle(FrontEdgeId e, const LocalPoint& x) const;
+  /// 4. The sides px and wx cross no front edge.
+  bool crosses_no_edge(FrontEdgeId e, const LocalPoint& x) const;
+  /// 5. x lies in no finished triangle behind a front edge. A hole that is nearly flat may be
+  /// inside out by the rounding of its vertices: its bare side is then where the mesh is.
+  bool is_uncovered(FrontEdgeId e, const LocalPoint& x) const;
+
+  /// All five at once, in one pass over the corners: what the sweep asks.
   bool is_clear(FrontEdgeId e, const LocalPoint& x, double vertex_gap, double edge_gap) const;
 
   /// The corner of the front that makes the Delaunay triangle over edge e: among the vertices seen
@@ -89,7 +99,6 @@ class Neighbourhood {
   bool sees(FrontEdgeId e, FrontEdgeId corner) const;
 
  private:
-  void stand_at(const SurfacePoint& centre);
   struct Corner {
     FrontEdgeId edge;
     VertexId vertex, target;
@@ -97,14 +106,18 @@ class Neighbourhood {
     LocalPoint at;  ///< the corner's vertex
     Vector2 to;     ///< the target of the edge
   };
+  /// Calls `holds` for every gathered open edge but e, until one does not.
+  template <class Holds>
+  bool holds_for_all_but(FrontEdgeId e, Holds holds) const;
   /// Whether the open segment from vertex a to vertex b crosses a front edge.
   bool is_crossed(VertexId a, const Vector2& at_a, VertexId b, const Vector2& at_b) const;
   /// Whether the direction d points into the bare sector of a corner.
   bool opens_towards(FrontEdgeId corner, const Vector2& at, const Vector2& d) const;
   /// Whether x lies in the finished triangle behind a front edge. @pre it is not on the bare side.
   bool covers(const Corner& c, const Vector2& x) const;
-  void list(FrontEdgeId e);
-  void look_at(FrontEdgeId e, Corner& corner) const;
+  void refresh(FrontEdgeId e);
+  void forget(FrontEdgeId e);
+  void update(FrontEdgeId e, Corner& corner) const;
   Vector2 plane(const FrontEdge& edge) const {
     const Vector d = edge.position - origin_;
     return {first_axis_.dot(d), second_axis_.dot(d)};
@@ -113,10 +126,10 @@ class Neighbourhood {
   const Mesh& mesh_;
   const Front& front_;
   Point origin_ = Point::Zero();
-  double reach_ = 0;
+  double radius_ = 0;
   Vector normal_ = Vector::Zero(), first_axis_ = Vector::Zero(), second_axis_ = Vector::Zero();
   std::vector<Corner> corners_;
-  std::vector<std::uint32_t> place_;  ///< by front edge: its place in corners_, checked on use
+  std::vector<std::uint32_t> index_;  ///< by front edge: its index in corners_, checked on use
 };
 
 }  // namespace morskin::front

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <mutex>
 #include <vector>
 
+#include "front/sweep_progress.h"
 #include "geometry/parallel.h"
 
 namespace morskin::front {
@@ -48,45 +47,6 @@ std::vector<Interval> close_pairs(const std::vector<morse::CriticalPoint>& point
   return pairs;
 }
 
-/// Turns the values that the fronts have come to into the share of atoms that they have passed.
-class PassedAtoms {
- public:
-  PassedAtoms(const surface::Surface& skin, const morse::Guide& guide,
-              const std::function<void(double)>& told)
-      : told_(told) {
-    if (!told_) return;
-    const std::vector<Point> samples = skin.samples();
-    constexpr std::size_t most = 1 << 14;  // enough
-    for (std::size_t i = 0; i < samples.size(); i += 1 + samples.size() / most) {
-      values_.push_back(guide.function(samples[i]));
-    }
-    std::sort(values_.begin(), values_.end());
-  }
-
-  /// What the sweep from below, or the one from above, is to call; either from its own thread.
-  std::function<void(double)> from_below() {
-    return [this](double value) { tell(from_below_, value, false); };
-  }
-  std::function<void(double)> from_above() {
-    return [this](double value) { tell(from_above_, -value, true); };
-  }
-
- private:
-  void tell(double& reached, double value, bool is_above) {
-    if (!told_) return;
-    const std::lock_guard lock(mutex_);
-    const auto place = std::upper_bound(values_.begin(), values_.end(), value) - values_.begin();
-    const double below = static_cast<double>(place) / static_cast<double>(values_.size());
-    reached = std::max(reached, is_above ? 1 - below : below);
-    told_(std::min(from_below_ + from_above_, 1.0));
-  }
-
-  const std::function<void(double)>& told_;
-  std::vector<double> values_;
-  std::mutex mutex_;
-  double from_below_ = 0, from_above_ = 0;
-};
-
 }  // namespace
 
 double middle_level(const surface::Surface& skin, const morse::Guide& guide) {
@@ -102,37 +62,32 @@ double middle_level(const surface::Surface& skin, const morse::Guide& guide) {
 }
 
 SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
-                       const SweepOptions& options) {
-  SweepResult result;
-  PassedAtoms passed(skin, guide, options.progress);
-  SweepOptions told = options;
-  told.progress = passed.from_below();
-  Sweep sweep(skin, guide, told, result.mesh);
+                       const SweepOptions& options, const SweepExtras& extras,
+                       const std::vector<SweepObserver*>& observers) {
+  PassedAtoms passed(skin, guide.function, extras.progress);
+  ProgressObserver progress([&](double value) { passed.passed_from_below(value); });
+  std::vector<SweepObserver*> all{&progress};
+  all.insert(all.end(), observers.begin(), observers.end());
+  PartialSweep sweep(skin, guide, options, {}, extras.coarsening, all);
   sweep.run();
-  result.operations = sweep.operations();
-  result.open_edges = sweep.open_edges();
-  return result;
+  return sweep.take_result();
 }
 
 SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
-                                 const SweepOptions& options, unsigned threads) {
+                                 const SweepOptions& options, unsigned threads,
+                                 const SweepExtras& extras) {
   const double middle = middle_level(skin, guide);
   const morse::Guide reversed = guide.reversed();
-  SweepResult result;
-  surface::Mesh upper_mesh;
-  PassedAtoms passed(skin, guide, options.progress);
-  SweepOptions lower = options, upper = options;
-  lower.progress = passed.from_below();
-  upper.progress = passed.from_above();
-  upper.operation = {};
-  Sweep below(skin, guide, lower, result.mesh, middle);
-  Sweep above(skin, reversed, upper, upper_mesh, -middle);
+  PassedAtoms passed(skin, guide.function, extras.progress);
+  ProgressObserver lower([&](double value) { passed.passed_from_below(value); });
+  ProgressObserver upper([&](double value) { passed.passed_from_above(value); });
+  PartialSweep below(skin, guide, options, {.high = middle}, extras.coarsening, {&lower});
+  PartialSweep above(skin, reversed, options, {.high = -middle}, extras.coarsening, {&upper});
   geometry::do_both(
       threads, [&] { below.run(); }, [&] { above.run(); });
-  below.join(above, threads);
-  result.operations = below.operations();
-  result.open_edges = below.open_edges();
-  return result;
+  below.absorb(above, threads);
+  below.finish();
+  return below.take_result();
 }
 
 }  // namespace morskin::front

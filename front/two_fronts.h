@@ -1,32 +1,39 @@
 #pragma once
 
 /// Two sweeps at once: one from the minima up, one from the maxima down (the Morse function
-/// reversed), each in its own thread. Both stop a few edges before a middle level; then one front
-/// takes over the other and closes the strip between.
+/// reversed), each in its own thread. Both stop a few edges before a middle level; then one
+/// absorbs the other and closes the strip between.
 ///
 /// The paper sweeps once, from below (section 4.1). Which way the surface is swept is open there
 /// ("our algorithm can generate correct mesh with different directions"), and neither sweep
 /// touches what the other has laid before they are joined, so the mesh does not depend on the
 /// number of threads.
 
-#include "front/sweep.h"
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "front/partial_sweep.h"
 
 namespace morskin::front {
 
-struct SweepResult {
-  surface::Mesh mesh;
-  Operations operations;
-  std::size_t open_edges = 0;  ///< 0 when the mesh is closed
+/// What goes on beside a sweep.
+struct SweepExtras {
+  std::optional<CoarseningOptions> coarsening = {};  ///< behind each front
+  std::function<void(double)> progress = {};         ///< called with the share of atoms passed
 };
 
 /// One sweep from below, Algorithm 1 as printed.
+/// @param observers  must outlive the call
 SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
-                       const SweepOptions& options = {});
+                       const SweepOptions& options = {}, const SweepExtras& extras = {},
+                       const std::vector<SweepObserver*>& observers = {});
 
 /// From both ends.
 /// @param threads  with one, the two sweeps run one after the other
 SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
-                                 const SweepOptions& options = {}, unsigned threads = 2);
+                                 const SweepOptions& options = {}, unsigned threads = 2,
+                                 const SweepExtras& extras = {});
 
 /// The level where they meet: as near as can be to the median value over the atoms, so that both
 /// have about as much to do, but never between a minimum below and a maximum above that are so

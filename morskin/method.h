@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "front/sweep.h"
+#include "front/experimental_guards.h"
+#include "front/operation_counter.h"
+#include "front/snapshots.h"
 #include "geometry/progress.h"
 #include "morse/choose_function.h"
 #include "refine/refinement.h"
@@ -81,7 +83,7 @@ struct MeshOptions {
   /// 2: swept from both ends at once; 1: from below only, Algorithm 1 as printed.
   int fronts = 2;
   front::Guard guard = front::Guard::Everywhere;
-  /// With one front: see front::SweepOptions.
+  /// With one front: see front::Snapshots.
   std::vector<double> snapshot_values;
   std::size_t snapshots = 0;
   std::function<void(const front::Snapshot&)> snapshot;

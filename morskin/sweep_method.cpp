@@ -12,15 +12,18 @@ namespace morskin {
 
 namespace {
 
-/// Of protecting spheres, for the guards that go by them.
-constexpr double enlargement = 3;
-
-morse::ProtectingSpheres enlarged(const skin::SkinSurface& skin, const morse::Guide& guide) {
+/// The guard asked for, unless it is the default.
+std::optional<front::NarrowGuard> experimental_guard(front::Guard guard,
+                                                     const skin::SkinSurface& skin,
+                                                     const morse::Guide& guide) {
+  constexpr double enlargement = 3;
+  if (guard == front::Guard::Everywhere) return std::nullopt;
   std::vector<double> radii;
   for (std::size_t c = 0; c < guide.points.size(); ++c) {
     radii.push_back(enlargement * guide.spheres.radius(morse::CriticalId{c}));
   }
-  return morse::protecting_spheres(skin, guide.points, std::move(radii));
+  return front::NarrowGuard(morse::protecting_spheres(skin, guide.points, std::move(radii)),
+                            guard == front::Guard::Adjacent);
 }
 
 }  // namespace
@@ -51,20 +54,20 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) 
   result.function = guide.function;
 
   geometry::timed(result.seconds.sweep, [&] {
-    front::SweepOptions sweeping{.sizing = laid,
-                                 .guard = options.guard,
-                                 .progress = [&](double share) { progress("sweep", share); },
-                                 .snapshot_values = options.snapshot_values,
-                                 .snapshots = options.snapshots,
-                                 .snapshot = options.snapshot};
-    if (options.guard != front::Guard::Everywhere) {
-      sweeping.enlarged = enlarged(skin.surface, guide);
-    }
-    if (options.sizing.is_coarser_than_laid()) sweeping.coarser = options.sizing;
+    const auto guard = experimental_guard(options.guard, skin.surface, guide);
+    front::SweepOptions sweeping{.sizing = laid};
+    if (guard) sweeping.guard = &*guard;
+    front::SweepExtras extras{.progress = [&](double share) { progress("sweep", share); }};
+    if (options.sizing.is_coarser_than_laid()) extras.coarsening = {.sizing = options.sizing};
+    const auto sweep_with_snapshots = [&] {
+      front::Snapshots snapshots(guide, options.snapshot_values, options.snapshots,
+                                 options.snapshot);
+      return front::sweep_once(skin.surface, guide, sweeping, extras, {&snapshots});
+    };
     front::SweepResult swept =
         options.fronts == 1
-            ? front::sweep_once(skin.surface, guide, sweeping)
-            : front::sweep_from_both_ends(skin.surface, guide, sweeping, options.threads);
+            ? sweep_with_snapshots()
+            : front::sweep_from_both_ends(skin.surface, guide, sweeping, options.threads, extras);
     result.mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;

@@ -8,18 +8,18 @@
 #include <optional>
 #include <vector>
 
-#include "certify/certificate.h"
-#include "certify/tube.h"
+#include "front/snapshots.h"
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
+#include "certify/certificate.h"
 #include "refine/refinement.h"
+#include "refine/tube.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using certify::Sizing;
 using geometry::SurfaceMesh;
 using refine::Coarsening;
+using certify::Sizing;
 using surface::Mesh;
 using surface::SurfacePoint;
 
@@ -27,12 +27,12 @@ namespace {
 
 Sizing sizing_for(double C) { return {C, Sizing::quality_for(C)}; }
 
-morse::Guide guide_for(const morskin::PreparedSkin& skin, const Sizing& laid) {
+morse::Guide guide_for(const front::PreparedSkin& skin, const Sizing& laid) {
   return morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), std::nullopt,
-                           morskin::sphere_share(skin.surface, laid));
+                           front::sphere_share(skin.surface, laid));
 }
 
-Mesh fine_mesh(const morskin::PreparedSkin& skin, const Sizing& laid) {
+Mesh fine_mesh(const front::PreparedSkin& skin, const Sizing& laid) {
   Mesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
   refine::Refinement(skin.surface, laid, mesh).run();
   return mesh;
@@ -65,7 +65,7 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
     if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
-        !certify::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
+        !refine::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
       return false;
     }
   }
@@ -86,7 +86,7 @@ long euler_characteristic(const SurfaceMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles can all be proved") {
-  for_each_fine_mesh(40, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [](const front::PreparedSkin& skin, const Mesh& fine) {
     for (const double C : {0.25, 0.3, 0.4}) {
       CAPTURE(C);
       const Sizing sizing = sizing_for(C);
@@ -103,7 +103,7 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
 }
 
 TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
-  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
     mesh.compact();
@@ -119,7 +119,7 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
 TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles less than half") {
   std::size_t triangles_before = 0, triangles = 0, short_before = 0, short_after = 0;
   const Sizing sizing = sizing_for(0.3);
-  for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [&](const front::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
     mesh.compact();
@@ -133,7 +133,7 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
 }
 
 TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
-  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
@@ -176,13 +176,11 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
         CHECK(now.mesh.position(edge.origin) == edge.position);
       }
     };
-    const front::SweepOptions fine{.sizing = laid}, in_steps{.sizing = laid,
-                                                             .coarser = sizing,
-                                                             .coarsen_after = 300,
-                                                             .snapshots = 50,
-                                                             .snapshot = look};
-    const auto whole = front::sweep_once(skin->surface, guide, fine);
-    auto coarse = front::sweep_once(skin->surface, guide, in_steps);
+    front::Snapshots snapshots(guide, {}, 50, look);
+    const auto whole = front::sweep_once(skin->surface, guide, {.sizing = laid});
+    auto coarse =
+        front::sweep_once(skin->surface, guide, {.sizing = laid},
+                          {.coarsening = {{.sizing = sizing, .min_triangles = 300}}}, {&snapshots});
     REQUIRE(coarse.open_edges == 0);
     CHECK(whole.mesh.surface.triangle_count() ==
           coarse.mesh.surface.triangle_count() + 2 * coarse.operations.coarsen);
@@ -191,7 +189,7 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     }
     refine::Refinement(skin->surface, sizing, coarse.mesh).run();
     const auto certificate =
-        certify::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+        refine::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
@@ -203,15 +201,15 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
     const morse::Guide guide = guide_for(*skin, laid);
-    const front::SweepOptions options{.sizing = laid, .coarser = sizing, .coarsen_after = 300};
-    auto one = front::sweep_from_both_ends(skin->surface, guide, options, 1);
-    const auto two = front::sweep_from_both_ends(skin->surface, guide, options, 2);
+    const front::SweepExtras extras{.coarsening = {{.sizing = sizing, .min_triangles = 300}}};
+    auto one = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 1, extras);
+    const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 2, extras);
     REQUIRE(one.open_edges == 0);
     CHECK(plain(one.mesh).positions == plain(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
     refine::Refinement(skin->surface, sizing, one.mesh).run();
     const auto certificate =
-        certify::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+        refine::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "front/neighbourhood.h"
+#include "front/operation_counter.h"
 #include "tests/support/ball_sets.h"
 
 using namespace morskin;
@@ -265,28 +266,28 @@ TEST_CASE("a front that splits and joins again closes to a torus") {
 }
 
 TEST_CASE(
-    "a loop that a touch split off is vain if it closes alone, and not if it meets the front") {
+    "a loop that a touch split off is futile if it closes alone, and not if it meets the front") {
+  struct Watch : FrontMirror {
+    TouchLoops loops;
+    bool is_predicted = true;
+    void follow(const FrontChange& change) override { loops.follow(change, is_predicted); }
+  };
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
     const bool meets = seed % 2 == 1, has_maximum = seed % 3 == 0;
+    Watch watch;
     Plane plane;
+    plane.front.add_mirror(watch);
     const auto polygon = plane.fan(0, 0, 0.2, 0, 14);
     // Five edges are split off; the other part has eight and a new one.
-    const FrontEdgeId added = plane.front.attach(polygon[0], polygon[6]);
-    plane.front.watch_touch(polygon[0], added, true);
-    const FrontEdgeId in_loop = polygon[1];
-    REQUIRE(plane.front[in_loop].loop == 1);
-    REQUIRE(plane.front[added].loop == 1);
-    REQUIRE(plane.front[polygon[0]].loop == 0);
-    if (has_maximum) plane.front.note_maximum(in_loop);
-    if (meets) {
-      const FrontEdgeId again = plane.front.attach(polygon[9], polygon[3]);
-      plane.front.watch_touch(polygon[9], again, false);
-    }
+    plane.front.attach(polygon[0], polygon[6]);
+    if (has_maximum) watch.loops.note_maximum(polygon[1]);
+    watch.is_predicted = false;
+    if (meets) plane.front.attach(polygon[9], polygon[3]);
     Walk walk(plane, seed);
     walk.finish();
-    CHECK(plane.front.vain_loops(true) == (meets || has_maximum ? 0U : 1U));
-    CHECK(plane.front.vain_loops(false) == 0);
+    CHECK(watch.loops.futile(true) == (meets || has_maximum ? 0U : 1U));
+    CHECK(watch.loops.futile(false) == 0);
   }
 }
 
@@ -327,13 +328,13 @@ TEST_CASE(
     struct Filed {
       FrontEdgeId corner;
       Point position;
-      FrontGrid::Places places;
+      FrontGrid::Keys keys;
     };
     std::vector<Filed> filed;
     for (std::uint32_t i = 0; i < 3000; ++i) {
       if (random.uniform() < 0.35 && !filed.empty()) {
         const std::size_t k = random.below(filed.size());
-        grid.erase(filed[k].corner, filed[k].places);
+        grid.erase(filed[k].corner, filed[k].keys);
         filed[k] = filed.back();
         filed.pop_back();
       } else {
@@ -344,14 +345,14 @@ TEST_CASE(
       CAPTURE(i);
       const Point p = random_point();
       const double rho = length_scale(p);
-      const double reach = random.between(0, grid.reach(rho));
+      const double reach = random.between(0, grid.max_radius(rho));
       std::vector<FrontEdgeId> visited, expected;
       grid.for_each_within(p, rho, reach, [&](FrontEdgeId e) { visited.push_back(e); });
       std::sort(visited.begin(), visited.end());
       visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
       // Single precision offsets: a thousandth of the reach, a millionth of the scale.
       const double beyond = reach * 1.001 + 1e-5 * rho;
-      for (const auto& [e, x, places] : filed) {
+      for (const auto& [e, x, keys] : filed) {
         const double d = (x - p).norm();
         const bool is_visited = std::binary_search(visited.begin(), visited.end(), e);
         if (d <= reach * (1 - 1e-6)) CHECK(is_visited);

@@ -6,16 +6,16 @@ namespace morskin::figures {
 
 RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, double C) {
   RecordedSweep record;
-  front::SweepOptions options;
-  options.sizing.C = C;
+  const certify::Sizing sizing{.C = C};
   std::size_t before = 0;
-  options.operation = [&](front::Operation operation, std::size_t triangles) {
+  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
     record.events.push_back({operation, before, triangles});
     before = triangles;
-  };
+  });
   record.guide = morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                                   options.sizing.tangent_disk_share());
-  record.mesh = front::sweep_once(skin.surface, record.guide, options).mesh;
+                                   sizing.tangent_disk_share());
+  record.mesh =
+      front::sweep_once(skin.surface, record.guide, {.sizing = sizing}, {}, {&recorder}).mesh;
   return record;
 }
 

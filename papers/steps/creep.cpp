@@ -1,4 +1,4 @@
-// Section 4.1, front/sweep.h: one creep.
+// Section 4.1, front/operations.cpp: one creep.
 //
 // A single ball's sweep is looked at after its first creep. The bowl takes 120 of the 360 degrees
 // about the departure vertex p_t, so n = 240 / 60 = 4 triangles are laid. The points q_i stand on
@@ -8,27 +8,24 @@
 #include <cmath>
 #include <vector>
 
+#include "front/mesh_skin.h"
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
-#include "morskin/mesh_skin.h"
 #include "papers/steps/step.h"
 
 int main() {
   using namespace morskin;
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
+  const front::PreparedSkin skin = front::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
   const double share = certify::Sizing{}.tangent_disk_share();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share);
   // [excerpt: step-creep]
   std::vector<front::Operation> done;
   std::vector<std::size_t> laid;  // triangles there are after each
-  front::SweepOptions options;
-  options.operation = [&](front::Operation operation, std::size_t triangles) {
+  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
     done.push_back(operation);
     laid.push_back(triangles);
-  };
-  const surface::Mesh mesh = front::sweep_once(skin.surface, guide, options).mesh;
+  });
+  const surface::Mesh mesh = front::sweep_once(skin.surface, guide, {}, {}, {&recorder}).mesh;
   // [/excerpt]
   bool holds = done.at(0) == front::Operation::Creation && laid[0] == 6 &&
                done.at(1) == front::Operation::Creep && laid[1] - laid[0] == 4;

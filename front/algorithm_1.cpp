@@ -1,0 +1,75 @@
+// Algorithm 1, CreepTriangles(), and what the paper does before and after it (section 4.1).
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "front/sweep.h"
+
+namespace morskin::front {
+
+// [excerpt: algorithm-1]
+void Sweep::creep_triangles() {
+  while (const auto t = lowest_departure()) {  // 1, 2: t = ExtractMin(Q)
+    const auto c = protecting_sphere(*t);
+    if (is_saddle(c)) {              // 3: t falls in the protecting sphere of a saddle point c
+      mark_red(*c, *t);              // 7
+      if (is_ready(*c)) bridge(*c);  // 4, 5
+    } else if (is_maximum(c)) {      // 9: t falls in that of a maximum point c
+      mark_green(*c, *t);            // 10
+    } else if (!creep(*t)) {         // 12
+      defer(*t);                     // where the guard leaves no triangle
+    }                                // 13; for 14 see below
+  }                                  // 15
+}
+// [/excerpt]
+
+// Line 14 refines the new triangles after each step. Here the closed mesh is refined
+// (refine/refinement.h): papers/4.3-local-refinement.md says why.
+
+void Sweep::run() {
+  std::vector<std::uint32_t> minima;
+  for (std::uint32_t i = 0; i < guide_.points.size(); ++i) {
+    const morse::CriticalPoint& p = guide_.points[i];
+    if (p.index == 0 && subdomain_.contains(p.value)) minima.push_back(i);
+  }
+  std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(guide_.points[a].value, a) < std::pair(guide_.points[b].value, b);
+  });
+  for (const std::uint32_t i : minima) create(guide_.points[i]);
+  sweep_on();
+}
+
+void Sweep::finish() {
+  subdomain_ = {};
+  departures_.release_postponed();
+  sweep_on();
+}
+
+/// Creeps, then seals what is left at the maxima, then retries what the guard refused.
+void Sweep::sweep_on() {
+  creep_triangles();
+  release_red_marks();
+  creep_triangles();
+  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
+    if (is_maximum(CriticalId{c})) seal(CriticalId{c});
+  }
+  creep_triangles();
+  for (std::size_t before = 0; before != front_.triangles_added();) {
+    before = front_.triangles_added();
+    departures_.retry_refused();
+    creep_triangles();
+  }
+  for (SweepObserver* observer : observers_) observer->finished(front_);
+}
+
+/// A saddle reached from one side only, both branches having met elsewhere, stops the front no
+/// longer (E18).
+void Sweep::release_red_marks() {
+  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
+    if (!is_saddle(CriticalId{c})) continue;
+    for (const auto& side : marks_.release(CriticalId{c})) departures_.put_back(side);
+  }
+}
+
+}  // namespace morskin::front

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "front/coarsening_observer.h"
+#include "front/operation_counter.h"
+#include "front/sweep.h"
+
+namespace morskin::front {
+
+struct SweepResult {
+  surface::Mesh mesh;
+  Operations operations;
+  std::size_t open_edges = 0;  ///< 0 when the mesh is closed
+};
+
+/// One of the sweeps that mesh a surface together, each a subdomain of it, with its mesh, its
+/// counts and its coarsening. Absorbing is associative, so any number of them are a fold; what lies
+/// between the subdomains is swept in the end.
+class PartialSweep {
+ public:
+  /// @param coarsening  nothing to leave the mesh as fine as it is laid
+  /// @param observers   further ones; with surface and guide they must outlive this
+  PartialSweep(const surface::Surface& surface, const morse::Guide& guide,
+               const SweepOptions& options, const Subdomain& subdomain,
+               const std::optional<CoarseningOptions>& coarsening = {},
+               const std::vector<SweepObserver*>& observers = {});
+
+  void run() { sweep_.run(); }
+  /// @pre both have run, over disjoint subdomains
+  /// @param threads  at most, to move the mesh
+  void absorb(PartialSweep& other, unsigned threads = 1);
+  /// Sweeps on over the whole surface.
+  void finish() { sweep_.finish(); }
+  /// The mesh, moved out, and the counts.
+  SweepResult take_result();
+
+ private:
+  std::vector<SweepObserver*> all_observers(const std::vector<SweepObserver*>& others);
+
+  Mesh mesh_;
+  OperationCounter counter_;
+  std::optional<CoarseningObserver> coarsening_;
+  Sweep sweep_;
+};
+
+}  // namespace morskin::front

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+
+#include "certify/sizing.h"
+#include "certify/triangle_geometry.h"
+#include "front/front.h"
+
+namespace morskin::front {
+
+/// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
+struct Spacing {
+  double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
+  double bowl_gap = 1.9;       ///< least distance of a minimum from the rim of another's bowl
+  double vertex_gap = 0.6;     ///< least distance of a new vertex from a front vertex
+  double edge_gap = 0.4;       ///< and from a front edge
+  double view = 2.2;           ///< radius in which the guard gathers the front
+  double wing_angle_deg = 75;  ///< front angles below this are closed at once
+  /// Where the length scale shrinks ahead of the front, as in a funnel, edges left as they are
+  /// would soon be longer than it. So a corner is filled instead of closed when its triangle's
+  /// circumradius exceeds `largest_ear`, and an edge longer than `longest_edge` gets a vertex of
+  /// its own, at a height of `long_edge_height` over its middle.
+  double largest_ear = 1;
+  double longest_edge = 1.7;
+  double long_edge_height = 0.7;
+};
+
+/// The disk, tangent at a departure vertex, on whose rim new vertices are placed (section 4.2).
+class TangentDisk {
+ public:
+  TangentDisk(const surface::Surface& surface, const certify::Sizing& sizing);
+
+  const Spacing& spacing() const { return spacing_; }
+  double share() const { return share_; }  ///< r_a over rho
+  double wing_cosine() const { return wing_cosine_; }
+  /// The radius of the guard's view over rho.
+  double view_share() const;
+
+  /// Angstrom, for a length scale.
+  double radius(double length_scale) const { return share_ * sizing_.scale(length_scale); }
+  /// In one direction: for the smaller of the length scales at both ends, which is the one that
+  /// [U] goes by. The far end's is read off the patch, which mostly goes on.
+  double radius(const SurfacePoint& centre, const Vector& direction) const;
+  /// The rim's point in one direction, projected to the surface; nothing where that fails.
+  std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector& direction) const;
+  std::optional<SurfacePoint> projected(const Point& x, geometry::CellId hint) const {
+    return surface_.project(x, hint);
+  }
+
+  /// Whether the triangle that closes a corner at p is not much bigger than those of a fan there.
+  bool is_ear_small(const certify::Circumcircle& ear, const SurfacePoint& p) const {
+    return ear.radius <= spacing_.largest_ear * radius(p.length_scale);
+  }
+  /// Whether an edge is longer than the sizes at its ends allow.
+  bool is_edge_long(const SurfacePoint& p, const SurfacePoint& w, double squared_length) const;
+  /// Whether an edge of this length may be long, by one end: false for most that are not.
+  bool may_edge_be_long(double length_scale, double length) const {
+    // rho is 1-Lipschitz.
+    return length > spacing_.longest_edge * share_ * sizing_.scale(length_scale - length);
+  }
+
+ private:
+  const surface::Surface& surface_;
+  certify::Sizing sizing_;
+  Spacing spacing_;
+  double share_;
+  double wing_cosine_;
+};
+
+}  // namespace morskin::front
