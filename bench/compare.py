@@ -5,7 +5,10 @@ The sources of BASE are unpacked into build/compare/ and built there as its own 
 a second call with the same BASE builds nothing. Then both commands mesh each input in turns, the
 order changing every time, so that what else the machine does falls on both. Medians and their
 ratio, this build over BASE, are printed, with triangles, the smallest angle, and whether the files
-are the same byte by byte. Exit code 1 if time or memory is above the bound for any input.
+are the same byte by byte. Exit code 1 if user time or memory is above the bound for any input.
+
+Wall time is shown only. On a busy machine nine runs of one and the same program gave ratios from
+0.97 to 1.02 in user time, and from 0.85 to 1.03 in wall time.
 """
 
 import argparse
@@ -96,22 +99,24 @@ def samples_in_turns(programs, molecule, options, runs):
     return samples
 
 
-BOUNDED = [  # label, name in Sample, unit, digits
+ROWS = [  # label, name in Sample, unit, digits
     ("user time, s", "user_seconds", 1, 3),
     ("wall time, s", "wall_seconds", 1, 3),
     ("peak memory, MiB", "peak_memory_bytes", 2**20, 1),
+    ("triangles", "triangles", 1, 0),
+    ("smallest angle, deg", "min_angle_deg", 1, 3),
 ]
-COUNTED = [("triangles", "triangles", 1, 0), ("smallest angle, deg", "min_angle_deg", 1, 3)]
+BOUNDED = {"user_seconds", "peak_memory_bytes"}
 
 
 def compare(base, here, bound):
     """Lines of a table, and the labels of what is above the bound."""
     lines, above = [], []
-    for label, name, unit, digits in BOUNDED + COUNTED:
+    for label, name, unit, digits in ROWS:
         before, now = (statistics.median(getattr(s, name) for s in samples) / unit
                        for samples in (base, here))
         ratio = now / before
-        is_above = name in (b[1] for b in BOUNDED) and ratio > bound
+        is_above = name in BOUNDED and ratio > bound
         if is_above:
             above.append(label.partition(",")[0])
         lines.append(f"  {label:20} {before:>14,.{digits}f} {now:>14,.{digits}f} {ratio:8.3f}"
@@ -162,8 +167,7 @@ def main():
     for molecule in options.inputs or default_molecules(options.molecules):
         base, here = samples_in_turns(programs, molecule, options.mesh.split(), options.runs)
         lines, above = compare(base, here, options.bound)
-        title = f"{molecule.name}, {options.runs} runs each"
-        print(f"\n{title:22} {source.name:>14} {'here':>14} {'ratio':>8}", *lines, sep="\n",
+        print(f"\n{molecule.name:22} {source.name:>14} {'here':>14} {'ratio':>8}", *lines, sep="\n",
               flush=True)
         failures += len(above)
     print(f"\n{failures} medians above {options.bound:g} times those of {options.base}")
