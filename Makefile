@@ -11,7 +11,7 @@ sources = $(shell find geometry surface skin morse certify refine front morskin 
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -77,6 +77,18 @@ bench: deps  ## build and run the benchmarks; raw figures in build/bench/*.json
 	@for program in build/bench/*_bench; do \
 	  $$program --benchmark_out=$$program.json --benchmark_out_format=json || exit 1; done
 
+bench-compare: command  ## time this build and that of BASE=<commit> in turns (see bench/compare.py --help)
+	@test -n "$(BASE)" || { echo "make bench-compare BASE=COMMIT, as in BASE=HEAD~1"; exit 2; }
+	python3 bench/compare.py $(BASE) --molecules $(MOLECULES) --jobs $(JOBS) $(COMPARE)
+
+guard: command  ## fail if instructions or memory are 5 % above the record (see bench/guard.py --help)
+	@cmake/install_packages.sh cmake/guard_packages.txt
+	python3 bench/guard.py --check
+
+guard-record: command  ## record instructions and memory anew, in bench/guard.json
+	@cmake/install_packages.sh cmake/guard_packages.txt
+	python3 bench/guard.py --record
+
 corpus: command  ## mesh every molecule of MOLECULES in every model (see bench/corpus.py --help)
 	python3 bench/corpus.py --molecules $(MOLECULES) $(CORPUS)
 
@@ -133,4 +145,4 @@ clean:  ## remove everything built
 
 help:  ## list these
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | while IFS="$$(printf '\t')" read -r name text; \
-	  do printf '  make %-12s %s\n' "$$name" "$$text"; done
+	  do printf '  make %-13s %s\n' "$$name" "$$text"; done
