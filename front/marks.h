@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "front/departures.h"
-#include "morse/critical_points.h"
+#include "morse/critical_point.h"
 
 namespace morskin::front {
 

@@ -6,7 +6,7 @@
 
 #include "front/departures.h"
 #include "front/front.h"
-#include "morse/critical_points.h"
+#include "morse/critical_point.h"
 
 namespace morskin::front {
 
