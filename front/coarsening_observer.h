@@ -2,6 +2,7 @@
 
 #include "front/sweep_observer.h"
 #include "refine/coarsening.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

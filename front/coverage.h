@@ -5,6 +5,7 @@
 
 #include "front/front.h"
 #include "front/tangent_disk.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

@@ -6,6 +6,7 @@
 #include "front/coarsening_observer.h"
 #include "front/operation_counter.h"
 #include "front/sweep.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

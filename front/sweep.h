@@ -22,6 +22,7 @@
 #include "front/sweep_observer.h"
 #include "front/tangent_disk.h"
 #include "morse/guide.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

@@ -6,6 +6,7 @@
 
 #include "front/sweep_observer.h"
 #include "morse/guide.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

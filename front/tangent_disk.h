@@ -5,6 +5,7 @@
 #include "certify/sizing.h"
 #include "certify/triangle_geometry.h"
 #include "front/front.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "front/partial_sweep.h"
+#include "surface/surface.h"
 
 namespace morskin::front {
 

@@ -8,18 +8,19 @@
 #include <optional>
 #include <vector>
 
+#include "certify/certificate.h"
+#include "certify/tube.h"
 #include "front/snapshots.h"
 #include "front/two_fronts.h"
-#include "certify/certificate.h"
+#include "morse/make_guide.h"
 #include "refine/refinement.h"
-#include "refine/tube.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using certify::Sizing;
 using geometry::SurfaceMesh;
 using refine::Coarsening;
-using certify::Sizing;
 using surface::Mesh;
 using surface::SurfacePoint;
 
@@ -27,12 +28,12 @@ namespace {
 
 Sizing sizing_for(double C) { return {C, Sizing::quality_for(C)}; }
 
-morse::Guide guide_for(const front::PreparedSkin& skin, const Sizing& laid) {
+morse::Guide guide_for(const morskin::PreparedSkin& skin, const Sizing& laid) {
   return morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), std::nullopt,
-                           front::sphere_share(skin.surface, laid));
+                           morskin::sphere_share(skin.surface, laid));
 }
 
-Mesh fine_mesh(const front::PreparedSkin& skin, const Sizing& laid) {
+Mesh fine_mesh(const morskin::PreparedSkin& skin, const Sizing& laid) {
   Mesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
   refine::Refinement(skin.surface, laid, mesh).run();
   return mesh;
@@ -65,7 +66,7 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
     if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
-        !refine::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
+        !certify::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
       return false;
     }
   }
@@ -86,7 +87,7 @@ long euler_characteristic(const SurfaceMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles can all be proved") {
-  for_each_fine_mesh(40, [](const front::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     for (const double C : {0.25, 0.3, 0.4}) {
       CAPTURE(C);
       const Sizing sizing = sizing_for(C);
@@ -103,7 +104,7 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
 }
 
 TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
-  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
     mesh.compact();
@@ -119,7 +120,7 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
 TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles less than half") {
   std::size_t triangles_before = 0, triangles = 0, short_before = 0, short_after = 0;
   const Sizing sizing = sizing_for(0.3);
-  for_each_fine_mesh(40, [&](const front::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
     mesh.compact();
@@ -133,7 +134,7 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
 }
 
 TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
-  for_each_fine_mesh(20, [](const front::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
@@ -189,7 +190,7 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     }
     refine::Refinement(skin->surface, sizing, coarse.mesh).run();
     const auto certificate =
-        refine::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
@@ -209,7 +210,7 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
     refine::Refinement(skin->surface, sizing, one.mesh).run();
     const auto certificate =
-        refine::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }

@@ -8,13 +8,15 @@
 #include <cmath>
 #include <vector>
 
-#include "front/mesh_skin.h"
 #include "front/two_fronts.h"
+#include "morse/make_guide.h"
+#include "morskin/mesh_skin.h"
 #include "papers/steps/step.h"
 
 int main() {
   using namespace morskin;
-  const front::PreparedSkin skin = front::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
+  const morskin::PreparedSkin skin =
+      morskin::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
   const double share = certify::Sizing{}.tangent_disk_share();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share);
