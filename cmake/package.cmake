@@ -1,5 +1,5 @@
-# What `make install` adds so that find_package(morskin) works: the targets morskin::geometry,
-# skin, morse, refine, front and baselines, and the outside packages they need.
+# What `make install` adds so that find_package(morskin) works: the targets morskin::morskin, of
+# all the library's modules and the baselines, and the outside packages they need.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/morskin)
 

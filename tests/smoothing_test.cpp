@@ -32,7 +32,7 @@ geometry::IndexedMesh indexed(const Mesh& mesh) {
 }
 
 Certificate certificate(const PreparedSkin& skin, const Mesh& mesh) {
-  return certify(indexed(mesh), skin.surface, skin.topology);
+  return certify::certify(indexed(mesh), skin.surface, skin.topology);
 }
 
 std::size_t triangles_below(const Mesh& mesh, double angle_deg) {
