@@ -116,12 +116,11 @@ std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
 void Sweep::wing() {
   while (const auto corner = fresh_.next()) {
     const FrontEdgeId c = *corner;
-    if (!front_[c].is_open || !guard_.is_acute(c, disk_.wing_cosine()) || !is_ear_small(c)) {
-      continue;
-    }
+    if (!front_[c].is_open || !guard_.is_acute(c, disk_.wing_cosine())) continue;
+    const refine::Circumcircle circle = ear(c);
+    if (!disk_.is_ear_small(circle, mesh_.at(front_[c].origin))) continue;
     // One closed corner makes the next one small, and so on out of view. A corner whose circle is
     // not all in view waits for its own turn.
-    const refine::Circumcircle circle = ear(c);
     if (!guard_.is_in_view(circle.centre, circle.radius)) continue;
     if (guard_.delaunay_apex(c) != front_[c].previous) continue;
     front_.close_corner(c);
