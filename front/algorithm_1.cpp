@@ -63,13 +63,4 @@ void Sweep::sweep_on() {
   for (SweepObserver* observer : observers_) observer->finished(front_);
 }
 
-/// A saddle reached from one side only, both branches having met elsewhere, stops the front no
-/// longer (E18).
-void Sweep::release_red_marks() {
-  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
-    if (!is_saddle(CriticalId{c})) continue;
-    for (const auto& side : marks_.release(CriticalId{c})) departures_.put_back(side);
-  }
-}
-
 }  // namespace morskin::front

@@ -26,7 +26,7 @@ class FreshCorners : public FrontMirror {
     return std::nullopt;
   }
   void follow(const FrontChange& change) override {
-    corners_.insert(corners_.end(), change.corners.begin(), change.corners.end());
+    for (const FrontEdgeId corner : change.corners) corners_.push_back(corner);
     unchanged_since_ = next_;
   }
 

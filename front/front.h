@@ -77,7 +77,7 @@ class Front {
                  double largest_length_scale = std::numeric_limits<double>::infinity())
       : mesh_(mesh), grid_(radius, largest_length_scale) {}
 
-  /// Tells a mirror of every change from now on. The mirror must outlive the front.
+  /// Tells a mirror of every change from now on. It must live as long as the front changes.
   void add_mirror(FrontMirror& mirror) { mirrors_.push_back(&mirror); }
 
   const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }

@@ -104,24 +104,17 @@ void Sweep::break_long_edge(FrontEdgeId e, const SurfacePoint& centre) {
   attach_new(e, disk_.projected(guard_.in_space(x), p.cell), r);
 }
 
-/// The existing vertex to finish edge e with. Three edges are a triangle, however flat: the flips
-/// of the refinement mend its shape.
-std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
-  return front_.is_triangle(e) ? front_[e].previous : guard_.delaunay_apex(e);
-}
-
 /// Wing: closes the small angles among the corners that the last operation changed, and those that
 /// this makes small in turn.
 // [excerpt: wing]
 void Sweep::wing() {
   while (const auto corner = fresh_.next()) {
     const FrontEdgeId c = *corner;
-    if (!front_[c].is_open || !guard_.is_acute(c, disk_.wing_cosine()) || !is_ear_small(c)) {
-      continue;
-    }
+    if (!front_[c].is_open || !guard_.is_acute(c, disk_.wing_cosine())) continue;
+    const certify::Circumcircle circle = ear(c);
+    if (!disk_.is_ear_small(circle, mesh_.at(front_[c].origin))) continue;
     // One closed corner makes the next one small, and so on out of view. A corner whose circle is
     // not all in view waits for its own turn.
-    const certify::Circumcircle circle = ear(c);
     if (!guard_.is_in_view(circle.centre, circle.radius)) continue;
     if (guard_.delaunay_apex(c) != front_[c].previous) continue;
     front_.close_corner(c);

@@ -109,4 +109,19 @@ void Sweep::done(Operation operation) const {
   for (SweepObserver* observer : observers_) observer->operation_done(operation, front_);
 }
 
+/// A saddle reached from one side only, both branches having met elsewhere, stops the front no
+/// longer (E18).
+void Sweep::release_red_marks() {
+  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
+    if (!is_saddle(CriticalId{c})) continue;
+    for (const auto& side : marks_.release(CriticalId{c})) departures_.put_back(side);
+  }
+}
+
+/// The existing vertex to finish edge e with. Three edges are a triangle, however flat: the flips
+/// of the refinement mend its shape.
+std::optional<FrontEdgeId> Sweep::last_apex(FrontEdgeId e) const {
+  return front_.is_triangle(e) ? front_[e].previous : guard_.delaunay_apex(e);
+}
+
 }  // namespace morskin::front

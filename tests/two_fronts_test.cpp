@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "morse/make_guide.h"
 #include "morskin/mesh_skin.h"
@@ -55,6 +56,46 @@ TEST_CASE("two fronts lay the same triangles in one thread as in two") {
     CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
     CHECK(a.open_edges == 0);
   }
+}
+
+TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
+  std::size_t closed = 0, runs = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    const Swept swept(seed);
+    if (!swept.skin) continue;
+    const skin::SkinSurface& surface = swept.skin->surface;
+    const morse::Guide &guide = swept.guide, reversed = guide.reversed();
+    std::vector<double> values;
+    for (const auto& p : guide.points) values.push_back(p.value);
+    std::ranges::sort(values);
+    const double low = values.front() + (values.back() - values.front()) / 3;
+    const double high = values.front() + (values.back() - values.front()) * 2 / 3;
+    const auto mesh = [&](bool is_left_first) {
+      PartialSweep below(surface, guide, {}, {.high = low});
+      PartialSweep between(surface, guide, {}, {.low = low, .high = high});
+      PartialSweep above(surface, reversed, {}, {.high = -high});
+      for (PartialSweep* part : {&below, &between, &above}) part->run();
+      if (is_left_first) {
+        below.absorb(between);
+        below.absorb(above);
+      } else {
+        between.absorb(above);
+        below.absorb(between);
+      }
+      below.finish();
+      return below.take_result();
+    };
+    const SweepResult a = mesh(true), b = mesh(false);
+    CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
+    CHECK(std::ranges::equal(a.mesh.points, b.mesh.points, {}, &surface::SurfacePoint::position,
+                             &surface::SurfacePoint::position));
+    CHECK(a.operations.futile_outside_protecting == b.operations.futile_outside_protecting);
+    CHECK(a.operations.creep == b.operations.creep);
+    ++runs;
+    closed += a.open_edges == 0;
+  }
+  CHECK(closed == runs);
 }
 
 TEST_CASE("the middle level keeps out of the interval between a close minimum and maximum") {
