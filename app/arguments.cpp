@@ -1,10 +1,12 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "app/complex_files.h"
 #include "app/function_argument.h"
@@ -15,6 +17,12 @@
 
 namespace morskin::app {
 namespace {
+
+constexpr std::array<std::pair<std::string_view, MeshMethod>, 4> methods{
+    {{"sweep", MeshMethod::Sweep},
+     {"static", MeshMethod::Static},
+     {"dynamic", MeshMethod::Dynamic},
+     {"marching-cubes", MeshMethod::MarchingCubes}}};
 
 constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
 
@@ -121,7 +129,7 @@ void finish(ViewArguments& view, const Typed& typed) {
 
 /// --grow T0..T1
 void parse_growth(MeshArguments& mesh, const std::string& text) {
-  if (mesh.method != morskin::Method::Dynamic) throw UsageError("--grow is for --method dynamic");
+  if (mesh.method != MeshMethod::Dynamic) throw UsageError("--grow is for --method dynamic");
   double from = 0, to = 0;
   // "-3..0" would read "-3." as a number: cut at the two dots.
   const std::size_t dots = text.find("..");
@@ -140,10 +148,10 @@ void parse_growth(MeshArguments& mesh, const std::string& text) {
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
-  mesh.method = *morskin::parse_method(typed.method);
-  const bool is_sweep = mesh.method == morskin::Method::Sweep;
-  const bool is_dynamic = mesh.method == morskin::Method::Dynamic;
-  const bool is_smoothed = is_sweep || mesh.method == morskin::Method::Static;
+  mesh.method = *parse_method(typed.method);
+  const bool is_sweep = mesh.method == MeshMethod::Sweep;
+  const bool is_dynamic = mesh.method == MeshMethod::Dynamic;
+  const bool is_smoothed = is_sweep || mesh.method == MeshMethod::Static;
   if (typed.angle_goal && !is_smoothed) {
     throw UsageError("--angle-goal is for the methods sweep and static");
   }
@@ -151,7 +159,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
     throw UsageError("--angle-goal must be from 0 to 60");
   }
-  if (mesh.grid_step && mesh.method != morskin::Method::MarchingCubes) {
+  if (mesh.grid_step && mesh.method != MeshMethod::MarchingCubes) {
     throw UsageError("--grid is for --method marching-cubes");
   }
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
@@ -214,6 +222,17 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
 }
 
 }  // namespace
+
+std::optional<MeshMethod> parse_method(std::string_view name) {
+  for (const auto& [word, method] : methods) {
+    if (word == name) return method;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(MeshMethod method) {
+  return methods[static_cast<std::size_t>(method)].first;
+}
 
 Arguments parse_arguments(int count, const char* const* words) {
   CLI::App app("", "morskin");

@@ -6,14 +6,15 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "app/exit_codes.h"
 #include "app/picture_arguments.h"
 #include "certify/sizing.h"
+#include "front/experimental_guards.h"
 #include "morse/morse_function.h"
-#include "morskin/method.h"
 #include "skin/model.h"
 
 namespace morskin::app {
@@ -32,6 +33,13 @@ struct MoleculeArguments {
   bool waters = false;
 };
 
+/// How a skin is meshed: by a method of the library or by a baseline to compare it with.
+enum class MeshMethod { Sweep, Static, Dynamic, MarchingCubes };
+
+/// The method called "sweep", "static", "dynamic" or "marching-cubes"; nothing for other words.
+std::optional<MeshMethod> parse_method(std::string_view name);
+std::string_view name_of(MeshMethod method);
+
 enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error is a terminal
 
 struct MeshArguments {
@@ -44,7 +52,7 @@ struct MeshArguments {
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
-  morskin::Method method = morskin::Method::Sweep;
+  MeshMethod method = MeshMethod::Sweep;
   std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   double grow_to = 0;  ///< of the dynamic method: Angstrom^2 added to every weight at the end
   std::optional<double> growth_shown_from;  ///< and when its snapshots begin
@@ -54,7 +62,7 @@ struct MeshArguments {
   std::vector<double> snapshot_values;  ///< and at these
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
-  int fronts = 2;                           ///< morskin::MeshOptions::fronts
+  int fronts = 2;                           ///< morskin::MeshingOptions::fronts
   unsigned threads = 1;                     ///< at most; the result is the same for any number
   std::optional<double> timeout;            ///< seconds of real time
   std::optional<std::uint64_t> max_memory;  ///< bytes

@@ -59,13 +59,14 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
                           const CheckArguments& arguments) {
   const MoleculeInput input = read_input(*arguments.against);
-  const morskin::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
+  const morskin::Run run(arguments.threads);
+  const morskin::PreparedSkin skin = prepare_skin(input, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
   AgainstSkin result;
-  result.certificate = certify::certify(mesh, points, skin.surface, skin.topology, arguments.sizing,
-                                        arguments.threads);
+  result.certificate =
+      certify::certify(mesh, points, skin.surface, skin.topology, arguments.sizing, run);
   result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
-  result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, arguments.threads);
+  result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   return result;
 }

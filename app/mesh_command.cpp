@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/limits.h"
+#include "app/mesh_delivery.h"
 #include "app/molecule_input.h"
 #include "app/output_names.h"
 #include "app/progress.h"
@@ -21,12 +22,11 @@
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/predicates.h"
-#include "morskin/safety_net.h"
+#include "morskin/pipeline.h"
 
 namespace morskin::app {
 namespace {
 
-using geometry::MeshFormat;
 using geometry::PendingFile;
 
 class Stopwatch {
@@ -38,15 +38,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-// Devices and pipes have no ending; they take PLY.
-MeshFormat format_of(const std::filesystem::path& path) {
-  return geometry::mesh_format_of(path).value_or(MeshFormat::PlyBinary);
-}
-
-bool can_be_certified(MeshFormat format) {
-  return format != MeshFormat::Stl && format != MeshFormat::Vtu;
-}
 
 // The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
 morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
@@ -72,95 +63,46 @@ morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArgu
   return baselines::dynamic_mesher(growth, &report.growth.emplace());
 }
 
-morskin::MeshOptions options_of(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
-                                StagedOutputs& outputs, MeshReport& report) {
-  morskin::MeshOptions options;
+morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
+                                   const MeshArguments& arguments, StagedOutputs& outputs,
+                                   MeshReport& report) {
+  morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
   options.angle_goal_deg = arguments.angle_goal_deg;
-  options.method = arguments.method;
-  if (report.grid_step) options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
-  if (arguments.method == morskin::Method::Dynamic) {
-    options.mesher = dynamic_mesher(skin, arguments, outputs, report);
-  }
   options.function = arguments.function;
   options.fronts = arguments.fronts;
-  options.threads = arguments.threads;
   options.guard = arguments.guard;
-  options.snapshots = arguments.snapshots;
-  options.snapshot_values = arguments.snapshot_values;
-  options.certify = false;
+  switch (arguments.method) {
+    case MeshMethod::Sweep:
+      break;
+    case MeshMethod::Static:
+      options.method = morskin::Method::Static;
+      break;
+    case MeshMethod::Dynamic:
+      options.mesher = dynamic_mesher(skin, arguments, outputs, report);
+      options.has_safety_net = false;
+      break;
+    case MeshMethod::MarchingCubes:
+      report.grid_step = arguments.grid_step
+                             ? *arguments.grid_step
+                             : baselines::step_like_sweep(skin.surface, report.sizing);
+      options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
+      options.has_safety_net = false;
+      break;
+  }
   return options;
 }
 
 morskin::MeshResult mesh(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
-                         morskin::MeshOptions options, StagedOutputs& outputs,
-                         const morskin::Progress& progress) {
-  std::size_t number = 0;
-  options.snapshot = [&](const front::Snapshot& snapshot) {
-    outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, snapshot); });
-  };
-  options.progress = progress;
+                         const morskin::MeshingOptions& options, MeshDelivery& delivery,
+                         const morskin::Run& run) {
   try {
-    return morskin::mesh_skin(skin, options);
+    return morskin::make_mesh(skin, options, delivery, run);
   } catch (const morse::DegenerateFunction& error) {
     // Which exit code depends on whose choice the function was.
     if (arguments.function) throw UsageError(error.what());
     throw;
   }
-}
-
-void write(std::span<PendingFile> files, const geometry::IndexedMesh& mesh) {
-  for (PendingFile& file : files) file.write(geometry::serialized(mesh, format_of(file.path())));
-}
-
-bool is_same(const geometry::IndexedMesh& a, const geometry::IndexedMesh& b) {
-  return a.positions == b.positions && a.triangles == b.triangles;
-}
-
-geometry::IndexedMesh read_back(const PendingFile& file) {
-  return geometry::parse_mesh(geometry::read_file(file.temporary_name()).view(),
-                              file.path().string());
-}
-
-// The certificate of the first file whose format keeps every coordinate, from its bytes; if there
-// is none, of the bytes that a PLY file would have. Other such files must hold the same mesh.
-// `result.mesh` becomes what was read, so that it is held once.
-certify::Certificate certify(std::span<const PendingFile> files, morskin::MeshResult& result,
-                             const morskin::PreparedSkin& skin, const MeshArguments& arguments,
-                             std::string& certified_file) {
-  certified_file.clear();
-  geometry::IndexedMesh& mesh = result.mesh;
-  geometry::IndexedMesh copy;
-  std::string defect;
-  try {
-    for (const PendingFile& file : files) {
-      if (!can_be_certified(format_of(file.path()))) continue;
-      if (certified_file.empty()) {
-        certified_file = file.path().string();
-        mesh = {};
-        copy = read_back(file);
-      } else if (!is_same(copy, read_back(file))) {
-        defect = file.path().string() + " does not hold the mesh of " + certified_file;
-      }
-    }
-    if (certified_file.empty()) {
-      certified_file = "the same mesh as binary PLY, in memory";
-      const std::string bytes = geometry::serialized(mesh, MeshFormat::PlyBinary);
-      mesh = {};
-      copy = geometry::parse_mesh(bytes, certified_file);
-    }
-  } catch (const geometry::UnreadableInput& error) {
-    defect = error.what();
-  }
-  mesh = std::move(copy);
-  certify::Certificate certificate =
-      certify::certify(mesh, {std::move(result.twins), result.cells}, skin.surface, skin.topology,
-                       arguments.sizing, arguments.threads);
-  if (!defect.empty()) {
-    certificate.certified = false;
-    certificate.reason = defect;
-  }
-  return certificate;
 }
 
 // Feeds what is no regular file, which gets certified meshes only.
@@ -213,20 +155,22 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
-void describe_run(MeshReport& report, const morskin::MeshResult& result) {
-  report.surviving_minima = result.surviving_minima;
-  report.surviving_saddles = result.surviving_saddles;
-  report.surviving_maxima = result.surviving_maxima;
-  report.minima = result.minima;
-  report.saddles = result.saddles;
-  report.maxima = result.maxima;
-  report.function = result.function;
-  report.operations = result.operations;
-  report.refinement = result.refinement;
-  report.smoothing = result.smoothing;
-  report.open_edges = result.open_edges;
+void describe_run(MeshReport& report, const morskin::MeshResult& result,
+                  const MeshDelivery& delivery, const morskin::Run& run) {
+  report.certificate = result.certificate;
+  report.certified_file = delivery.certified_file();
+  report.counts = result;
   report.fallbacks = result.fallbacks;
-  report.seconds.stages = result.seconds;
+  RunSeconds& seconds = report.seconds;
+  seconds.triangulate = run.seconds("triangulate");
+  seconds.mixed_complex = run.seconds("mixed complex");
+  seconds.dual_complex = run.seconds("dual complex");
+  seconds.critical_points = run.seconds("critical points") + run.seconds("integral lines");
+  seconds.sweep = run.seconds("sweep") + run.seconds("grow") + run.seconds("marching cubes");
+  seconds.refine = run.seconds("refine");
+  seconds.smooth = run.seconds("smooth");
+  seconds.write = delivery.seconds_writing();
+  seconds.certify = run.seconds("deliver") - seconds.write + run.seconds("certify");
 }
 
 void publish(const MeshReport& report, const MeshArguments& arguments) {
@@ -271,37 +215,17 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (is_report_staged) files = files.first(files.size() - 1);
   check_unverified_names(files);
 
-  const Stopwatch preparing;
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
-  const auto progress = [&](std::string_view stage, double share) { line.show(stage, share); };
-  const morskin::PreparedSkin skin = prepare_skin(input, progress, arguments.threads);
+  const morskin::Run run(arguments.threads, line.callback());
+  const morskin::PreparedSkin skin = prepare_skin(input, run);
   input = {};  // only the skin is needed from here on
-  report.seconds.dual_complex = preparing.seconds() - skin.surface.triangulate_seconds() -
-                                skin.surface.mixed_complex_seconds();
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
-  if (arguments.method == morskin::Method::MarchingCubes) {
-    report.grid_step = arguments.grid_step
-                           ? *arguments.grid_step
-                           : baselines::step_like_sweep(skin.surface, report.sizing);
-  }
-  const morskin::MeshOptions options = options_of(skin, arguments, outputs, report);
-  morskin::MeshResult result = mesh(skin, arguments, options, outputs, progress);
+  const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
+  MeshDelivery delivery(arguments, outputs, files);
+  const morskin::MeshResult result = mesh(skin, arguments, options, delivery, run);
   report.method = arguments.method;
   report.fronts = arguments.fronts;
-
-  const Stopwatch writing;
-  progress("write", geometry::unknown_share);
-  write(files, result.mesh);
-  report.seconds.write = writing.seconds();
-  const Stopwatch certifying;
-  progress("certify", geometry::unknown_share);
-  report.certificate = certify(files, result, skin, arguments, report.certified_file);
-  if (!report.certificate.certified && morskin::mend(skin, options, result)) {
-    write(files, result.mesh);
-    report.certificate = certify(files, result, skin, arguments, report.certified_file);
-  }
-  describe_run(report, result);
-  report.seconds.certify = certifying.seconds();
+  describe_run(report, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;

@@ -31,10 +31,9 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   return input;
 }
 
-morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Progress& progress,
-                                   unsigned threads) {
+morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Run& run) {
   try {
-    return morskin::prepare_skin(input.points, progress, threads);
+    return morskin::prepare_skin(input.points, run);
   } catch (const skin::SingularSkin& singular) {
     std::string names;
     for (const geometry::AtomId atom : singular.atoms) {

@@ -5,7 +5,7 @@
 
 #include "app/arguments.h"
 #include "geometry/point.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/prepared_skin.h"
 #include "skin/molecule.h"
 
 namespace morskin::app {
@@ -23,7 +23,7 @@ MoleculeInput read_input(const MoleculeArguments& arguments);
 /// morskin::prepare_skin, but a singular skin is refused with its atoms called by their names.
 /// @throws geometry::RefusedInput
 morskin::PreparedSkin prepare_skin(const MoleculeInput& input,
-                                   const morskin::Progress& progress = {}, unsigned threads = 1);
+                                   const morskin::Run& run = morskin::Run());
 
 /// Smallest and largest radius of the atoms' sphere patches, Angstrom.
 struct RadiusRange {

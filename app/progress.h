@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/arguments.h"
+#include "geometry/run.h"
 
 namespace morskin::app {
 
@@ -20,6 +21,10 @@ class ProgressLine {
   /// @param share  how much of the stage is done, 0 to 1; below 0 where nobody can tell.
   void show(std::string_view stage, double share);
   void wipe();
+  /// Shows what a run reports. This must outlive the run.
+  geometry::Progress callback() {
+    return [this](std::string_view stage, double share) { show(stage, share); };
+  }
 
  private:
   bool is_shown_;

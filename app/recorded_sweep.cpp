@@ -4,9 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "front/two_fronts.h"
-#include "morse/make_guide.h"
-#include "refine/smoothing.h"
+#include "front/sweep_observer.h"
 
 namespace morskin::app {
 namespace {
@@ -82,6 +80,32 @@ void spread_births(const std::vector<Corners>& triangles, std::size_t vertex_cou
   }
 }
 
+// Takes down what the sweep does, and which triangles it has laid.
+class Recorder : public morskin::Observer {
+ public:
+  explicit Recorder(RecordedMesh& recorded)
+      : recorded_(recorded),
+        operations_([&recorded](front::Operation operation, std::size_t triangles) {
+          recorded.steps.push_back({operation, static_cast<std::uint32_t>(triangles)});
+        }) {}
+
+  std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_}; }
+  void swept(const surface::Mesh& mesh) override {
+    swept_ = plain(mesh);
+    const auto count = static_cast<std::uint32_t>(swept_.triangles.size());
+    recorded_.laid = recorded_.steps.empty() ? count : recorded_.steps.back().triangles;
+    if (mesh.surface.triangle_count() > 0) recorded_.birth = births(swept_, swept_);
+  }
+  void refined(const surface::Mesh& mesh) override {
+    recorded_.birth = births(swept_, plain(mesh));
+  }
+
+ private:
+  RecordedMesh& recorded_;
+  front::OperationObserver operations_;
+  IndexedMesh swept_;
+};
+
 }  // namespace
 
 std::vector<std::uint32_t> births(const IndexedMesh& before, const IndexedMesh& after) {
@@ -106,55 +130,13 @@ std::vector<std::uint32_t> births(const IndexedMesh& before, const IndexedMesh& 
   return birth;
 }
 
-RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
-                             const morskin::MeshOptions& options) {
+RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin, morskin::MeshingOptions options,
+                             const morskin::Run& run) {
+  options.fronts = 1;
+  options.has_safety_net = false;  // what it made would not be what the sweep laid
   RecordedMesh recorded;
-  morskin::MeshResult& result = recorded.result;
-  const auto progress = [&](std::string_view stage, double share) {
-    if (options.progress) options.progress(stage, share);
-  };
-  progress("critical points", 0);
-  const certify::Sizing laid = options.sizing.laid();
-  const morse::Guide guide =
-      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                        morskin::sphere_share(skin.surface, laid), options.threads);
-  std::tie(result.minima, result.saddles, result.maxima) =
-      std::tuple(guide.found[0], guide.found[1], guide.found[2]);
-  result.function = guide.function;
-  result.expected = skin.topology;
-
-  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
-    recorded.steps.push_back({operation, static_cast<std::uint32_t>(triangles)});
-  });
-  front::SweepResult swept =
-      front::sweep_once(skin.surface, guide, {.sizing = laid},
-                        {.progress = [&](double share) { progress("sweep", share); }}, {&recorder});
-  const IndexedMesh before = plain(swept.mesh);
-  result.operations = swept.operations;
-  result.open_edges = swept.open_edges;
-  if (swept.open_edges == 0) {
-    progress("refine", 0);
-    if (options.sizing.is_coarser_than_laid()) {
-      result.operations.coarsen =
-          refine::Coarsening(skin.surface, options.sizing, swept.mesh).run();
-      swept.mesh.compact();
-    }
-    refine::Refinement refinement(skin.surface, options.sizing, swept.mesh, options.threads);
-    refinement.run();
-    result.refinement = refinement.counts();
-  }
-  recorded.birth = births(before, plain(swept.mesh));
-  recorded.swept = before.triangles;
-  if (swept.open_edges == 0) {
-    progress("smooth", geometry::unknown_share);
-    result.smoothing = refine::smooth(skin.surface, options.sizing, swept.mesh,
-                                      options.angle_goal_deg, options.threads);
-  }
-  result.mesh = plain(swept.mesh);  // with the triangles of before, for smoothing moves vertices
-  for (const surface::SurfacePoint& p : swept.mesh.points) result.cells.push_back(p.cell);
-  progress("certify", 0);
-  result.certificate =
-      certify::certify(result.mesh, skin.surface, skin.topology, options.sizing, options.threads);
+  Recorder recorder(recorded);
+  recorded.result = morskin::make_mesh(skin, options, recorder, run);
   return recorded;
 }
 

@@ -3,10 +3,9 @@
 /// A mesh together with the sweep that made it, for the viewer to run through again.
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 
 namespace morskin::app {
 
@@ -17,21 +16,21 @@ struct RecordedStep {
 };
 
 struct RecordedMesh {
-  morskin::MeshResult result;                       ///< refined and certified
-  std::vector<std::array<std::uint32_t, 3>> swept;  ///< the triangles as the sweep laid them
-  std::vector<RecordedStep> steps;                  ///< of the sweep
-  /// By triangle of the result, the number of the swept triangle in whose place it lies: the time
-  /// of its birth.
+  morskin::MeshResult result;       ///< refined and certified
+  std::uint32_t laid = 0;           ///< triangles, by the sweep
+  std::vector<RecordedStep> steps;  ///< of the sweep
+  /// By triangle of the result, the number of the laid triangle in whose place it lies: the time of
+  /// its birth.
   ///
   /// A triangle that refinement left alone has its own; one that came out of a flip has that of one
   /// of the two; one beside an inserted vertex appears with the last of its neighbours.
   std::vector<std::uint32_t> birth;
 };
 
-/// morskin::mesh_skin from one front, as Algorithm 1 is printed, and recorded.
+/// morskin::make_mesh from one front, as Algorithm 1 is printed, and recorded.
 /// @throws morse::DegenerateFunction
-RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
-                             const morskin::MeshOptions& options);
+RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin, morskin::MeshingOptions options,
+                             const morskin::Run& run);
 
 /// By triangle of a refined mesh, its birth as above.
 /// @param before  triangles of the sweep, in order, and the positions of their vertices

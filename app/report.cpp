@@ -15,7 +15,7 @@ using certify::Certificate;
 using nlohmann::ordered_json;
 
 ordered_json operations_json(const MeshReport& report) {
-  const front::Operations& done = report.operations;
+  const front::Operations& done = report.counts.operations;
   return {{"creation", done.creation},
           {"creep", done.creep},
           {"wing", done.wing},
@@ -26,10 +26,14 @@ ordered_json operations_json(const MeshReport& report) {
           {"vain_inside_protecting", done.futile_inside_protecting},
           {"vain_outside_protecting", done.futile_outside_protecting},
           {"coarsen", done.coarsen},
-          {"flip", report.refinement.flip},
-          {"contract", report.refinement.contract},
-          {"insert", report.refinement.insert},
-          {"refused", report.refinement.refused}};
+          {"flip", report.counts.refinement.flip},
+          {"contract", report.counts.refinement.contract},
+          {"insert", report.counts.refinement.insert},
+          {"refused", report.counts.refinement.refused}};
+}
+
+ordered_json critical_json(const morskin::CriticalCounts& counts) {
+  return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
 }
 
 ordered_json growth_json(const baselines::GrowthCounts& growth) {
@@ -55,13 +59,13 @@ ordered_json kept_delaunay_json(const baselines::KeptDelaunayCounts& kept) {
 
 ordered_json seconds_json(const RunSeconds& seconds) {
   return {{"read", rounded(seconds.read)},
-          {"triangulate", rounded(seconds.stages.triangulate)},
-          {"mixed_complex", rounded(seconds.stages.mixed_complex)},
+          {"triangulate", rounded(seconds.triangulate)},
+          {"mixed_complex", rounded(seconds.mixed_complex)},
           {"dual_complex", rounded(seconds.dual_complex)},
-          {"critical_points", rounded(seconds.stages.critical_points)},
-          {"sweep", rounded(seconds.stages.sweep)},
-          {"refine", rounded(seconds.stages.refine)},
-          {"smooth", rounded(seconds.stages.smooth)},
+          {"critical_points", rounded(seconds.critical_points)},
+          {"sweep", rounded(seconds.sweep)},
+          {"refine", rounded(seconds.refine)},
+          {"smooth", rounded(seconds.smooth)},
           {"certify", rounded(seconds.certify)},
           {"write", rounded(seconds.write)},
           {"total", rounded(seconds.total)}};
@@ -74,10 +78,21 @@ ordered_json skipped_json(const skin::ReadingCounts& counts) {
           {"unknown_elements", counts.unknown}};
 }
 
+/// What took a component's place, in words.
+std::string replacement_text(const morskin::Fallback& fallback) {
+  if (!fallback.replacement) return "nothing";
+  if (fallback.replacement->method == morskin::Method::Static) return "static";
+  const geometry::Vector& v = fallback.replacement->function.direction;
+  return "sweep along (" + brief(v.x(), 3) + ", " + brief(v.y(), 3) + ", " + brief(v.z(), 3) + ")";
+}
+
 ordered_json fallbacks_json(const std::vector<morskin::Fallback>& fallbacks) {
   ordered_json json = ordered_json::array();
   for (const morskin::Fallback& f : fallbacks) {
-    json.push_back({{"component", f.component}, {"from", f.from}, {"to", f.to}, {"why", f.why}});
+    json.push_back({{"component", f.component},
+                    {"from", "sweep"},
+                    {"to", replacement_text(f)},
+                    {"why", f.reason}});
   }
   return json;
 }
@@ -160,7 +175,7 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_hidden", report.atoms_hidden},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
-                       {"method", morskin::name_of(report.method)},
+                       {"method", name_of(report.method)},
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
@@ -173,25 +188,21 @@ std::string json_text(const MeshReport& report) {
   json["outputs"] = ordered_json::array();
   for (const std::filesystem::path& output : report.outputs)
     json["outputs"].push_back(output.string());
-  json["function"] = function_json(report.function);
-  if (report.function.is_height()) {
-    const geometry::Vector& v = report.function.direction;
+  json["function"] = function_json(report.counts.function);
+  if (report.counts.function.is_height()) {
+    const geometry::Vector& v = report.counts.function.direction;
     json["height"] = {rounded(v.x()), rounded(v.y()), rounded(v.z())};
   }
-  json["minima"] = report.minima;
-  json["saddles"] = report.saddles;
-  json["maxima"] = report.maxima;
-  json["open_edges"] = report.open_edges;
-  json["surviving"] = {{"minima", report.surviving_minima},
-                       {"saddles", report.surviving_saddles},
-                       {"maxima", report.surviving_maxima}};
+  json.update(critical_json(report.counts.critical_points));
+  json["open_edges"] = report.counts.open_edges;
+  json["surviving"] = critical_json(report.counts.surviving_points);
   json["fronts"] = report.fronts;
   json["fallbacks"] = fallbacks_json(report.fallbacks);
   json["operations"] = operations_json(report);
   json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
-                       {"below", report.smoothing.below},
-                       {"moved", report.smoothing.moved},
-                       {"left", report.smoothing.left}};
+                       {"below", report.counts.smoothing.below},
+                       {"moved", report.counts.smoothing.moved},
+                       {"left", report.counts.smoothing.left}};
   if (report.growth) json["growth"] = growth_json(*report.growth);
   if (report.kept_delaunay) {
     json["kept_delaunay"] = kept_delaunay_json(report.kept_delaunay->counts());
@@ -256,13 +267,13 @@ std::string certificate_text(const Certificate& c, const certify::Sizing& sizing
 namespace {
 
 std::string critical_text(const MeshReport& report) {
-  return line("function", in_words(report.function)) +
-         line("critical", counted(report.minima, "minimum", "minima") + " - " +
-                              counted(report.saddles, "saddle", "saddles") + " + " +
-                              counted(report.maxima, "maximum", "maxima") + "; " +
-                              grouped(report.surviving_minima) + " - " +
-                              grouped(report.surviving_saddles) + " + " +
-                              grouped(report.surviving_maxima) + " survive");
+  const auto& [minima, saddles, maxima] = report.counts.critical_points;
+  const morskin::CriticalCounts& left = report.counts.surviving_points;
+  return line("function", in_words(report.counts.function)) +
+         line("critical", counted(minima, "minimum", "minima") + " - " +
+                              counted(saddles, "saddle", "saddles") + " + " +
+                              counted(maxima, "maximum", "maxima") + "; " + grouped(left[0]) +
+                              " - " + grouped(left[1]) + " + " + grouped(left[2]) + " survive");
 }
 
 std::string sweep_text(const front::Operations& done) {
@@ -312,14 +323,14 @@ std::string method_text(const MeshReport& report) {
     return growth_text(*report.growth) +
            (report.kept_delaunay ? kept_delaunay_text(report.kept_delaunay->counts()) : "");
   }
-  const bool is_sweep = report.method == morskin::Method::Sweep;
-  return (is_sweep ? "" : line("method", std::string(morskin::name_of(report.method)))) +
-         critical_text(report) + (is_sweep ? sweep_text(report.operations) : "") +
-         line("refinement", counted(report.refinement.flip, "flip", "flips") + ", " +
-                                counted(report.refinement.contract, "contraction", "contractions") +
-                                ", " +
-                                counted(report.refinement.insert, "insertion", "insertions")) +
-         line("smoothing", counted(report.smoothing.moved, "vertex", "vertices") +
+  const bool is_sweep = report.method == MeshMethod::Sweep;
+  return (is_sweep ? "" : line("method", std::string(name_of(report.method)))) +
+         critical_text(report) + (is_sweep ? sweep_text(report.counts.operations) : "") +
+         line("refinement",
+              counted(report.counts.refinement.flip, "flip", "flips") + ", " +
+                  counted(report.counts.refinement.contract, "contraction", "contractions") + ", " +
+                  counted(report.counts.refinement.insert, "insertion", "insertions")) +
+         line("smoothing", counted(report.counts.smoothing.moved, "vertex", "vertices") +
                                " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
 }
 
@@ -327,12 +338,12 @@ std::string method_text(const MeshReport& report) {
 std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
   constexpr std::size_t most_lines = 5;
   std::stable_partition(fallbacks.begin(), fallbacks.end(),
-                        [](const morskin::Fallback& f) { return f.to == "nothing"; });
+                        [](const morskin::Fallback& f) { return !f.replacement; });
   std::string text;
   for (std::size_t i = 0; i < std::min(fallbacks.size(), most_lines); ++i) {
     const morskin::Fallback& f = fallbacks[i];
-    text += line("fallback", "component " + std::to_string(f.component) + ", from " + f.from +
-                                 " to " + f.to + ": " + f.why);
+    text += line("fallback", "component " + std::to_string(f.component) + ", from sweep to " +
+                                 replacement_text(f) + ": " + f.reason);
   }
   if (fallbacks.size() <= most_lines) return text;
   return text + line("fallback", grouped(fallbacks.size() - most_lines) +
@@ -367,11 +378,10 @@ std::string people_text(const MeshReport& report) {
   text += method_text(report);
   text += fallback_text(report.fallbacks);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
-                           brief(s.stages.triangulate, 2) + ", sweep " + brief(s.stages.sweep, 2) +
-                           ", refine " + brief(s.stages.refine, 2) + ", smooth " +
-                           brief(s.stages.smooth, 2) + ", certify " + brief(s.certify, 2) +
-                           ", write " + brief(s.write, 2) + "; " + brief(floor_ratio(report), 3) +
-                           " times the floor");
+                           brief(s.triangulate, 2) + ", sweep " + brief(s.sweep, 2) + ", refine " +
+                           brief(s.refine, 2) + ", smooth " + brief(s.smooth, 2) + ", certify " +
+                           brief(s.certify, 2) + ", write " + brief(s.write, 2) + "; " +
+                           brief(floor_ratio(report), 3) + " times the floor");
   text += line("memory", grouped(report.peak_memory_bytes / (1 << 20)) + " MiB at most");
   text += report.certificate.certified ? "certified: homeomorphic to the skin, [L] and [U] hold (" +
                                              report.certified_file + " read back)\n"

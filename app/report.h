@@ -11,15 +11,16 @@
 
 #include "app/molecule_input.h"
 #include "bench/baselines/growth.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/molecule.h"
 
 namespace morskin::app {
 
 /// Seconds by stage, by the wall clock.
 struct RunSeconds {
-  double read = 0, dual_complex = 0, write = 0, certify = 0, total = 0;
-  morskin::StageSeconds stages;  ///< its certify is not used
+  double read = 0, triangulate = 0, mixed_complex = 0, dual_complex = 0, critical_points = 0;
+  double sweep = 0;  ///< or what another method does in its place
+  double refine = 0, smooth = 0, write = 0, certify = 0, total = 0;
 };
 
 /// Everything `morskin mesh` tells about a run. Every figure of the certificate was measured on the
@@ -34,19 +35,13 @@ struct MeshReport {
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
   std::string certified_file;
   certify::Certificate certificate;
-  std::size_t minima = 0, saddles = 0, maxima = 0;
-  std::size_t surviving_minima = 0, surviving_saddles = 0, surviving_maxima = 0;
-  morskin::Method method = morskin::Method::Sweep;
+  MeshMethod method = MeshMethod::Sweep;
+  morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
   std::optional<baselines::KeptDelaunay> kept_delaunay;
   int fronts = 2;
-  morse::MorseFunction function;
-  front::Operations operations;
-  refine::RefinementCounts refinement;
   double angle_goal_deg = 0;
-  refine::SmoothingCounts smoothing;
-  std::size_t open_edges = 0;
   std::vector<morskin::Fallback> fallbacks;
   RunSeconds seconds;
   double floor_seconds = 0;

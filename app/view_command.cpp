@@ -43,17 +43,21 @@ morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double rad
 }
 
 Context context(const MoleculeArguments& molecule, const ViewArguments& arguments,
-                ProgressLine& progress) {
+                const morskin::Run& run) {
   MoleculeInput input = read_input(molecule);
-  morskin::PreparedSkin skin = prepare_skin(input, {}, arguments.threads);
+  morskin::PreparedSkin skin = prepare_skin(input, run);
   Context result{std::move(input), std::move(skin), {}, {}, {}};
-  progress.show("integral lines", 0);
   try {
-    morse::ChosenFunction chosen = morse::choose_function(
-        result.skin.surface, result.skin.topology.skin_euler_characteristic(), arguments.function);
+    const morse::ChosenFunction chosen = run.stage("critical points", [&] {
+      return morse::choose_function(result.skin.surface,
+                                    result.skin.topology.skin_euler_characteristic(),
+                                    arguments.function);
+    });
     result.function = chosen.function;
-    result.complex = morse::morse_smale_complex(result.skin.surface, chosen.function,
-                                                chosen.critical, arguments.threads);
+    result.complex = run.stage("integral lines", [&] {
+      return morse::morse_smale_complex(result.skin.surface, chosen.function, chosen.critical,
+                                        morse::Polylines::Keep, run);
+    });
   } catch (const morse::DegenerateFunction& error) {
     // Which exit code depends on whose choice the function was.
     if (arguments.function) throw UsageError(error.what());
@@ -101,17 +105,14 @@ struct Viewed {
   std::optional<certify::Certificate> certificate;
 };
 
-Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLine& progress) {
-  const Context context = app::context(arguments.molecule, arguments, progress);
-  morskin::MeshOptions options;
+Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
+  const Context context = app::context(arguments.molecule, arguments, run);
+  morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
   options.function = context.function;
-  options.threads = arguments.threads;
-  options.progress = [&](std::string_view stage, double share) { progress.show(stage, share); };
-  RecordedMesh recorded = mesh_and_record(context.skin, options);
+  RecordedMesh recorded = mesh_and_record(context.skin, options, run);
   morskin::MeshResult& result = recorded.result;
 
-  progress.show("page", 0);
   page.about["kind"] = "molecule";
   describe(page, context, arguments, arguments.molecule);
   describe(page, result.mesh);
@@ -126,7 +127,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, ProgressLin
   return {std::move(result.mesh), result.certificate};
 }
 
-Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& progress) {
+Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
   Viewed viewed{geometry::read_mesh(arguments.molecule.input), {}};
   const geometry::IndexedMesh& mesh = viewed.mesh;
   if (mesh.triangles.empty()) {
@@ -140,13 +141,12 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, ProgressLine& p
   }
   MoleculeArguments molecule = arguments.molecule;
   molecule.input = *arguments.against;
-  const Context context = app::context(molecule, arguments, progress);
-  progress.show("page", 0);
+  const Context context = app::context(molecule, arguments, run);
   describe(page, context, arguments, molecule);
   page.about["against"] = molecule.input.filename().string();
   const auto points = certify::locate_vertices(mesh, context.skin.surface);
   viewed.certificate = certify::certify(mesh, points, context.skin.surface, context.skin.topology,
-                                        arguments.sizing, arguments.threads);
+                                        arguments.sizing, run);
   const FrontCode code = add_mesh(page, "mesh", mesh);
   std::vector<geometry::CellId> cells;
   cells.reserve(points.size());
@@ -215,12 +215,13 @@ std::string people_text(const ViewArguments& arguments, const Viewed& viewed, co
 ExitCode view_command(const ViewArguments& arguments) {
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  const morskin::Run run(arguments.threads, progress.callback());
   PageData page;
   page.about["title"] = arguments.molecule.input.filename().string();
   page.about["version"] = version;
   const bool is_mesh = names_a_mesh(arguments.molecule.input);
   const Viewed viewed =
-      is_mesh ? view_mesh(page, arguments, progress) : view_molecule(page, arguments, progress);
+      is_mesh ? view_mesh(page, arguments, run) : view_molecule(page, arguments, run);
   add_frames(page, frame_files(arguments.growth));
   if (viewed.certificate) {
     page.about["certified"] = viewed.certificate->certified;

@@ -144,7 +144,7 @@ void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& 
 }
 
 void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded) {
-  const auto count = static_cast<std::uint32_t>(recorded.swept.size());
+  const auto count = recorded.laid;
   const std::uint32_t each = std::max(1U, (count + most_steps - 1) / most_steps);
   const std::uint32_t steps = (count + each - 1) / each;
   std::vector<std::uint8_t> operation(count, 0);  // by swept triangle

@@ -10,7 +10,7 @@
 #include "geometry/mesh_shape.h"
 #include "geometry/self_intersections.h"
 #include "geometry/surface_mesh.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 #include "skin/skin_components.h"
@@ -25,10 +25,10 @@ struct Million {
   morskin::PreparedSkin skin = morskin::prepare_skin(skin::weighted_points(
       skin::read_molecule("bench/molecules/1grm_model1.pdb"), skin::Model::Paper, 1.4));
   geometry::IndexedMesh mesh = [this] {
-    morskin::MeshOptions options;
+    morskin::MeshingOptions options;
     options.sizing = sizing;
-    options.certify = false;
-    return morskin::mesh_skin(skin, options).mesh;
+    options.has_safety_net = false;
+    return morskin::make_mesh(skin, options).mesh;
   }();
   geometry::SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<surface::SurfacePoint> points = certify::locate_vertices(mesh, skin.surface);
@@ -67,7 +67,8 @@ int main(int count, char** words) {
   kernel("check/locate",
          [](const Million& m) { return certify::locate_vertices(m.mesh, m.skin.surface); });
   kernel("check/certificate", [](const Million& m) {
-    return certify::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing, 1);
+    return certify::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing,
+                            geometry::Run());
   });
   kernel("check/deviations", [](const Million& m) {
     return certify::measure_deviations(m.mesh, m.skin.surface, m.points, sizing);

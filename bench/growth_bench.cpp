@@ -9,7 +9,7 @@
 #include "bench/baselines/dynamic_skin.h"
 #include "geometry/regular_triangulation.h"
 #include "geometry/stopwatch.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -47,7 +47,8 @@ void growth(benchmark::State& state, const std::string& file, Tetrahedrization w
   for (auto _ : state) {
     seconds = 0;
     tetrahedra = 0;
-    const auto made = baselines::dynamic_mesher(options, &counts)(skin, {});
+    morskin::Observer nobody;
+    const auto made = baselines::dynamic_mesher(options, &counts)(skin, {}, nobody, morskin::Run());
     triangles = made.mesh.surface.triangle_count();
   }
   if (counts.failed > 0) state.SkipWithError("a metamorphosis failed");

@@ -5,7 +5,7 @@
 
 #include "bench/baselines/marching_cubes.h"
 #include "bench/baselines/narrow_band.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 

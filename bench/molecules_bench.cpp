@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geometry/files/mesh_files.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 
@@ -22,6 +22,45 @@ std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Mo
   return skin::weighted_points(skin::read_molecule("bench/molecules/" + file), model, probe);
 }
 
+/// Writes binary PLY and reads it back, in memory.
+class AsFile : public morskin::Observer {
+ public:
+  Delivery deliver(geometry::IndexedMesh mesh) override {
+    const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
+    return {geometry::parse_mesh(bytes, "memory"), {}};
+  }
+};
+
+std::string_view name_of(morskin::Method method) {
+  return method == morskin::Method::Sweep ? "sweep" : "static";
+}
+
+/// Writes binary PLY and reads it back, in memory.
+class AsFile : public morskin::Observer {
+ public:
+  Delivery deliver(geometry::IndexedMesh mesh) override {
+    const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
+    return {geometry::parse_mesh(bytes, "memory"), {}};
+  }
+};
+
+std::string_view name_of(morskin::Method method) {
+  return method == morskin::Method::Sweep ? "sweep" : "static";
+}
+
+/// Writes binary PLY and reads it back, in memory.
+class AsFile : public morskin::Observer {
+ public:
+  Delivery deliver(geometry::IndexedMesh mesh) override {
+    const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
+    return {geometry::parse_mesh(bytes, "memory"), {}};
+  }
+};
+
+std::string_view name_of(morskin::Method method) {
+  return method == morskin::Method::Sweep ? "sweep" : "static";
+}
+
 /// The whole run: file in, mesh written in binary PLY form, read back and certified.
 void whole_run(benchmark::State& state, const std::string& file, skin::Model model,
                morskin::Method method) {
@@ -30,17 +69,14 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
   certify::Certificate certificate;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const morskin::PreparedSkin skin = morskin::prepare_skin(points_of(file, model));
-    morskin::MeshOptions options;
-    options.certify = false;
-    options.method = method;
-    const morskin::MeshResult result = morskin::mesh_skin(skin, options);
-    const std::string bytes = geometry::serialized(result.mesh, geometry::MeshFormat::PlyBinary);
-    certificate = certify::certify(geometry::parse_mesh(bytes, file), skin.surface, skin.topology,
-                                   {}, options.threads);
+    const morskin::Run run(2);
+    const morskin::PreparedSkin skin = morskin::prepare_skin(points_of(file, model), run);
+    AsFile as_file;
+    const morskin::MeshResult result = morskin::make_mesh(skin, {.method = method}, as_file, run);
+    certificate = result.certificate;
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    morse += result.seconds.critical_points;
-    smooth += result.seconds.smooth;
+    morse += run.seconds("critical points") + run.seconds("integral lines");
+    smooth += run.seconds("smooth");
     state.PauseTiming();
     floor += morskin::floor_seconds(skin.surface, result);
     state.ResumeTiming();
@@ -62,7 +98,7 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
 void locate_and_project(benchmark::State& state) {
   const morskin::PreparedSkin skin =
       morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
-  const morskin::MeshResult result = morskin::mesh_skin(skin);
+  const morskin::MeshResult result = morskin::make_mesh(skin);
   for (auto _ : state) benchmark::DoNotOptimize(morskin::floor_seconds(skin.surface, result));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(result.cells.size()));
 }
@@ -71,7 +107,7 @@ void locate_and_project(benchmark::State& state) {
 void certificate(benchmark::State& state) {
   const morskin::PreparedSkin skin =
       morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
-  const morskin::MeshResult result = morskin::mesh_skin(skin);
+  const morskin::MeshResult result = morskin::make_mesh(skin);
   for (auto _ : state) {
     benchmark::DoNotOptimize(certify::certify(result.mesh, skin.surface, skin.topology));
   }
@@ -90,7 +126,7 @@ bool register_molecules() {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
       for (const morskin::Method method : {morskin::Method::Sweep, morskin::Method::Static}) {
         const std::string row = std::string(name) + "/" + std::string(skin::name_of(model)) + "/" +
-                                std::string(morskin::name_of(method));
+                                std::string(name_of(method));
         benchmark::RegisterBenchmark(
             row.c_str(),
             [=, file = file](benchmark::State& state) { whole_run(state, file, model, method); })

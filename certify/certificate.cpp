@@ -288,22 +288,24 @@ void Certifier::compare_counts() {
 }  // namespace
 
 Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
-                    const surface::Topology& expected, const Sizing& sizing, unsigned threads) {
-  return certify(mesh, Hearsay(), surface, expected, sizing, threads);
+                    const surface::Topology& expected, const Sizing& sizing,
+                    const geometry::Run& run) {
+  return certify(mesh, Hearsay(), surface, expected, sizing, run);
 }
 
 Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, unsigned threads) {
+                    const Sizing& sizing, const geometry::Run& run) {
   Certificate certificate;
-  Certifier(mesh, points, {}, surface, sizing, certificate).run(expected, threads);
+  Certifier(mesh, points, {}, surface, sizing, certificate).run(expected, run.threads());
   return certificate;
 }
 
 Certificate certify(const IndexedMesh& mesh, Hearsay said, const surface::Surface& surface,
-                    const surface::Topology& expected, const Sizing& sizing, unsigned threads) {
+                    const surface::Topology& expected, const Sizing& sizing,
+                    const geometry::Run& run) {
   Certificate certificate;
-  Certifier(mesh, {}, std::move(said), surface, sizing, certificate).run(expected, threads);
+  Certifier(mesh, {}, std::move(said), surface, sizing, certificate).run(expected, run.threads());
   return certificate;
 }
 

@@ -20,6 +20,7 @@
 
 #include "certify/sizing.h"
 #include "geometry/indexed_mesh.h"
+#include "geometry/run.h"
 #include "geometry/surface_mesh.h"
 #include "surface/surface.h"
 #include "surface/topology.h"
@@ -80,19 +81,18 @@ struct Hearsay {
 };
 
 /// @param expected  the surface's topology, known from elsewhere
-/// @param threads   how many may be used; the result is the same for any number
 /// Never throws on a bad mesh: the reason says what is wrong with it.
 Certificate certify(const geometry::IndexedMesh& mesh, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing = {},
-                    unsigned threads = 1);
+                    const geometry::Run& run = geometry::Run());
 /// The same, when the vertices have been located already.
 /// @param points  locate_vertices() of the mesh; if empty they are located here
 Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, unsigned threads);
+                    const Sizing& sizing, const geometry::Run& run);
 /// The same, with what the maker of the mesh says of it.
 Certificate certify(const geometry::IndexedMesh& mesh, Hearsay said,
                     const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, unsigned threads);
+                    const Sizing& sizing, const geometry::Run& run);
 
 }  // namespace morskin::certify

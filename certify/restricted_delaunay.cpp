@@ -120,12 +120,12 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
 
 RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const surface::Surface& surface,
                                        std::span<const SurfacePoint> points, std::size_t listed,
-                                       unsigned threads) {
+                                       const geometry::Run& run) {
   const geometry::KdTree<VertexId> tree(mesh.positions);
   const DelaunayCheck check(mesh, surface, points, tree);
   const std::size_t count = mesh.triangles.size();
   std::vector<RestrictedDelaunay> results(geometry::block_count(count));
-  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+  geometry::for_each_block(run.threads(), count, [&](auto begin, auto end, auto block) {
     results[block] = check.run(begin, end, listed);
   });
   RestrictedDelaunay& whole = results[0];

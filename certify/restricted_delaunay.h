@@ -11,6 +11,7 @@
 #include "certify/sure_edges.h"
 #include "certify/triangle_geometry.h"
 #include "geometry/indexed_mesh.h"
+#include "geometry/run.h"
 #include "geometry/surface_mesh.h"
 
 namespace morskin::certify {
@@ -31,12 +32,12 @@ struct RestrictedDelaunay {
 
 /// @param points   locate_vertices() of the mesh
 /// @param listed   how many violations are kept
-/// @param threads  how many may be used; the result is the same for any number
 /// @pre every position is finite.
 RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
                                        const surface::Surface& surface,
                                        std::span<const SurfacePoint> points,
-                                       std::size_t listed = 10, unsigned threads = 1);
+                                       std::size_t listed = 10,
+                                       const geometry::Run& run = geometry::Run());
 
 /// How many triangles have the far corner of a neighbour in their surface ball, by the same rule.
 ///

@@ -16,9 +16,6 @@ function(add_module name)
     target_link_libraries(${name} PRIVATE ${edge})
   endforeach()
   apply_project_options(${name})
-  install(TARGETS ${name} EXPORT morskin_targets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          FILE_SET headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morskin)
 endfunction()
 
 # Warnings are errors. Contraction is off, for users of the headers too, so that every build rounds

@@ -1,11 +1,26 @@
-# What `make install` adds so that find_package(morskin) works: the targets morskin::morskin, of
-# all the library's modules and the baselines, and the outside packages they need.
+# What `make install` installs of the library, so that find_package(morskin) works: one archive of
+# all modules and the headers of morskin/ that its users need, which include nothing but the
+# standard library.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/morskin)
 
+foreach(module ${library_modules})
+  list(APPEND library_objects $<TARGET_OBJECTS:${module}>)
+endforeach()
+add_library(installed_library STATIC ${library_objects})
+set_target_properties(installed_library PROPERTIES
+  LINKER_LANGUAGE CXX OUTPUT_NAME morskin EXPORT_NAME morskin
+  ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/package)
+target_compile_features(installed_library INTERFACE cxx_std_20)
+target_link_libraries(installed_library PRIVATE ZLIB::ZLIB Threads::Threads)
+target_sources(installed_library PUBLIC FILE_SET headers TYPE HEADERS
+  BASE_DIRS ${PROJECT_SOURCE_DIR} FILES morskin/morskin.h morskin/mesh_method.h)
+install(TARGETS installed_library EXPORT morskin_targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
 file(WRITE ${PROJECT_BINARY_DIR}/package/morskinConfig.cmake
 "include(CMakeFindDependencyMacro)
-find_dependency(Eigen3 3.4)
 find_dependency(ZLIB)
 find_dependency(Threads)
 include(\${CMAKE_CURRENT_LIST_DIR}/morskinTargets.cmake)

@@ -30,8 +30,7 @@ class PartialSweep {
 
   void run() { sweep_.run(); }
   /// @pre both have run, over disjoint subdomains
-  /// @param threads  at most, to move the mesh
-  void absorb(PartialSweep& other, unsigned threads = 1);
+  void absorb(PartialSweep& other, const geometry::Run& run = geometry::Run());
   /// Sweeps on over the whole surface.
   void finish() { sweep_.finish(); }
   /// The mesh, moved out, and the counts.

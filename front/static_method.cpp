@@ -109,10 +109,9 @@ std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
 
 StaticResult static_mesh(const surface::Surface& surface,
                          const std::vector<morse::CriticalPoint>& critical,
-                         const certify::Sizing& sizing,
-                         const std::function<void(std::size_t)>& progress) {
+                         const certify::Sizing& sizing, const geometry::Run& run) {
   refine::DelaunayRefinement refinement(surface, sizing, delaunay_seeds(surface, critical, sizing));
-  refinement.run(progress);
+  refinement.run(run);
   StaticResult result{refinement.mesh(), refinement.counts(), 0};
   result.open_edges = open_edges(result.mesh.surface);
   return result;

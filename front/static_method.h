@@ -3,7 +3,6 @@
 /// The static method (papers/5-static.md): restricted Delaunay refinement from seeds at the
 /// critical points of a Morse function.
 
-#include <functional>
 #include <vector>
 
 #include "certify/sizing.h"
@@ -31,11 +30,9 @@ struct StaticResult {
 };
 
 /// Restricted Delaunay refinement from those seeds.
-/// @param surface   all its cells kept: circumcentres of coarse samples lie in all of them
-/// @param progress  called with the number of samples so far; may be empty
+/// @param surface  all its cells kept: circumcentres of coarse samples lie in all of them
 StaticResult static_mesh(const surface::Surface& surface,
                          const std::vector<morse::CriticalPoint>& critical,
-                         const certify::Sizing& sizing,
-                         const std::function<void(std::size_t)>& progress = {});
+                         const certify::Sizing& sizing, const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::front

@@ -21,6 +21,7 @@
 #include "front/subdomain.h"
 #include "front/sweep_observer.h"
 #include "front/tangent_disk.h"
+#include "geometry/run.h"
 #include "morse/guide.h"
 #include "surface/surface.h"
 
@@ -45,9 +46,8 @@ class Sweep {
   /// Unites another sweep of the same surface with this one: mesh, front, departures, marks and
   /// coverage. Nothing is laid. Associative; nothing is left of the other's mesh.
   /// @pre both have run, along the same function or its reverse, over disjoint subdomains.
-  /// @param threads  at most, to move the mesh
   /// @return  by how much the other's ids moved up
-  IdOffsets absorb(Sweep& other, unsigned threads = 1);
+  IdOffsets absorb(Sweep& other, const geometry::Run& run = geometry::Run());
 
   /// Sweeps on over the whole surface.
   void finish();

@@ -1,14 +1,13 @@
 #include "front/sweep_progress.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace morskin::front {
 
 PassedAtoms::PassedAtoms(const surface::Surface& surface, const morse::MorseFunction& function,
-                         std::function<void(double)> callback)
-    : callback_(std::move(callback)) {
-  if (!callback_) return;
+                         const geometry::Run& run)
+    : run_(run) {
+  if (!run_.is_watched()) return;
   const std::vector<Point> samples = surface.samples();
   constexpr std::size_t max_sample = 1 << 14;
   for (std::size_t i = 0; i < samples.size(); i += 1 + samples.size() / max_sample) {
@@ -18,11 +17,11 @@ PassedAtoms::PassedAtoms(const surface::Surface& surface, const morse::MorseFunc
 }
 
 void PassedAtoms::passed_from_below(double value) {
-  if (callback_) raise(from_below_, share_below(value));
+  if (run_.is_watched()) raise(from_below_, share_below(value));
 }
 
 void PassedAtoms::passed_from_above(double value) {
-  if (callback_) raise(from_above_, 1 - share_below(-value));
+  if (run_.is_watched()) raise(from_above_, 1 - share_below(-value));
 }
 
 double PassedAtoms::share_below(double value) const {
@@ -33,7 +32,7 @@ double PassedAtoms::share_below(double value) const {
 void PassedAtoms::raise(double& share, double to) {
   const std::lock_guard lock(mutex_);
   share = std::max(share, to);
-  callback_(std::min(from_below_ + from_above_, 1.0));
+  run_.report(std::min(from_below_ + from_above_, 1.0));
 }
 
 }  // namespace morskin::front

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "front/sweep_observer.h"
+#include "geometry/run.h"
 #include "morse/guide.h"
 #include "surface/surface.h"
 
@@ -14,9 +15,9 @@ namespace morskin::front {
 /// report from its own thread.
 class PassedAtoms {
  public:
-  /// @param callback  called with the share, from one thread at a time; may be empty
+  /// @param run  is told the share, by one thread at a time
   PassedAtoms(const surface::Surface& surface, const morse::MorseFunction& function,
-              std::function<void(double)> callback);
+              const geometry::Run& run);
 
   void passed_from_below(double value);
   /// @param value  of the reversed function
@@ -26,7 +27,7 @@ class PassedAtoms {
   double share_below(double value) const;
   void raise(double& share, double to);
 
-  std::function<void(double)> callback_;
+  const geometry::Run run_;
   std::vector<double> values_;  ///< of the function at a sample of the atoms, ascending
   std::mutex mutex_;
   double from_below_ = 0, from_above_ = 0;

@@ -62,30 +62,32 @@ double middle_level(const surface::Surface& skin, const morse::Guide& guide) {
 }
 
 SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
-                       const SweepOptions& options, const SweepExtras& extras,
-                       const std::vector<SweepObserver*>& observers) {
-  PassedAtoms passed(skin, guide.function, extras.progress);
+                       const SweepOptions& options,
+                       const std::optional<CoarseningOptions>& coarsening,
+                       const std::vector<SweepObserver*>& observers, const geometry::Run& run) {
+  PassedAtoms passed(skin, guide.function, run);
   ProgressObserver progress([&](double value) { passed.passed_from_below(value); });
   std::vector<SweepObserver*> all{&progress};
   all.insert(all.end(), observers.begin(), observers.end());
-  PartialSweep sweep(skin, guide, options, {}, extras.coarsening, all);
+  PartialSweep sweep(skin, guide, options, {}, coarsening, all);
   sweep.run();
   return sweep.take_result();
 }
 
 SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
-                                 const SweepOptions& options, unsigned threads,
-                                 const SweepExtras& extras) {
+                                 const SweepOptions& options,
+                                 const std::optional<CoarseningOptions>& coarsening,
+                                 const geometry::Run& run) {
   const double middle = middle_level(skin, guide);
   const morse::Guide reversed = guide.reversed();
-  PassedAtoms passed(skin, guide.function, extras.progress);
+  PassedAtoms passed(skin, guide.function, run);
   ProgressObserver lower([&](double value) { passed.passed_from_below(value); });
   ProgressObserver upper([&](double value) { passed.passed_from_above(value); });
-  PartialSweep below(skin, guide, options, {.high = middle}, extras.coarsening, {&lower});
-  PartialSweep above(skin, reversed, options, {.high = -middle}, extras.coarsening, {&upper});
+  PartialSweep below(skin, guide, options, {.high = middle}, coarsening, {&lower});
+  PartialSweep above(skin, reversed, options, {.high = -middle}, coarsening, {&upper});
   geometry::do_both(
-      threads, [&] { below.run(); }, [&] { above.run(); });
-  below.absorb(above, threads);
+      run.threads(), [&] { below.run(); }, [&] { above.run(); });
+  below.absorb(above, run);
   below.finish();
   return below.take_result();
 }

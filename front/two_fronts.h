@@ -9,7 +9,6 @@
 /// touches what the other has laid before they are joined, so the mesh does not depend on the
 /// number of threads.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,23 +17,21 @@
 
 namespace morskin::front {
 
-/// What goes on beside a sweep.
-struct SweepExtras {
-  std::optional<CoarseningOptions> coarsening = {};  ///< behind each front
-  std::function<void(double)> progress = {};         ///< called with the share of atoms passed
-};
-
 /// One sweep from below, Algorithm 1 as printed.
-/// @param observers  must outlive the call
+/// @param coarsening  behind the front, or none
+/// @param observers   must outlive the call
+/// @param run         is told the share of atoms that are passed
 SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
-                       const SweepOptions& options = {}, const SweepExtras& extras = {},
-                       const std::vector<SweepObserver*>& observers = {});
+                       const SweepOptions& options = {},
+                       const std::optional<CoarseningOptions>& coarsening = {},
+                       const std::vector<SweepObserver*>& observers = {},
+                       const geometry::Run& run = geometry::Run());
 
-/// From both ends.
-/// @param threads  with one, the two sweeps run one after the other
+/// From both ends; on one thread the two sweeps run one after the other.
 SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guide& guide,
-                                 const SweepOptions& options = {}, unsigned threads = 2,
-                                 const SweepExtras& extras = {});
+                                 const SweepOptions& options = {},
+                                 const std::optional<CoarseningOptions>& coarsening = {},
+                                 const geometry::Run& run = geometry::Run(2));
 
 /// The level where they meet: as near as can be to the median value over the atoms, so that both
 /// have about as much to do, but never between a minimum below and a maximum above that are so

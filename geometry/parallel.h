@@ -31,12 +31,17 @@ inline std::size_t block_count(std::size_t count, std::size_t size = usual_block
 }
 
 /// Calls task(i) for each i below a count. Threads take the next when they are done with one, so
-/// none waits long for another.
+/// none waits long for another. After an exception, which comes out here, no new one is begun.
 template <class Task>
 void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
   const auto take = [&] {
-    for (std::size_t i = next++; i < count; i = next++) task(i);
+    try {
+      for (std::size_t i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      next = count;
+      throw;
+    }
   };
   std::vector<std::future<void>> others;
   for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {

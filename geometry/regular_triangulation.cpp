@@ -149,12 +149,11 @@ AtomId heaviest(std::span<const WeightedPoint> points) {
 
 }  // namespace
 
-RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points,
-                                           const Told& told) {
+RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points, const Run& run) {
   RegularTriangulation result;
   std::vector<bool> is_vertex(points.size(), false);
   {
-    const Triangulator triangulator(points, told);
+    const Triangulator triangulator(points, run);
     result.dimension = triangulator.dimension();
     if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
     if (result.dimension == 1) result.edges = top_simplices<2>(triangulator);

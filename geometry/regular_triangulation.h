@@ -7,7 +7,7 @@
 
 #include "geometry/id.h"
 #include "geometry/point.h"
-#include "geometry/progress.h"
+#include "geometry/run.h"
 
 namespace morskin::geometry {
 
@@ -33,12 +33,12 @@ struct RegularTriangulation {
 
 /// The regular triangulation of weighted points: any number, in any position.
 ///
-/// @param told  the share of points that are in
+/// @param run  is told the share of points that are in
 /// @pre    in the range of predicates.h
 /// @throws LimitReached  for 2^27 points or more than 2^30 tetrahedra
 /// Source: Edelsbrunner & Shah 1996, Incremental topological flipping works for regular
 ///         triangulations (definition); mechanism in triangulator.h.
 RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points,
-                                           const Told& told = {});
+                                           const Run& run = Run());
 
 }  // namespace morskin::geometry

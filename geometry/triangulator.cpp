@@ -48,7 +48,7 @@ std::array<Triangulator::Facet, 20> facets_behind_first(
 
 }  // namespace
 
-Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& told)
+Triangulator::Triangulator(std::span<const WeightedPoint> points, const Run& run)
     : atom_count_(points.size()) {
   if (points.size() > most_points) fail_for_lack_of_ids(most_points, "atoms");
   if (points.empty()) return;
@@ -66,8 +66,8 @@ Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& to
   for (std::size_t p = static_cast<std::size_t>(dimension_) + 1; p < atom_count_; ++p) {
     insert(static_cast<Corner>(p));
     constexpr std::size_t points_between_reports = 4096;
-    if (told && p % points_between_reports == 0) {
-      told(static_cast<double>(p) / static_cast<double>(atom_count_));
+    if (p % points_between_reports == 0) {
+      run.report(static_cast<double>(p) / static_cast<double>(atom_count_));
     }
   }
 }

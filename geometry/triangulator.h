@@ -11,7 +11,7 @@
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/predicates.h"
-#include "geometry/progress.h"
+#include "geometry/run.h"
 
 namespace morskin::geometry {
 
@@ -51,7 +51,7 @@ class Triangulator {
   ///
   /// @pre in the range of predicates.h
   /// @throws LimitReached  for more than most_points or most_tetrahedra
-  explicit Triangulator(std::span<const WeightedPoint> points, const Told& told = {});
+  explicit Triangulator(std::span<const WeightedPoint> points, const Run& run = Run());
   Triangulator(Triangulator&&) noexcept;
   Triangulator& operator=(Triangulator&&) noexcept;
   ~Triangulator();

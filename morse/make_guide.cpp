@@ -20,10 +20,10 @@ bool has_overlap(const std::vector<CriticalPoint>& points, double radius_share) 
 }  // namespace
 
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
-                 const std::optional<MorseFunction>& asked, double radius_share, unsigned threads,
-                 const geometry::Progress& progress) {
-  if (progress) progress("critical points", geometry::unknown_share);
-  ChosenFunction chosen = choose_function(skin, euler_characteristic, asked);
+                 const std::optional<MorseFunction>& asked, double radius_share,
+                 const geometry::Run& run) {
+  ChosenFunction chosen = run.stage(
+      "critical points", [&] { return choose_function(skin, euler_characteristic, asked); });
   Guide guide;
   guide.function = chosen.function;
   for (const CriticalPoint& p : chosen.critical.points) {
@@ -34,10 +34,9 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     guide.spheres = protecting_spheres(skin, guide.points, radius_share);
     return guide;
   }
-  const MorseSmaleComplex complex = morse_smale_complex(
-      skin, chosen.function, chosen.critical, threads, Polylines::Drop, [&](double share) {
-        if (progress) progress("integral lines", share);
-      });
+  const MorseSmaleComplex complex = run.stage("integral lines", [&] {
+    return morse_smale_complex(skin, chosen.function, chosen.critical, Polylines::Drop, run);
+  });
   guide.is_simplified = complex.degeneracies.empty();
   if (!guide.is_simplified) {
     guide.spheres = protecting_spheres(skin, guide.points, radius_share);

@@ -2,19 +2,20 @@
 
 #include <optional>
 
-#include "geometry/progress.h"
+#include "geometry/run.h"
 #include "morse/choose_function.h"
 #include "morse/guide.h"
 
 namespace morskin::morse {
 
+/// Stages "critical points" and "integral lines".
+///
 /// @param euler_characteristic  of the skin
 /// @param asked                 the function; without one, the first default that will do
 /// @param radius_share          radius of a protecting sphere over the length scale at its centre
-/// @param threads               at most; the guide is the same for any number
 /// @throws DegenerateFunction
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
                  const std::optional<MorseFunction>& asked, double radius_share,
-                 unsigned threads = 1, const geometry::Progress& progress = {});
+                 const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::morse

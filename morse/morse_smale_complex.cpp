@@ -25,13 +25,13 @@ std::string place_of(const CriticalPoint& p) {
 class Builder {
  public:
   Builder(const skin::SkinSurface& skin, const MorseFunction& f, const CriticalPoints& critical,
-          unsigned threads, Polylines polylines, const geometry::Told& told)
+          Polylines polylines, const geometry::Run& run)
       : skin_(skin),
         f_(f),
-        threads_(threads),
+        threads_(run.threads()),
         polylines_(polylines),
         lines_(
-            skin, f, critical.points, threads, told,
+            skin, f, critical.points, run,
             polylines == Polylines::Keep ? SaddleLines::Kept::All : SaddleLines::Kept::EveryOther) {
     complex_.points = critical.points;
     complex_.degeneracies = critical.degeneracies;
@@ -284,9 +284,9 @@ class Builder {
 }  // namespace
 
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      const CriticalPoints& critical, unsigned threads,
-                                      Polylines polylines, const geometry::Told& told) {
-  return Builder(skin, f, critical, threads, polylines, told).build();
+                                      const CriticalPoints& critical, Polylines polylines,
+                                      const geometry::Run& run) {
+  return Builder(skin, f, critical, polylines, run).build();
 }
 
 }  // namespace morskin::morse

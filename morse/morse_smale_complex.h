@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/progress.h"
+#include "geometry/run.h"
 #include "morse/critical_points.h"
 
 namespace morskin::morse {
@@ -58,15 +58,14 @@ struct MorseSmaleComplex {
 /// Whether a complex keeps the polylines of its arcs, by far the most of it.
 enum class Polylines { Keep, Drop };
 
-/// @param threads  at most; the complex is the same for any number
-/// @param told     the share of lines that are traced
+/// @param run  is told the share of lines that are traced
 /// @pre  critical = critical_points(skin, f).
 /// The regions are traced from the cyclic order of the arcs at all points; that each has four sides
 /// is the witness of that order.
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
-                                      const CriticalPoints& critical, unsigned threads = 1,
+                                      const CriticalPoints& critical,
                                       Polylines polylines = Polylines::Keep,
-                                      const geometry::Told& told = {});
+                                      const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::morse

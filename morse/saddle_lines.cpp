@@ -10,8 +10,7 @@
 namespace morskin::morse {
 
 SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
-                         std::span<const CriticalPoint> points, unsigned threads,
-                         const geometry::Told& told, Kept kept)
+                         std::span<const CriticalPoint> points, const geometry::Run& run, Kept kept)
     : tracers_{{{skin, f, points, IntegralLines::usual_step},
                 {skin, f, points, IntegralLines::usual_step / 4}}},
       kept_(kept) {
@@ -24,11 +23,11 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
       lines_.push_back({CriticalId{i}, tangent, {}});
     }
   }
-  trace_all(threads, told);
+  trace_all(run);
 }
 
 /// Traces every line; each block keeps its nodes apart.
-void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
+void SaddleLines::trace_all(const geometry::Run& run) {
   // At least about a millisecond's lines. The nodes of many small blocks would stay with the
   // program when they are freed; those of few large ones go back to the system.
   constexpr std::size_t least_size = 32, most_blocks = 64;
@@ -36,8 +35,8 @@ void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
   parts_.resize(geometry::block_count(lines_.size(), block_size));
   const auto teller = std::this_thread::get_id();
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t block) {
-    if (told && std::this_thread::get_id() == teller) {
-      told(static_cast<double>(begin) / static_cast<double>(lines_.size()));
+    if (std::this_thread::get_id() == teller) {
+      run.report(static_cast<double>(begin) / static_cast<double>(lines_.size()));
     }
     for (std::size_t i = begin; i < end; ++i) {
       Line& line = lines_[i];
@@ -49,7 +48,7 @@ void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
       }
     }
   };
-  geometry::for_each_block(threads, lines_.size(), work, block_size);
+  geometry::for_each_block(run.threads(), lines_.size(), work, block_size);
 }
 
 std::size_t SaddleLines::node_count() const {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/progress.h"
+#include "geometry/run.h"
 #include "morse/integral_lines.h"
 
 namespace morskin::morse {
@@ -14,14 +14,13 @@ class SaddleLines {
  public:
   /// Traces all lines: to each saddle four, together, counter-clockwise about it seen from outside,
   /// the first along `descending`. A line that runs into a saddle is traced again, finer.
-  /// @param threads  at most; the lines are the same for any number
-  /// @param told     the share that is traced, as far as the first thread knows
-  /// @param kept     All, or only every other node between a line's ends: enough to go on from, and
+  /// @param run   is told the share that is traced, as far as the first thread knows
+  /// @param kept  All, or only every other node between a line's ends: enough to go on from, and
   ///                 nodes are most of what a large molecule takes before it has triangles
   enum class Kept { All, EveryOther };
   SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
-              std::span<const CriticalPoint> points, unsigned threads = 1,
-              const geometry::Told& told = {}, Kept kept = Kept::All);
+              std::span<const CriticalPoint> points, const geometry::Run& run = geometry::Run(),
+              Kept kept = Kept::All);
 
   std::size_t size() const { return lines_.size(); }
   CriticalId saddle(std::uint32_t line) const { return lines_[line].saddle; }
@@ -57,7 +56,7 @@ class SaddleLines {
     std::vector<skin::CellId> cells;
   };
 
-  void trace_all(unsigned threads, const geometry::Told& told);
+  void trace_all(const geometry::Run& run);
   void trace(Line& line, Way way, Nodes& nodes) const;
   static void drop_every_other(Line& line, Nodes& nodes);
 

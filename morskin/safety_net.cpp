@@ -1,7 +1,6 @@
 #include "morskin/safety_net.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
@@ -131,10 +130,11 @@ class Parts {
 /// What is left to do, part by part.
 class Mending {
  public:
-  Mending(const PreparedSkin& skin, const MeshOptions& options, const Parts& parts,
-          const MeshResult& result)
+  Mending(const PreparedSkin& skin, const MeshingOptions& options, const Parts& parts,
+          const MeshResult& result, const Run& run)
       : skin_(skin),
         options_(options),
+        run_(run),
         parts_(parts),
         pieces_(parts.cut(result.mesh, result.cells)) {
     // A surface that is open somewhere is not refined anywhere.
@@ -144,7 +144,7 @@ class Mending {
       const bool is_certified = why.empty();
       if (is_certified && is_refined) continue;
       if (is_certified) why = "certified, but not refined: the mesh was open somewhere";
-      faults_.push_back({{part, std::string(name_of(options.method)), nothing, why}, is_certified});
+      faults_.push_back({{part, std::move(why), {}}, is_certified});
     }
   }
 
@@ -159,7 +159,7 @@ class Mending {
   }
 
   /// Takes what another run made of the broken parts, where it is certified.
-  void take(const surface::Mesh& mesh, const std::string& name) {
+  void take(const surface::Mesh& mesh, const Fallback::Replacement& made_by) {
     IndexedMesh plain;
     plain.triangles = mesh.surface.triangle_list();
     std::vector<geometry::CellId> cells;
@@ -171,7 +171,7 @@ class Mending {
     for (Fault& fault : faults_) {
       const std::size_t part = fault.fallback.component;
       if (fault.is_mended() || !defect(part, others[part]).empty()) continue;
-      fault.fallback.to = name;
+      fault.fallback.replacement = made_by;
       pieces_[part] = std::move(others[part]);
     }
   }
@@ -185,12 +185,11 @@ class Mending {
   }
 
  private:
-  static constexpr const char* nothing = "nothing";  ///< what an unmended part fell back to
   struct Fault {
     Fallback fallback;
     bool may_stay;  ///< certified as it is
 
-    bool is_mended() const { return fallback.to != nothing; }
+    bool is_mended() const { return fallback.replacement.has_value(); }
   };
 
   std::size_t mended() const {
@@ -198,13 +197,18 @@ class Mending {
   }
   /// Why a mesh of a part is not certified; empty if it is.
   std::string defect(std::size_t part, const Piece& piece) const {
-    return certify::certify(piece.mesh, skin_.surface, parts_.topology(part), options_.sizing,
-                            options_.threads)
+    return run_
+        .stage("certify",
+               [&] {
+                 return certify::certify(piece.mesh, skin_.surface, parts_.topology(part),
+                                         options_.sizing, run_);
+               })
         .reason;
   }
 
   const PreparedSkin& skin_;
-  const MeshOptions& options_;
+  const MeshingOptions& options_;
+  const Run& run_;
   const Parts& parts_;
   std::vector<Piece> pieces_;  ///< by part
   std::vector<Fault> faults_;
@@ -220,32 +224,28 @@ std::vector<morse::MorseFunction> other_directions() {
   return functions;
 }
 
-std::string sweep_along(const morse::MorseFunction& function) {
-  std::array<char, 80> text{};
-  const Vector& v = function.direction;
-  std::snprintf(text.data(), text.size(), "sweep along (%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
-  return text.data();
-}
-
 }  // namespace
 
-bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& result) {
-  if (options.method != Method::Sweep || options.guard != front::Guard::Everywhere) return false;
+bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& result,
+          const Run& run) {
+  if (!options.has_safety_net || options.method != Method::Sweep ||
+      options.guard != front::Guard::Everywhere) {
+    return false;
+  }
   const Parts parts(skin, result.function);
-  Mending mending(skin, options, parts, result);
-  MeshOptions again = options;
-  again.snapshots = 0;
-  again.snapshot_values.clear();
+  Mending mending(skin, options, parts, result, run);
+  Observer nobody;
+  MeshingOptions again = options;
   // For triangles this coarse another sweep is no surer than the first, and not much quicker.
-  const int most_sweeps = options.sizing.C <= certify::Sizing::largest_proved_C ? 2 : 0;
+  const int max_sweeps = options.sizing.C <= certify::Sizing::largest_proved_C ? 2 : 0;
   int tried = 0;
   for (const morse::MorseFunction& function : other_directions()) {
-    if (mending.is_done() || tried == most_sweeps) break;
+    if (mending.is_done() || tried == max_sweeps) break;
     again.function = function;
     try {
-      const MethodResult made = run_method(skin, again);
+      const MethodResult made = run_method(skin, again, nobody, run);
       ++tried;
-      if (made.open_edges == 0) mending.take(made.mesh, sweep_along(made.function));
+      if (made.open_edges == 0) mending.take(made.mesh, {Method::Sweep, made.function});
     } catch (const morse::DegenerateFunction&) {
       continue;  // the next direction
     }
@@ -254,7 +254,7 @@ bool mend(const PreparedSkin& skin, const MeshOptions& options, MeshResult& resu
     again.function = result.function;
     again.method = Method::Static;
     again.mesher = {};
-    mending.take(run_method(skin, again).mesh, "static");
+    mending.take(run_method(skin, again, nobody, run).mesh, {Method::Static, result.function});
   }
   result.fallbacks = mending.fallbacks();
   std::optional<Piece> whole = mending.joined();

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "front/two_fronts.h"
-#include "geometry/stopwatch.h"
 #include "morse/make_guide.h"
 #include "morse/skin_spheres.h"
 #include "morskin/method.h"
@@ -26,58 +21,46 @@ std::optional<front::NarrowGuard> experimental_guard(front::Guard guard,
                             guard == front::Guard::Adjacent);
 }
 
-}  // namespace
-
-double sphere_share(const skin::SkinSurface& skin, const certify::Sizing& sizing) {
-  const double rho = skin.max_length_scale();
-  return sizing.tangent_disk_share() * (sizing.scale(rho) / rho);
+front::SweepResult sweep(const skin::SkinSurface& skin, const morse::Guide& guide,
+                         const MeshingOptions& options, Observer& observer, const Run& run) {
+  const auto guard = experimental_guard(options.guard, skin, guide);
+  front::SweepOptions sweeping{.sizing = options.sizing.laid()};
+  if (guard) sweeping.guard = &*guard;
+  std::optional<front::CoarseningOptions> coarsening;
+  if (options.sizing.is_coarser_than_laid()) coarsening = {.sizing = options.sizing};
+  return options.fronts == 1
+             ? front::sweep_once(skin, guide, sweeping, coarsening, observer.sweep_observers(), run)
+             : front::sweep_from_both_ends(skin, guide, sweeping, coarsening, run);
 }
 
-MethodResult sweep_method(const PreparedSkin& skin, const MeshOptions& options) {
-  MethodResult result;
-  const auto progress = [&](std::string_view stage, double share) {
-    if (options.progress) options.progress(stage, share);
-  };
-  const certify::Sizing laid = options.sizing.laid();
-  morse::Guide guide;
-  geometry::timed(result.seconds.critical_points, [&] {
-    guide =
-        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                          sphere_share(skin.surface, laid), options.threads, progress);
-  });
-  result.minima = guide.found[0];
-  result.saddles = guide.found[1];
-  result.maxima = guide.found[2];
-  result.surviving_minima = guide.count(0);
-  result.surviving_saddles = guide.count(1);
-  result.surviving_maxima = guide.count(2);
-  result.function = guide.function;
+}  // namespace
 
-  geometry::timed(result.seconds.sweep, [&] {
-    const auto guard = experimental_guard(options.guard, skin.surface, guide);
-    front::SweepOptions sweeping{.sizing = laid};
-    if (guard) sweeping.guard = &*guard;
-    front::SweepExtras extras{.progress = [&](double share) { progress("sweep", share); }};
-    if (options.sizing.is_coarser_than_laid()) extras.coarsening = {.sizing = options.sizing};
-    const auto sweep_with_snapshots = [&] {
-      front::Snapshots snapshots(guide, options.snapshot_values, options.snapshots,
-                                 options.snapshot);
-      return front::sweep_once(skin.surface, guide, sweeping, extras, {&snapshots});
-    };
-    front::SweepResult swept =
-        options.fronts == 1
-            ? sweep_with_snapshots()
-            : front::sweep_from_both_ends(skin.surface, guide, sweeping, options.threads, extras);
+MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& options,
+                          Observer& observer, const Run& run) {
+  MethodResult result;
+  const morse::Guide guide =
+      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
+                        sphere_share(skin.surface, options.sizing.laid()), run);
+  observer.guided(guide);
+  result.function = guide.function;
+  result.critical_points = guide.found;
+  for (int index = 0; index < 3; ++index) {
+    result.surviving_points[static_cast<std::size_t>(index)] = guide.count(index);
+  }
+  run.stage("sweep", [&] {
+    front::SweepResult swept = sweep(skin.surface, guide, options, observer, run);
     result.mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;
   });
+  observer.swept(result.mesh);
   if (result.open_edges > 0) return result;
-  geometry::timed(result.seconds.refine, [&] {
-    refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
-    refinement.run([&](double share) { progress("refine", share); });
+  run.stage("refine", [&] {
+    refine::Refinement refinement(skin.surface, options.sizing, result.mesh, run);
+    refinement.run();
     result.refinement = refinement.counts();
   });
+  observer.refined(result.mesh);
   return result;
 }
 

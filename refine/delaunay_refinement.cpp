@@ -42,8 +42,7 @@ DelaunayRefinement::DelaunayRefinement(const surface::Surface& skin, const Sizin
   counts_.seeds = seeds.size();
 }
 
-void DelaunayRefinement::run(const std::function<void(std::size_t)>& told) {
-  told_ = told;
+void DelaunayRefinement::run(const geometry::Run& run) {
   if (delaunay_.dimension() < 3) return;  // no tetrahedra of samples only, no facets
   ++now_;
   std::vector<std::uint32_t> all;
@@ -53,7 +52,7 @@ void DelaunayRefinement::run(const std::function<void(std::size_t)>& told) {
   duals_.resize(delaunay_.tetrahedra().size());
   look_at_new(all);
   do {
-    insert_all();
+    insert_all(run);
   } while (follow_dual_edges() || make_disks());
   work_ = std::vector<std::vector<Work>>(buckets);  // all done; gives the memory back
 }
@@ -232,7 +231,7 @@ bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
 }
 
 /// Breaks facets, the biggest first, until none is too big.
-void DelaunayRefinement::insert_all() {
+void DelaunayRefinement::insert_all(const geometry::Run& run) {
   for (std::size_t bucket = buckets; bucket-- > 0;) {
     while (!work_[bucket].empty()) {
       const Work work = work_[bucket].back();
@@ -244,7 +243,9 @@ void DelaunayRefinement::insert_all() {
       }
       ++counts_.too_big;
       constexpr std::size_t samples_between_reports = 4096;
-      if (told_ && counts_.too_big % samples_between_reports == 0) told_(samples_.size());
+      if (counts_.too_big % samples_between_reports == 0) {
+        run.report(geometry::unknown_share, std::to_string(samples_.size()) + " samples");
+      }
       bucket = buckets;
       break;
     }

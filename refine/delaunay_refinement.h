@@ -23,11 +23,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "geometry/run.h"
 #include "geometry/triangulator.h"
 #include "refine/names.h"
 #include "surface/bounding_ball.h"
@@ -54,9 +54,9 @@ class DelaunayRefinement {
                      std::span<const SurfacePoint> seeds);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
-  /// @param told  the number of samples there are, now and then. What share that is nobody knows:
-  ///              the facets that wait make others wait.
-  void run(const std::function<void(std::size_t)>& told = {});
+  /// @param run  is told the number of samples. What share that is nobody knows: the facets that
+  ///             wait make others wait.
+  void run(const geometry::Run& run = geometry::Run());
 
   /// The restricted facets as they are, samples that have none left out, in an order in which
   /// neighbours are near each other. Where they are no closed manifold no two are glued.
@@ -120,7 +120,7 @@ class DelaunayRefinement {
   bool insert(const Ball& ball, Facet facet);
   bool stands(const Work& work) const;
   void push(const Ball& ball, Facet facet);
-  void insert_all();
+  void insert_all(const geometry::Run& run);
   bool follow_dual_edges();
   std::size_t follow(Facet f);
   bool make_disks();
@@ -135,7 +135,6 @@ class DelaunayRefinement {
   std::vector<Dual> duals_;  ///< by tetrahedron
   /// Facets to break, by size of their ball, the largest octave last.
   std::vector<std::vector<Work>> work_;
-  std::function<void(std::size_t)> told_;
   std::uint32_t now_ = 0;       ///< insertions so far
   std::uint32_t followed_ = 0;  ///< dual edges of older tetrahedra have been followed
   DelaunayRefinementCounts counts_;

@@ -259,8 +259,8 @@ bool LocalOperations::remove(VertexId v) {
 
 void LocalOperations::tell(std::size_t left) {
   constexpr std::size_t steps_between_reports = 4096;
-  if (!told_ || ++steps_ % steps_between_reports != 0) return;
-  told_(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
+  if (!run_ || ++steps_ % steps_between_reports != 0) return;
+  run_->report(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
 }
 
 void LocalOperations::insert_into_big_triangles(std::size_t most) {

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/progress.h"
+#include "geometry/run.h"
 #include "refine/names.h"
 
 namespace morskin::refine {
@@ -51,8 +51,8 @@ class LocalOperations {
   LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, Work work = {},
                   Territory territory = {});
 
-  /// Told now and then what share of the work known so far is done; insertions may make more.
-  void report_to(const geometry::Told& told) { told_ = told; }
+  /// Reports now and then what share of the work known so far is done; insertions may make more.
+  void report_to(const geometry::Run& run) { run_ = run; }
 
   void flip_where_needed();
   void contract_short_edges();
@@ -97,7 +97,7 @@ class LocalOperations {
   Work work_, left_;  ///< to do; to be left to whom takes over
   Territory territory_;
   RefinementCounts counts_;
-  geometry::Told told_;
+  std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;
 };
 

@@ -8,21 +8,21 @@
 namespace morskin::refine {
 
 Refinement::Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
-                       unsigned threads)
+                       const geometry::Run& run)
     : mesh_(mesh),
       skin_(skin),
       sizing_(sizing),
-      threads_(threads),
+      run_(run),
       operations_(skin, sizing, mesh),
       most_(1000 + mesh.surface.triangle_count()) {}
 
-void Refinement::run(const geometry::Told& told) {
-  if (told) told(0);
+void Refinement::run() {
+  run_.report(0);
   look_everywhere();
   operations_.flip_where_needed();
   operations_.contract_short_edges();
-  insert_in_two_halves(told);
-  operations_.report_to(told);
+  insert_in_two_halves();
+  operations_.report_to(run_);
   operations_.flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.
   const auto changes = [&] { return operations_.counts().contract + operations_.counts().insert; };
@@ -32,7 +32,7 @@ void Refinement::run(const geometry::Told& told) {
     operations_.contract_short_edges();
     operations_.insert_into_big_triangles(most_);
   } while (changes() > before && changes() < most_);
-  mesh_.compact(threads_);
+  mesh_.compact(run_.threads());
 }
 
 RefinementCounts Refinement::counts() const {
@@ -46,7 +46,7 @@ void Refinement::look_everywhere() {
   const std::size_t count = mesh_.surface.triangle_count();
   std::vector<Work> found(geometry::block_count(count));
   SureEdges sure(count);
-  geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
+  geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
       for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
@@ -56,7 +56,7 @@ void Refinement::look_everywhere() {
       sure.note(t, corners, circle, operations_.most_residual(corners));
     }
   });
-  geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
+  geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
     look_for_flips(3 * begin, 3 * end, sure, found[block]);
   });
   Work& work = operations_.work();
@@ -84,7 +84,7 @@ void Refinement::look_for_flips(std::size_t begin, std::size_t end, const SureEd
 
 /// Insertion at two places at once: among the triangles laid first, and among those laid last. What
 /// lies on the border waits. The halves are the same for any number of threads.
-void Refinement::insert_in_two_halves(const geometry::Told& told) {
+void Refinement::insert_in_two_halves() {
   constexpr std::size_t worth_two_threads = 256;
   Work& work = operations_.work();
   if (work.big.size() < worth_two_threads) return;
@@ -98,7 +98,7 @@ void Refinement::insert_in_two_halves(const geometry::Told& told) {
 
   std::array<Territory, 2> territories;
   geometry::do_both(
-      threads_, [&] { territories[0].is_foreign = touched(middle, count); },
+      run_.threads(), [&] { territories[0].is_foreign = touched(middle, count); },
       [&] { territories[1].is_foreign = touched(0, middle); });
   // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
   const std::size_t most_big = std::max(todo[0].big.size(), todo[1].big.size());
@@ -110,9 +110,9 @@ void Refinement::insert_in_two_halves(const geometry::Told& told) {
 
   LocalOperations first(skin_, sizing_, mesh_, std::move(todo[0]), std::move(territories[0]));
   LocalOperations last(skin_, sizing_, mesh_, std::move(todo[1]), std::move(territories[1]));
-  first.report_to(told);
+  first.report_to(run_);
   geometry::do_both(
-      threads_, [&] { first.insert_into_big_triangles(most_); },
+      run_.threads(), [&] { first.insert_into_big_triangles(most_); },
       [&] { last.insert_into_big_triangles(most_); });
   operations_.take_over(first);
   operations_.take_over(last);

@@ -12,27 +12,27 @@ namespace morskin::refine {
 
 class Refinement {
  public:
-  /// @param threads  at most; the outcome is the same for any number
+  /// @param run  is told the share of edges and triangles in breach so far that have been looked at
   /// @pre the mesh is closed, its vertices are points of the skin.
-  Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, unsigned threads = 1);
+  Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+             const geometry::Run& run = geometry::Run());
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
-  /// @param told  the share of edges and triangles in breach so far that have been looked at
-  void run(const geometry::Told& told = {});
+  void run();
 
   RefinementCounts counts() const;
 
  private:
   void look_everywhere();
   void look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure, Work& found) const;
-  void insert_in_two_halves(const geometry::Told& told);
+  void insert_in_two_halves();
   void deal_rooms(std::size_t each, std::array<Territory, 2>& territories);
   std::vector<char> touched(std::size_t begin, std::size_t end) const;
 
   Mesh& mesh_;
   const surface::Surface& skin_;
   const Sizing sizing_;
-  const unsigned threads_;
+  const geometry::Run run_;
   LocalOperations operations_;  ///< on the whole mesh
   /// A budget, for constants outside the range where termination is proved: of contractions and
   /// insertions together, one for every triangle of the front's mesh, of which a few in a hundred

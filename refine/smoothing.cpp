@@ -21,13 +21,13 @@ constexpr int most_rounds = 8;
 class Smoothing {
  public:
   Smoothing(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal_deg,
-            std::size_t least_block, unsigned threads)
+            std::size_t least_block, const geometry::Run& run)
       : skin_(skin),
         sizing_(sizing),
         mesh_(mesh),
         goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)),
         block_(std::max(least_block, mesh.surface.triangle_count() / most_blocks + 1)),
-        threads_(threads) {}
+        run_(run) {}
 
   SmoothingCounts run() {
     SmoothingCounts counts;
@@ -36,6 +36,7 @@ class Smoothing {
     if (mesh_.surface.triangle_count() > block_ && !waiting.empty()) find_owners();
     std::vector<TriangleId> seen = waiting;
     for (int round = 0; round < most_rounds && !waiting.empty(); ++round) {
+      run_.report(geometry::unknown_share);
       Work work = improve_all(waiting);
       counts.moved += work.moved;
       std::vector<TriangleId>& next = work.changed;
@@ -56,7 +57,7 @@ class Smoothing {
   std::vector<TriangleId> find_all() const {
     const std::size_t count = mesh_.surface.triangle_count();
     std::vector<std::vector<TriangleId>> found(geometry::block_count(count));
-    geometry::for_each_block(threads_, count, [&](auto begin, auto end, auto block) {
+    geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
       for (std::size_t t = begin; t < end; ++t) {
         const TriangleId later{std::min(t + geometry::prefetch_ahead, end - 1)};
         for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
@@ -106,7 +107,7 @@ class Smoothing {
   Work improve_all(const std::vector<TriangleId>& triangles) {
     if (owners_.empty()) return improve(triangles, {});
     std::vector<Work> found((mesh_.surface.triangle_count() - 1) / block_ + 1);
-    geometry::for_each_task(threads_, found.size(), [&](std::size_t block) {
+    geometry::for_each_task(run_.threads(), found.size(), [&](std::size_t block) {
       const auto place = [&](std::size_t b) {
         return std::ranges::lower_bound(triangles, TriangleId{b * block_});
       };
@@ -150,15 +151,15 @@ class Smoothing {
   Mesh& mesh_;
   const double goal_;  ///< squared sine
   const std::size_t block_;
-  const unsigned threads_;
+  const geometry::Run run_;
   std::vector<std::uint32_t> owners_;  ///< by vertex; none where all is one block
 };
 
 }  // namespace
 
 SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
-                       double goal_deg, unsigned threads, std::size_t least_block) {
-  return Smoothing(skin, sizing, mesh, goal_deg, least_block, threads).run();
+                       double goal_deg, const geometry::Run& run, std::size_t least_block) {
+  return Smoothing(skin, sizing, mesh, goal_deg, least_block, run).run();
 }
 
 }  // namespace morskin::refine

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 
+#include "geometry/run.h"
 #include "refine/names.h"
 
 namespace morskin::refine {
@@ -26,11 +27,10 @@ struct SmoothingCounts {
 /// at a time, with what lies at the borders of blocks last.
 ///
 /// @param goal_deg     degrees, at most 60
-/// @param threads      at most; the outcome is the same for any number
 /// @param least_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
 SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
-                       double goal_deg, unsigned threads = 1,
+                       double goal_deg, const geometry::Run& run = geometry::Run(),
                        std::size_t least_block = std::size_t{1} << 19);
 
 }  // namespace morskin::refine

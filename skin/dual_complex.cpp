@@ -161,7 +161,8 @@ std::size_t count(const std::vector<char>& in) {
 
 }  // namespace
 
-DualComplex dual_complex(const SkinSurface& skin, unsigned threads) {
+DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
+  const unsigned threads = run.threads();
   const RegularTriangulation& t = skin.triangulation();
   assert(t.tetrahedron_triangles.size() == t.tetrahedra.size());
   assert(t.triangle_edges.size() == t.triangles.size());

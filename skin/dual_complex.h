@@ -31,7 +31,6 @@ struct DualComplex {
 /// @pre    the skin's facets have not been forgotten (SkinSurface::forget_facets).
 /// @throws SingularSkin when the skin is singular: a simplex meets its dual and has
 /// weight exactly zero (two balls that just touch, say).
-/// @param threads  at most; neither the complex nor the simplex that is named depends on it
-DualComplex dual_complex(const SkinSurface& skin, unsigned threads = 1);
+DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::skin

@@ -24,21 +24,23 @@ const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& poin
 
 }  // namespace
 
-SkinSurface::SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress,
-                         MixedComplex::Keep keep, unsigned threads)
+SkinSurface::SkinSurface(std::vector<WeightedPoint> points, MixedComplex::Keep keep,
+                         const geometry::Run& run)
     : complex_([&] {
-        const auto told = [&](double share) {
-          if (progress) progress("triangulate", share);
-        };
-        told(0);
-        auto triangulation = geometry::timed(triangulate_seconds_, [&] {
-          return geometry::regular_triangulation(checked(points), told);
-        });
-        if (progress) progress("mixed complex", geometry::unknown_share);
-        return geometry::timed(mixed_complex_seconds_, [&] {
-          return MixedComplex(std::move(points), std::move(triangulation), keep, threads);
+        auto triangulation = run.stage(
+            "triangulate", [&] { return geometry::regular_triangulation(checked(points), run); });
+        return run.stage("mixed complex", [&] {
+          return MixedComplex(std::move(points), std::move(triangulation), keep, run.threads());
         });
       }()) {}
+
+std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) const {
+  const Patch patch = this->patch(x.cell);
+  const double first = patch.sign / x.length_scale;
+  if (patch.axis.isZero(0)) return {first, first};
+  const double cosine = patch.axis.dot(x.normal);
+  return {first, first * (2 * cosine * cosine - 1)};
+}
 
 std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
   const std::size_t place = complex_.place(cell);

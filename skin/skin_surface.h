@@ -3,12 +3,13 @@
 /// The skin surface F of a set of weighted points (section 2.1): where a point lies in the mixed
 /// complex, the nearest place on F along the gradient, the length scale and the normal there.
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "geometry/progress.h"
+#include "geometry/run.h"
 #include "skin/mixed_complex.h"
 #include "surface/surface.h"
 
@@ -24,10 +25,10 @@ class SkinSurface final : public surface::Surface {
  public:
   /// @pre  every coordinate and weight lies on the exact grid (geometry/predicates.h).
   /// @throws geometry::RefusedInput when there is no point with a positive weight.
-  /// @param threads  at most; the surface does not depend on it
-  explicit SkinSurface(std::vector<WeightedPoint> points, const geometry::Progress& progress = {},
+  /// In two stages, "triangulate" and "mixed complex".
+  explicit SkinSurface(std::vector<WeightedPoint> points,
                        MixedComplex::Keep keep = MixedComplex::Keep::NearSkin,
-                       unsigned threads = 1);
+                       const geometry::Run& run = geometry::Run());
 
   const std::vector<WeightedPoint>& points() const { return complex_.points(); }
   const geometry::RegularTriangulation& triangulation() const { return complex_.triangulation(); }
@@ -42,9 +43,14 @@ class SkinSurface final : public surface::Surface {
   }
   /// The weighted points whose simplex the cell belongs to, one to four.
   std::vector<AtomId> atoms(CellId cell) const;
-  /// Seconds spent in the regular triangulation and in the mixed complex.
-  double triangulate_seconds() const { return triangulate_seconds_; }
-  double mixed_complex_seconds() const { return mixed_complex_seconds_; }
+
+  /// The principal curvatures at a point of the skin, 1/Angstrom, positive where the body is
+  /// convex; the first is the larger in magnitude, 1/rho.
+  ///
+  /// With M = sign (I - 2 a a^T) the derivative of N (patch.h), the normal's is M / rho restricted
+  /// to the tangent plane: there sign / rho across the axis a, and along its projection, whose
+  /// square is 1 - (a . n)^2, sign (2 (a . n)^2 - 1) / rho. A sphere has no axis.
+  std::array<double, 2> principal_curvatures(const SurfacePoint& x) const;
 
   /// The mixed cell that contains x, by a walk over cell walls.
   ///
@@ -88,8 +94,6 @@ class SkinSurface final : public surface::Surface {
   CellId next_cell(const Point& x, CellId cell, const Walls& walls) const;
   CellId search(const Point& x, CellId start) const;
 
-  double triangulate_seconds_ = 0;
-  double mixed_complex_seconds_ = 0;
   MixedComplex complex_;
 };
 

@@ -24,7 +24,7 @@ namespace {
 struct Good {
   explicit Good(const WeightedPoints& points)
       : skin(morskin::prepare_skin(points)),
-        mesh(morskin::mesh_skin(skin, support::uncertified()).mesh) {}
+        mesh(morskin::make_mesh(skin, support::uncertified()).mesh) {}
 
   Certificate certify(const IndexedMesh& other) const {
     return certify::certify(other, skin.surface, skin.topology);
@@ -194,7 +194,7 @@ TEST_CASE("coarse meshes are certified up to C = 0.4, and their double covers re
     CAPTURE(C);
     const certify::Sizing sizing{C, certify::Sizing::quality_for(C)};
     for (const Good& good : {one_ball(), two_overlapping(), two_apart(), cage()}) {
-      const IndexedMesh mesh = morskin::mesh_skin(good.skin, support::with(sizing)).mesh;
+      const IndexedMesh mesh = morskin::make_mesh(good.skin, support::with(sizing)).mesh;
       const auto certify = [&](const IndexedMesh& other) {
         return certify::certify(other, good.skin.surface, good.skin.topology, sizing);
       };
@@ -207,7 +207,7 @@ TEST_CASE("coarse meshes are certified up to C = 0.4, and their double covers re
     }
     const Good ball = one_ball();
     check_rejected(
-        certify::certify(double_cover(morskin::mesh_skin(ball.skin, support::with(sizing)).mesh),
+        certify::certify(double_cover(morskin::make_mesh(ball.skin, support::with(sizing)).mesh),
                          ball.skin.surface, ball.skin.topology, sizing),
         "could not be shown to cover the skin once");
   }

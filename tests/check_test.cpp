@@ -32,14 +32,14 @@ namespace {
 struct Good {
   explicit Good(const support::WeightedPoints& points)
       : skin(morskin::prepare_skin(points)),
-        mesh(morskin::mesh_skin(skin, support::uncertified()).mesh) {}
+        mesh(morskin::make_mesh(skin, support::uncertified()).mesh) {}
 
   Certificate certify(const IndexedMesh& other) const {
     return certify::certify(other, skin.surface, skin.topology);
   }
   certify::RestrictedDelaunay delaunay(const IndexedMesh& other, unsigned threads = 1) const {
     const auto points = certify::locate_vertices(other, skin.surface);
-    return certify::restricted_delaunay(other, skin.surface, points, 10, threads);
+    return certify::restricted_delaunay(other, skin.surface, points, 10, geometry::Run(threads));
   }
 
   morskin::PreparedSkin skin;

@@ -46,7 +46,7 @@ TEST_CASE(
       CAPTURE(C);
       CAPTURE(length);
       const Sizing sizing = by_length(C, length);
-      const morskin::MeshResult result = morskin::mesh_skin(skin, support::with(sizing));
+      const morskin::MeshResult result = morskin::make_mesh(skin, support::with(sizing));
       REQUIRE_MESSAGE(result.certificate.certified, result.certificate.reason);
       const std::vector<double> edges = edge_lengths(result.mesh);
       constexpr double tenth = 0.1;
@@ -95,8 +95,8 @@ TEST_CASE("a front that has passed itself on a hyperboloid does not go round it 
 TEST_CASE("a length longer than C gives anywhere changes nothing") {
   const auto skin = morskin::prepare_skin(support::ball_set(7));
   const Sizing plain{0.2, Sizing::quality_for(0.2)};
-  const auto a = morskin::mesh_skin(skin, support::with(plain));
-  const auto b = morskin::mesh_skin(skin, support::with(by_length(0.2, 100)));
+  const auto a = morskin::make_mesh(skin, support::with(plain));
+  const auto b = morskin::make_mesh(skin, support::with(by_length(0.2, 100)));
   CHECK(a.mesh.positions == b.mesh.positions);
   CHECK(a.mesh.triangles == b.mesh.triangles);
 }
@@ -109,7 +109,7 @@ TEST_CASE("random ball sets are certified with edges of any length, by C and by 
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
       for (const Sizing& sizing : {Sizing{C, Sizing::quality_for(C)}, by_length(C, 0.4)}) {
-        const morskin::MeshResult result = morskin::mesh_skin(*skin, support::with(sizing));
+        const morskin::MeshResult result = morskin::make_mesh(*skin, support::with(sizing));
         CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
       }
     }

@@ -179,9 +179,9 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     };
     front::Snapshots snapshots(guide, {}, 50, look);
     const auto whole = front::sweep_once(skin->surface, guide, {.sizing = laid});
-    auto coarse =
-        front::sweep_once(skin->surface, guide, {.sizing = laid},
-                          {.coarsening = {{.sizing = sizing, .min_triangles = 300}}}, {&snapshots});
+    auto coarse = front::sweep_once(
+        skin->surface, guide, {.sizing = laid},
+        front::CoarseningOptions{.sizing = sizing, .min_triangles = 300}, {&snapshots});
     REQUIRE(coarse.open_edges == 0);
     CHECK(whole.mesh.surface.triangle_count() ==
           coarse.mesh.surface.triangle_count() + 2 * coarse.operations.coarsen);
@@ -202,9 +202,11 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
     const morse::Guide guide = guide_for(*skin, laid);
-    const front::SweepExtras extras{.coarsening = {{.sizing = sizing, .min_triangles = 300}}};
-    auto one = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 1, extras);
-    const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 2, extras);
+    const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
+    auto one = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, coarsening,
+                                           geometry::Run(1));
+    const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, coarsening,
+                                                 geometry::Run(2));
     REQUIRE(one.open_edges == 0);
     CHECK(plain(one.mesh).positions == plain(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());

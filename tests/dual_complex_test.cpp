@@ -123,7 +123,7 @@ TEST_CASE("two balls that just touch are refused by name, one ulp more or less i
 
 TEST_CASE("several threads find the complex that one finds, and name the same singular balls") {
   const SkinSurface skin(support::in_a_row(support::molecule("1crn.pdb", skin::Model::Vdw), 4, 20));
-  const DualComplex one = dual_complex(skin), other = dual_complex(skin, 4);
+  const DualComplex one = dual_complex(skin), other = dual_complex(skin, geometry::Run(4));
   CHECK(skin.triangulation().triangles.size() > geometry::usual_block);
   CHECK(one.simplices == other.simplices);
   CHECK(one.betti == other.betti);
@@ -137,7 +137,7 @@ TEST_CASE("several threads find the complex that one finds, and name the same si
   for (const unsigned threads : {1U, 4U}) {
     CAPTURE(threads);
     try {
-      dual_complex(touching, threads);
+      dual_complex(touching, geometry::Run(threads));
       FAIL("not refused");
     } catch (const SingularSkin& singular) {
       CHECK(singular.atoms == atoms({0, 1}));

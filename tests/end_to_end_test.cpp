@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using morskin::MeshOptions;
+using morskin::MeshingOptions;
 using morskin::MeshResult;
 using morskin::PreparedSkin;
 using support::WeightedPoints;
@@ -30,8 +30,7 @@ void check_result(const MeshResult& result, const certify::Sizing& sizing = {}) 
   CHECK(certificate.min_angle_deg > sizing.least_angle_deg());
   CHECK(certificate.worst_L > 1);
   CHECK(certificate.worst_U < 1);
-  const long chi =
-      static_cast<long>(result.minima + result.maxima) - static_cast<long>(result.saddles);
+  const long chi = support::euler_characteristic(result.critical_points);
   CHECK(certificate.euler_characteristic == chi);
   CHECK(chi == result.expected.skin_euler_characteristic());
   CHECK(certificate.components == result.expected.skin_components());
@@ -63,7 +62,7 @@ TEST_CASE("small molecules are certified in all three models, every angle above 
     CAPTURE(std::string(name));
     for (const skin::Model model : all_models) {
       CAPTURE(std::string(skin::name_of(model)));
-      const MeshResult result = morskin::mesh_skin(support::molecule(name, model));
+      const MeshResult result = support::meshed(support::molecule(name, model));
       check_result(result);
       CHECK(result.certificate.min_angle_deg > 21.54);
     }
@@ -74,24 +73,24 @@ TEST_CASE("random ball sets are certified or refused as singular") {
   for (unsigned seed = 0; seed < 25; ++seed) {
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) check_result(morskin::mesh_skin(*skin));
+    if (skin) check_result(morskin::make_mesh(*skin));
   }
 }
 
 TEST_CASE("the same run twice gives the same bytes") {
   const WeightedPoints points = support::molecule("5tmn_ligand.pdb", skin::Model::Vdw);
-  const MeshOptions options = support::uncertified();
-  const MeshResult first = morskin::mesh_skin(points, options);
-  morskin::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
-  CHECK(are_same_bytes(first, morskin::mesh_skin(points, options)));
-  CHECK(are_same_bytes(first, morskin::mesh_skin(morskin::prepare_skin(points))));
+  const MeshingOptions options = support::uncertified();
+  const MeshResult first = support::meshed(points, options);
+  support::meshed(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
+  CHECK(are_same_bytes(first, support::meshed(points, options)));
+  CHECK(are_same_bytes(first, morskin::make_mesh(morskin::prepare_skin(points))));
 }
 
 TEST_CASE("shuffled atoms give the same surface: its Euler characteristic, and its area to 0.1 %") {
   constexpr double same_area = 1e-3;
   const auto check = [&](const WeightedPoints& points) {
-    const MeshResult plain = morskin::mesh_skin(points);
-    const MeshResult other = morskin::mesh_skin(support::shuffled(points, 1));
+    const MeshResult plain = support::meshed(points);
+    const MeshResult other = support::meshed(support::shuffled(points, 1));
     check_result(other);
     CHECK(other.certificate.euler_characteristic == plain.certificate.euler_characteristic);
     CHECK(std::abs(other.certificate.area - plain.certificate.area) <
@@ -110,7 +109,7 @@ TEST_CASE("shuffled atoms give the same surface: its Euler characteristic, and i
 TEST_CASE("the mesh of one ball has nearly the ball's area and volume, from inside") {
   for (const double r : {0.5, 1.0, 3.0}) {
     CAPTURE(r);
-    const MeshResult result = morskin::mesh_skin(WeightedPoints{support::ball(1, 2, 3, r)});
+    const MeshResult result = support::meshed(WeightedPoints{support::ball(1, 2, 3, r)});
     check_result(result);
     const double area = 4 * M_PI * r * r, volume = area * r / 3;
     // A triangle of circumradius R lies within R^2 / rho of the sphere it is inscribed in: 1e.
@@ -126,12 +125,12 @@ TEST_CASE("every direction gives a certified mesh of the same surface") {
   const PreparedSkin skin =
       morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
   support::Random random(1);
-  const double area = morskin::mesh_skin(skin).certificate.area;
+  const double area = morskin::make_mesh(skin).certificate.area;
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
-    MeshOptions options;
+    MeshingOptions options;
     options.function = morse::MorseFunction::height(3 * random.direction());  // of any length
-    const MeshResult result = morskin::mesh_skin(skin, options);
+    const MeshResult result = morskin::make_mesh(skin, options);
     check_result(result);
     CHECK(result.function.direction == options.function->direction);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
@@ -143,14 +142,14 @@ TEST_CASE(
   const PreparedSkin skin =
       morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Vdw));
   support::Random random(2);
-  const double area = morskin::mesh_skin(skin).certificate.area;
+  const double area = morskin::make_mesh(skin).certificate.area;
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
-    MeshOptions options;
+    MeshingOptions options;
     options.function =
         morse::MorseFunction::squared_distance(random.between(0, 12) * random.direction());
     options.fronts = 1 + i % 2;
-    const MeshResult result = morskin::mesh_skin(skin, options);
+    const MeshResult result = morskin::make_mesh(skin, options);
     check_result(result);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
   }
@@ -159,9 +158,9 @@ TEST_CASE(
 TEST_CASE("a degenerate direction that the user gives is refused, the default finds its way") {
   for (const skin::Model model : all_models) {
     const PreparedSkin skin = morskin::prepare_skin(support::molecule("cube8.xyzr", model));
-    CHECK_THROWS_AS(morskin::mesh_skin(skin, support::along(geometry::Vector::UnitY())),
+    CHECK_THROWS_AS(morskin::make_mesh(skin, support::along(geometry::Vector::UnitY())),
                     morse::DegenerateFunction);
-    check_result(morskin::mesh_skin(skin));
+    check_result(morskin::make_mesh(skin));
   }
 }
 
@@ -173,7 +172,7 @@ TEST_CASE("other constants give meshes that keep their own bounds, finer for sma
                                        certify::Sizing{0.08, 1.7}, certify::Sizing{0.1, 1.65}}) {
     CAPTURE(sizing.C);
     CAPTURE(sizing.Q);
-    const MeshResult result = morskin::mesh_skin(skin, support::with(sizing));
+    const MeshResult result = morskin::make_mesh(skin, support::with(sizing));
     check_result(result, sizing);
     if (sizing.Q == 1.65) {
       CHECK((finer == 0 || result.mesh.triangles.size() < finer));
@@ -188,24 +187,24 @@ TEST_CASE(
   const PreparedSkin skin =
       morskin::prepare_skin(support::molecule("ring12.xyzr", skin::Model::Vdw));
   std::vector<std::string> stages;
-  MeshOptions options;
-  options.progress = [&](std::string_view stage, double share) {
+  const morskin::Run run(1, [&](std::string_view stage, double share) {
     CHECK((share == geometry::unknown_share || (share >= 0 && share <= 1)));
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
-  };
+  });
+  MeshingOptions options;
   options.fronts = 1;
-  const MeshResult result = morskin::mesh_skin(skin, options);
-  CHECK(result.operations.creation == result.surviving_minima);
-  CHECK(result.operations.bridge <= result.surviving_saddles);
-  CHECK(result.operations.seal <= result.surviving_maxima);
+  const MeshResult result = morskin::make_mesh(skin, options, run);
+  CHECK(result.operations.creation == result.surviving_points[0]);
+  CHECK(result.operations.bridge <= result.surviving_points[1]);
+  CHECK(result.operations.seal <= result.surviving_points[2]);
   CHECK(stages.front() == "critical points");
   CHECK(stages.back() == "certify");
 }
 
 TEST_CASE("input without a surface is refused") {
-  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{}), geometry::RefusedInput);
-  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{{{0, 0, 0}, 0.0}}), geometry::RefusedInput);
-  CHECK_THROWS_AS(morskin::mesh_skin(WeightedPoints{{{0, 0, 0}, 9}, {{0, 7, 0}, 16}}),
+  CHECK_THROWS_AS(support::meshed(WeightedPoints{}), geometry::RefusedInput);
+  CHECK_THROWS_AS(support::meshed(WeightedPoints{{{0, 0, 0}, 0.0}}), geometry::RefusedInput);
+  CHECK_THROWS_AS(support::meshed(WeightedPoints{{{0, 0, 0}, 9}, {{0, 7, 0}, 16}}),
                   skin::SingularSkin);
 }
 
@@ -213,8 +212,8 @@ TEST_CASE("doubling all lengths doubles every coordinate exactly") {
   for (unsigned seed = 100; seed < 110; ++seed) {  // 104 once hung the refinement
     CAPTURE(seed);
     const support::WeightedPoints points = support::ball_set(seed);
-    const MeshResult a = morskin::mesh_skin(points, support::uncertified());
-    const MeshResult b = morskin::mesh_skin(support::doubled(points), support::uncertified());
+    const MeshResult a = support::meshed(points, support::uncertified());
+    const MeshResult b = support::meshed(support::doubled(points), support::uncertified());
     REQUIRE(a.mesh.triangles == b.mesh.triangles);
     for (std::size_t v = 0; v < a.mesh.positions.size(); ++v) {
       REQUIRE(2 * a.mesh.positions[v] == b.mesh.positions[v]);
@@ -224,9 +223,9 @@ TEST_CASE("doubling all lengths doubles every coordinate exactly") {
 
 TEST_CASE(
     "a fine mesh is certified: the ball kept free about a vertex shrinks with the triangles") {
-  MeshOptions options;
+  MeshingOptions options;
   options.sizing.C = 0.02;
   const MeshResult result =
-      morskin::mesh_skin(support::WeightedPoints{{geometry::Point(0, 0, 0), 2}}, options);
+      support::meshed(support::WeightedPoints{{geometry::Point(0, 0, 0), 2}}, options);
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
 }

@@ -7,7 +7,7 @@
 
 #include "bench/baselines/dynamic_skin.h"
 #include "geometry/predicates.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
@@ -77,10 +77,10 @@ Grown grown(const morskin::PreparedSkin& skin) {
     CHECK(now == *expected);
     ++out.compared;
   };
-  morskin::MeshOptions meshing;
+  morskin::MeshingOptions meshing;
   meshing.method = morskin::Method::Dynamic;
   meshing.mesher = dynamic_mesher(options, &out.counts);
-  out.result = morskin::mesh_skin(skin, meshing);
+  out.result = morskin::make_mesh(skin, meshing);
   CHECK(out.counts.failed == 0);
   CHECK(out.result.certificate.reason == "");
   CHECK(out.result.certificate.certified);

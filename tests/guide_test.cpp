@@ -15,7 +15,8 @@ namespace {
 const double share = certify::Sizing{}.tangent_disk_share();
 
 Guide guide_of(const morskin::PreparedSkin& skin, unsigned threads = 1) {
-  return make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share, threads);
+  return make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share,
+                    geometry::Run(threads));
 }
 
 }  // namespace

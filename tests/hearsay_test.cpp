@@ -131,14 +131,15 @@ std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh&
 TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so or not") {
   const morskin::PreparedSkin skin =
       morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
-  const IndexedMesh mesh = morskin::mesh_skin(skin, support::uncertified()).mesh;
+  const IndexedMesh mesh = morskin::make_mesh(skin, support::uncertified()).mesh;
   support::Random random(1);
   for (const auto& one : good_and_bad(mesh)) {
     const std::string& kind = one.first;
     const IndexedMesh& looked_at = one.second;
     CAPTURE(kind);
     const auto certificate = [&](certify::Hearsay said, unsigned threads) {
-      return certify::certify(looked_at, std::move(said), skin.surface, skin.topology, {}, threads);
+      return certify::certify(looked_at, std::move(said), skin.surface, skin.topology, {},
+                              geometry::Run(threads));
     };
     const Certificate expected = certificate({}, 1);
     CHECK(expected.certified == (kind == "good"));
@@ -192,7 +193,7 @@ TEST_CASE("what may be said of twins is not enough where a triangle repeats a co
 
 TEST_CASE("a mesh comes with twins and cells that the certificate need not look for") {
   const morskin::PreparedSkin skin = morskin::prepare_skin(support::tetrahedron_balls(2.8));
-  const morskin::MeshResult result = morskin::mesh_skin(skin, support::uncertified());
+  const morskin::MeshResult result = morskin::make_mesh(skin, support::uncertified());
   CHECK(
       SurfaceMesh::glued_as_said(result.mesh.positions.size(), result.mesh.triangles, result.twins)
           .has_value());

@@ -9,7 +9,7 @@
 #include "bench/baselines/dynamic_skin.h"
 #include "geometry/predicates.h"
 #include "geometry/regular_triangulation.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 #include "tests/support/molecules.h"
@@ -100,12 +100,12 @@ void check_growth(const support::WeightedPoints& points, std::size_t least_moved
     CHECK(kept_tetrahedra(kept) == fresh_tetrahedra(kept));
     ++compared;
   };
-  morskin::MeshOptions meshing;
+  morskin::MeshingOptions meshing;
   meshing.method = morskin::Method::Dynamic;
   meshing.sizing.C = C;
   meshing.sizing.Q = certify::Sizing::quality_for(C);
   meshing.mesher = dynamic_mesher(options);
-  const morskin::MeshResult result = morskin::mesh_skin(*skin, meshing);
+  const morskin::MeshResult result = morskin::make_mesh(*skin, meshing);
   CHECK(compared > 0);
   CHECK(result.certificate.certified);
   CHECK(kept_tetrahedra(kept) == fresh_tetrahedra(kept));
@@ -118,7 +118,7 @@ void check_growth(const support::WeightedPoints& points, std::size_t least_moved
   CHECK(counts.facets_not_crossed == 0);
 
   meshing.mesher = dynamic_mesher();
-  const morskin::MeshResult without = morskin::mesh_skin(*skin, meshing);
+  const morskin::MeshResult without = morskin::make_mesh(*skin, meshing);
   CHECK(without.mesh.positions == result.mesh.positions);
   CHECK(without.mesh.triangles == result.mesh.triangles);
 }

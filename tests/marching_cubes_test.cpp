@@ -11,7 +11,7 @@
 #include "bench/baselines/narrow_band.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/surface_mesh.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -246,10 +246,10 @@ TEST_CASE("the grid step chosen makes as many triangles as the sweep, within a f
         CAPTURE(file);
         CAPTURE(C);
         const morskin::PreparedSkin skin = skin_of(file, model);
-        morskin::MeshOptions options = support::with({.C = C});
-        options.certify = false;
+        morskin::MeshingOptions options = support::with({.C = C});
+        options.has_safety_net = false;
         const double swept =
-            static_cast<double>(morskin::mesh_skin(skin, options).mesh.triangles.size());
+            static_cast<double>(morskin::make_mesh(skin, options).mesh.triangles.size());
         const GridMesh made =
             marching_cubes(skin.surface, step_like_sweep(skin.surface, options.sizing));
         CHECK(static_cast<double>(made.mesh.triangles.size()) / swept ==

@@ -245,7 +245,7 @@ TEST_CASE("walls made on demand are the kept ones, in the same order") {
 TEST_CASE("the complex is the same made by one thread and by several") {
   const support::WeightedPoints points =
       support::in_a_row(support::molecule("1crn.pdb", skin::Model::Vdw), 4, 20);
-  const SkinSurface alone(points), together(points, {}, MixedComplex::Keep::NearSkin, 4);
+  const SkinSurface alone(points), together(points, MixedComplex::Keep::NearSkin, geometry::Run(4));
   const MixedComplex &one = alone.complex(), &other = together.complex();
   REQUIRE(one.kept_size() == other.kept_size());
   CHECK(one.kept_size() > 2 * geometry::usual_block);  // there was work for more than one

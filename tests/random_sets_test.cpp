@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
@@ -12,7 +12,7 @@ using namespace morskin;
 namespace {
 
 void check_promise(const std::vector<geometry::WeightedPoint>& points,
-                   const morskin::MeshOptions& options = {}) {
+                   const morskin::MeshingOptions& options = {}) {
   const support::Outcome outcome = support::outcome_of(points, options);
   CHECK_MESSAGE(outcome.kind != support::Outcome::Kind::Failed, outcome.why);
 }

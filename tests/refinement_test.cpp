@@ -28,9 +28,9 @@ Mesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
 }
 
 Mesh refined_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  morskin::MeshOptions options = support::with(sizing);
-  options.certify = false;
-  return support::skin_mesh(skin.surface, morskin::mesh_skin(skin, options));
+  morskin::MeshingOptions options = support::with(sizing);
+  options.has_safety_net = false;
+  return support::skin_mesh(skin.surface, morskin::make_mesh(skin, options));
 }
 
 RefinementCounts refine_mesh(const PreparedSkin& skin, Mesh& mesh, const Sizing& sizing = {}) {
@@ -236,7 +236,7 @@ TEST_CASE("refinement in two halves has one outcome for any number of threads") 
     check_refined(skin, alone);
     for (const unsigned threads : {2U, 3U}) {
       Mesh together = rough;
-      Refinement refinement(skin.surface, {}, together, threads);
+      Refinement refinement(skin.surface, {}, together, geometry::Run(threads));
       refinement.run();
       CHECK(refinement.counts().flip == counts.flip);
       CHECK(refinement.counts().insert == counts.insert);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
@@ -36,7 +36,7 @@ TEST_CASE(
       support::ball(-5.241, 24.175, 17.591, C),  support::ball(-4.425, 23.303, 18.503, C),
       support::ball(-3.361, 22.759, 18.121, O),  support::ball(-4.835, 23.151, 19.669, O),
   };
-  const auto result = morskin::mesh_skin(points);
+  const auto result = support::meshed(points);
   CHECK(result.certificate.reason == "");
   CHECK(result.certificate.certified);
   // The place is on the mesh.
@@ -55,7 +55,7 @@ TEST_CASE("vertices that nearly lie on one circle do not make the flips go round
     for (const char* const name :
          {"shell_hollow.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb"}) {
       CAPTURE(std::string(name));
-      const auto result = morskin::mesh_skin(support::molecule(name, model));
+      const auto result = support::meshed(support::molecule(name, model));
       CHECK(result.certificate.certified);
       CHECK(result.refinement.flip < result.mesh.triangles.size());
     }
@@ -71,7 +71,7 @@ TEST_CASE("a flat hole that is inside out does not start the sweep over the fini
                                                  {-5, -1, 2, 1},   {2, -6, 2, 1.5}};
   std::vector<geometry::WeightedPoint> points;
   for (const auto& [x, y, z, r] : balls) points.push_back({{x, y, z}, 2 * r * r});
-  const morskin::MeshResult result = morskin::mesh_skin(points);
+  const morskin::MeshResult result = support::meshed(points);
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
 }
 
@@ -80,9 +80,9 @@ TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the 
   for (const auto& [seed, direction] : {std::pair{44U, 2U}, std::pair{588U, 1U}}) {
     CAPTURE(seed);
     support::Random random(1000 * seed + direction);
-    morskin::MeshOptions options;
+    morskin::MeshingOptions options;
     options.function = morse::MorseFunction::height(random.direction());
-    const morskin::MeshResult result = morskin::mesh_skin(support::ball_set(seed), options);
+    const morskin::MeshResult result = support::meshed(support::ball_set(seed), options);
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -91,7 +91,7 @@ TEST_CASE("a corner is closed only where everything near it is in view") {
   // One corner closed made the next one small, and so on until a vertex lay in the way unseen.
   for (const unsigned seed : {1779U, 2889U}) {
     CAPTURE(seed);
-    const auto result = morskin::mesh_skin(support::ball_set(seed));
+    const auto result = support::meshed(support::ball_set(seed));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -99,7 +99,7 @@ TEST_CASE("a corner is closed only where everything near it is in view") {
 TEST_CASE("an edge flipped for a vertex that then stays is flipped back") {
   for (const unsigned seed : {1649U, 10393U, 10439U, 11314U}) {
     CAPTURE(seed);
-    const auto result = morskin::mesh_skin(support::ball_set(seed));
+    const auto result = support::meshed(support::ball_set(seed));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -177,8 +177,7 @@ TEST_CASE(
       {{2.3869677719932536, 2.9077684211565704, 1.013291118004187}, 6.7600282894000099},
       {{4.0258921106953256, 0.6494795022421429, 4.9123170525653217}, 1.8482486355199932}};
   constexpr double C = 0.35;
-  const auto result =
-      morskin::mesh_skin(points, support::with({C, certify::Sizing::quality_for(C)}));
+  const auto result = support::meshed(points, support::with({C, certify::Sizing::quality_for(C)}));
   CHECK(result.refinement.refused == 0);
   CHECK(result.certificate.violations_L == 0);
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);

@@ -14,7 +14,7 @@
 using namespace morskin;
 using geometry::VertexId;
 using morskin::Mesher;
-using morskin::MeshOptions;
+using morskin::MeshingOptions;
 using morskin::MeshResult;
 using morskin::MethodResult;
 using morskin::PreparedSkin;
@@ -36,8 +36,9 @@ WeightedPoints four_components() {
 template <class IsLost>
 Mesher sweep_without(IsLost is_lost) {
   auto count = std::make_shared<int>(0);
-  return [=](const PreparedSkin& skin, const MeshOptions& options) {
-    MethodResult result = morskin::sweep_method(skin, options);
+  return [=](const PreparedSkin& skin, const MeshingOptions& options, morskin::Observer& observer,
+             const morskin::Run& run) {
+    MethodResult result = morskin::sweep_method(skin, options, observer, run);
     ++*count;
     surface::Mesh broken;
     broken.points = result.mesh.points;
@@ -64,9 +65,9 @@ geometry::SurfaceMesh without_first_triangle(const geometry::SurfaceMesh& surfac
 }
 
 MeshResult mesh_by(const WeightedPoints& points, const Mesher& mesher) {
-  MeshOptions options;
+  MeshingOptions options;
   options.mesher = mesher;
-  return morskin::mesh_skin(points, options);
+  return support::meshed(points, options);
 }
 
 /// The positions of a mesh's vertices that are far out on one side, in order.
@@ -83,7 +84,7 @@ std::vector<std::array<double, 3>> far_out(const MeshResult& result, double side
 
 TEST_CASE("a component that the sweep spoils is swept in another direction") {
   const WeightedPoints points = four_components();
-  const MeshResult plain = morskin::mesh_skin(points);
+  const MeshResult plain = support::meshed(points);
   REQUIRE(plain.certificate.certified);
   CHECK(plain.fallbacks.empty());
   const MeshResult mended = mesh_by(points, sweep_without([](const auto& p, int sweeps) {
@@ -114,14 +115,16 @@ TEST_CASE("a component that the sweep does not find at all is meshed by the stat
       mesh_by(four_components(), sweep_without([](const auto& p, int) { return p.x() < -50; }));
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 1);
-  CHECK(mended.fallbacks[0].to == "static");
+  REQUIRE(mended.fallbacks[0].replacement);
+  CHECK(mended.fallbacks[0].replacement->method == morskin::Method::Static);
 }
 
 TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
   // As sweep_method() does: what is open is not refined at all.
-  const Mesher mesher = [sweeps = std::make_shared<int>(0)](const PreparedSkin& skin,
-                                                            const MeshOptions& options) {
-    if (++*sweeps > 1) return morskin::sweep_method(skin, options);
+  const Mesher mesher = [sweeps = std::make_shared<int>(0)](
+                            const PreparedSkin& skin, const MeshingOptions& options,
+                            morskin::Observer& observer, const morskin::Run& run) {
+    if (++*sweeps > 1) return morskin::sweep_method(skin, options, observer, run);
     const morse::Guide guide =
         morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
                           morskin::sphere_share(skin.surface, options.sizing));
@@ -136,13 +139,17 @@ TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
   CHECK(mended.certificate.certified);
   CHECK(mended.certificate.restricted_delaunay_violations == 0);
   CHECK(mended.fallbacks.size() == 4);
-  for (const morskin::Fallback& f : mended.fallbacks) CHECK(f.to.starts_with("sweep along"));
+  for (const morskin::Fallback& f : mended.fallbacks) {
+    REQUIRE(f.replacement);
+    CHECK(f.replacement->method == morskin::Method::Sweep);
+  }
 }
 
 TEST_CASE("a mesh that runs from one component to another is replaced on both") {
   // One triangle between the two balls.
-  const Mesher joining = [](const PreparedSkin& skin, const MeshOptions& options) {
-    MethodResult result = morskin::sweep_method(skin, options);
+  const Mesher joining = [](const PreparedSkin& skin, const MeshingOptions& options,
+                            morskin::Observer& observer, const morskin::Run& run) {
+    MethodResult result = morskin::sweep_method(skin, options, observer, run);
     const auto by_x = [](const auto& p, const auto& q) { return p.position.x() < q.position.x(); };
     const auto& points = result.mesh.points;
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_x);
@@ -166,28 +173,29 @@ TEST_CASE("the net holds in the nasty case of two components that nearly touch")
       mesh_by(points, sweep_without([](const auto& p, int) { return p.x() < 0.3; }));
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 1);
-  CHECK(mended.fallbacks[0].to == "static");
+  REQUIRE(mended.fallbacks[0].replacement);
+  CHECK(mended.fallbacks[0].replacement->method == morskin::Method::Static);
 }
 
 TEST_CASE("when nothing helps the report says so and the mesh stays as it was") {
-  MeshOptions options;
+  MeshingOptions options;
   options.sizing = {.C = 0.9, .Q = 1.9};  // triangles as big as the surface's features
-  const MeshResult result = morskin::mesh_skin(support::octahedron_balls(), options);
+  const MeshResult result = support::meshed(support::octahedron_balls(), options);
   CHECK_FALSE(result.certificate.certified);
   REQUIRE(result.fallbacks.size() == 1);
-  CHECK(result.fallbacks[0].to == "nothing");
+  CHECK_FALSE(result.fallbacks[0].replacement);
 }
 
 TEST_CASE("what other methods and narrow guards do is not mended") {
-  MeshOptions options;
+  MeshingOptions options;
   options.method = morskin::Method::Static;
   options.mesher = sweep_without([](const auto&, int) { return true; });
-  MeshResult result = morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  MeshResult result = support::meshed({support::ball(0, 0, 0, 1)}, options);
   CHECK_FALSE(result.certificate.certified);
   CHECK(result.fallbacks.empty());
   options.method = morskin::Method::Sweep;
   options.guard = front::Guard::Spheres;
-  result = morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options);
+  result = support::meshed({support::ball(0, 0, 0, 1)}, options);
   CHECK_FALSE(result.certificate.certified);
   CHECK(result.fallbacks.empty());
 }

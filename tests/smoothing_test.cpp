@@ -19,9 +19,9 @@ constexpr double goal_deg = 30;
 
 /// A mesh of the sweep, refined and not smoothed.
 Mesh rough_mesh(const PreparedSkin& skin) {
-  morskin::MeshOptions options = support::uncertified();
+  morskin::MeshingOptions options = support::uncertified();
   options.angle_goal_deg = 0;
-  return support::skin_mesh(skin.surface, morskin::mesh_skin(skin, options));
+  return support::skin_mesh(skin.surface, morskin::make_mesh(skin, options));
 }
 
 geometry::IndexedMesh indexed(const Mesh& mesh) {
@@ -121,8 +121,8 @@ TEST_CASE("smoothing is the same with any number of threads") {
       morskin::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
   Mesh first = rough_mesh(skin);
   Mesh second = first;
-  smooth(skin.surface, {}, first, goal_deg, 1);
-  smooth(skin.surface, {}, second, goal_deg, 3);
+  smooth(skin.surface, {}, first, goal_deg, geometry::Run(1));
+  smooth(skin.surface, {}, second, goal_deg, geometry::Run(3));
   CHECK(indexed(first).positions == indexed(second).positions);
 }
 
@@ -133,13 +133,15 @@ TEST_CASE("smoothing in many small blocks keeps every law, and is the same in an
     Mesh mesh = rough_mesh(skin);
     Mesh other = mesh;
     const auto before = mesh.surface.triangle_list();
-    const SmoothingCounts counts = smooth(skin.surface, {}, mesh, goal_deg, 1, least_block);
+    const SmoothingCounts counts =
+        smooth(skin.surface, {}, mesh, goal_deg, geometry::Run(1), least_block);
     moved += counts.moved;
     CHECK(counts.left == 0);
     CHECK(mesh.surface.triangle_list() == before);
     CHECK(certificate(skin, mesh).reason == "");
     CHECK(restricted_delaunay(indexed(mesh), skin.surface, mesh.points).violations == 0);
-    CHECK(smooth(skin.surface, {}, other, goal_deg, 4, least_block).moved == counts.moved);
+    CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), least_block).moved ==
+          counts.moved);
     CHECK(indexed(mesh).positions == indexed(other).positions);
   }
   CHECK(moved > 20);

@@ -6,20 +6,20 @@
 #include <cstdio>
 #include <string>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
 
 using namespace morskin;
-using morskin::MeshOptions;
+using morskin::MeshingOptions;
 using morskin::Method;
 using support::Outcome;
 
 namespace {
 
-MeshOptions by_static_method() {
-  MeshOptions options;
+MeshingOptions by_static_method() {
+  MeshingOptions options;
   options.method = Method::Static;
   return options;
 }
@@ -77,9 +77,9 @@ TEST_CASE("the static method breaks what the certificate could not prove of a co
     if (!skin) continue;
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
-      MeshOptions options = by_static_method();
+      MeshingOptions options = by_static_method();
       options.sizing = {C, certify::Sizing::quality_for(C)};
-      const morskin::MeshResult result = morskin::mesh_skin(*skin, options);
+      const morskin::MeshResult result = morskin::make_mesh(*skin, options);
       CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
     }
   }
@@ -89,9 +89,9 @@ TEST_CASE("samples too near to others, which the topology took, do not stay in a
   // With C = 0.4 an edge or two of crambin's broke [L].
   for (const skin::Model model : {skin::Model::Paper, skin::Model::Vdw}) {
     CAPTURE(std::string(skin::name_of(model)));
-    MeshOptions options = by_static_method();
+    MeshingOptions options = by_static_method();
     options.sizing = {0.4, certify::Sizing::quality_for(0.4)};
-    const auto result = morskin::mesh_skin(support::molecule("1crn.pdb", model), options);
+    const auto result = support::meshed(support::molecule("1crn.pdb", model), options);
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
     CHECK(result.certificate.violations_L == 0);
   }
@@ -99,40 +99,30 @@ TEST_CASE("samples too near to others, which the topology took, do not stay in a
 
 TEST_CASE("the static method gives the same bytes every time") {
   const auto points = support::molecule("caffeine.xyz", skin::Model::Paper);
-  const auto first = morskin::mesh_skin(points, by_static_method());
-  morskin::mesh_skin(support::ball_set(1), by_static_method());
-  MeshOptions one_thread = by_static_method();
-  one_thread.threads = 1;
-  const auto second = morskin::mesh_skin(points, one_thread);
+  const auto first = support::meshed(points, by_static_method());
+  support::meshed(support::ball_set(1), by_static_method());
+  const auto second = support::meshed(points, by_static_method(), morskin::Run(2));
   CHECK(first.mesh.triangles == second.mesh.triangles);
   CHECK(first.mesh.positions == second.mesh.positions);
 }
 
 TEST_CASE("the static method tells how many samples there are, more each time") {
   std::vector<std::size_t> told;
-  MeshOptions options = by_static_method();
+  MeshingOptions options = by_static_method();
   options.sizing.C = 0.04;
-  options.progress = [&](std::string_view stage, double) {
+  const morskin::Run run(1, [&](std::string_view stage, double) {
     std::size_t samples = 0;
     if (std::sscanf(std::string(stage).c_str(), "refine, %zu samples", &samples) == 1) {
       told.push_back(samples);
     }
-  };
+  });
   const auto result =
-      morskin::mesh_skin(support::molecule("caffeine.xyz", skin::Model::Vdw), options);
+      support::meshed(support::molecule("caffeine.xyz", skin::Model::Vdw), options, run);
   REQUIRE(told.size() > 1);
   CHECK(std::ranges::is_sorted(told));
   CHECK(std::ranges::adjacent_find(told) == told.end());
   CHECK(told.back() <= result.mesh.positions.size());
   CHECK(2 * told.back() > result.mesh.positions.size());
-}
-
-TEST_CASE("a method that lives outside the library is refused without its mesher") {
-  MeshOptions options;
-  options.method = Method::Dynamic;
-  CHECK_THROWS_AS(morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options), geometry::RefusedInput);
-  options.mesher = static_method;
-  CHECK(morskin::mesh_skin({support::ball(0, 0, 0, 1)}, options).certificate.certified);
 }
 
 TEST_SUITE("slow") {

@@ -36,7 +36,7 @@ struct Message {
   std::array<char, 400> why;
 };
 
-[[noreturn]] void run_child(unsigned seed, const morskin::MeshOptions& options, int pipe) {
+[[noreturn]] void run_child(unsigned seed, const morskin::MeshingOptions& options, int pipe) {
   const rlimit work{most_seconds, most_seconds};
   ::setrlimit(RLIMIT_CPU, &work);
   ::alarm(most_waiting * most_seconds);
@@ -47,7 +47,7 @@ struct Message {
   ::_exit(is_told ? 0 : 1);
 }
 
-Outcome run_set(unsigned seed, const morskin::MeshOptions& options) {
+Outcome run_set(unsigned seed, const morskin::MeshingOptions& options) {
   int ends[2];
   if (::pipe(ends) != 0) return {Outcome::Kind::Failed, "no pipe", 0};
   const pid_t child = ::fork();
@@ -84,7 +84,7 @@ void print(const char* name, const Tally& tally) {
               tally.certified, tally.singular, tally.failed, tally.triangles);
 }
 
-int run_all(unsigned sets, unsigned first, const morskin::MeshOptions& options) {
+int run_all(unsigned sets, unsigned first, const morskin::MeshingOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
@@ -120,7 +120,7 @@ int main(int count, char** words) {
     std::fputs(skin::xyzr_text(support::nasty_set(number(words[2]))).c_str(), stdout);
     return EXIT_SUCCESS;
   }
-  morskin::MeshOptions options;
+  morskin::MeshingOptions options;
   const auto method = count >= 4 ? morskin::parse_method(words[3]) : options.method;
   if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
   if (count < 2 || count > 5 || number(words[1]) == 0 || !method || !(options.sizing.C > 0)) {

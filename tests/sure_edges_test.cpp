@@ -69,7 +69,7 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
   std::size_t seen = 0, seen_quickly = 0;
   for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
     const auto skin = morskin::prepare_skin(support::molecule(file, skin::Model::Vdw));
-    const auto mesh = morskin::mesh_skin(skin, support::uncertified());
+    const auto mesh = morskin::make_mesh(skin, support::uncertified());
     support::Random random(7);
     for (int i = 0; i < 40000; ++i) {
       const std::size_t v = random.below(mesh.cells.size());
@@ -97,7 +97,7 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
 TEST_CASE("nearly all edges of a refined mesh are sure") {
   const auto skin = morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
   const auto mesh =
-      support::skin_mesh(skin.surface, morskin::mesh_skin(skin, support::uncertified()));
+      support::skin_mesh(skin.surface, morskin::make_mesh(skin, support::uncertified()));
   SureEdges sure(mesh.surface.triangle_count());
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});

@@ -19,7 +19,7 @@ TEST_CASE("a skin obeys the laws of a surface") {
 TEST_CASE("a level set of growing balls obeys the laws of a surface") {
   for (unsigned seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
-    const skin::SkinSurface skin(support::ball_set(seed), {}, skin::MixedComplex::Keep::All);
+    const skin::SkinSurface skin(support::ball_set(seed), skin::MixedComplex::Keep::All);
     support::check_surface_laws(skin::LevelSet(skin, 0.7), seed, 1e-9);
     support::check_surface_laws(skin::LevelSet(skin, -0.1), seed, 1e-9);
   }

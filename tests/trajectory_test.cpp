@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;

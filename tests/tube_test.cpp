@@ -61,9 +61,9 @@ TEST_CASE("what is proved of a triangle holds at each of its points, and so does
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
-    morskin::MeshOptions options = support::uncertified();
+    morskin::MeshingOptions options = support::uncertified();
     options.sizing = {0.2, certify::Sizing::quality_for(0.2)};
-    const auto mesh = support::skin_mesh(skin->surface, morskin::mesh_skin(*skin, options));
+    const auto mesh = support::skin_mesh(skin->surface, morskin::make_mesh(*skin, options));
     support::Random random(seed);
     for (int i = 0; i < 200; ++i) {
       // A vertex and two points of the skin about it, up to a length scale off.

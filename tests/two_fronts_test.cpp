@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "morse/make_guide.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -24,7 +24,7 @@ struct Swept {
                               certify::Sizing{}.tangent_disk_share());
   }
   SweepResult sweep(unsigned threads) const {
-    return sweep_from_both_ends(skin->surface, guide, {}, threads);
+    return sweep_from_both_ends(skin->surface, guide, {}, {}, geometry::Run(threads));
   }
 
   std::optional<PreparedSkin> skin;
@@ -38,7 +38,7 @@ TEST_CASE("two fronts leave a closed mesh of the same surface that one front lea
     CAPTURE(seed);
     const auto skin = support::prepared(support::ball_set(seed));
     if (!skin) continue;
-    MeshOptions one, two;
+    MeshingOptions one, two;
     one.fronts = 1;
     const MeshResult a = mesh_skin(*skin, one), b = mesh_skin(*skin, two);
     CHECK_MESSAGE(a.certificate.certified, a.certificate.reason);

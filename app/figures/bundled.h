@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/prepared_skin.h"
 #include "skin/model.h"
 #include "skin/molecule.h"
 

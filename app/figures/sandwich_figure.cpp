@@ -8,7 +8,7 @@
 
 #include "app/figures/figures.h"
 #include "app/figures/panels.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/prepared_skin.h"
 
 namespace morskin::figures {
 namespace {

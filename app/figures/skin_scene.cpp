@@ -44,11 +44,10 @@ MeshLayer backdrop(const morskin::PreparedSkin& skin, const morse::MorseFunction
 
 morskin::MeshResult meshed(const morskin::PreparedSkin& skin, double C,
                            const std::optional<morse::MorseFunction>& function) {
-  morskin::MeshOptions options;
+  morskin::MeshingOptions options;
   options.sizing.C = C;
   options.function = function;
-  options.certify = false;
-  return morskin::mesh_skin(skin, options);
+  return morskin::make_mesh(skin, options);
 }
 
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points,

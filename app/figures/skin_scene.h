@@ -4,7 +4,7 @@
 
 #include "app/figures/panels.h"
 #include "morse/morse_smale_complex.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 
 namespace morskin::figures {
 
@@ -16,7 +16,7 @@ MeshLayer skin_layer(const surface::Mesh& mesh, std::size_t triangles);
 MeshLayer backdrop(const morskin::PreparedSkin& skin, const morse::MorseFunction& function,
                    double inwards);
 
-/// @param C, function  as in morskin::MeshOptions; uncertified
+/// @param C, function  as in morskin::MeshingOptions
 morskin::MeshResult meshed(const morskin::PreparedSkin& skin, double C,
                            const std::optional<morse::MorseFunction>& function = {});
 

@@ -1,21 +1,31 @@
 #include "app/figures/sweep_events.h"
 
-#include "morse/make_guide.h"
-
 namespace morskin::figures {
+namespace {
+
+class Recorder : public morskin::Observer {
+ public:
+  explicit Recorder(RecordedSweep& record)
+      : record_(record), operations_([&record](front::Operation operation, std::size_t triangles) {
+          const std::size_t before = record.events.empty() ? 0 : record.events.back().after;
+          record.events.push_back({operation, before, triangles});
+        }) {}
+
+  void guided(const morse::Guide& guide) override { record_.guide = guide; }
+  std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_}; }
+  void swept(const surface::Mesh& mesh) override { record_.mesh = mesh; }
+
+ private:
+  RecordedSweep& record_;
+  front::OperationObserver operations_;
+};
+
+}  // namespace
 
 RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, double C) {
   RecordedSweep record;
-  const certify::Sizing sizing{.C = C};
-  std::size_t before = 0;
-  front::OperationObserver recorder([&](front::Operation operation, std::size_t triangles) {
-    record.events.push_back({operation, before, triangles});
-    before = triangles;
-  });
-  record.guide = morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                                   sizing.tangent_disk_share());
-  record.mesh =
-      front::sweep_once(skin.surface, record.guide, {.sizing = sizing}, {}, {&recorder}).mesh;
+  Recorder recorder(record);
+  morskin::make_mesh(skin, {.sizing = {.C = C}, .fronts = 1}, recorder);
   return record;
 }
 

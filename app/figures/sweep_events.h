@@ -3,9 +3,8 @@
 /// A sweep taken down as it happens. Triangles are only ever added, so a state of the sweep is a
 /// number of triangles, and its front the edges that only one of them has.
 
-#include "front/two_fronts.h"
 #include "morse/guide.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 
 namespace morskin::figures {
 

@@ -1,21 +1,18 @@
 #include "bench/baselines/dynamic_skin.h"
 
-#include "geometry/stopwatch.h"
-
 namespace morskin::baselines {
 
 morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) {
-  return [growth, counts](const morskin::PreparedSkin& skin, const morskin::MeshOptions& options) {
+  return [growth, counts](const morskin::PreparedSkin& skin, const morskin::MeshingOptions& options,
+                          morskin::Observer&, const morskin::Run& run) {
     GrowthOptions growing = growth;
     growing.sizing = options.sizing;
-    if (options.progress) {
-      growing.progress = [&](double share) { options.progress("grow", share); };
-    }
+    growing.progress = [&](double share) { run.report(share); };
     morskin::MethodResult result;
     bool has_failed = false;
-    geometry::timed(result.seconds.sweep, [&] {
+    run.stage("grow", [&] {
       // The skins of all times pass through all cells.
-      const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
+      const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All);
       if (growing.kept != nullptr) growing.kept->clear();
       Growth run(surface, growing);
       run.run();
@@ -27,9 +24,8 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
       has_failed = run.counts().failed > 0;
     });
     if (has_failed) return result;  // not certified, and not to be refined: there may be a hole
-    geometry::timed(result.seconds.refine, [&] {
-      if (options.progress) options.progress("refine", 0);
-      refine::Refinement refinement(skin.surface, options.sizing, result.mesh, options.threads);
+    run.stage("refine", [&] {
+      refine::Refinement refinement(skin.surface, options.sizing, result.mesh, run);
       refinement.run();
       result.refinement = refinement.counts();
     });

@@ -11,7 +11,6 @@
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
 #include "geometry/error.h"
-#include "geometry/stopwatch.h"
 
 namespace morskin::baselines {
 
@@ -196,10 +195,10 @@ double step_like_sweep(const skin::SkinSurface& skin, const certify::Sizing& siz
 }
 
 morskin::Mesher marching_cubes_mesher(double step) {
-  return [step](const morskin::PreparedSkin& skin, const morskin::MeshOptions& options) {
-    if (options.progress) options.progress("marching cubes", 0);
+  return [step](const morskin::PreparedSkin& skin, const morskin::MeshingOptions&,
+                morskin::Observer&, const morskin::Run& run) {
     morskin::MethodResult result;
-    geometry::timed(result.seconds.sweep, [&] {
+    run.stage("marching cubes", [&] {
       const GridMesh made = marching_cubes(skin.surface, step);
       result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;
       result.mesh.points.reserve(made.cells.size());

@@ -4,14 +4,14 @@
 // alone: [L], [U], so angles above arcsin(1 / Q^2), and as many components and handles as the balls
 // have. Then a triangle is turned round, a vertex is moved by a hundredth, a ball is left out.
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "papers/steps/step.h"
 
 int main() {
   using namespace morskin;
   const morskin::PreparedSkin skin =
       morskin::prepare_skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}, {{6, 0, 0}, 1.5}});
-  const geometry::IndexedMesh mesh = morskin::mesh_skin(skin).mesh;
+  const geometry::IndexedMesh mesh = morskin::make_mesh(skin).mesh;
   const certify::Certificate good = certify::certify(mesh, skin.surface, skin.topology);
   std::printf("[L] %.3f (above 1), [U] %.3f (below 1), smallest angle %.1f (bound %.2f)\n",
               good.worst_L, good.worst_U, good.min_angle_deg, certify::Sizing{}.least_angle_deg());

@@ -8,7 +8,7 @@
 
 #include "front/two_fronts.h"
 #include "morse/make_guide.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "papers/steps/step.h"
 #include "refine/refinement.h"
 

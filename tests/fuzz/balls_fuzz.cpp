@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (balls.empty()) return 0;
   // A coarse mesh takes less time; with Q = 1.65 the theory ends at C = 0.109.
   constexpr std::array coarse{0.15, 0.2, 0.25, 0.3};
-  morskin::MeshOptions options;
+  morskin::MeshingOptions options;
   options.sizing.C = size % 8 == 1 ? coarse[data[size - 1] % coarse.size()] : 0.1;
   options.sizing.Q = certify::Sizing::quality_for(options.sizing.C);
   const auto points = support::weighted(balls);

@@ -1,11 +1,12 @@
+#include <morskin/morskin.h>
+
 #include <cstdio>
 
-#include "morskin/mesh_skin.h"
-
 int main() {
-  // Two balls by centre (Angstrom) and weight (Angstrom^2).
-  const morskin::MeshResult result = morskin::mesh_skin({{{0, 0, 0}, 4.0}, {{1.5, 0, 0}, 5.0}});
-  std::printf("%zu triangles, smallest angle %.1f degrees, %s\n", result.mesh.triangles.size(),
-              result.certificate.min_angle_deg, result.certificate.reason.c_str());
-  return result.certificate.certified ? 0 : 1;
+  const morskin::Skin skin({{{{0, 0, 0}, 1.4}, {{1.5, 0, 0}, 1.6}}},
+                           {.model = morskin::Model::Vdw});
+  const morskin::SkinMesh mesh = skin.mesh({.C = 0.1});
+  std::printf("%zu triangles, smallest angle %.1f degrees, %s\n", mesh.triangles().triangles.size(),
+              mesh.certificate().min_angle_deg, mesh.certificate().reason.c_str());
+  return mesh.certificate().certified ? 0 : 1;
 }

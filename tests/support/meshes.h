@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/surface_mesh.h"
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/singular_skin.h"
 #include "surface/mesh.h"
 #include "tests/support/molecules.h"
@@ -80,20 +80,33 @@ inline std::optional<morskin::PreparedSkin> prepared(const WeightedPoints& point
   }
 }
 
-inline morskin::MeshOptions along(const geometry::Vector& height) {
-  morskin::MeshOptions options;
+inline morskin::MeshingOptions along(const geometry::Vector& height) {
+  morskin::MeshingOptions options;
   options.function = morse::MorseFunction::height(height);
   return options;
 }
-inline morskin::MeshOptions with(const certify::Sizing& sizing) {
-  morskin::MeshOptions options;
+inline morskin::MeshingOptions with(const certify::Sizing& sizing) {
+  morskin::MeshingOptions options;
   options.sizing = sizing;
   return options;
 }
-inline morskin::MeshOptions uncertified() {
-  morskin::MeshOptions options;
-  options.certify = false;
+/// As the method made it, certified or not.
+inline morskin::MeshingOptions uncertified() {
+  morskin::MeshingOptions options;
+  options.has_safety_net = false;
   return options;
+}
+
+/// Meshed and certified; the skin is gone, so nothing is to be asked of the cells.
+inline morskin::MeshResult meshed(const std::vector<geometry::WeightedPoint>& points,
+                                  const morskin::MeshingOptions& options = {},
+                                  const morskin::Run& run = morskin::Run()) {
+  return morskin::make_mesh(morskin::prepare_skin(points), options, run);
+}
+
+/// What critical points add up to.
+inline long euler_characteristic(const morskin::CriticalCounts& counts) {
+  return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1]);
 }
 
 }  // namespace morskin::support

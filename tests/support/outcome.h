@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/singular_skin.h"
+#include "tests/support/meshes.h"
 
 namespace morskin::support {
 
@@ -18,17 +19,16 @@ struct Outcome {
 /// Meshes and certifies; what the promise of the program forbids is a failure: no certificate, an
 /// angle below the bound, critical points that do not add up, a refusal for another reason.
 inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
-                          const morskin::MeshOptions& options = {}) {
+                          const morskin::MeshingOptions& options = {}) {
   using Kind = Outcome::Kind;
   try {
-    const morskin::MeshResult result = morskin::mesh_skin(points, options);
+    const morskin::MeshResult result = support::meshed(points, options);
     const certify::Certificate& certificate = result.certificate;
     if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
     if (!(certificate.min_angle_deg > options.sizing.least_angle_deg())) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};
     }
-    if (certificate.euler_characteristic !=
-        static_cast<long>(result.minima + result.maxima) - static_cast<long>(result.saddles)) {
+    if (certificate.euler_characteristic != support::euler_characteristic(result.critical_points)) {
       return {Kind::Failed, "critical points that do not add up", certificate.triangles};
     }
     return {Kind::Certified, {}, certificate.triangles};

@@ -21,7 +21,7 @@ TEST_CASE("3.1-morse-functions, predict: the counts are those of a neck between 
 }
 
 TEST_CASE("3.1-morse-functions, run: caffeine has as many saddles" * until(caffeine_saddles)) {
-  CHECK(*caffeine_saddles == static_cast<long>(meshed("caffeine.xyz").saddles));
+  CHECK(*caffeine_saddles == static_cast<long>(meshed("caffeine.xyz").critical_points[1]));
 }
 
 TEST_CASE("3.1-morse-functions, explain: lambda is the length scale at every critical point" *

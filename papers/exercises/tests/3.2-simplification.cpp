@@ -18,7 +18,7 @@ TEST_CASE("3.2-simplification, predict: so many critical points are left on gram
 }
 
 TEST_CASE("3.2-simplification, run: so many saddles survive on 9DNA" * until(saddles_left)) {
-  CHECK(*saddles_left == static_cast<long>(meshed("9dna.pdb").surviving_saddles));
+  CHECK(*saddles_left == static_cast<long>(meshed("9dna.pdb").surviving_points[1]));
 }
 
 TEST_CASE("3.2-simplification, explain: the least persistent pair may always go, never the elder" *

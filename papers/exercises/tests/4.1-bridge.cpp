@@ -8,7 +8,7 @@ using namespace morskin::course;
 
 TEST_CASE("4.1-bridge, predict: so many bridges are built on a ring" * until(ring_bridges)) {
   const morskin::MeshResult ring = meshed("ring12.xyzr", one_front(), skin::Model::Vdw);
-  REQUIRE(ring.surviving_saddles == 2);
+  REQUIRE(ring.surviving_points[1] == 2);
   CHECK(*ring_bridges == static_cast<long>(ring.operations.bridge));
 }
 

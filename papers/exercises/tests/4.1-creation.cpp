@@ -11,15 +11,18 @@ using namespace morskin::course;
 
 TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the first creep" *
           until(triangles_of_bowls)) {
-  morskin::MeshOptions options = one_front();
-  options.certify = false;
-  long triangles = 0;
-  options.snapshot_values = {-1e9};  // shown before the first departure
-  options.snapshot = [&](const front::Snapshot& state) {
-    triangles = static_cast<long>(state.mesh.surface.triangle_count());
-  };
-  meshed("cube8.xyzr", options);
-  CHECK(*triangles_of_bowls == triangles);
+  // As they are at the first departure.
+  class Bowls : public morskin::Observer, public front::SweepObserver {
+   public:
+    long triangles = 0;
+    std::vector<front::SweepObserver*> sweep_observers() override { return {this}; }
+    void departed(const front::Departure&, const front::Front& front) override {
+      if (triangles == 0) triangles = static_cast<long>(front.mesh().surface.triangle_count());
+    }
+  } bowls_of_cube;
+  morskin::make_mesh(morskin::prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper)),
+                     one_front(), bowls_of_cube);
+  CHECK(*triangles_of_bowls == bowls_of_cube.triangles);
 }
 
 TEST_CASE("4.1-creation, run: so many bowls are made on 9DNA" * until(bowls)) {

@@ -9,7 +9,7 @@ using namespace morskin::course;
 
 TEST_CASE("4.2-curvature-adaptation, predict: a lone ball has so many triangles, within 15 %" *
           until(triangles_on_a_ball)) {
-  const auto result = morskin::mesh_skin({support::ball(0, 0, 0, 1)});
+  const auto result = support::meshed({support::ball(0, 0, 0, 1)});
   CHECK(static_cast<double>(result.certificate.triangles) ==
         doctest::Approx(*triangles_on_a_ball).epsilon(0.15));
 }

@@ -13,7 +13,7 @@ TEST_CASE("5-results, predict: so many seconds, with as many triangles in each, 
 }
 
 TEST_CASE("5-results, run: the smallest angle of 9DNA as printed" * until(smallest_angle_deg)) {
-  morskin::MeshOptions options = one_front();
+  morskin::MeshingOptions options = one_front();
   options.angle_goal_deg = 0;
   const double smallest = meshed("9dna.pdb", options).certificate.min_angle_deg;
   CHECK(std::abs(*smallest_angle_deg - smallest) < 0.01);

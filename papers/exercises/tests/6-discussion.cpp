@@ -18,11 +18,11 @@ TEST_CASE("6-discussion, predict: the critical points of a distance on the cube 
 
 TEST_CASE("6-discussion, run: the distance has so many minima, and the mesh is certified" *
           until(distance_minima)) {
-  morskin::MeshOptions options;
+  morskin::MeshingOptions options;
   options.function = morse::MorseFunction::squared_distance({0, 0, 0});
   const morskin::MeshResult result = meshed("caffeine.xyz", options);
   CHECK(result.certificate.certified);
-  CHECK(*distance_minima == static_cast<long>(result.minima));
+  CHECK(*distance_minima == static_cast<long>(result.critical_points[0]));
 }
 
 TEST_CASE("6-discussion, explain: from far away the distance is the height" * until(as_height)) {

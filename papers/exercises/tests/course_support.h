@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "morskin/mesh_skin.h"
+#include "morskin/pipeline.h"
 #include "papers/exercises/course.h"
 #include "tests/support/meshes.h"
 #include "tests/support/molecules.h"
@@ -20,15 +20,16 @@ doctest::skip until(const Answers&... answers) {
 }
 
 /// Algorithm 1 as printed.
-inline morskin::MeshOptions one_front() {
-  morskin::MeshOptions options;
+inline morskin::MeshingOptions one_front() {
+  morskin::MeshingOptions options;
   options.fronts = 1;
   return options;
 }
 
-inline morskin::MeshResult meshed(std::string_view file, const morskin::MeshOptions& options = {},
+inline morskin::MeshResult meshed(std::string_view file,
+                                  const morskin::MeshingOptions& options = {},
                                   skin::Model model = skin::Model::Paper) {
-  return morskin::mesh_skin(support::molecule(file, model), options);
+  return support::meshed(support::molecule(file, model), options);
 }
 
 /// Skins of random ball sets.

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/arguments.h"
+#include "app/staged_outputs.h"
+#include "front/snapshots.h"
+#include "geometry/files/mesh_files.h"
+#include "morskin/observer.h"
+
+namespace morskin::app {
+
+/// Writes a mesh to its files, so that what is certified is what they hold; on the way it takes the
+/// snapshots that were asked for.
+class MeshDelivery : public morskin::Observer {
+ public:
+  /// @param arguments, outputs, files  must outlive this; the files are those of the mesh
+  MeshDelivery(const MeshArguments& arguments, StagedOutputs& outputs,
+               std::span<geometry::PendingFile> files)
+      : arguments_(arguments), outputs_(outputs), files_(files) {}
+
+  void guided(const morse::Guide& guide) override;
+  std::vector<front::SweepObserver*> sweep_observers() override;
+  /// Reads back the first file whose format keeps every coordinate; if there is none, the bytes
+  /// that a PLY file would have. Other such files must hold the same mesh.
+  Delivery deliver(geometry::IndexedMesh mesh) override;
+
+  /// What was read back.
+  const std::string& certified_file() const { return certified_file_; }
+  double seconds_writing() const { return seconds_writing_; }
+
+ private:
+  void read_back(Delivery& delivery);
+
+  const MeshArguments& arguments_;
+  StagedOutputs& outputs_;
+  std::span<geometry::PendingFile> files_;
+  std::optional<front::Snapshots> snapshots_;
+  std::size_t snapshots_written_ = 0;
+  std::string certified_file_;
+  double seconds_writing_ = 0;
+};
+
+/// The format that a name stands for; devices and pipes have no ending and take PLY.
+geometry::MeshFormat format_of(const std::filesystem::path& path);
+
+}  // namespace morskin::app

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace morskin {
+
+/// The library's ways of meshing a skin.
+enum class Method {
+  Sweep,   ///< Algorithm 1 of the paper: an advancing front along a Morse function
+  Static,  ///< restricted Delaunay refinement: slower, but surer where C is above 0.25
+};
+
+}  // namespace morskin

@@ -1,0 +1,193 @@
+#pragma once
+
+/// morskin, the library: molecules in, certified triangle meshes of their skins out.
+///
+///     const morskin::Skin skin(morskin::read_molecule("1crn.pdb"));
+///     const morskin::SkinMesh mesh = skin.mesh({.C = 0.2});
+///     if (mesh.certificate().certified) morskin::write_mesh(mesh.triangles(), "1crn.ply");
+///
+/// All lengths are in Angstrom. The library never prints and never exits; whatever goes wrong is an
+/// Error. The same input gives the same bytes on any number of threads. `papers/library.md` goes
+/// through every function with an example.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "morskin/mesh_method.h"
+
+namespace morskin {
+
+using Point = std::array<double, 3>;  ///< a place or a direction; Angstrom, or unit length
+
+/// What went wrong, in a sentence that names the file and its line, the atom or the option.
+class Error : public std::runtime_error {
+ public:
+  enum class Kind {
+    Unreadable,  ///< a file that is missing, damaged or of an unknown format
+    Refused,     ///< understood, but there is nothing that could be done with it
+    Singular,    ///< the skin touches itself in a point; `atoms` are those about it
+    Degenerate,  ///< the direction asked for is degenerate for this skin; take another
+    Limit,       ///< more than 32-bit ids can tell apart
+    Unwritable,  ///< a file that cannot be written; nothing half-written is left
+    Stopped,     ///< on request
+  };
+  Error(Kind kind, const std::string& text, std::vector<std::uint32_t> atoms = {})
+      : std::runtime_error(text), kind_(kind), atoms_(std::move(atoms)) {}
+
+  Kind kind() const { return kind_; }
+  const std::vector<std::uint32_t>& atoms() const { return atoms_; }
+
+ private:
+  Kind kind_;
+  std::vector<std::uint32_t> atoms_;
+};
+
+struct Atom {
+  Point position;
+  double radius;  ///< van der Waals, > 0
+};
+
+/// The atoms of a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order: of its first
+/// model, without water.
+/// @throws Error  Unreadable, Refused
+std::vector<Atom> read_molecule(const std::filesystem::path& file);
+
+/// How large a sphere the skin has about an atom of radius r that nothing else is near, with a
+/// probe of radius p.
+enum class Model {
+  Paper,  ///< sqrt(sqrt(2) (r + p) / 2), the number in Angstrom: as in the paper's Table 1
+  Sas,    ///< r + p: solvent-accessible
+  Vdw,    ///< r: van der Waals; also for spheres that are no atoms
+};
+
+/// Which of many skins of the same atoms.
+struct SkinOptions {
+  Model model = Model::Paper;
+  double probe = 1.4;  ///< Angstrom, >= 0
+};
+
+/// How it is done, which does not change what comes out.
+struct RunOptions {
+  unsigned threads = 1;  ///< at most
+  /// Called now and then, from one thread at a time, with what is being done and the share of it
+  /// that is done, 0 to 1, or below 0 where nobody can tell. May be empty.
+  std::function<void(std::string_view stage, double share)> progress = {};
+  std::stop_token stop = {};  ///< looked at wherever progress is reported
+};
+
+/// What mesh to make.
+struct MeshOptions {
+  double C = 0.08;  ///< how closely the mesh follows the skin; edges are about 2 C / Q to 3.5 C Q
+                    ///< times the local length scale long. 1e-5 <= C < Q / 2
+  std::optional<double> Q = {};  ///< > 1; without one the Q that goes with C: 1.65 up to C = 0.2
+  /// A larger length scale counts as this one: limits the triangles where the skin is flat.
+  double max_length_scale = std::numeric_limits<double>::infinity();
+  double angle_goal_deg = 30;  ///< vertices are moved until no angle is smaller; 0 to 60
+  Method method = Method::Sweep;
+  int fronts = 2;  ///< 2: swept from both ends at once; 1: from below, the paper's Algorithm 1
+  std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one
+};
+
+struct TriangleMesh {
+  std::vector<Point> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
+};
+
+/// A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.
+/// @throws Error  Unreadable
+TriangleMesh read_mesh(const std::filesystem::path& file);
+/// Writes PLY (binary), OFF, OBJ, STL or VTU, as the file's ending says, whole or not at all.
+/// @throws Error  Unwritable
+void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
+
+/// What is proved of a mesh and how good it is.
+struct Certificate {
+  bool certified = false;        ///< homeomorphic, and [L] and [U] of section 2.2 hold everywhere
+  bool is_homeomorphic = false;  ///< to the skin, even isotopic
+  std::string reason;            ///< why it is not certified; empty if it is
+  std::size_t components = 0;
+  long genus = 0;  ///< summed over components
+  double min_angle_deg = 0, max_angle_deg = 0;
+  double area = 0;                  ///< Angstrom^2
+  double volume = 0;                ///< Angstrom^3, voids taken off
+  double max_distance_to_skin = 0;  ///< of a vertex
+  std::size_t size_violations = 0;  ///< edges that break [L] and triangles that break [U]
+};
+
+/// The skin at a vertex of a mesh.
+struct SkinPoint {
+  Point normal;                      ///< unit, out of the body
+  double length_scale;               ///< the smallest radius of curvature
+  std::array<double, 2> curvatures;  ///< principal, 1/Angstrom, positive where the body is
+                                     ///< convex; the first is the larger in magnitude
+  std::uint32_t atom;                ///< nearest by power distance of those that shape the patch
+  std::uint32_t component;           ///< of the mesh, from 0 in the order of the vertices
+};
+
+class SkinMesh;
+
+/// A skin surface, prepared once; a handle that is cheap to copy. Safe to use from several threads.
+class Skin {
+ public:
+  /// @throws Error  Refused: no atoms, a radius or coordinate that is no number or out of range;
+  ///                Singular; Limit; Stopped
+  explicit Skin(std::span<const Atom> atoms, const SkinOptions& options = {},
+                const RunOptions& run = {});
+
+  std::size_t components() const;
+  std::size_t genus() const;  ///< summed over components
+
+  /// Meshes and certifies. Parts of a sweep that are not certified are made anew by other means;
+  /// what is not certified even then is there all the same, and its certificate says why.
+  /// @throws Error  Refused: options that make no sense; Degenerate; Limit; Stopped
+  SkinMesh mesh(const MeshOptions& options = {}, const RunOptions& run = {}) const;
+
+  /// Checks any mesh against this skin. It never throws for a bad mesh.
+  /// @param options  C, Q and max_length_scale that it was made with; the rest plays no part
+  Certificate certify(const TriangleMesh& mesh, const MeshOptions& options = {},
+                      const RunOptions& run = {}) const;
+
+  /// The skin at every vertex of a mesh that lies on it, by vertex.
+  /// @throws Error  Refused: a vertex that is not near the skin
+  std::vector<SkinPoint> points(const TriangleMesh& mesh) const;
+
+ private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// A mesh of a skin, together with the skin.
+class SkinMesh {
+ public:
+  const Skin& skin() const { return skin_; }
+  const TriangleMesh& triangles() const { return mesh_; }
+  const Certificate& certificate() const { return certificate_; }
+  /// What took the place of parts that were not certified at first, in words; empty in a good run.
+  const std::vector<std::string>& fallbacks() const { return fallbacks_; }
+  /// The skin at every vertex.
+  std::vector<SkinPoint> points() const { return skin_.points(mesh_); }
+
+ private:
+  friend class Skin;
+  explicit SkinMesh(Skin skin) : skin_(std::move(skin)) {}
+
+  Skin skin_;
+  TriangleMesh mesh_;
+  Certificate certificate_;
+  std::vector<std::string> fallbacks_;
+};
+
+}  // namespace morskin

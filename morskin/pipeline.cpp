@@ -1,0 +1,141 @@
+#include "morskin/pipeline.h"
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/parallel.h"
+#include "geometry/stopwatch.h"
+#include "morskin/safety_net.h"
+
+namespace morskin {
+
+namespace {
+
+using geometry::Vector;
+
+void check(const certify::Sizing& sizing) {
+  const double C = sizing.C, Q = sizing.Q;
+  if (!(C >= certify::Sizing::least_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
+        std::isfinite(Q))) {
+    throw geometry::RefusedInput("C and Q must satisfy C >= 1e-5, 2 C < Q and Q > 1");
+  }
+  if (!(sizing.largest_length_scale >= certify::Sizing::least_size)) {
+    throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
+  }
+}
+
+void check(const morse::MorseFunction& f) {
+  if (!f.direction.allFinite() || !f.origin.allFinite()) {
+    throw geometry::RefusedInput("the Morse function's direction or point is not finite");
+  }
+  if (f.is_height() && !(f.direction.norm() > 0)) {
+    throw geometry::RefusedInput("the height direction must be a vector that is not zero");
+  }
+}
+
+void check(const MeshingOptions& options) {
+  check(options.sizing);
+  if (options.function) check(*options.function);
+  if (options.fronts != 1 && options.fronts != 2) {
+    throw geometry::RefusedInput("there are one or two fronts, not " +
+                                 std::to_string(options.fronts));
+  }
+  if (!(options.angle_goal_deg >= 0 && options.angle_goal_deg <= 60)) {
+    throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
+  }
+}
+
+/// A mesh on its way from the mesher to the certificate, with what is known of it.
+struct Parcel {
+  geometry::IndexedMesh mesh;
+  std::vector<geometry::CellId> cells;      ///< by vertex
+  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; none when the safety net made it
+
+  /// Empties the mesh that it is made from, so that little is there twice.
+  Parcel(surface::Mesh& from, const Run& run) {
+    const auto list_triangles = [&] {
+      mesh.triangles = from.surface.triangle_list();
+      twins = from.surface.twins();
+      from.surface = {};
+    };
+    const auto list_vertices = [&] {
+      mesh.positions.reserve(from.points.size());
+      cells.reserve(from.points.size());
+      for (const surface::SurfacePoint& p : from.points) {
+        mesh.positions.push_back(p.position);
+        cells.push_back(p.cell);
+      }
+      std::vector<surface::SurfacePoint>().swap(from.points);
+    };
+    geometry::do_both(run.threads(), list_triangles, list_vertices);
+  }
+};
+
+/// Delivers a mesh and certifies what has arrived.
+class Delivering {
+ public:
+  Delivering(const PreparedSkin& skin, const certify::Sizing& sizing, Observer& observer,
+             const Run& run)
+      : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
+
+  void operator()(MeshResult& result, std::vector<geometry::HalfEdgeId> twins) const {
+    Observer::Delivery arrived =
+        run_.stage("deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {})); });
+    result.mesh = std::move(arrived.mesh);
+    result.certificate = run_.stage("certify", [&] {
+      return certify::certify(result.mesh, {std::move(twins), result.cells}, skin_.surface,
+                              skin_.topology, sizing_, run_);
+    });
+    if (arrived.defect.empty()) return;
+    result.certificate.certified = false;
+    result.certificate.reason = std::move(arrived.defect);
+  }
+
+ private:
+  const PreparedSkin& skin_;
+  const certify::Sizing& sizing_;
+  Observer& observer_;
+  const Run& run_;
+};
+
+}  // namespace
+
+MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
+                     const Run& run) {
+  check(options);
+  MethodResult made = run_method(skin, options, observer, run);
+  Parcel parcel(made.mesh, run);
+  MeshResult result{std::move(made), std::move(parcel.mesh), std::move(parcel.cells), {}, {}};
+  const Delivering deliver(skin, options.sizing, observer, run);
+  deliver(result, std::move(parcel.twins));
+  if (!result.certificate.certified && mend(skin, options, result, run)) deliver(result, {});
+  return result;
+}
+
+MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, const Run& run) {
+  Observer nobody;
+  return make_mesh(skin, options, nobody, run);
+}
+
+double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
+  constexpr double share = 0.1;
+  double checksum = 0;
+  double seconds = 0;
+  geometry::timed(seconds, [&] {
+    const std::size_t count = std::min(result.cells.size(), result.mesh.positions.size());
+    // [excerpt: floor]
+    for (std::size_t v = 0; v < count; ++v) {
+      const surface::SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
+      // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
+      Eigen::Index axis = 0;
+      p.normal.cwiseAbs().minCoeff(&axis);
+      const Vector tangent = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
+      const auto moved = skin.project(p.position + share * p.length_scale * tangent, p.cell);
+      if (moved) checksum += moved->length_scale;
+    }
+    // [/excerpt]
+  });
+  return checksum > 0 ? seconds : 0;  // uses the sum, so that the work is not optimised away
+}
+
+}  // namespace morskin

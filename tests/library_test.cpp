@@ -1,0 +1,189 @@
+// The library's face, as its users see it: only morskin/morskin.h and the standard library.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "morskin/morskin.h"
+#include "tests/support/temporary_folder.h"
+
+using morskin::Atom;
+using morskin::Error;
+using morskin::MeshOptions;
+using morskin::Point;
+using morskin::Skin;
+using morskin::SkinMesh;
+using morskin::SkinPoint;
+
+namespace {
+
+constexpr morskin::SkinOptions balls{.model = morskin::Model::Vdw};
+
+/// Two balls that make one piece, and one by itself.
+const std::vector<Atom> three_atoms{{{0, 0, 0}, 1.5}, {{2, 0.3, 0}, 1.2}, {{9, 0, 0}, 2}};
+
+Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+double dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+Point cross(const Point& p, const Point& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+/// What a call throws.
+template <class Call>
+std::optional<Error::Kind> kind_of(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()) != "");
+    return error.kind();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("a bundled molecule is read, meshed and certified, and its files hold the same mesh") {
+  const morskin::support::TemporaryFolder folder;
+  const auto atoms = morskin::read_molecule("bench/molecules/caffeine.xyz");
+  CHECK(atoms.size() == 24);
+  const SkinMesh mesh = Skin(atoms).mesh();
+  CHECK_MESSAGE(mesh.certificate().certified, mesh.certificate().reason);
+  CHECK(mesh.certificate().min_angle_deg > 29.9);
+  CHECK(mesh.certificate().components == mesh.skin().components());
+  CHECK(mesh.certificate().genus == static_cast<long>(mesh.skin().genus()));
+  CHECK(mesh.fallbacks().empty());
+  for (const char* name : {"a.ply", "a.off", "a.obj"}) {
+    morskin::write_mesh(mesh.triangles(), folder / name);
+    const morskin::TriangleMesh read = morskin::read_mesh(folder / name);
+    CHECK(read.vertices == mesh.triangles().vertices);
+    CHECK(read.triangles == mesh.triangles().triangles);
+    CHECK(mesh.skin().certify(read).certified);
+  }
+}
+
+TEST_CASE("threads, progress and the life of the skin change nothing of a mesh") {
+  std::set<std::string> stages;
+  const morskin::RunOptions watched{
+      .threads = 2, .progress = [&](std::string_view stage, double) { stages.emplace(stage); }};
+  const auto mesh_of = [&](const morskin::RunOptions& run) {
+    const Skin skin(three_atoms, balls, run);
+    return skin.mesh({.C = 0.1}, run);
+  };
+  const SkinMesh plain = mesh_of({}), other = mesh_of(watched);
+  CHECK(plain.triangles().vertices == other.triangles().vertices);
+  CHECK(plain.triangles().triangles == other.triangles().triangles);
+  for (const char* stage : {"triangulate", "mixed complex", "dual complex", "sweep", "certify"}) {
+    CHECK_MESSAGE(stages.contains(stage), stage);
+  }
+  CHECK(plain.points().size() == plain.triangles().vertices.size());
+}
+
+TEST_CASE("each vertex has the normal, the atom and the component that it must have") {
+  const Skin skin(three_atoms, balls);
+  CHECK(skin.components() == 2);
+  const SkinMesh mesh = skin.mesh();
+  const std::vector<SkinPoint> points = mesh.points();
+  std::set<std::uint32_t> atoms;
+  std::map<std::uint32_t, std::set<bool>> sides;  // by component
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Point& x = mesh.triangles().vertices[v];
+    const SkinPoint& p = points[v];
+    const bool is_alone = x[0] > 5;
+    CHECK(dot(p.normal, p.normal) == doctest::Approx(1));
+    CHECK((p.atom == 2) == is_alone);
+    atoms.insert(p.atom);
+    sides[p.component].insert(is_alone);
+    if (!is_alone) continue;
+    CHECK(p.length_scale == doctest::Approx(2));
+    CHECK(dot(p.normal, x - three_atoms[2].position) == doctest::Approx(2));
+    CHECK(p.curvatures[0] == doctest::Approx(0.5));
+    CHECK(p.curvatures[1] == doctest::Approx(0.5));
+  }
+  CHECK(atoms == std::set<std::uint32_t>{0, 1, 2});
+  CHECK(sides.size() == 2);
+  for (const auto& [component, side] : sides) CHECK(side.size() == 1);
+}
+
+TEST_CASE("the Gaussian curvature adds up to 2 pi times the Euler characteristic") {
+  // Balls, a ring with a hole, a hollow shell with a void: 2, 0 and 4.
+  for (const auto& [name, characteristic] :
+       {std::pair{"two_balls.xyzr", 2}, {"ring12.xyzr", 0}, {"shell_hollow.xyzr", 4}}) {
+    CAPTURE(name);
+    const auto atoms = morskin::read_molecule(std::string("bench/molecules/") + name);
+    const Skin skin(atoms, balls);
+    CHECK(2 * static_cast<long>(skin.components()) - 2 * static_cast<long>(skin.genus()) ==
+          characteristic);
+    const SkinMesh mesh = skin.mesh({.C = 0.05});
+    const std::vector<SkinPoint> points = mesh.points();
+    double sum = 0;
+    for (const auto& corners : mesh.triangles().triangles) {
+      const auto& [a, b, c] = corners;
+      const auto& x = mesh.triangles().vertices;
+      const Point area = cross(x[b] - x[a], x[c] - x[a]);
+      for (const std::uint32_t v : corners) {
+        sum += std::sqrt(dot(area, area)) / 6 * points[v].curvatures[0] * points[v].curvatures[1];
+        CHECK(std::abs(points[v].curvatures[0]) >= std::abs(points[v].curvatures[1]) * (1 - 1e-12));
+        CHECK(std::abs(points[v].curvatures[0]) ==
+              doctest::Approx(1 / points[v].length_scale).epsilon(1e-9));
+      }
+    }
+    CHECK(sum == doctest::Approx(2 * M_PI * characteristic).epsilon(0.02).scale(2 * M_PI));
+  }
+}
+
+TEST_CASE("values that make no sense are refused, each with its kind") {
+  using Kind = Error::Kind;
+  const Skin skin(three_atoms, balls);
+  const double nan = std::nan("");
+  for (const MeshOptions& options :
+       {MeshOptions{.fronts = 7}, MeshOptions{.fronts = 0}, MeshOptions{.C = 0},
+        MeshOptions{.C = nan}, MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1},
+        MeshOptions{.max_length_scale = 0}, MeshOptions{.angle_goal_deg = 61},
+        MeshOptions{.angle_goal_deg = nan}, MeshOptions{.direction = Point{0, 0, 0}},
+        MeshOptions{.direction = Point{0, nan, 0}}}) {
+    CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
+  }
+  CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
+  for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
+                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}}) {
+    CHECK(kind_of([&] { Skin(std::vector{atom}, balls); }) == Kind::Refused);
+  }
+  CHECK(kind_of([&] { Skin(three_atoms, {.probe = -1}); }) == Kind::Refused);
+  CHECK(kind_of([] { morskin::read_molecule("no such file.pdb"); }) == Kind::Unreadable);
+  CHECK(kind_of([] { morskin::read_mesh("no such file.ply"); }) == Kind::Unreadable);
+  CHECK(kind_of([] { morskin::write_mesh({}, "no such folder/a.ply"); }) == Kind::Unwritable);
+  CHECK(kind_of([&] { skin.certify({{{0, 0, 0}}, {{0, 1, 2}}}); }) == Kind::Refused);
+}
+
+TEST_CASE("two balls that just touch are singular, and the error knows them") {
+  // The skin's balls are sqrt 2 times as large as their patches, and so 2 sqrt 2 apart.
+  try {
+    Skin(std::vector<Atom>{{{-50, 0, 0}, 1}, {{0, 0, 0}, 1}, {{2, 2, 0}, 1}}, balls);
+    FAIL("the balls touch in (1, 1, 0)");
+  } catch (const Error& error) {
+    CHECK(error.kind() == Error::Kind::Singular);
+    CHECK(error.atoms() == std::vector<std::uint32_t>{1, 2});
+  }
+}
+
+TEST_CASE("a run stops at whatever report it is asked to") {
+  std::size_t reports = 0;
+  const auto run_until = [&](std::size_t last) {
+    std::stop_source source;
+    reports = 0;
+    const morskin::RunOptions run{.progress =
+                                      [&, last](std::string_view, double) {
+                                        if (++reports == last) source.request_stop();
+                                      },
+                                  .stop = source.get_token()};
+    return kind_of([&] { Skin(three_atoms, balls, run).mesh({.C = 0.1}, run); });
+  };
+  CHECK_FALSE(run_until(1000000));
+  const std::size_t all = reports;
+  CHECK(all >= 8);
+  for (std::size_t last = 1; last < all; ++last) {
+    CHECK(run_until(last) == Error::Kind::Stopped);
+    CHECK(reports == last);
+  }
+}
