@@ -12,9 +12,8 @@ namespace morskin::app {
 namespace {
 
 using geometry::IndexedMesh;
+using geometry::no_index;
 using Corners = std::array<std::uint32_t, 3>;
-
-constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 IndexedMesh plain(const surface::Mesh& mesh) {
   IndexedMesh result;
@@ -27,7 +26,7 @@ IndexedMesh plain(const surface::Mesh& mesh) {
 // By vertex before, its number after, or none. Both lists keep their order, so one walk matches
 // them.
 std::vector<std::uint32_t> renamed(const IndexedMesh& before, const IndexedMesh& after) {
-  std::vector<std::uint32_t> number(before.positions.size(), none);
+  std::vector<std::uint32_t> number(before.positions.size(), no_index);
   std::uint32_t at = 0;
   for (std::size_t v = 0; v < before.positions.size() && at < after.positions.size(); ++v) {
     if (before.positions[v] == after.positions[at]) number[v] = at++;
@@ -55,24 +54,24 @@ void spread_births(const std::vector<Corners>& triangles, std::size_t vertex_cou
                    std::vector<std::uint32_t>& birth) {
   std::vector<std::uint32_t> open;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (birth[t] == none) open.push_back(t);
+    if (birth[t] == no_index) open.push_back(t);
   }
   // By vertex the last birth about it; a triangle without one takes the earliest of its corners',
   // which is when all about it was there.
   while (!open.empty()) {
-    std::vector<std::uint32_t> last(vertex_count, none);
+    std::vector<std::uint32_t> last(vertex_count, no_index);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      if (birth[t] == none) continue;
+      if (birth[t] == no_index) continue;
       for (const std::uint32_t v : triangles[t]) {
-        last[v] = last[v] == none ? birth[t] : std::max(last[v], birth[t]);
+        last[v] = last[v] == no_index ? birth[t] : std::max(last[v], birth[t]);
       }
     }
     std::vector<std::uint32_t> left;
     for (const std::uint32_t t : open) {
-      std::uint32_t earliest = none;
+      std::uint32_t earliest = no_index;
       for (const std::uint32_t v : triangles[t]) earliest = std::min(earliest, last[v]);
       birth[t] = earliest;
-      if (earliest == none) left.push_back(t);
+      if (earliest == no_index) left.push_back(t);
     }
     if (left.size() == open.size()) {
       for (const std::uint32_t t : left) birth[t] = 0;
@@ -91,11 +90,11 @@ std::vector<std::uint32_t> births(const IndexedMesh& before, const IndexedMesh& 
   for (std::uint32_t t = 0; t < before.triangles.size(); ++t) {
     const Corners& old = before.triangles[t];
     const Corners now{number[old[0]], number[old[1]], number[old[2]]};
-    if (std::ranges::find(now, none) == now.end()) place.emplace(normalised(now), t);
+    if (std::ranges::find(now, no_index) == now.end()) place.emplace(normalised(now), t);
   }
   // Removed triangles, few, shift the places of those after them; every triangle that is as it was
   // sets that right.
-  std::vector<std::uint32_t> birth(after.triangles.size(), none);
+  std::vector<std::uint32_t> birth(after.triangles.size(), no_index);
   std::uint32_t expected = 0;
   for (std::size_t t = 0; t < after.triangles.size(); ++t) {
     const auto found = place.find(normalised(after.triangles[t]));

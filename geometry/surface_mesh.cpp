@@ -10,7 +10,7 @@ namespace morskin::geometry {
 
 SurfaceMesh::SurfaceMesh(std::size_t vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles)
-    : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId{kBoundary}) {
+    : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId::none()) {
   if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
   HalfEdgeId h;
   for (const auto& triangle : triangles) {
@@ -29,7 +29,7 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
   }
   SurfaceMesh mesh;
   mesh.half_edges_.reserve(twins.size());
-  mesh.outgoing_.resize(vertices, HalfEdgeId{kBoundary});
+  mesh.outgoing_.resize(vertices, HalfEdgeId::none());
   std::size_t edges = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& corners = triangles[t];
@@ -68,11 +68,11 @@ void SurfaceMesh::reserve(std::size_t vertices) {
 
 std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
   const HalfEdgeId h = outgoing_[v.index()];
-  return h.value == kBoundary ? std::nullopt : std::optional(h);
+  return h == HalfEdgeId::none() ? std::nullopt : std::optional(h);
 }
 
 VertexId SurfaceMesh::add_vertex() {
-  outgoing_.emplace_back(kBoundary);
+  outgoing_.push_back(HalfEdgeId::none());
   return VertexId{outgoing_.size() - 1};
 }
 
@@ -80,9 +80,9 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_room(half_edges_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{half_edges_.size()};
-  half_edges_.push_back({a, HalfEdgeId{kBoundary}});
-  half_edges_.push_back({b, HalfEdgeId{kBoundary}});
-  half_edges_.push_back({c, HalfEdgeId{kBoundary}});
+  half_edges_.push_back({a, HalfEdgeId::none()});
+  half_edges_.push_back({b, HalfEdgeId::none()});
+  half_edges_.push_back({c, HalfEdgeId::none()});
   outgoing_[a.index()] = first;
   outgoing_[b.index()] = HalfEdgeId{first.value + 1};
   outgoing_[c.index()] = HalfEdgeId{first.value + 2};
@@ -106,7 +106,7 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   const std::uint32_t vertices = static_cast<std::uint32_t>(vertex_count());
   const std::uint32_t half_edges = static_cast<std::uint32_t>(half_edges_.size());
   const auto moved = [](auto id, std::uint32_t by) {
-    return id.value == kBoundary ? id : decltype(id){id.value + by};
+    return id == decltype(id)::none() ? id : decltype(id){id.value + by};
   };
   if (triangle_count() + other.triangle_count() > most_triangles) {
     fail_for_lack_of_ids(most_triangles, "triangles");
@@ -183,29 +183,29 @@ SurfaceMesh::Room SurfaceMesh::unsplit(VertexId v) {
       half_edges_[half_edge(triangle(h), k).index()] = {};
     }
   }
-  outgoing_[v.index()] = HalfEdgeId{kBoundary};
+  outgoing_[v.index()] = HalfEdgeId::none();
   return {v, triangle(vb), triangle(vc)};
 }
 
 void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      outgoing_[half_edges_[half_edge(t, k).index()].origin.index()] = HalfEdgeId{kBoundary};
+      outgoing_[half_edges_[half_edge(t, k).index()].origin.index()] = HalfEdgeId::none();
     }
   }
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k)
-      half_edges_[half_edge(t, k).index()].origin = VertexId{kBoundary};
+      half_edges_[half_edge(t, k).index()].origin = VertexId::none();
   }
   // A fan that is left begins at the half-edge whose twin is gone.
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       HalfEdgeId& twin = half_edges_[half_edge(t, k).index()].twin;
-      if (twin.value != kBoundary && half_edges_[twin.index()].origin.value != kBoundary) {
-        half_edges_[twin.index()].twin = HalfEdgeId{kBoundary};
+      if (twin != HalfEdgeId::none() && half_edges_[twin.index()].origin != VertexId::none()) {
+        half_edges_[twin.index()].twin = HalfEdgeId::none();
         outgoing_[half_edges_[twin.index()].origin.index()] = twin;
       }
-      twin = HalfEdgeId{kBoundary};
+      twin = HalfEdgeId::none();
     }
   }
 }

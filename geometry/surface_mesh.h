@@ -50,7 +50,7 @@ class SurfaceMesh {
   static HalfEdgeId previous(HalfEdgeId h) {
     return HalfEdgeId{h.value % 3 == 0 ? h.value + 2 : h.value - 1};
   }
-  bool is_boundary(HalfEdgeId h) const { return half_edges_[h.index()].twin.value == kBoundary; }
+  bool is_boundary(HalfEdgeId h) const { return half_edges_[h.index()].twin == HalfEdgeId::none(); }
   /// @pre !is_boundary(h)
   HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
@@ -60,7 +60,7 @@ class SurfaceMesh {
   /// Asks for what a walk round v begins with, where there is something to walk round.
   void prefetch_fan(VertexId v) const {
     const HalfEdgeId first = outgoing_[v.index()];
-    if (first.value != kBoundary) prefetch(&half_edges_[first.index()]);
+    if (first != HalfEdgeId::none()) prefetch(&half_edges_[first.index()]);
   }
   std::array<VertexId, 3> corners(TriangleId t) const {
     const HalfEdge* first = &half_edges_[3 * t.index()];
@@ -68,7 +68,7 @@ class SurfaceMesh {
   }
   /// A removed triangle keeps its place until compact(); every other one is alive.
   bool is_removed(TriangleId t) const {
-    return half_edges_[3 * t.index()].origin.value == kBoundary;
+    return half_edges_[3 * t.index()].origin == VertexId::none();
   }
 
   /// What a new vertex in a triangle takes: a vertex and two triangles, all as if removed.
@@ -169,10 +169,9 @@ class SurfaceMesh {
   /// By half-edge its twin, or the last id of all for none.
   std::vector<HalfEdgeId> twins() const;
 
-  static constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;
+  static constexpr std::size_t most_triangles = no_index / 3;
 
  private:
-  static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;
   Room room_for(VertexId v);
   void set_corner(HalfEdgeId h, VertexId v) {
     half_edges_[h.index()].origin = v;
@@ -180,12 +179,12 @@ class SurfaceMesh {
   }
   void set_twin(HalfEdgeId h, HalfEdgeId g) {
     half_edges_[h.index()].twin = g;
-    if (g.value != kBoundary) half_edges_[g.index()].twin = h;
+    if (g != HalfEdgeId::none()) half_edges_[g.index()].twin = h;
   }
 
   struct HalfEdge {
-    VertexId origin{kBoundary};
-    HalfEdgeId twin{kBoundary};
+    VertexId origin = VertexId::none();
+    HalfEdgeId twin = HalfEdgeId::none();
   };
   std::vector<HalfEdge> half_edges_;
   std::vector<HalfEdgeId> outgoing_;  ///< by vertex

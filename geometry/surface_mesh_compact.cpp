@@ -17,12 +17,12 @@ SurfaceMesh::Renaming SurfaceMesh::renaming() const {
   renamed.vertices.resize(vertex_count());
   std::uint32_t vertices = 0;
   for (std::size_t v = 0; v < outgoing_.size(); ++v) {
-    if (outgoing_[v].value != kBoundary) renamed.vertices[v] = VertexId{vertices++};
+    if (outgoing_[v] != HalfEdgeId::none()) renamed.vertices[v] = VertexId{vertices++};
   }
   const std::size_t count = triangle_count();
   std::size_t& first = renamed.first_;
   while (first < count && !is_removed(TriangleId{first})) ++first;
-  renamed.moved_.resize(count - first, kBoundary);
+  renamed.moved_.resize(count - first, no_index);
   auto triangles = static_cast<std::uint32_t>(first);
   for (std::size_t t = first; t < count; ++t) {
     if (!is_removed(TriangleId{t})) renamed.moved_[t - first] = triangles++;
@@ -37,7 +37,7 @@ void SurfaceMesh::compact(const Renaming& renaming) {
   const std::size_t count = triangle_count(), first = renaming.first_;
   std::size_t first_vertex = 0;
   while (first_vertex < renamed.size() && renamed[first_vertex]) ++first_vertex;
-  const auto place = [&](HalfEdgeId h) { return h.value == kBoundary ? h : renaming(h); };
+  const auto place = [&](HalfEdgeId h) { return h == HalfEdgeId::none() ? h : renaming(h); };
   const auto name = [&](VertexId v) { return v.index() < first_vertex ? v : *renamed[v.index()]; };
   for (std::size_t h = 0; h < 3 * first; ++h) {
     HalfEdge& kept = half_edges_[h];

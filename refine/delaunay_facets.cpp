@@ -83,12 +83,11 @@ struct Numbered {
   std::vector<std::uint32_t> corners;  ///< by new number, the old one
 };
 Numbered numbered(const std::vector<Triangle>& triangles, std::size_t corner_count) {
-  constexpr std::uint32_t none = 0xffffffff;
   Numbered result{triangles, {}};
-  std::vector<std::uint32_t> place(corner_count, none);
+  std::vector<std::uint32_t> place(corner_count, geometry::no_index);
   for (Triangle& t : result.triangles) {
     for (std::uint32_t& corner : t) {
-      if (place[corner] == none) {
+      if (place[corner] == geometry::no_index) {
         place[corner] = static_cast<std::uint32_t>(result.corners.size());
         result.corners.push_back(corner);
       }

@@ -36,7 +36,7 @@ std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
 
 void MovingMesh::forget(std::uint32_t watch, const std::vector<CellId>& cells) {
   visitors_[watch] = {};
-  for (const CellId cell : cells) watch_[cell.index()] = nobody;
+  for (const CellId cell : cells) watch_[cell.index()] = no_index;
 }
 
 std::optional<TriangleId> MovingMesh::take_changed() {

@@ -17,6 +17,7 @@
 namespace morskin::baselines {
 
 using geometry::HalfEdgeId;
+using geometry::no_index;
 using geometry::SurfaceMesh;
 using geometry::TriangleId;
 using geometry::VertexId;
@@ -48,7 +49,7 @@ class MovingMesh {
       : skin_(skin),
         sizing_(sizing),
         level_(skin, 0),
-        watch_(skin.complex().size(), nobody),
+        watch_(skin.complex().size(), no_index),
         kept_(kept) {}
 
   const SurfaceMesh& surface() const { return surface_; }
@@ -82,7 +83,7 @@ class MovingMesh {
   /// The watch on a cell.
   std::optional<std::uint32_t> watch_of(CellId cell) const {
     const std::uint32_t w = watch_[cell.index()];
-    return w == nobody ? std::nullopt : std::optional(w);
+    return w == no_index ? std::nullopt : std::optional(w);
   }
 
   /// Flips the edge if it is better so, by balls to rounding.
@@ -112,8 +113,6 @@ class MovingMesh {
   refine::RefinementCounts counts;
 
  private:
-  static constexpr std::uint32_t nobody = 0xFFFFFFFFU;
-
   /// A vertex, in one piece of memory.
   struct Moving {
     SurfacePoint point;
@@ -124,7 +123,7 @@ class MovingMesh {
   void move(VertexId v, Moving& moving);
   void enter(VertexId v, CellId cell) {
     const std::uint32_t w = watch_[cell.index()];
-    if (w != nobody) visitors_[w].push_back(v);
+    if (w != no_index) visitors_[w].push_back(v);
   }
   bool faces_outward(VertexId a, VertexId b, VertexId c);
   bool can_flip(HalfEdgeId h);
