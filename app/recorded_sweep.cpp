@@ -136,7 +136,7 @@ RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
     if (options.sizing.is_coarser_than_laid()) {
       result.operations.coarsen =
           refine::Coarsening(skin.surface, options.sizing, swept.mesh).run();
-      swept.mesh.compact();
+      swept.mesh.surface.compact();
     }
     refine::Refinement refinement(skin.surface, options.sizing, swept.mesh, options.threads);
     refinement.run();

@@ -24,7 +24,7 @@ std::vector<SweepObserver*> PartialSweep::all_observers(const std::vector<SweepO
 void PartialSweep::absorb(PartialSweep& other, unsigned threads) {
   const IdOffsets offsets = sweep_.absorb(other.sweep_, threads);
   counter_.absorb(other.counter_, offsets.edges);
-  if (coarsening_) coarsening_->absorb(*other.coarsening_, offsets.vertices);
+  if (coarsening_) coarsening_->absorb(*other.coarsening_);
 }
 
 SweepResult PartialSweep::take_result() {

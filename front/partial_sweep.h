@@ -28,6 +28,8 @@ class PartialSweep {
                const std::optional<CoarseningOptions>& coarsening = {},
                const std::vector<SweepObserver*>& observers = {});
 
+  /// Records when each triangle is laid. @pre nothing has run
+  void record_births() { mesh_.births.emplace(mesh_.surface); }
   void run() { sweep_.run(); }
   /// @pre both have run, over disjoint subdomains
   /// @param threads  at most, to move the mesh

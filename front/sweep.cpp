@@ -31,7 +31,7 @@ IdOffsets Sweep::absorb(Sweep& other, unsigned threads) {
       .vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count()),
       .half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count()),
       .edges = static_cast<std::uint32_t>(front_.capacity())};
-  mesh_.append(std::move(other.mesh_), threads);
+  mesh_.surface.append(std::move(other.mesh_.surface), threads);
   front_.absorb(other.front_, offsets);
   departures_.absorb(other.departures_, offsets.edges);
   marks_.absorb(other.marks_);

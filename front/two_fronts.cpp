@@ -69,6 +69,7 @@ SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
   std::vector<SweepObserver*> all{&progress};
   all.insert(all.end(), observers.begin(), observers.end());
   PartialSweep sweep(skin, guide, options, {}, extras.coarsening, all);
+  if (extras.record_births) sweep.record_births();
   sweep.run();
   return sweep.take_result();
 }
@@ -83,6 +84,10 @@ SweepResult sweep_from_both_ends(const surface::Surface& skin, const morse::Guid
   ProgressObserver upper([&](double value) { passed.passed_from_above(value); });
   PartialSweep below(skin, guide, options, {.high = middle}, extras.coarsening, {&lower});
   PartialSweep above(skin, reversed, options, {.high = -middle}, extras.coarsening, {&upper});
+  if (extras.record_births) {
+    below.record_births();
+    above.record_births();
+  }
   geometry::do_both(
       threads, [&] { below.run(); }, [&] { above.run(); });
   below.absorb(above, threads);

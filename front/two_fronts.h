@@ -22,6 +22,7 @@ namespace morskin::front {
 struct SweepExtras {
   std::optional<CoarseningOptions> coarsening = {};  ///< behind each front
   std::function<void(double)> progress = {};         ///< called with the share of atoms passed
+  bool record_births = false;                        ///< fills Mesh::births
 };
 
 /// One sweep from below, Algorithm 1 as printed.

@@ -76,9 +76,9 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   result.expected = skin.topology;
   geometry::timed(result.seconds.refine, [&] {
     const auto list_triangles = [&] {
-      result.mesh.triangles = made.mesh.surface.triangle_list();
-      result.twins = made.mesh.surface.twins();
-      made.mesh.surface = {};
+      const geometry::SurfaceMesh connectivity = std::move(made.mesh.surface);  // freed here
+      result.mesh.triangles = connectivity.triangle_list();
+      result.twins = connectivity.twins();
     };
     const auto list_vertices = [&] {
       result.mesh.positions.reserve(made.mesh.points.size());
@@ -87,7 +87,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
         result.mesh.positions.push_back(p.position);
         result.cells.push_back(p.cell);
       }
-      std::vector<surface::SurfacePoint>().swap(made.mesh.points);
+      made.mesh.points = {};
     };
     geometry::do_both(options.threads, list_triangles, list_vertices);
   });

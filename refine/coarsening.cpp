@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "certify/tube.h"
 
@@ -25,9 +24,9 @@ constexpr double no_ear = std::numeric_limits<double>::infinity();
 }  // namespace
 
 Coarsening::Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh)
-    : skin_(skin), sizing_(sizing), mesh_(mesh) {}
+    : skin_(skin), sizing_(sizing), mesh_(mesh), is_tried_(mesh.surface, 0) {}
 
-std::size_t Coarsening::run(const std::vector<char>& at_boundary) {
+std::size_t Coarsening::run(const geometry::IdVector<VertexId, char>& at_boundary) {
   const std::size_t before = removed_;
   const std::vector<VertexId> all = candidates(at_boundary);
   std::vector<VertexId> crowded = all;
@@ -55,27 +54,18 @@ void Coarsening::ask_ahead(const std::vector<VertexId>& pass, std::size_t i) con
   mesh_.surface.prefetch_fan(near);
 }
 
-void Coarsening::rename(const geometry::SurfaceMesh::Renaming& renaming) {
-  std::erase_if(waiting_, [&](VertexId v) { return !renaming.vertices[v.index()]; });
-  for (VertexId& v : waiting_) v = *renaming.vertices[v.index()];
-  known_ = mesh_.surface.vertex_count();
-}
-
-void Coarsening::take_over(const Coarsening& other, std::uint32_t vertices) {
-  for (const VertexId v : other.waiting_) waiting_.emplace_back(vertices + v.value);
-  known_ = vertices + other.known_;
-}
-
 /// What has waited and what is new, but for what has to wait on; patch by patch, for a front goes
 /// through a large molecule all over the place, and what is far apart there is far apart in memory.
-std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundary) {
+std::vector<VertexId> Coarsening::candidates(
+    const geometry::IdVector<VertexId, char>& at_boundary) {
   std::vector<std::uint64_t> free;  // cells and vertices, to be sorted by both
-  const auto look_at = [&](VertexId v) {
-    if (!at_boundary.empty() && is_near_boundary(v, at_boundary)) return waiting_.push_back(v);
+  for (std::size_t i = 0; i < mesh_.surface.vertex_count(); ++i) {
+    const VertexId v{i};
+    if (is_tried_[v] || is_removed(v)) continue;
+    if (!at_boundary.empty() && is_near_boundary(v, at_boundary)) continue;
+    is_tried_[v] = 1;
     free.push_back(std::uint64_t{mesh_.at(v).cell.value} << 32 | v.value);
-  };
-  for (const VertexId v : std::exchange(waiting_, {})) look_at(v);
-  for (; known_ < mesh_.surface.vertex_count(); ++known_) look_at(VertexId{known_});
+  }
   std::ranges::sort(free);
   std::vector<VertexId> result;
   result.reserve(free.size());
@@ -83,17 +73,19 @@ std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundar
   return result;
 }
 
-bool Coarsening::is_near_boundary(VertexId v, const std::vector<char>& at_boundary) const {
-  bool is_near = at_boundary[v.index()] != 0;
+bool Coarsening::is_near_boundary(VertexId v,
+                                  const geometry::IdVector<VertexId, char>& at_boundary) const {
+  bool is_near = at_boundary[v] != 0;
   if (is_near) return true;  // and has no full fan
   mesh_.surface.for_each_outgoing(
-      v, [&](HalfEdgeId h) { is_near |= at_boundary[mesh_.surface.target(h).index()] != 0; });
+      v, [&](HalfEdgeId h) { is_near |= at_boundary[mesh_.surface.target(h)] != 0; });
   return is_near;
 }
 
 /// Takes out a vertex that has a neighbour nearer than [L] allows, or else such a neighbour.
 /// @return whether it stays and may still have one
-bool Coarsening::is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary) {
+bool Coarsening::is_crowded_after(VertexId v, double limit,
+                                  const geometry::IdVector<VertexId, char>& at_boundary) {
   if (is_removed(v)) return false;
   crowd_.clear();
   mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {

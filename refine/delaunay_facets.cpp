@@ -203,20 +203,16 @@ Mesh DelaunayRefinement::mesh() const {
   for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
   Numbered compact = numbered(triangles, samples_.size());
   geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
-  Mesh mesh;
+  SurfaceMesh surface(compact.corners.size(), compact.triangles);
   std::vector<std::uint32_t> corners = compact.corners;
-  if (built.defect) {
-    for (std::size_t v = 0; v < corners.size(); ++v) mesh.surface.add_vertex();
-    for (const auto& [a, b, c] : compact.triangles) {
-      mesh.surface.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
-    }
-  } else {
+  if (!built.defect) {
     compact = numbered(neighbours_together(built.mesh), corners.size());
-    mesh.surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
+    surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
     for (std::uint32_t& corner : compact.corners) corner = corners[corner];
     corners = std::move(compact.corners);
   }
-  for (const std::uint32_t corner : corners) mesh.points.push_back(samples_[corner]);
+  Mesh mesh(std::move(surface));
+  for (std::size_t v = 0; v < corners.size(); ++v) mesh.points[VertexId{v}] = samples_[corners[v]];
   return mesh;
 }
 

@@ -305,10 +305,10 @@ bool LocalOperations::insert(TriangleId t) {
 
 void LocalOperations::put_in(TriangleId under, const SurfacePoint& x) {
   std::vector<SurfaceMesh::Room>& rooms = territory_.rooms;
-  if (rooms.empty()) rooms.push_back(mesh_.add_room());
+  if (rooms.empty()) rooms.push_back(mesh_.surface.add_room());
   const SurfaceMesh::Room room = rooms.back();
   rooms.pop_back();
-  mesh_.points[room.vertex.index()] = x;
+  mesh_.points[room.vertex] = x;
   mesh_.surface.split(under, room);
   for (const TriangleId changed : {under, room.second, room.third}) {
     look_again(changed, {SurfaceMesh::half_edge(changed, 0)});

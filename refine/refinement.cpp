@@ -32,7 +32,7 @@ void Refinement::run(const geometry::Told& told) {
     operations_.contract_short_edges();
     operations_.insert_into_big_triangles(most_);
   } while (changes() > before && changes() < most_);
-  mesh_.compact(threads_);
+  mesh_.surface.compact(threads_);
 }
 
 RefinementCounts Refinement::counts() const {
@@ -128,7 +128,7 @@ void Refinement::deal_rooms(std::size_t each, std::array<Territory, 2>& territor
   std::array<std::vector<SurfaceMesh::Room>, 2> fresh;
   while (fresh[1].size() < each) {
     for (auto& rooms : fresh) {
-      for (std::size_t k = 0; k < block; ++k) rooms.push_back(mesh_.add_room());
+      for (std::size_t k = 0; k < block; ++k) rooms.push_back(mesh_.surface.add_room());
     }
   }
   // The last is filled first.

@@ -126,7 +126,7 @@ std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const Surf
 
 VertexMover::Moved VertexMover::move(VertexId v) {
   if (!look_around(v)) return Moved::NotMine;
-  SurfacePoint& at = mesh_.points[v.index()];
+  SurfacePoint& at = mesh_.points[v];
   double now = 1, shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const Point& p = mesh_.position(ring_[i]);

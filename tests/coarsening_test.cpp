@@ -20,6 +20,7 @@
 using namespace morskin;
 using certify::Sizing;
 using geometry::SurfaceMesh;
+using geometry::VertexId;
 using refine::Coarsening;
 using surface::Mesh;
 using surface::SurfacePoint;
@@ -93,7 +94,7 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
       const Sizing sizing = sizing_for(C);
       Mesh mesh = fine;
       const std::size_t removed = Coarsening(skin.surface, sizing, mesh).run();
-      mesh.compact();
+      mesh.surface.compact();
       CHECK(fine.points.size() - mesh.points.size() == removed);
       CHECK(validate(mesh.surface).value_or("") == "");
       CHECK(euler_characteristic(mesh.surface) == euler_characteristic(fine.surface));
@@ -107,10 +108,10 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
   for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
-    mesh.compact();
+    mesh.surface.compact();
     std::size_t next = 0;
     for (const SurfacePoint& p : mesh.points) {
-      while (next < fine.points.size() && fine.points[next].position != p.position) ++next;
+      while (next < fine.points.size() && fine.position(VertexId{next}) != p.position) ++next;
       REQUIRE(next < fine.points.size());
       ++next;
     }
@@ -123,7 +124,7 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
   for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
-    mesh.compact();
+    mesh.surface.compact();
     triangles_before += fine.surface.triangle_count();
     triangles += mesh.surface.triangle_count();
     short_before += short_edges(fine, sizing);
@@ -138,22 +139,22 @@ TEST_CASE("vertices at the boundary and next to it wait, and are taken out later
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
-    std::vector<char> marked(count, 0), stays(count, 0);
-    for (std::size_t v = 0; v < count; ++v) marked[v] = random.uniform() < 0.05;
+    geometry::IdVector<VertexId, char> marked(count, 0), stays(count, 0);
+    for (std::size_t v = 0; v < count; ++v) marked[VertexId{v}] = random.uniform() < 0.05;
     for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
       const geometry::HalfEdgeId edge{h};
-      if (!marked[mesh.surface.origin(edge).index()]) continue;
-      stays[mesh.surface.origin(edge).index()] = 1;
-      stays[mesh.surface.target(edge).index()] = 1;
+      if (!marked[mesh.surface.origin(edge)]) continue;
+      stays[mesh.surface.origin(edge)] = 1;
+      stays[mesh.surface.target(edge)] = 1;
     }
     Coarsening coarsening(skin.surface, sizing_for(0.3), mesh);
     CHECK(coarsening.run(marked) > 0);
     for (std::size_t v = 0; v < count; ++v) {
-      if (stays[v]) CHECK(mesh.surface.outgoing(geometry::VertexId{v}).has_value());
+      if (stays[VertexId{v}]) CHECK(mesh.surface.outgoing(VertexId{v}).has_value());
     }
-    coarsening.rename(mesh.compact());
+    mesh.surface.compact();
     CHECK(coarsening.run() > 0);
-    coarsening.rename(mesh.compact());
+    mesh.surface.compact();
     CHECK(coarsening.run() == 0);  // nothing is new, nothing waits
     CHECK(validate(mesh.surface).value_or("") == "");
   });

@@ -202,9 +202,9 @@ morskin::Mesher marching_cubes_mesher(double step) {
     geometry::timed(result.seconds.sweep, [&] {
       const GridMesh made = marching_cubes(skin.surface, step);
       result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;
-      result.mesh.points.reserve(made.cells.size());
       for (std::size_t v = 0; v < made.cells.size(); ++v) {
-        result.mesh.points.push_back(skin.surface.at(made.mesh.positions[v], made.cells[v]));
+        result.mesh.points[geometry::VertexId{v}] =
+            skin.surface.at(made.mesh.positions[v], made.cells[v]);
       }
     });
     return result;
