@@ -12,7 +12,8 @@ CoarseningObserver::CoarseningObserver(const surface::Surface& surface,
       next_run_(options.min_triangles) {}
 
 void CoarseningObserver::coarsen(Front& front) {
-  removed_ += coarsening_.run(front.marked_vertices());
+  geometry::Parts parts = front.parts_behind();
+  removed_ += coarsening_.run({parts, 0});
   mesh_.surface.compact();
   const std::size_t count = mesh_.surface.triangle_count();
   next_run_ = count + std::max(min_triangles_, count / 4);

@@ -170,12 +170,12 @@ void Front::absorb(const Front& other, const IdOffsets& offsets) {
   triangles_added_ += other.triangles_added_;
 }
 
-geometry::IdVector<VertexId, char> Front::marked_vertices() const {
-  geometry::IdVector<VertexId, char> is_on_front(mesh_.surface.vertex_count(), 0);
+geometry::Parts Front::parts_behind() const {
+  geometry::Parts parts(mesh_.surface.vertex_count(), 0);
   for (const FrontEdge& edge : edges_) {
-    if (edge.is_open) is_on_front[edge.origin] = 1;
+    if (edge.is_open) parts[edge.origin] = geometry::no_part;
   }
-  return is_on_front;
+  return parts;
 }
 
 void Front::compacted(const geometry::Renaming& renaming) {

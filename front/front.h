@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "front/front_grid.h"
+#include "geometry/subdomain.h"
 #include "surface/mesh.h"
 
 namespace morskin::front {
@@ -124,8 +125,8 @@ class Front : private geometry::MeshFollower {
   /// they absorb their counterparts.
   void absorb(const Front& other, const IdOffsets& offsets);
 
-  /// By vertex of the mesh, whether the front runs through it.
-  geometry::IdVector<VertexId, char> marked_vertices() const;
+  /// The vertices behind the front as one part; those on it are nobody's.
+  geometry::Parts parts_behind() const;
 
  private:
   /// @pre the mesh has lost nothing that the front runs along.

@@ -6,10 +6,10 @@
 namespace morskin::front {
 
 Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
-             const SweepOptions& options, Mesh& mesh, const Subdomain& subdomain,
+             const SweepOptions& options, Mesh& mesh, const LevelRange& levels,
              std::vector<SweepObserver*> observers)
     : guide_(guide),
-      subdomain_(subdomain),
+      levels_(levels),
       disk_(surface, options.sizing),
       mesh_(mesh),
       front_(mesh, disk_.view_share(), options.sizing.largest_length_scale),
@@ -39,7 +39,7 @@ IdOffsets Sweep::absorb(Sweep& other, unsigned threads) {
   return offsets;
 }
 
-/// The lowest departure of the queue that is current and within the subdomain.
+/// The lowest departure of the queue that is current and within the levels.
 std::optional<Departure> Sweep::lowest_departure() {
   while (!departures_.empty() && !coverage_.is_overlapping()) {
     for (SweepObserver* observer : observers_) observer->between_departures(front_);
@@ -53,11 +53,10 @@ std::optional<Departure> Sweep::lowest_departure() {
 }
 
 /// Whether all that a fan or a closed corner at the departure vertex could add stays within the
-/// subdomain, with a disk's radius to spare.
+/// levels, with a disk's radius to spare.
 bool Sweep::may_depart(const Departure& t) const {
   const SurfacePoint& p = mesh_.at(front_[t.corner].origin);
-  return subdomain_.contains(guide_.function, p.position, t.value,
-                             2 * disk_.radius(p.length_scale));
+  return levels_.contains(guide_.function, p.position, t.value, 2 * disk_.radius(p.length_scale));
 }
 
 /// The protecting sphere that a departure vertex lies in, if it has not been released.

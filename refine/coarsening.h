@@ -28,17 +28,16 @@ class Coarsening {
   /// takes out what can be spared. First those nearer to a neighbour than [L] allows, then others
   /// as long as all triangles stay well below [U]. Places in the mesh stay open until it is
   /// compacted.
-  /// @param at_boundary  by vertex; its neighbours wait. None for a closed mesh.
+  /// @param subdomain  whose vertices it may take out, if it has their neighbours too; the others
+  ///                   wait. The whole mesh if that is closed.
   /// @return how many it took out
-  std::size_t run(const geometry::IdVector<VertexId, char>& at_boundary = {});
+  std::size_t run(const Subdomain& subdomain = {});
 
  private:
   bool is_removed(VertexId v) const { return !mesh_.surface.outgoing(v); }
-  std::vector<VertexId> candidates(const geometry::IdVector<VertexId, char>& at_boundary);
-  bool is_near_boundary(VertexId v, const geometry::IdVector<VertexId, char>& at_boundary) const;
+  std::vector<VertexId> candidates(const Subdomain& subdomain);
   void ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const;
-  bool is_crowded_after(VertexId v, double limit,
-                        const geometry::IdVector<VertexId, char>& at_boundary);
+  bool is_crowded_after(VertexId v, double limit, const Subdomain& subdomain);
   bool remove(VertexId v, double limit);
   bool find_ears(double limit);
   double ear(VertexId a, VertexId b, VertexId c, double limit) const;
@@ -48,7 +47,7 @@ class Coarsening {
   const surface::Surface& skin_;
   const Sizing sizing_;
   Mesh& mesh_;
-  /// Vertices that a run has tried. Not those that are new or were too near the boundary.
+  /// Vertices that a run has tried. Not those that are new or were had to wait.
   geometry::VertexData<char> is_tried_;
   std::size_t removed_ = 0;
   std::vector<VertexId> crowd_;    ///< neighbours of a vertex that are too near

@@ -134,21 +134,22 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
   CHECK(100 * short_after < short_before);
 }
 
-TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
+TEST_CASE("vertices outside the subdomain and next to those wait, and are taken out later") {
   for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
-    geometry::IdVector<VertexId, char> marked(count, 0), stays(count, 0);
-    for (std::size_t v = 0; v < count; ++v) marked[VertexId{v}] = random.uniform() < 0.05;
+    geometry::Parts parts(count, 0), stays(count, 0);
+    for (std::size_t v = 0; v < count; ++v)
+      parts[VertexId{v}] = random.uniform() < 0.05 ? geometry::no_part : 0;
     for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
       const geometry::HalfEdgeId edge{h};
-      if (!marked[mesh.surface.origin(edge)]) continue;
+      if (parts[mesh.surface.origin(edge)] == 0) continue;
       stays[mesh.surface.origin(edge)] = 1;
       stays[mesh.surface.target(edge)] = 1;
     }
     Coarsening coarsening(skin.surface, sizing_for(0.3), mesh);
-    CHECK(coarsening.run(marked) > 0);
+    CHECK(coarsening.run({parts, 0}) > 0);
     for (std::size_t v = 0; v < count; ++v) {
       if (stays[VertexId{v}]) CHECK(mesh.surface.outgoing(VertexId{v}).has_value());
     }

@@ -174,19 +174,20 @@ Work all_big(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("operations in a territory change no triangle with a vertex that it does not hold") {
+TEST_CASE("operations in a subdomain change no triangle with a vertex outside") {
   for (const auto& points : small_skins()) {
     const PreparedSkin skin = morskin::prepare_skin(points);
     Mesh mesh = refined_mesh(skin, coarse);
     const std::size_t triangles = mesh.surface.triangle_count();
-    Territory west;
-    west.is_whole = false;
-    for (const SurfacePoint& p : mesh.points) west.is_foreign.push_back(p.position.x() > 0.3);
-    for (int k = 0; k < 2000; ++k) west.rooms.push_back(mesh.surface.add_room());
-    west.is_foreign.resize(mesh.surface.vertex_count(), 0);
+    geometry::Parts parts;
+    for (const SurfacePoint& p : mesh.points) parts.push_back(p.position.x() > 0.3 ? 1 : 0);
+    std::vector<SurfaceMesh::Room> rooms;
+    for (int k = 0; k < 2000; ++k) rooms.push_back(mesh.surface.add_room());
+    parts.resize(mesh.surface.vertex_count(), 0);
+    geometry::Parts changing = parts;
     const SurfaceMesh before = mesh.surface;
 
-    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), west);
+    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {changing, 0}, rooms);
     part.insert_into_big_triangles(100000);
     CHECK(part.counts().insert > 10);
     CHECK(geometry::validate(mesh.surface).value_or("") == "");
@@ -195,7 +196,7 @@ TEST_CASE("operations in a territory change no triangle with a vertex that it do
       const auto corners = before.corners(TriangleId{t});
       if (corners == mesh.surface.corners(TriangleId{t})) continue;
       ++changed;
-      for (const VertexId v : corners) CHECK(west.holds(v));
+      for (const VertexId v : corners) CHECK(parts[v] == 0);
     }
     CHECK(changed > 10);
 
@@ -213,14 +214,12 @@ TEST_CASE("operations in a territory change no triangle with a vertex that it do
   }
 }
 
-TEST_CASE("a territory without room leaves its work as it is") {
+TEST_CASE("a subdomain without room leaves its work as it is") {
   const PreparedSkin skin = morskin::prepare_skin(small_skins()[2]);
   Mesh mesh = refined_mesh(skin, coarse);
-  Territory full;
-  full.is_whole = false;
-  full.is_foreign.resize(mesh.points.size(), 0);
+  geometry::Parts parts(mesh.points.size(), 0);
   const auto before = mesh.surface.triangle_list();
-  LocalOperations part(skin.surface, {}, mesh, all_big(mesh), full);
+  LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {parts, 0});
   part.insert_into_big_triangles(100000);
   CHECK(part.counts().insert == 0);
   CHECK(part.work().big.size() > 10);
