@@ -15,14 +15,6 @@ using geometry::IndexedMesh;
 using geometry::no_index;
 using Corners = std::array<std::uint32_t, 3>;
 
-IndexedMesh plain(const surface::Mesh& mesh) {
-  IndexedMesh result;
-  result.triangles = mesh.surface.triangle_list();
-  result.positions.reserve(mesh.points.size());
-  for (const surface::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
-  return result;
-}
-
 // By vertex before, its number after, or none. Both lists keep their order, so one walk matches
 // them.
 std::vector<std::uint32_t> renamed(const IndexedMesh& before, const IndexedMesh& after) {
@@ -128,7 +120,7 @@ RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
   front::SweepResult swept =
       front::sweep_once(skin.surface, guide, {.sizing = laid},
                         {.progress = [&](double share) { progress("sweep", share); }}, {&recorder});
-  const IndexedMesh before = plain(swept.mesh);
+  const IndexedMesh before = surface::indexed_mesh(swept.mesh);
   result.operations = swept.operations;
   result.open_edges = swept.open_edges;
   if (swept.open_edges == 0) {
@@ -142,14 +134,15 @@ RecordedMesh mesh_and_record(const morskin::PreparedSkin& skin,
     refinement.run();
     result.refinement = refinement.counts();
   }
-  recorded.birth = births(before, plain(swept.mesh));
+  recorded.birth = births(before, surface::indexed_mesh(swept.mesh));
   recorded.swept = before.triangles;
   if (swept.open_edges == 0) {
     progress("smooth", geometry::unknown_share);
     result.smoothing = refine::smooth(skin.surface, options.sizing, swept.mesh,
                                       options.angle_goal_deg, options.threads);
   }
-  result.mesh = plain(swept.mesh);  // with the triangles of before, for smoothing moves vertices
+  result.mesh = surface::indexed_mesh(
+      swept.mesh);  // with the triangles of before, for smoothing moves vertices
   for (const surface::SurfacePoint& p : swept.mesh.points) result.cells.push_back(p.cell);
   progress("certify", 0);
   result.certificate =

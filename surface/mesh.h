@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/indexed_mesh.h"
 #include "geometry/mesh_data.h"
 #include "geometry/surface_mesh.h"
 #include "surface/surface_point.h"
@@ -46,5 +47,14 @@ struct Mesh {
     return *this;
   }
 };
+
+/// The mesh as files hold it. @pre no vertex has been removed since it was compacted
+inline geometry::IndexedMesh indexed_mesh(const Mesh& mesh) {
+  geometry::IndexedMesh result;
+  result.triangles = mesh.surface.triangle_list();
+  result.positions.reserve(mesh.points.size());
+  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  return result;
+}
 
 }  // namespace morskin::surface

@@ -74,13 +74,6 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
   return true;
 }
 
-geometry::IndexedMesh plain(const Mesh& mesh) {
-  geometry::IndexedMesh result;
-  result.triangles = mesh.surface.triangle_list();
-  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
-  return result;
-}
-
 long euler_characteristic(const SurfaceMesh& mesh) {
   return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.triangle_count()) / 2;
 }
@@ -192,7 +185,7 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     }
     refine::Refinement(skin->surface, sizing, coarse.mesh).run();
     const auto certificate =
-        certify::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(coarse.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
@@ -208,11 +201,11 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     auto one = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 1, extras);
     const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, 2, extras);
     REQUIRE(one.open_edges == 0);
-    CHECK(plain(one.mesh).positions == plain(two.mesh).positions);
+    CHECK(indexed_mesh(one.mesh).positions == indexed_mesh(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
     refine::Refinement(skin->surface, sizing, one.mesh).run();
     const auto certificate =
-        certify::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(one.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
