@@ -20,7 +20,7 @@ namespace {
 using geometry::IndexedMesh;
 using skin::SkinComponents;
 
-constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;  // a half-edge's id has 32 bits
+constexpr std::size_t most_triangles = geometry::SurfaceMesh::most_triangles;
 
 // Which components of the mesh lie on which of the skin: by their first vertex, and by the sign of
 // their volume, which is negative in a void. Empty if rounding hides the skin's components.

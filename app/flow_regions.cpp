@@ -20,7 +20,7 @@ using geometry::TriangleId;
 using geometry::Vector;
 using geometry::VertexId;
 
-constexpr std::uint32_t none = 0xFFFFFFFFU;
+using geometry::no_index;
 
 // Walks up a function that is linear on every triangle.
 //
@@ -33,8 +33,8 @@ class Ascent {
       : mesh_(mesh),
         positions_(positions),
         values_(values),
-        top_(positions.size(), none),
-        top_of_triangle_(mesh.triangle_count(), none) {
+        top_(positions.size(), no_index),
+        top_of_triangle_(mesh.triangle_count(), no_index) {
     rates_.reserve(mesh.triangle_count());
     slope_.reserve(mesh.triangle_count());
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -86,7 +86,7 @@ class Ascent {
   // that comes through.
   bool is_settled(TriangleId t) const {
     const std::uint32_t top = top_of_triangle_[t.index()];
-    if (top == none) return false;
+    if (top == no_index) return false;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId beyond = mesh_.twin(SurfaceMesh::half_edge(t, k));
       if (top_of_triangle_[beyond.index() / 3] != top) return false;
@@ -129,7 +129,7 @@ class Ascent {
   // The vertex where the path from a vertex ends.
   VertexId top(VertexId v) {
     std::vector<VertexId> way;
-    while (top_[v.index()] == none) {
+    while (top_[v.index()] == no_index) {
       way.push_back(v);
       top_[v.index()] = v.value;  // until more is known
       const std::optional<VertexId> up = step(v);
@@ -201,11 +201,11 @@ std::vector<std::uint32_t> extrema(const SurfaceMesh& mesh, const geometry::Inde
   values.reserve(places.positions.size());
   for (const Point& p : places.positions) values.push_back(function(p));
   Ascent ascent(mesh, places.positions, values);
-  std::vector<std::uint32_t> nearest(places.positions.size(), none);  // by top
+  std::vector<std::uint32_t> nearest(places.positions.size(), no_index);  // by top
   std::vector<std::uint32_t> result;
   result.reserve(mesh.triangle_count());
   for (const std::uint32_t v : ascent.tops()) {
-    if (nearest[v] == none) nearest[v] = nearest_of(points, index, places.positions[v]);
+    if (nearest[v] == no_index) nearest[v] = nearest_of(points, index, places.positions[v]);
     result.push_back(nearest[v]);
   }
   return result;

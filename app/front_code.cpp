@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/id.h"
+
 namespace morskin::app {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFU;
+using geometry::no_index;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -26,7 +28,7 @@ std::vector<std::uint32_t> twins(const Triangles& triangles) {
     half_edges.push_back({low, high, h});
   }
   std::ranges::sort(half_edges);
-  std::vector<std::uint32_t> twin(half_edges.size(), none);
+  std::vector<std::uint32_t> twin(half_edges.size(), no_index);
   const auto origin = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   for (std::size_t i = 0, end = 0; i < half_edges.size(); i = end) {
     const auto [low, high, h] = half_edges[i];
@@ -59,14 +61,14 @@ class Encoder {
   Encoder(const Triangles& triangles, std::size_t vertex_count)
       : triangles_(triangles),
         twin_(twins(triangles)),
-        number_(vertex_count, none),
+        number_(vertex_count, no_index),
         is_laid_(triangles.size(), false),
-        leaving_(vertex_count, none) {
+        leaving_(vertex_count, no_index) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       if (!is_degenerate(triangles[t])) continue;
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-        if (twin_[h] != none) twin_[twin_[h]] = none;
-        twin_[h] = none;
+        if (twin_[h] != no_index) twin_[twin_[h]] = no_index;
+        twin_[h] = no_index;
       }
     }
   }
@@ -122,7 +124,7 @@ class Encoder {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t old = triangles_[t][k];
       corner[k] = number_[old];
-      if (corner[k] == none) {
+      if (corner[k] == no_index) {
         put(Laid::New);
         const auto last = static_cast<std::uint32_t>(code_.vertices.size());
         const std::uint32_t near = last == 0 ? 0 : last - 1;
@@ -143,13 +145,13 @@ class Encoder {
   // An open front edge that starts at a vertex, if the latest that did is still there.
   std::optional<std::uint32_t> open_edge_at(std::uint32_t v) const {
     const std::uint32_t e = leaving_[code_.vertices[v]];
-    if (e == none || !edges_[e].is_open) return std::nullopt;
+    if (e == no_index || !edges_[e].is_open) return std::nullopt;
     return e;
   }
 
   void lay_beyond(std::uint32_t e) {
     const std::uint32_t into = twin_[edges_[e].half_edge];
-    if (into == none || is_laid_[into / 3]) {
+    if (into == no_index || is_laid_[into / 3]) {
       put(Laid::Border);
       edges_[e].is_open = false;
       return;
@@ -190,8 +192,8 @@ class Encoder {
                  std::uint32_t n) {
     const Edge at = edges_[e];
     std::uint32_t v = number_[old];
-    std::uint32_t before = none, after = none;  // about v, where its front is entered
-    if (v == none) {
+    std::uint32_t before = no_index, after = no_index;  // about v, where its front is entered
+    if (v == no_index) {
       put(Laid::New);
       v = add_vertex(old, {at.origin, at.target, at.apex});
     } else if (const auto j = open_edge_at(v)) {
@@ -206,7 +208,7 @@ class Encoder {
     const std::uint32_t g = add_edge(v, at.target, at.origin, from_v, n);
     link(at.previous, f);
     link(g, at.next);
-    if (after == none) {
+    if (after == no_index) {
       link(f, g);
     } else {
       link(f, after);

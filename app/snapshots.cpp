@@ -9,13 +9,6 @@
 namespace morskin::app {
 namespace {
 
-geometry::IndexedMesh indexed(const surface::Mesh& mesh) {
-  geometry::IndexedMesh result;
-  for (const surface::SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
-  result.triangles = mesh.surface.triangle_list();
-  return result;
-}
-
 std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& front,
                       const morse::MorseFunction& function) {
   geometry::VtuGrid grid;
@@ -56,7 +49,7 @@ void write_snapshot(const std::filesystem::path& folder, std::size_t number,
 std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
                                                   std::size_t number,
                                                   const front::Snapshot& snapshot) {
-  const geometry::IndexedMesh mesh = indexed(snapshot.mesh);
+  const geometry::IndexedMesh mesh = surface::indexed_mesh(snapshot.mesh);
   const std::string stem = "snapshot-" + std::to_string(number);
   const std::filesystem::path ply = folder / (stem + ".ply"), vtu = folder / (stem + ".vtu");
   geometry::write_file_atomically(ply, geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));

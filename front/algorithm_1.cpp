@@ -31,7 +31,7 @@ void Sweep::run() {
   std::vector<std::uint32_t> minima;
   for (std::uint32_t i = 0; i < guide_.points.size(); ++i) {
     const morse::CriticalPoint& p = guide_.points[i];
-    if (p.index == 0 && subdomain_.contains(p.value)) minima.push_back(i);
+    if (p.index == 0 && levels_.contains(p.value)) minima.push_back(i);
   }
   std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(guide_.points[a].value, a) < std::pair(guide_.points[b].value, b);
@@ -41,7 +41,7 @@ void Sweep::run() {
 }
 
 void Sweep::finish() {
-  subdomain_ = {};
+  levels_ = {};
   departures_.release_postponed();
   sweep_on();
 }

@@ -22,8 +22,7 @@ class CoarseningObserver : public SweepObserver {
     if (mesh_.surface.triangle_count() >= next_run_) coarsen(front);
   }
   void finished(Front& front) override { coarsen(front); }
-  /// Takes over what another has to wait for, once its mesh is appended behind so many vertices.
-  void absorb(const CoarseningObserver& other, std::uint32_t vertex_offset);
+  void absorb(const CoarseningObserver& other) { removed_ += other.removed_; }
   /// Vertices taken out.
   std::size_t removed() const { return removed_; }
 

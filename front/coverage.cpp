@@ -38,16 +38,16 @@ void Coverage::follow(const FrontChange& change) {
 /// sphere with triangles of full size, and few have as many: most need no closer inspection.
 bool Coverage::is_covered_twice(const SurfacePoint& x) {
   largest_length_scale_ = std::max(largest_length_scale_, x.length_scale);
-  if (x.cell.index() >= vertices_.size() || ++vertices_[x.cell.index()] <= max_on_sphere_) {
+  if (x.cell.index() >= vertices_.size() || ++vertices_[x.cell] <= max_on_sphere_) {
     return false;
   }
   const auto [area, largest] = surface_.extent(x.cell, largest_length_scale_);
-  return vertices_[x.cell.index()] > max_vertices(area, disk_.radius(largest) / largest);
+  return vertices_[x.cell] > max_vertices(area, disk_.radius(largest) / largest);
 }
 
 void Coverage::absorb(const Coverage& other) {
-  for (std::size_t cell = 0; cell < vertices_.size(); ++cell) {
-    vertices_[cell] += other.vertices_[cell];
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    vertices_[geometry::CellId{i}] += other.vertices_[geometry::CellId{i}];
   }
   largest_length_scale_ = std::max(largest_length_scale_, other.largest_length_scale_);
   is_overlapping_ |= other.is_overlapping_;

@@ -25,9 +25,9 @@ class Coverage : public FrontMirror {
 
   const surface::Surface& surface_;
   const TangentDisk& disk_;
-  double max_on_sphere_;                 ///< vertices on a whole sphere
-  std::vector<std::uint32_t> vertices_;  ///< by mixed cell: how many lie on its patch
-  double largest_length_scale_ = 0;      ///< of a vertex
+  double max_on_sphere_;                                          ///< vertices on a whole sphere
+  geometry::IdVector<geometry::CellId, std::uint32_t> vertices_;  ///< how many lie on its patch
+  double largest_length_scale_ = 0;                               ///< of a vertex
   bool is_overlapping_ = false;
 };
 

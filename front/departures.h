@@ -47,12 +47,12 @@ class Departures : public FrontMirror {
     }
   }
 
-  /// Keeps a departure for later: one that the guard refused, or one too near the border of the
-  /// subdomain.
+  /// Keeps a departure for later: one that the guard refused, or one too near the sweep's
+  /// highest or lowest level.
   void defer(const Departure& d) { refused_.push_back(d); }
   void postpone(const Departure& d) { outside_.push_back(d); }
   /// Puts them back: what was refused while the front stood differently may go now; what was
-  /// outside may go once the subdomain has grown.
+  /// outside may go once there is no such level.
   void retry_refused() { put_back(std::exchange(refused_, {})); }
   void release_postponed() { put_back(std::exchange(outside_, {})); }
 

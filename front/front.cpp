@@ -15,7 +15,7 @@ FrontEdgeId Front::open_edge(VertexId origin, HalfEdgeId half_edge) {
     e = free_.back();
     free_.pop_back();
   }
-  FrontEdge& edge = edges_[e.index()];
+  FrontEdge& edge = edges_[e];
   edge.origin = origin;
   edge.half_edge = half_edge;
   edge.is_open = true;
@@ -28,8 +28,8 @@ FrontEdgeId Front::open_edge(VertexId origin, HalfEdgeId half_edge) {
 }
 
 void Front::close_edge(FrontEdgeId e) {
-  grid_.erase(e, edges_[e.index()].grid_keys);
-  edges_[e.index()].is_open = false;
+  grid_.erase(e, edges_[e].grid_keys);
+  edges_[e].is_open = false;
   free_.push_back(e);
   --open_;
 }
@@ -68,8 +68,8 @@ std::vector<FrontEdgeId> Front::open_polygon(std::span<const HalfEdgeId> half_ed
 
 /// The triangle on the bare side of e: its half-edge 0 glued to e's, 1 and 2 on the boundary.
 geometry::TriangleId Front::add_triangle(FrontEdgeId e, VertexId apex) {
-  const auto t = mesh_.surface.add_triangle(target(e), edges_[e.index()].origin, apex);
-  mesh_.surface.glue(SurfaceMesh::half_edge(t, 0), edges_[e.index()].half_edge);
+  const auto t = mesh_.surface.add_triangle(target(e), edges_[e].origin, apex);
+  mesh_.surface.glue(SurfaceMesh::half_edge(t, 0), edges_[e].half_edge);
   ++triangles_added_;
   return t;
 }
@@ -77,9 +77,9 @@ geometry::TriangleId Front::add_triangle(FrontEdgeId e, VertexId apex) {
 FrontEdgeId Front::attach(FrontEdgeId e, const SurfacePoint& x) {
   const VertexId apex = mesh_.add_vertex(x);
   const auto t = add_triangle(e, apex);
-  const FrontEdgeId after = edges_[e.index()].next;
+  const FrontEdgeId after = edges_[e].next;
   const FrontEdgeId added = open_edge(apex, SurfaceMesh::half_edge(t, 2));
-  edges_[e.index()].half_edge = SurfaceMesh::half_edge(t, 1);
+  edges_[e].half_edge = SurfaceMesh::half_edge(t, 1);
   link(e, added);
   link(added, after);
   tell_mirrors({.kind = Kind::NewVertex,
@@ -92,12 +92,12 @@ FrontEdgeId Front::attach(FrontEdgeId e, const SurfacePoint& x) {
 }
 
 FrontEdgeId Front::attach(FrontEdgeId e, FrontEdgeId corner) {
-  const VertexId v = edges_[corner.index()].origin;
+  const VertexId v = edges_[corner].origin;
   const auto t = add_triangle(e, v);
-  const FrontEdgeId after = edges_[e.index()].next;
-  const FrontEdgeId before_v = edges_[corner.index()].previous;
+  const FrontEdgeId after = edges_[e].next;
+  const FrontEdgeId before_v = edges_[corner].previous;
   const FrontEdgeId added = open_edge(v, SurfaceMesh::half_edge(t, 2));
-  edges_[e.index()].half_edge = SurfaceMesh::half_edge(t, 1);
+  edges_[e].half_edge = SurfaceMesh::half_edge(t, 1);
   link(e, corner);
   link(before_v, added);
   link(added, after);
@@ -112,14 +112,14 @@ FrontEdgeId Front::attach(FrontEdgeId e, FrontEdgeId corner) {
 }
 
 void Front::close_corner(FrontEdgeId corner) {
-  const FrontEdgeId before = edges_[corner.index()].previous;
-  const FrontEdgeId after = edges_[corner.index()].next;
-  const auto t = add_triangle(corner, edges_[before.index()].origin);
-  mesh_.surface.glue(SurfaceMesh::half_edge(t, 1), edges_[before.index()].half_edge);
-  edges_[before.index()].half_edge = SurfaceMesh::half_edge(t, 2);
+  const FrontEdgeId before = edges_[corner].previous;
+  const FrontEdgeId after = edges_[corner].next;
+  const auto t = add_triangle(corner, edges_[before].origin);
+  mesh_.surface.glue(SurfaceMesh::half_edge(t, 1), edges_[before].half_edge);
+  edges_[before].half_edge = SurfaceMesh::half_edge(t, 2);
   link(before, after);
   close_edge(corner);
-  if (edges_[after.index()].next != before) {
+  if (edges_[after].next != before) {
     const std::array corners{before, after};
     tell_mirrors({.kind = Kind::ClosedCorner,
                   .front = *this,
@@ -130,7 +130,7 @@ void Front::close_corner(FrontEdgeId corner) {
     return;
   }
   // The last two edges run to and fro between the same two vertices.
-  mesh_.surface.glue(edges_[before.index()].half_edge, edges_[after.index()].half_edge);
+  mesh_.surface.glue(edges_[before].half_edge, edges_[after].half_edge);
   close_edge(before);
   close_edge(after);
   const std::array closed{corner, before, after};
@@ -143,10 +143,10 @@ void Front::close_corner(FrontEdgeId corner) {
 }
 
 void Front::finish_edge(FrontEdgeId e, FrontEdgeId corner) {
-  const FrontEdgeId after = edges_[e.index()].next;
-  if (corner == edges_[e.index()].previous) {
+  const FrontEdgeId after = edges_[e].next;
+  if (corner == edges_[e].previous) {
     close_corner(e);
-  } else if (edges_[corner.index()].previous == after) {
+  } else if (edges_[corner].previous == after) {
     close_corner(after);
   } else {
     attach(e, corner);
@@ -170,18 +170,18 @@ void Front::absorb(const Front& other, const IdOffsets& offsets) {
   triangles_added_ += other.triangles_added_;
 }
 
-std::vector<char> Front::marked_vertices() const {
-  std::vector<char> is_on_front(mesh_.surface.vertex_count(), 0);
+geometry::Parts Front::parts_behind() const {
+  geometry::Parts parts(mesh_.surface.vertex_count(), 0);
   for (const FrontEdge& edge : edges_) {
-    if (edge.is_open) is_on_front[edge.origin.index()] = 1;
+    if (edge.is_open) parts[edge.origin] = geometry::no_part;
   }
-  return is_on_front;
+  return parts;
 }
 
-void Front::rename(const SurfaceMesh::Renaming& renaming) {
+void Front::compacted(const geometry::Renaming& renaming) {
   for (FrontEdge& edge : edges_) {
     if (!edge.is_open) continue;
-    edge.origin = *renaming.vertices[edge.origin.index()];
+    edge.origin = *renaming.vertices[edge.origin];
     edge.half_edge = renaming(edge.half_edge);
   }
 }

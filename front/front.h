@@ -7,13 +7,15 @@
 /// the edge itself; a vertex where the front touches itself has several. An edge keeps its id, and
 /// so its corner, until the corner closes: ids are reused afterwards, told apart by a generation.
 ///
-/// Only the front adds triangles to the mesh. It tells every change to its mirrors, once.
+/// Only the front adds triangles to the mesh. It tells every change to its mirrors, once, and
+/// follows the mesh when that is compacted.
 
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "front/front_grid.h"
+#include "geometry/subdomain.h"
 #include "surface/mesh.h"
 
 namespace morskin::front {
@@ -69,25 +71,23 @@ struct IdOffsets {
   std::uint32_t vertices, half_edges, edges;
 };
 
-class Front {
+class Front : private geometry::MeshFollower {
  public:
   /// @param radius  largest radius of a query to the grid of corners, in units of the length scale
   /// @param largest_length_scale  a larger one counts as this, Angstrom
   explicit Front(Mesh& mesh, double radius = 0.4,
                  double largest_length_scale = std::numeric_limits<double>::infinity())
-      : mesh_(mesh), grid_(radius, largest_length_scale) {}
+      : MeshFollower(mesh.surface), mesh_(mesh), grid_(radius, largest_length_scale) {}
 
   /// Tells a mirror of every change from now on. It must live as long as the front changes.
   void add_mirror(FrontMirror& mirror) { mirrors_.push_back(&mirror); }
 
-  const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e.index()]; }
-  const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e.index()].next.index()]; }
-  const FrontEdge& previous(FrontEdgeId e) const {
-    return edges_[edges_[e.index()].previous.index()];
-  }
+  const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e]; }
+  const FrontEdge& next(FrontEdgeId e) const { return edges_[edges_[e].next]; }
+  const FrontEdge& previous(FrontEdgeId e) const { return edges_[edges_[e].previous]; }
   VertexId target(FrontEdgeId e) const { return next(e).origin; }
   /// Whether the polygon of an edge has three edges.
-  bool is_triangle(FrontEdgeId e) const { return previous(e).previous == edges_[e.index()].next; }
+  bool is_triangle(FrontEdgeId e) const { return previous(e).previous == edges_[e].next; }
   const FrontGrid& grid() const { return grid_; }
   const Mesh& mesh() const { return mesh_; }
   std::size_t capacity() const { return edges_.size(); }
@@ -125,19 +125,18 @@ class Front {
   /// they absorb their counterparts.
   void absorb(const Front& other, const IdOffsets& offsets);
 
-  /// By vertex of the mesh, whether the front runs through it.
-  std::vector<char> marked_vertices() const;
-  /// Follows the mesh when it is compacted.
-  /// @pre it has lost nothing that the front runs along.
-  void rename(const geometry::SurfaceMesh::Renaming& renaming);
+  /// The vertices behind the front as one part; those on it are nobody's.
+  geometry::Parts parts_behind() const;
 
  private:
+  /// @pre the mesh has lost nothing that the front runs along.
+  void compacted(const geometry::Renaming& renaming) override;
   geometry::TriangleId add_triangle(FrontEdgeId e, VertexId apex);
   FrontEdgeId open_edge(VertexId origin, HalfEdgeId half_edge);
   void close_edge(FrontEdgeId e);
   void link(FrontEdgeId e, FrontEdgeId f) {
-    edges_[e.index()].next = f;
-    edges_[f.index()].previous = e;
+    edges_[e].next = f;
+    edges_[f].previous = e;
   }
   void tell_mirrors(const FrontChange& change) const {
     for (FrontMirror* mirror : mirrors_) mirror->follow(change);
@@ -145,7 +144,7 @@ class Front {
 
   Mesh& mesh_;
   std::vector<FrontMirror*> mirrors_;
-  std::vector<FrontEdge> edges_;
+  geometry::IdVector<FrontEdgeId, FrontEdge> edges_;
   std::vector<FrontEdgeId> free_;
   FrontGrid grid_;
   std::size_t open_ = 0;

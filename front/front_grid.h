@@ -21,11 +21,10 @@
 
 namespace morskin::front {
 
+using geometry::no_index;
 using FrontEdgeId = geometry::Id<struct FrontEdgeTag>;
 
 class FrontGrid {
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
-
  public:
   /// The keys of the boxes that a corner is filed in, from the lowest band up.
   using Keys = std::array<std::uint32_t, 3>;
@@ -40,7 +39,7 @@ class FrontGrid {
         lowest_share_((1 - margin) / (1 + radius)),
         highest_share_((1 + margin) / (1 - radius)),
         cells_per_angstrom_(1 / (8 * radius)),
-        first_(1024, none) {}
+        first_(1024, no_index) {}
 
   /// The largest query radius at a point of this length scale, Angstrom.
   double max_radius(double length_scale) const { return radius_ * counted(length_scale); }
@@ -49,7 +48,7 @@ class FrontGrid {
   Keys insert(FrontEdgeId corner, const geometry::Point& position, double length_scale) {
     const double counts_as = counted(length_scale);
     const int highest = band_of(counts_as * highest_share_);
-    Keys keys{none, none, none};
+    Keys keys{no_index, no_index, no_index};
     std::size_t filed = 0;
     for (int band = band_of(counts_as * lowest_share_); band <= highest; ++band) {
       const double size = cell_size(band);
@@ -68,7 +67,7 @@ class FrontGrid {
   /// @pre insert() returned these keys.
   void erase(FrontEdgeId corner, const Keys& keys) {
     for (const std::uint32_t key : keys) {
-      if (key != none) erase(corner, key);
+      if (key != no_index) erase(corner, key);
     }
   }
 
@@ -101,7 +100,7 @@ class FrontGrid {
         for (box[2] = low[2]; box[2] <= high[2]; ++box[2]) {
           const float z = offset(p.z(), box[2], size);
           const std::uint32_t key = key_of(band, box);
-          for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
+          for (std::uint32_t c = first(key); c != no_index; c = cells_[c].next) {
             if (cells_[c].key != key) continue;
             if (found > near.size() - cell_capacity) visit_all();
             found += find_near(cells_[c], x, y, z, squared_radius, &near[found]);
@@ -123,7 +122,7 @@ class FrontGrid {
   /// needs more than one.
   struct alignas(64) Cell {
     std::array<float, cell_capacity> x = all_far, y{}, z{};
-    std::uint32_t key = 0, next = none, count = 0;
+    std::uint32_t key = 0, next = no_index, count = 0;
     std::array<FrontEdgeId, cell_capacity> corners;
   };
 
@@ -206,7 +205,7 @@ class FrontGrid {
     return true;
   }
   std::uint32_t cell_with_space(std::uint32_t key) {
-    for (std::uint32_t c = first(key); c != none; c = cells_[c].next) {
+    for (std::uint32_t c = first(key); c != no_index; c = cells_[c].next) {
       if (cells_[c].key == key && cells_[c].count < cell_capacity) return c;
     }
     if (unused_.empty()) {
@@ -223,9 +222,9 @@ class FrontGrid {
   /// Doubles the table of first cells; with four slots for each cell, lists are short.
   void grow() {
     const std::vector<std::uint32_t> old =
-        std::exchange(first_, std::vector<std::uint32_t>(2 * first_.size(), none));
+        std::exchange(first_, std::vector<std::uint32_t>(2 * first_.size(), no_index));
     for (std::uint32_t c : old) {
-      while (c != none) {
+      while (c != no_index) {
         const std::uint32_t after = cells_[c].next;
         cells_[c].next = std::exchange(first(cells_[c].key), c);
         c = after;

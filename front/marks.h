@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "front/departures.h"
+#include "geometry/id_vector.h"
 #include "morse/critical_point.h"
 
 namespace morskin::front {
@@ -22,17 +23,17 @@ class Marks {
       : points_(points), spheres_(points.size()) {}
 
   void mark(CriticalId c, std::size_t side, const Departure& departure) {
-    spheres_[c.index()].sides[side].push_back(departure);
+    spheres_[c].sides[side].push_back(departure);
   }
   bool is_marked_on_both_sides(CriticalId c) const {
-    const Sides& sides = spheres_[c.index()].sides;
+    const Sides& sides = spheres_[c].sides;
     return !sides[0].empty() && !sides[1].empty();
   }
-  bool is_released(CriticalId c) const { return spheres_[c.index()].is_released; }
+  bool is_released(CriticalId c) const { return spheres_[c].is_released; }
   /// @return its marks
   Sides release(CriticalId c) {
-    spheres_[c.index()].is_released = true;
-    return std::exchange(spheres_[c.index()].sides, {});
+    spheres_[c].is_released = true;
+    return std::exchange(spheres_[c].sides, {});
   }
 
   /// Follows a sweep of the same critical points, by the same function or reversed: a saddle
@@ -41,8 +42,9 @@ class Marks {
   void absorb(const Marks& other) {
     for (std::size_t c = 0; c < spheres_.size(); ++c) {
       const bool is_saddle = points_[c].index == 1;
-      spheres_[c].is_released =
-          is_saddle && (spheres_[c].is_released || other.spheres_[c].is_released);
+      const CriticalId id{c};
+      spheres_[id].is_released =
+          is_saddle && (spheres_[id].is_released || other.spheres_[id].is_released);
     }
   }
 
@@ -52,7 +54,7 @@ class Marks {
     bool is_released = false;
   };
   const std::vector<morse::CriticalPoint>& points_;
-  std::vector<Sphere> spheres_;  ///< by critical point
+  geometry::IdVector<CriticalId, Sphere> spheres_;
 };
 
 }  // namespace morskin::front

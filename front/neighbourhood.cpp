@@ -31,7 +31,7 @@ void Neighbourhood::gather(const SurfacePoint& centre) {
 
 /// Notes an edge, once.
 void Neighbourhood::add(FrontEdgeId e) {
-  std::uint32_t& index = index_[e.index()];
+  std::uint32_t& index = index_[e];
   if (index < corners_.size() && corners_[index].edge == e) return;
   index = static_cast<std::uint32_t>(corners_.size());
   update(e, corners_.emplace_back());
@@ -56,7 +56,7 @@ void Neighbourhood::follow(const FrontChange& change) {
 /// Notes that a front edge is new or has new ends.
 void Neighbourhood::refresh(FrontEdgeId e) {
   if (index_.size() <= e.index()) index_.resize(2 * front_.capacity(), 0);
-  const std::uint32_t index = index_[e.index()];
+  const std::uint32_t index = index_[e];
   if (index < corners_.size() && corners_[index].edge == e) {
     update(e, corners_[index]);
   } else {
@@ -67,7 +67,7 @@ void Neighbourhood::refresh(FrontEdgeId e) {
 /// Drops an edge that is no longer open.
 void Neighbourhood::forget(FrontEdgeId e) {
   if (index_.size() <= e.index()) return;
-  const std::uint32_t index = index_[e.index()];
+  const std::uint32_t index = index_[e];
   if (index < corners_.size() && corners_[index].edge == e) corners_[index].is_open = false;
 }
 

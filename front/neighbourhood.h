@@ -129,7 +129,7 @@ class Neighbourhood : public FrontMirror {
   double radius_ = 0;
   Vector normal_ = Vector::Zero(), first_axis_ = Vector::Zero(), second_axis_ = Vector::Zero();
   std::vector<Corner> corners_;
-  std::vector<std::uint32_t> index_;  ///< by front edge: its index in corners_, checked on use
+  geometry::IdVector<FrontEdgeId, std::uint32_t> index_;  ///< in corners_, checked on use
 };
 
 }  // namespace morskin::front

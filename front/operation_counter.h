@@ -57,12 +57,12 @@ class TouchLoops {
  private:
   std::uint32_t& loop_of(FrontEdgeId e) {
     if (loop_.size() <= e.index()) loop_.resize(e.index() + 1, 0);
-    return loop_[e.index()];
+    return loop_[e];
   }
   void follow_touch(const Front& front, FrontEdgeId e, FrontEdgeId added, bool is_predicted);
 
   std::vector<Loop> loops_{Loop{}};  ///< the first stands for all that are not watched
-  std::vector<std::uint32_t> loop_;  ///< by front edge
+  geometry::IdVector<FrontEdgeId, std::uint32_t> loop_;  ///< of an edge
 };
 
 class OperationCounter : public SweepObserver {

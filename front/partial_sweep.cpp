@@ -5,14 +5,14 @@
 namespace morskin::front {
 
 PartialSweep::PartialSweep(const surface::Surface& surface, const morse::Guide& guide,
-                           const SweepOptions& options, const Subdomain& subdomain,
+                           const SweepOptions& options, const LevelRange& levels,
                            const std::optional<CoarseningOptions>& coarsening,
                            const std::vector<SweepObserver*>& observers)
     : counter_(guide),
       coarsening_(
           coarsening ? std::optional<CoarseningObserver>(std::in_place, surface, *coarsening, mesh_)
                      : std::nullopt),
-      sweep_(surface, guide, options, mesh_, subdomain, all_observers(observers)) {}
+      sweep_(surface, guide, options, mesh_, levels, all_observers(observers)) {}
 
 std::vector<SweepObserver*> PartialSweep::all_observers(const std::vector<SweepObserver*>& others) {
   std::vector<SweepObserver*> all{&counter_};
@@ -24,7 +24,7 @@ std::vector<SweepObserver*> PartialSweep::all_observers(const std::vector<SweepO
 void PartialSweep::absorb(PartialSweep& other, const geometry::Run& run) {
   const IdOffsets offsets = sweep_.absorb(other.sweep_, run);
   counter_.absorb(other.counter_, offsets.edges);
-  if (coarsening_) coarsening_->absorb(*other.coarsening_, offsets.vertices);
+  if (coarsening_) coarsening_->absorb(*other.coarsening_);
 }
 
 SweepResult PartialSweep::take_result() {

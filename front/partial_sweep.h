@@ -16,20 +16,20 @@ struct SweepResult {
   std::size_t open_edges = 0;  ///< 0 when the mesh is closed
 };
 
-/// One of the sweeps that mesh a surface together, each a subdomain of it, with its mesh, its
+/// One of the sweeps that mesh a surface together, each between two levels, with its mesh, its
 /// counts and its coarsening. Absorbing is associative, so any number of them are a fold; what lies
-/// between the subdomains is swept in the end.
+/// between them is swept in the end.
 class PartialSweep {
  public:
   /// @param coarsening  nothing to leave the mesh as fine as it is laid
   /// @param observers   further ones; with surface and guide they must outlive this
   PartialSweep(const surface::Surface& surface, const morse::Guide& guide,
-               const SweepOptions& options, const Subdomain& subdomain,
+               const SweepOptions& options, const LevelRange& levels,
                const std::optional<CoarseningOptions>& coarsening = {},
                const std::vector<SweepObserver*>& observers = {});
 
   void run() { sweep_.run(); }
-  /// @pre both have run, over disjoint subdomains
+  /// @pre both have run, over disjoint levels
   void absorb(PartialSweep& other, const geometry::Run& run = geometry::Run());
   /// Sweeps on over the whole surface.
   void finish() { sweep_.finish(); }

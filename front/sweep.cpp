@@ -6,10 +6,10 @@
 namespace morskin::front {
 
 Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
-             const SweepOptions& options, Mesh& mesh, const Subdomain& subdomain,
+             const SweepOptions& options, Mesh& mesh, const LevelRange& levels,
              std::vector<SweepObserver*> observers)
     : guide_(guide),
-      subdomain_(subdomain),
+      levels_(levels),
       disk_(surface, options.sizing),
       mesh_(mesh),
       front_(mesh, disk_.view_share(), options.sizing.largest_length_scale),
@@ -19,6 +19,7 @@ Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
       marks_(guide.points),
       coverage_(surface, disk_),
       observers_(std::move(observers)) {
+  if (options.record_births) mesh_.births.emplace(mesh_.surface);
   for (FrontMirror* mirror :
        std::initializer_list<FrontMirror*>{&guard_, &departures_, &fresh_, &coverage_}) {
     front_.add_mirror(*mirror);
@@ -31,7 +32,7 @@ IdOffsets Sweep::absorb(Sweep& other, const geometry::Run& run) {
       .vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count()),
       .half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count()),
       .edges = static_cast<std::uint32_t>(front_.capacity())};
-  mesh_.append(std::move(other.mesh_), run.threads());
+  mesh_.surface.append(std::move(other.mesh_.surface), run.threads());
   front_.absorb(other.front_, offsets);
   departures_.absorb(other.departures_, offsets.edges);
   marks_.absorb(other.marks_);
@@ -39,7 +40,7 @@ IdOffsets Sweep::absorb(Sweep& other, const geometry::Run& run) {
   return offsets;
 }
 
-/// The lowest departure of the queue that is current and within the subdomain.
+/// The lowest departure of the queue that is current and within the levels.
 std::optional<Departure> Sweep::lowest_departure() {
   while (!departures_.empty() && !coverage_.is_overlapping()) {
     for (SweepObserver* observer : observers_) observer->between_departures(front_);
@@ -53,11 +54,10 @@ std::optional<Departure> Sweep::lowest_departure() {
 }
 
 /// Whether all that a fan or a closed corner at the departure vertex could add stays within the
-/// subdomain, with a disk's radius to spare.
+/// levels, with a disk's radius to spare.
 bool Sweep::may_depart(const Departure& t) const {
   const SurfacePoint& p = mesh_.at(front_[t.corner].origin);
-  return subdomain_.contains(guide_.function, p.position, t.value,
-                             2 * disk_.radius(p.length_scale));
+  return levels_.contains(guide_.function, p.position, t.value, 2 * disk_.radius(p.length_scale));
 }
 
 /// The protecting sphere that a departure vertex lies in, if it has not been released.

@@ -16,9 +16,9 @@
 #include "front/fresh_corners.h"
 #include "front/front.h"
 #include "front/guard_policy.h"
+#include "front/level_range.h"
 #include "front/marks.h"
 #include "front/neighbourhood.h"
-#include "front/subdomain.h"
 #include "front/sweep_observer.h"
 #include "front/tangent_disk.h"
 #include "geometry/run.h"
@@ -30,22 +30,23 @@ namespace morskin::front {
 struct SweepOptions {
   certify::Sizing sizing = {};
   const GuardPolicy* guard = &see_everything;  ///< must outlive the sweep
+  bool record_births = false;                  ///< fills Mesh::births
 };
 
 class Sweep {
  public:
   /// @pre the mesh is empty. Surface, guide, mesh and observers must outlive the sweep.
   Sweep(const surface::Surface& surface, const morse::Guide& guide, const SweepOptions& options,
-        Mesh& mesh, const Subdomain& subdomain = {}, std::vector<SweepObserver*> observers = {});
+        Mesh& mesh, const LevelRange& levels = {}, std::vector<SweepObserver*> observers = {});
   Sweep(const Sweep&) = delete;  // its parts refer to each other
   Sweep& operator=(const Sweep&) = delete;
 
-  /// Sweeps until no bare surface is left that the front can reach within the subdomain.
+  /// Sweeps until no bare surface is left that the front can reach within the levels.
   void run();
 
   /// Unites another sweep of the same surface with this one: mesh, front, departures, marks and
   /// coverage. Nothing is laid. Associative; nothing is left of the other's mesh.
-  /// @pre both have run, along the same function or its reverse, over disjoint subdomains.
+  /// @pre both have run, along the same function or its reverse, over disjoint levels.
   /// @return  by how much the other's ids moved up
   IdOffsets absorb(Sweep& other, const geometry::Run& run = geometry::Run());
 
@@ -92,7 +93,7 @@ class Sweep {
   void done(Operation operation) const;
 
   const morse::Guide& guide_;
-  Subdomain subdomain_;
+  LevelRange levels_;
   const TangentDisk disk_;
   Mesh& mesh_;
   Front front_;

@@ -14,7 +14,7 @@ namespace morskin::front {
 enum class Operation { Creation, Creep, Wing, Bridge, Seal };
 
 /// Watches a sweep. None of what it is told of changes the sweep, but for the two hooks that let it
-/// compact the mesh and rename the front. Every callback does nothing unless overridden.
+/// coarsen the mesh behind the front and compact it. Every callback does nothing unless overridden.
 class SweepObserver : public FrontMirror {
  public:
   void follow(const FrontChange&) override {}
@@ -23,7 +23,7 @@ class SweepObserver : public FrontMirror {
   virtual void departed(const Departure&, const Front&) {}
   /// A departure has been marked, red or green, in the sphere of a critical point.
   virtual void marked(morse::CriticalId, const Departure&) {}
-  /// No operation is under way. May compact the mesh if it renames the front.
+  /// No operation is under way. May change and compact the mesh behind the front.
   virtual void between_departures(Front&) {}
   /// The same, when nothing is left that the front can reach.
   virtual void finished(Front&) {}

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/exact_positions.h"
+#include "geometry/id.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/predicates.h"
 #include "geometry/union_find.h"
@@ -172,15 +173,14 @@ void MeshChecker::check_duplicates(std::span<HalfEdge> around) {
 }
 
 void MeshChecker::check_vertices() {
-  constexpr std::uint32_t none = 0xFFFFFFFFU;
-  std::vector<std::uint32_t> fan(mesh_.positions.size(), none);
+  std::vector<std::uint32_t> fan(mesh_.positions.size(), no_index);
   std::vector<char> is_used(mesh_.positions.size(), 0), is_split(mesh_.positions.size(), 0);
   for (std::uint32_t h = 0; h < 3 * mesh_.triangles.size(); ++h) {
     const std::uint32_t v = corner(h);
     is_used[v] = 1;
     if (repeats_a_corner(h / 3)) continue;  // it has no place in a fan
     const std::uint32_t root = fans_.root(h);
-    if (fan[v] == none) fan[v] = root;
+    if (fan[v] == no_index) fan[v] = root;
     is_split[v] = is_split[v] != 0 || fan[v] != root;
   }
   for (std::uint32_t v = 0; v < fan.size(); ++v) {

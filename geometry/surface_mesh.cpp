@@ -4,13 +4,14 @@
 #include <cassert>
 
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 #include "geometry/union_find.h"
 
 namespace morskin::geometry {
 
 SurfaceMesh::SurfaceMesh(std::size_t vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles)
-    : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId{kBoundary}) {
+    : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId::none()) {
   if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
   HalfEdgeId h;
   for (const auto& triangle : triangles) {
@@ -29,7 +30,7 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
   }
   SurfaceMesh mesh;
   mesh.half_edges_.reserve(twins.size());
-  mesh.outgoing_.resize(vertices, HalfEdgeId{kBoundary});
+  mesh.outgoing_.resize(vertices, HalfEdgeId::none());
   std::size_t edges = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& corners = triangles[t];
@@ -44,7 +45,7 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = half_edge(added, k);
       mesh.half_edges_.push_back({VertexId{corners[k]}, twins[h.index()]});
-      mesh.outgoing_[corners[k]] = h;
+      mesh.outgoing_[VertexId{corners[k]}] = h;
     }
     // Of two twins the later looks back, so that no edge is counted twice.
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -61,18 +62,26 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
   return mesh;
 }
 
+SurfaceMesh& SurfaceMesh::operator=(SurfaceMesh other) {
+  std::swap(half_edges_, other.half_edges_);
+  std::swap(outgoing_, other.outgoing_);
+  tell_size();
+  return *this;
+}
+
 void SurfaceMesh::reserve(std::size_t vertices) {
   outgoing_.reserve(vertices);
   half_edges_.reserve(6 * vertices);
 }
 
 std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
-  const HalfEdgeId h = outgoing_[v.index()];
-  return h.value == kBoundary ? std::nullopt : std::optional(h);
+  const HalfEdgeId h = outgoing_[v];
+  return h == HalfEdgeId::none() ? std::nullopt : std::optional(h);
 }
 
 VertexId SurfaceMesh::add_vertex() {
-  outgoing_.emplace_back(kBoundary);
+  outgoing_.push_back(HalfEdgeId::none());
+  tell_size();
   return VertexId{outgoing_.size() - 1};
 }
 
@@ -80,12 +89,13 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_room(half_edges_.size() / 3, most_triangles, "triangles");
   const HalfEdgeId first{half_edges_.size()};
-  half_edges_.push_back({a, HalfEdgeId{kBoundary}});
-  half_edges_.push_back({b, HalfEdgeId{kBoundary}});
-  half_edges_.push_back({c, HalfEdgeId{kBoundary}});
-  outgoing_[a.index()] = first;
-  outgoing_[b.index()] = HalfEdgeId{first.value + 1};
-  outgoing_[c.index()] = HalfEdgeId{first.value + 2};
+  half_edges_.push_back({a, HalfEdgeId::none()});
+  half_edges_.push_back({b, HalfEdgeId::none()});
+  half_edges_.push_back({c, HalfEdgeId::none()});
+  outgoing_[a] = first;
+  outgoing_[b] = HalfEdgeId{first.value + 1};
+  outgoing_[c] = HalfEdgeId{first.value + 2};
+  tell_size();
   return triangle(first);
 }
 
@@ -93,6 +103,7 @@ SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
   const TriangleId second{triangle_count()}, third{triangle_count() + 1};
   require_room(third.index(), most_triangles, "triangles");
   half_edges_.resize(half_edges_.size() + 6);
+  tell_size();
   return {v, second, third};
 }
 
@@ -102,30 +113,41 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
   set_twin(h, g);
 }
 
-void SurfaceMesh::append(const SurfaceMesh& other) {
-  const std::uint32_t vertices = static_cast<std::uint32_t>(vertex_count());
-  const std::uint32_t half_edges = static_cast<std::uint32_t>(half_edges_.size());
-  const auto moved = [](auto id, std::uint32_t by) {
-    return id.value == kBoundary ? id : decltype(id){id.value + by};
+void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
+  constexpr std::size_t big = std::size_t{1} << 20;
+  const std::size_t vertices = vertex_count(), all_vertices = vertices + other.vertex_count();
+  const std::size_t triangles = triangle_count();
+  const std::size_t all_triangles = triangles + other.triangle_count();
+  if (all_triangles > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  const auto append_elements = [&] {
+    const auto moved = [](auto id, std::size_t by) {
+      return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
+    };
+    reserve(with_room(all_vertices));
+    for (const HalfEdge& h : other.half_edges_) {
+      half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, 3 * triangles)});
+    }
+    for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, 3 * triangles));
+    other.half_edges_ = {};
+    other.outgoing_ = {};
   };
-  if (triangle_count() + other.triangle_count() > most_triangles) {
-    fail_for_lack_of_ids(most_triangles, "triangles");
-  }
-  reserve(with_room(vertex_count() + other.vertex_count()));
-  for (const HalfEdge& h : other.half_edges_) {
-    half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, half_edges)});
-  }
-  for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));
+  const auto append_data = [&] {
+    for (std::size_t k = 0; k < followers_.all.size(); ++k) {
+      const std::vector<MeshFollower*>& others = other.followers_.all;
+      followers_.all[k]->appended(k < others.size() ? others[k] : nullptr, all_vertices,
+                                  all_triangles);
+    }
+  };
+  do_both(vertices < big ? threads : 1, append_elements, append_data);
+  other.tell_size();
 }
 
 void SurfaceMesh::flip(HalfEdgeId h) {
   assert(!is_boundary(h));
   const HalfEdgeId g = twin(h);
   const VertexId a = origin(h), b = origin(g), c = apex(h), d = apex(g);
-  const HalfEdgeId beyond_bc = half_edges_[next(h).index()].twin,
-                   beyond_ca = half_edges_[previous(h).index()].twin;
-  const HalfEdgeId beyond_ad = half_edges_[next(g).index()].twin,
-                   beyond_db = half_edges_[previous(g).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(h)].twin, beyond_ca = half_edges_[previous(h)].twin;
+  const HalfEdgeId beyond_ad = half_edges_[next(g)].twin, beyond_db = half_edges_[previous(g)].twin;
   set_corner(previous(h), a);
   set_corner(previous(g), b);
   set_corner(next(h), c);
@@ -145,8 +167,8 @@ void SurfaceMesh::split(TriangleId t, const Room& room) {
   assert(is_removed(second) && is_removed(third));
   const auto [a, b, c] = corners(t);
   const HalfEdgeId ab = half_edge(t, 0);
-  const HalfEdgeId beyond_bc = half_edges_[next(ab).index()].twin,
-                   beyond_ca = half_edges_[previous(ab).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(ab)].twin,
+                   beyond_ca = half_edges_[previous(ab)].twin;
   const HalfEdgeId bc = half_edge(second, 0), ca = half_edge(third, 0);
   set_corner(bc, b);
   set_corner(next(bc), c);
@@ -162,15 +184,15 @@ void SurfaceMesh::split(TriangleId t, const Room& room) {
   set_twin(next(ab), previous(bc));
   set_twin(next(bc), previous(ca));
   set_twin(next(ca), previous(ab));
+  for (MeshFollower* follower : followers_.all) follower->triangle_split(t, second, third);
 }
 
 SurfaceMesh::Room SurfaceMesh::unsplit(VertexId v) {
   assert(degree(v) == 3);
-  const HalfEdgeId va = outgoing_[v.index()];
+  const HalfEdgeId va = outgoing_[v];
   const HalfEdgeId vb = twin(previous(va));
   const HalfEdgeId vc = twin(previous(vb));
-  const HalfEdgeId beyond_bc = half_edges_[next(vb).index()].twin,
-                   beyond_ca = half_edges_[next(vc).index()].twin;
+  const HalfEdgeId beyond_bc = half_edges_[next(vb)].twin, beyond_ca = half_edges_[next(vc)].twin;
   const VertexId a = target(va), b = target(vb), c = target(vc);
   // The kept triangle's half-edges va, next(va), previous(va) become c-a, a-b, b-c.
   set_corner(va, c);
@@ -180,33 +202,38 @@ SurfaceMesh::Room SurfaceMesh::unsplit(VertexId v) {
   set_twin(previous(va), beyond_bc);
   for (const HalfEdgeId h : {vb, vc}) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      half_edges_[half_edge(triangle(h), k).index()] = {};
+      half_edges_[half_edge(triangle(h), k)] = {};
     }
   }
-  outgoing_[v.index()] = HalfEdgeId{kBoundary};
+  outgoing_[v] = HalfEdgeId::none();
+  tell_removed(v);
   return {v, triangle(vb), triangle(vc)};
 }
 
 void SurfaceMesh::remove(std::span<const TriangleId> triangles) {
+  std::vector<VertexId> corners_gone;
   for (const TriangleId t : triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      outgoing_[half_edges_[half_edge(t, k).index()].origin.index()] = HalfEdgeId{kBoundary};
+    for (const VertexId v : corners(t)) {
+      if (outgoing_[v] != HalfEdgeId::none()) corners_gone.push_back(v);
+      outgoing_[v] = HalfEdgeId::none();
     }
   }
   for (const TriangleId t : triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k)
-      half_edges_[half_edge(t, k).index()].origin = VertexId{kBoundary};
+    for (std::uint32_t k = 0; k < 3; ++k) half_edges_[half_edge(t, k)].origin = VertexId::none();
   }
   // A fan that is left begins at the half-edge whose twin is gone.
   for (const TriangleId t : triangles) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      HalfEdgeId& twin = half_edges_[half_edge(t, k).index()].twin;
-      if (twin.value != kBoundary && half_edges_[twin.index()].origin.value != kBoundary) {
-        half_edges_[twin.index()].twin = HalfEdgeId{kBoundary};
-        outgoing_[half_edges_[twin.index()].origin.index()] = twin;
+      HalfEdgeId& twin = half_edges_[half_edge(t, k)].twin;
+      if (twin != HalfEdgeId::none() && half_edges_[twin].origin != VertexId::none()) {
+        half_edges_[twin].twin = HalfEdgeId::none();
+        outgoing_[half_edges_[twin].origin] = twin;
       }
-      twin = HalfEdgeId{kBoundary};
+      twin = HalfEdgeId::none();
     }
+  }
+  for (const VertexId v : corners_gone) {
+    if (outgoing_[v] == HalfEdgeId::none()) tell_removed(v);
   }
 }
 
@@ -217,12 +244,12 @@ std::size_t SurfaceMesh::degree(VertexId v) const {
 }
 
 bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
-  const HalfEdgeId first = outgoing_[a.index()];
+  const HalfEdgeId first = outgoing_[a];
   HalfEdgeId h = first;
   do {
     const HalfEdgeId before = previous(h);
-    if (half_edges_[before.index()].origin == b) return true;
-    h = half_edges_[before.index()].twin;
+    if (half_edges_[before].origin == b) return true;
+    h = half_edges_[before].twin;
   } while (h != first);
   return false;
 }

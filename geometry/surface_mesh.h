@@ -4,7 +4,8 @@
 ///
 /// Half-edge h = 3 t + k of triangle t runs from corner k to corner k + 1, the triangle on its left
 /// (counter-clockwise seen from outside). Its twin is the opposite half-edge of the neighbouring
-/// triangle; a half-edge without one is on the boundary. Everything lies in two flat arrays.
+/// triangle; a half-edge without one is on the boundary. Everything lies in two flat arrays. Data
+/// by vertex or triangle stand beside it and follow it (mesh_data.h).
 
 #include <array>
 #include <cstdint>
@@ -14,15 +15,20 @@
 #include <vector>
 
 #include "geometry/id.h"
+#include "geometry/id_vector.h"
+#include "geometry/mesh_follower.h"
 #include "geometry/prefetch.h"
 
 namespace morskin::geometry {
 
-using HalfEdgeId = Id<struct HalfEdgeTag>;
-
 class SurfaceMesh {
  public:
   SurfaceMesh() = default;
+  SurfaceMesh(const SurfaceMesh&) = default;
+  SurfaceMesh(SurfaceMesh&&) = default;
+  ~SurfaceMesh() = default;
+  /// Its followers stay, and have as many elements as the mesh assigned.
+  SurfaceMesh& operator=(SurfaceMesh other);
   /// Triangles of a list, in its order, none glued to another yet.
   /// @pre every corner is below `vertices`; at most most_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
@@ -39,9 +45,9 @@ class SurfaceMesh {
   std::size_t triangle_count() const { return half_edges_.size() / 3; }
   void reserve(std::size_t vertices);
 
-  VertexId origin(HalfEdgeId h) const { return half_edges_[h.index()].origin; }
-  VertexId target(HalfEdgeId h) const { return half_edges_[next(h).index()].origin; }
-  VertexId apex(HalfEdgeId h) const { return half_edges_[previous(h).index()].origin; }
+  VertexId origin(HalfEdgeId h) const { return half_edges_[h].origin; }
+  VertexId target(HalfEdgeId h) const { return half_edges_[next(h)].origin; }
+  VertexId apex(HalfEdgeId h) const { return half_edges_[previous(h)].origin; }
   static TriangleId triangle(HalfEdgeId h) { return TriangleId{h.value / 3}; }
   static HalfEdgeId half_edge(TriangleId t, std::uint32_t k) { return HalfEdgeId{3 * t.value + k}; }
   static HalfEdgeId next(HalfEdgeId h) {
@@ -50,25 +56,25 @@ class SurfaceMesh {
   static HalfEdgeId previous(HalfEdgeId h) {
     return HalfEdgeId{h.value % 3 == 0 ? h.value + 2 : h.value - 1};
   }
-  bool is_boundary(HalfEdgeId h) const { return half_edges_[h.index()].twin.value == kBoundary; }
+  bool is_boundary(HalfEdgeId h) const { return half_edges_[h].twin == HalfEdgeId::none(); }
   /// @pre !is_boundary(h)
-  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
+  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
   /// Asks for what prefetch_fan() looks up.
-  void prefetch_outgoing(VertexId v) const { prefetch(&outgoing_[v.index()]); }
+  void prefetch_outgoing(VertexId v) const { prefetch(&outgoing_[v]); }
   /// Asks for what a walk round v begins with, where there is something to walk round.
   void prefetch_fan(VertexId v) const {
-    const HalfEdgeId first = outgoing_[v.index()];
-    if (first.value != kBoundary) prefetch(&half_edges_[first.index()]);
+    const HalfEdgeId first = outgoing_[v];
+    if (first != HalfEdgeId::none()) prefetch(&half_edges_[first]);
   }
   std::array<VertexId, 3> corners(TriangleId t) const {
-    const HalfEdge* first = &half_edges_[3 * t.index()];
+    const HalfEdge* first = &half_edges_[half_edge(t, 0)];
     return {first[0].origin, first[1].origin, first[2].origin};
   }
   /// A removed triangle keeps its place until compact(); every other one is alive.
   bool is_removed(TriangleId t) const {
-    return half_edges_[3 * t.index()].origin.value == kBoundary;
+    return half_edges_[half_edge(t, 0)].origin == VertexId::none();
   }
 
   /// What a new vertex in a triangle takes: a vertex and two triangles, all as if removed.
@@ -90,9 +96,11 @@ class SurfaceMesh {
   void glue(HalfEdgeId h, HalfEdgeId g);
 
   /// Adds all vertices and triangles of another mesh, in their order, behind those there are, and
-  /// makes room for a little more than the whole: refinement adds one vertex to every fifteen, and
-  /// growing would double the arrays.
-  void append(const SurfaceMesh& other);
+  /// reserves a little more than the whole: refinement adds one vertex to every fifteen, and
+  /// growing would double the arrays. Of the followers each takes over the values of the other's
+  /// that was made in the same turn, if it is of the same type. Nothing is left of the other.
+  /// @param threads  at most; for a big mesh one, so that not all is there twice at once
+  void append(SurfaceMesh&& other, unsigned threads = 1);
   static constexpr std::size_t with_room(std::size_t count) { return count + count / 12; }
 
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
@@ -112,11 +120,11 @@ class SurfaceMesh {
   /// triangles and without boundary.
   template <class Visit>
   void for_each_outgoing(VertexId v, Visit visit) const {
-    const HalfEdgeId first = outgoing_[v.index()];
+    const HalfEdgeId first = outgoing_[v];
     HalfEdgeId h = first;
     do {
       visit(h);
-      h = half_edges_[previous(h).index()].twin;
+      h = half_edges_[previous(h)].twin;
     } while (h != first);
   }
   /// Takes triangles out of the mesh and leaves their edges to the others as boundary. Vertices
@@ -128,10 +136,10 @@ class SurfaceMesh {
   /// Whether v has more neighbours than so many, told after one step more than that.
   /// @pre v has no boundary.
   bool has_degree_above(VertexId v, std::size_t most) const {
-    const HalfEdgeId first = outgoing_[v.index()];
+    const HalfEdgeId first = outgoing_[v];
     HalfEdgeId h = first;
     for (std::size_t step = 0; step < most; ++step) {
-      h = half_edges_[previous(h).index()].twin;
+      h = half_edges_[previous(h)].twin;
       if (h == first) return false;
     }
     return true;
@@ -140,28 +148,9 @@ class SurfaceMesh {
   bool has_edge(VertexId a, VertexId b) const;
 
   /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
-  /// @return for each old vertex its new id, or nothing.
-  std::vector<std::optional<VertexId>> compact();
-  /// The new ids that compact() gives.
-  class Renaming {
-   public:
-    std::vector<std::optional<VertexId>> vertices;  ///< by old vertex; nothing where it goes
-    /// @pre its triangle stays.
-    HalfEdgeId operator()(HalfEdgeId h) const {
-      if (h.value / 3 < first_) return h;
-      return HalfEdgeId{3 * moved_[h.value / 3 - first_] + h.value % 3};
-    }
-
-   private:
-    friend class SurfaceMesh;
-    std::size_t first_ = 0;             ///< triangles before this one stay where they are
-    std::size_t left_ = 0;              ///< triangles
-    std::vector<std::uint32_t> moved_;  ///< by triangle from there on
-  };
-  /// The same in two steps. First the new ids, by which what belongs to vertices may be moved
-  /// meanwhile.
-  Renaming renaming() const;
-  void compact(const Renaming& renamed);
+  /// @param threads  at most
+  /// @return the new ids, for what is no follower
+  Renaming compact(unsigned threads = 1);
 
   /// The triangles as a file holds them.
   std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
@@ -169,26 +158,46 @@ class SurfaceMesh {
   /// By half-edge its twin, or the last id of all for none.
   std::vector<HalfEdgeId> twins() const;
 
-  static constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;
+  static constexpr std::size_t most_triangles = no_index / 3;
 
  private:
-  static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;
+  friend class MeshFollower;
+  /// Those of one mesh object: a copy has none.
+  struct Followers {
+    std::vector<MeshFollower*> all;
+    Followers() = default;
+    Followers(const Followers&) {}
+    Followers& operator=(const Followers&) = delete;
+    ~Followers();
+  };
+
   Room room_for(VertexId v);
+  Renaming renaming() const;
+  void move_elements(const Renaming& renaming);
+  void tell_size() const {
+    for (MeshFollower* follower : followers_.all) {
+      follower->resized(vertex_count(), triangle_count());
+    }
+  }
+  void tell_removed(VertexId v) const {
+    for (MeshFollower* follower : followers_.all) follower->vertex_removed(v);
+  }
   void set_corner(HalfEdgeId h, VertexId v) {
-    half_edges_[h.index()].origin = v;
-    outgoing_[v.index()] = h;
+    half_edges_[h].origin = v;
+    outgoing_[v] = h;
   }
   void set_twin(HalfEdgeId h, HalfEdgeId g) {
-    half_edges_[h.index()].twin = g;
-    if (g.value != kBoundary) half_edges_[g.index()].twin = h;
+    half_edges_[h].twin = g;
+    if (g != HalfEdgeId::none()) half_edges_[g].twin = h;
   }
 
   struct HalfEdge {
-    VertexId origin{kBoundary};
-    HalfEdgeId twin{kBoundary};
+    VertexId origin = VertexId::none();
+    HalfEdgeId twin = HalfEdgeId::none();
   };
-  std::vector<HalfEdge> half_edges_;
-  std::vector<HalfEdgeId> outgoing_;  ///< by vertex
+  IdVector<HalfEdgeId, HalfEdge> half_edges_;
+  IdVector<VertexId, HalfEdgeId> outgoing_;
+  Followers followers_;
 };
 
 /// What validate() looks for beyond the sound bookkeeping of every mesh.

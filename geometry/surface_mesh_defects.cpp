@@ -92,9 +92,8 @@ namespace {
 /// @return whether none is left waiting; nothing if the search took more steps
 template <class Rank>
 std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_steps) {
-  constexpr std::uint32_t none = 0xFFFFFFFFU;
   const std::size_t count = 3 * mesh.triangle_count();
-  std::vector<std::uint32_t> first(mesh.vertex_count(), none);
+  std::vector<std::uint32_t> first(mesh.vertex_count(), no_index);
   const auto next = std::make_unique_for_overwrite<std::uint32_t[]>(count);
   std::size_t waiting = 0, steps = 0;
   for (std::uint32_t h = 0; h < count; ++h) {
@@ -102,12 +101,12 @@ std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_step
     const bool is_at_a = std::pair(rank(a), a) < std::pair(rank(b), b);
     std::uint32_t& list = first[is_at_a ? a.index() : b.index()];
     std::uint32_t* link = &list;
-    while (*link != none &&
+    while (*link != no_index &&
            (mesh.target(HalfEdgeId{*link}) != a || mesh.origin(HalfEdgeId{*link}) != b)) {
       link = &next[*link];
       ++steps;
     }
-    if (*link == none) {
+    if (*link == no_index) {
       next[h] = std::exchange(list, h);
       ++waiting;
     } else {

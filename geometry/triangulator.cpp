@@ -11,8 +11,6 @@
 namespace morskin::geometry {
 namespace {
 
-constexpr Triangulator::Facet unlinked = 0xffffffff;
-
 constexpr Triangulator::Facet facet_of(std::uint32_t tetrahedron, std::size_t place) {
   return tetrahedron << 2 | static_cast<std::uint32_t>(place);
 }
@@ -130,12 +128,12 @@ void Triangulator::make_first_tetrahedron() {
   if (orientation(position(0), position(1), position(2), position(3)) == Sign::Negative) {
     std::swap(first[0], first[1]);
   }
-  tetrahedra_.push_back({first, {unlinked, unlinked, unlinked, unlinked}});
+  tetrahedra_.push_back({first, {no_index, no_index, no_index, no_index}});
   for (std::size_t i = 0; i < 4; ++i) {
     std::array<Corner, 4> ghost = first;
     i == 3 ? std::swap(ghost[0], ghost[1]) : std::swap(ghost[i], ghost[3]);
     ghost[3] = infinity;
-    tetrahedra_.push_back({ghost, {unlinked, unlinked, unlinked, unlinked}});
+    tetrahedra_.push_back({ghost, {no_index, no_index, no_index, no_index}});
   }
   states_.assign(5, State::Live);
   static const std::array<Facet, 20> behind = facets_behind_first(tetrahedra_);
@@ -287,7 +285,7 @@ void Triangulator::fill_cavity(Corner p) {
     Tetrahedron& t = tetrahedra_[filler];
     t.corners = inner.corners;
     t.corners[place] = p;
-    t.neighbours = {unlinked, unlinked, unlinked, unlinked};
+    t.neighbours = {no_index, no_index, no_index, no_index};
     t.neighbours[place] = outer;
     tetrahedra_[tetrahedron_of(outer)].neighbours[place_of(outer)] = facet_of(filler, place);
     fillers_.push_back(filler);

@@ -97,7 +97,7 @@ class Triangulator {
  private:
   enum class State : std::uint8_t { Live, InCavity, Free };
   struct alignas(32) StoredPoint : WeightedPoint {};  // never across two cache lines
-  static constexpr Corner infinity = 0xffffffff;
+  static constexpr Corner infinity = no_index;
 
   void find_first_tetrahedron(std::span<const WeightedPoint> points, std::vector<AtomId>& order);
   void add_apexes(std::span<const WeightedPoint> points);

@@ -18,6 +18,8 @@ class Observer {
 
   /// What a sweep is about to follow; it lives until the sweep has ended.
   virtual void guided(const morse::Guide&) {}
+  /// Whether Mesh::births is to be recorded.
+  virtual bool wants_births() { return false; }
   /// Who is to watch a sweep from one front, for as long as it takes.
   virtual std::vector<front::SweepObserver*> sweep_observers() { return {}; }
   /// The mesh as it was swept. It may have open edges.

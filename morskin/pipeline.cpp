@@ -54,9 +54,9 @@ struct Parcel {
   /// Empties the mesh that it is made from, so that little is there twice.
   Parcel(surface::Mesh& from, const Run& run) {
     const auto list_triangles = [&] {
-      mesh.triangles = from.surface.triangle_list();
-      twins = from.surface.twins();
-      from.surface = {};
+      const geometry::SurfaceMesh connectivity = std::move(from.surface);  // freed here
+      mesh.triangles = connectivity.triangle_list();
+      twins = connectivity.twins();
     };
     const auto list_vertices = [&] {
       mesh.positions.reserve(from.points.size());
@@ -65,7 +65,7 @@ struct Parcel {
         mesh.positions.push_back(p.position);
         cells.push_back(p.cell);
       }
-      std::vector<surface::SurfacePoint>().swap(from.points);
+      from.points = {};
     };
     geometry::do_both(run.threads(), list_triangles, list_vertices);
   }

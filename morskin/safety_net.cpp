@@ -160,14 +160,9 @@ class Mending {
 
   /// Takes what another run made of the broken parts, where it is certified.
   void take(const surface::Mesh& mesh, const Fallback::Replacement& made_by) {
-    IndexedMesh plain;
-    plain.triangles = mesh.surface.triangle_list();
     std::vector<geometry::CellId> cells;
-    for (const surface::SurfacePoint& p : mesh.points) {
-      plain.positions.push_back(p.position);
-      cells.push_back(p.cell);
-    }
-    std::vector<Piece> others = parts_.cut(plain, cells);
+    for (const surface::SurfacePoint& p : mesh.points) cells.push_back(p.cell);
+    std::vector<Piece> others = parts_.cut(surface::indexed_mesh(mesh), cells);
     for (Fault& fault : faults_) {
       const std::size_t part = fault.fallback.component;
       if (fault.is_mended() || !defect(part, others[part]).empty()) continue;

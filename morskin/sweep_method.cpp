@@ -24,7 +24,8 @@ std::optional<front::NarrowGuard> experimental_guard(front::Guard guard,
 front::SweepResult sweep(const skin::SkinSurface& skin, const morse::Guide& guide,
                          const MeshingOptions& options, Observer& observer, const Run& run) {
   const auto guard = experimental_guard(options.guard, skin, guide);
-  front::SweepOptions sweeping{.sizing = options.sizing.laid()};
+  front::SweepOptions sweeping{.sizing = options.sizing.laid(),
+                               .record_births = observer.wants_births()};
   if (guard) sweeping.guard = &*guard;
   std::optional<front::CoarseningOptions> coarsening;
   if (options.sizing.is_coarser_than_laid()) coarsening = {.sizing = options.sizing};

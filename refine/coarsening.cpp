@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "certify/tube.h"
 
@@ -25,17 +24,17 @@ constexpr double no_ear = std::numeric_limits<double>::infinity();
 }  // namespace
 
 Coarsening::Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh)
-    : skin_(skin), sizing_(sizing), mesh_(mesh) {}
+    : skin_(skin), sizing_(sizing), mesh_(mesh), is_tried_(mesh.surface, 0) {}
 
-std::size_t Coarsening::run(const std::vector<char>& at_boundary) {
+std::size_t Coarsening::run(const Subdomain& subdomain) {
   const std::size_t before = removed_;
-  const std::vector<VertexId> all = candidates(at_boundary);
+  const std::vector<VertexId> all = candidates(subdomain);
   std::vector<VertexId> crowded = all;
   for (const double limit : crowded_limits) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < crowded.size(); ++i) {
       ask_ahead(crowded, i);
-      if (is_crowded_after(crowded[i], limit, at_boundary)) crowded[left++] = crowded[i];
+      if (is_crowded_after(crowded[i], limit, subdomain)) crowded[left++] = crowded[i];
     }
     crowded.resize(left);
   }
@@ -55,27 +54,16 @@ void Coarsening::ask_ahead(const std::vector<VertexId>& pass, std::size_t i) con
   mesh_.surface.prefetch_fan(near);
 }
 
-void Coarsening::rename(const geometry::SurfaceMesh::Renaming& renaming) {
-  std::erase_if(waiting_, [&](VertexId v) { return !renaming.vertices[v.index()]; });
-  for (VertexId& v : waiting_) v = *renaming.vertices[v.index()];
-  known_ = mesh_.surface.vertex_count();
-}
-
-void Coarsening::take_over(const Coarsening& other, std::uint32_t vertices) {
-  for (const VertexId v : other.waiting_) waiting_.emplace_back(vertices + v.value);
-  known_ = vertices + other.known_;
-}
-
 /// What has waited and what is new, but for what has to wait on; patch by patch, for a front goes
 /// through a large molecule all over the place, and what is far apart there is far apart in memory.
-std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundary) {
+std::vector<VertexId> Coarsening::candidates(const Subdomain& subdomain) {
   std::vector<std::uint64_t> free;  // cells and vertices, to be sorted by both
-  const auto look_at = [&](VertexId v) {
-    if (!at_boundary.empty() && is_near_boundary(v, at_boundary)) return waiting_.push_back(v);
+  for (std::size_t i = 0; i < mesh_.surface.vertex_count(); ++i) {
+    const VertexId v{i};
+    if (is_tried_[v] || is_removed(v) || !subdomain.contains_star(mesh_.surface, v)) continue;
+    is_tried_[v] = 1;
     free.push_back(std::uint64_t{mesh_.at(v).cell.value} << 32 | v.value);
-  };
-  for (const VertexId v : std::exchange(waiting_, {})) look_at(v);
-  for (; known_ < mesh_.surface.vertex_count(); ++known_) look_at(VertexId{known_});
+  }
   std::ranges::sort(free);
   std::vector<VertexId> result;
   result.reserve(free.size());
@@ -83,17 +71,9 @@ std::vector<VertexId> Coarsening::candidates(const std::vector<char>& at_boundar
   return result;
 }
 
-bool Coarsening::is_near_boundary(VertexId v, const std::vector<char>& at_boundary) const {
-  bool is_near = at_boundary[v.index()] != 0;
-  if (is_near) return true;  // and has no full fan
-  mesh_.surface.for_each_outgoing(
-      v, [&](HalfEdgeId h) { is_near |= at_boundary[mesh_.surface.target(h).index()] != 0; });
-  return is_near;
-}
-
 /// Takes out a vertex that has a neighbour nearer than [L] allows, or else such a neighbour.
 /// @return whether it stays and may still have one
-bool Coarsening::is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary) {
+bool Coarsening::is_crowded_after(VertexId v, double limit, const Subdomain& subdomain) {
   if (is_removed(v)) return false;
   crowd_.clear();
   mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
@@ -101,11 +81,8 @@ bool Coarsening::is_crowded_after(VertexId v, double limit, const std::vector<ch
     if (sizing_.is_too_short(mesh_.at(v), mesh_.at(x))) crowd_.push_back(x);
   });
   if (crowd_.empty() || remove(v, limit)) return false;
-  const auto may_go = [&](VertexId x) {
-    return at_boundary.empty() || !is_near_boundary(x, at_boundary);
-  };
   for (const VertexId x : crowd_) {
-    if (may_go(x) && remove(x, limit)) break;
+    if (subdomain.contains_star(mesh_.surface, x) && remove(x, limit)) break;
   }
   return true;
 }
@@ -117,7 +94,7 @@ void Coarsening::ring_of(VertexId v, std::vector<VertexId>& ring) const {
 }
 
 /// Takes a vertex out if its neighbours can be joined by good triangles.
-/// @pre neither v nor a neighbour is at the boundary.
+/// @pre the subdomain contains v and its neighbours.
 bool Coarsening::remove(VertexId v, double limit) {
   SurfaceMesh& surface = mesh_.surface;
   ring_of(v, ring_);

@@ -19,28 +19,25 @@ namespace morskin::refine {
 class Coarsening {
  public:
   /// @param sizing  what the mesh is to meet
-  /// @param mesh    vertices are points of the skin; may have a boundary, and may grow between runs
+  /// @param mesh    vertices are points of the skin; may have a boundary, and may grow, be
+  /// compacted
+  ///                or have another appended between runs
   Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh);
 
   /// Looks at the vertices that are new since the last run, and at those that had to wait: of these
   /// takes out what can be spared. First those nearer to a neighbour than [L] allows, then others
   /// as long as all triangles stay well below [U]. Places in the mesh stay open until it is
   /// compacted.
-  /// @param at_boundary  by vertex; its neighbours wait. None for a closed mesh.
+  /// @param subdomain  whose vertices it may take out, if it has their neighbours too; the others
+  ///                   wait. The whole mesh if that is closed.
   /// @return how many it took out
-  std::size_t run(const std::vector<char>& at_boundary = {});
-
-  /// Follows the mesh when it is compacted.
-  void rename(const geometry::SurfaceMesh::Renaming& renaming);
-  /// Takes over what another has to wait for, once its mesh is appended behind so many vertices.
-  void take_over(const Coarsening& other, std::uint32_t vertices);
+  std::size_t run(const Subdomain& subdomain = {});
 
  private:
   bool is_removed(VertexId v) const { return !mesh_.surface.outgoing(v); }
-  std::vector<VertexId> candidates(const std::vector<char>& at_boundary);
-  bool is_near_boundary(VertexId v, const std::vector<char>& at_boundary) const;
+  std::vector<VertexId> candidates(const Subdomain& subdomain);
   void ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const;
-  bool is_crowded_after(VertexId v, double limit, const std::vector<char>& at_boundary);
+  bool is_crowded_after(VertexId v, double limit, const Subdomain& subdomain);
   bool remove(VertexId v, double limit);
   bool find_ears(double limit);
   double ear(VertexId a, VertexId b, VertexId c, double limit) const;
@@ -50,8 +47,8 @@ class Coarsening {
   const surface::Surface& skin_;
   const Sizing sizing_;
   Mesh& mesh_;
-  std::vector<VertexId> waiting_;  ///< too near the boundary when last looked at
-  std::size_t known_ = 0;          ///< vertices from here on are new
+  /// Vertices that a run has tried. Not those that are new or were had to wait.
+  geometry::VertexData<char> is_tried_;
   std::size_t removed_ = 0;
   std::vector<VertexId> crowd_;    ///< neighbours of a vertex that are too near
   std::vector<VertexId> ring_;     ///< neighbours of the vertex in question, counter-clockwise

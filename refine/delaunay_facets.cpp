@@ -83,12 +83,11 @@ struct Numbered {
   std::vector<std::uint32_t> corners;  ///< by new number, the old one
 };
 Numbered numbered(const std::vector<Triangle>& triangles, std::size_t corner_count) {
-  constexpr std::uint32_t none = 0xffffffff;
   Numbered result{triangles, {}};
-  std::vector<std::uint32_t> place(corner_count, none);
+  std::vector<std::uint32_t> place(corner_count, geometry::no_index);
   for (Triangle& t : result.triangles) {
     for (std::uint32_t& corner : t) {
-      if (place[corner] == none) {
+      if (place[corner] == geometry::no_index) {
         place[corner] = static_cast<std::uint32_t>(result.corners.size());
         result.corners.push_back(corner);
       }
@@ -204,20 +203,16 @@ Mesh DelaunayRefinement::mesh() const {
   for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
   Numbered compact = numbered(triangles, samples_.size());
   geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
-  Mesh mesh;
+  SurfaceMesh surface(compact.corners.size(), compact.triangles);
   std::vector<std::uint32_t> corners = compact.corners;
-  if (built.defect) {
-    for (std::size_t v = 0; v < corners.size(); ++v) mesh.surface.add_vertex();
-    for (const auto& [a, b, c] : compact.triangles) {
-      mesh.surface.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
-    }
-  } else {
+  if (!built.defect) {
     compact = numbered(neighbours_together(built.mesh), corners.size());
-    mesh.surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
+    surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
     for (std::uint32_t& corner : compact.corners) corner = corners[corner];
     corners = std::move(compact.corners);
   }
-  for (const std::uint32_t corner : corners) mesh.points.push_back(samples_[corner]);
+  Mesh mesh(std::move(surface));
+  for (std::size_t v = 0; v < corners.size(); ++v) mesh.points[VertexId{v}] = samples_[corners[v]];
   return mesh;
 }
 

@@ -25,12 +25,14 @@ void Work::append(const Work& other) {
 }
 
 LocalOperations::LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
-                                 Work work, Territory territory)
+                                 Work work, const Subdomain& subdomain,
+                                 std::vector<SurfaceMesh::Room> rooms)
     : skin_(skin),
       sizing_(sizing),
       mesh_(mesh),
       work_(std::move(work)),
-      territory_(std::move(territory)) {}
+      subdomain_(subdomain),
+      rooms_(std::move(rooms)) {}
 
 void LocalOperations::take_over(const LocalOperations& other) {
   work_.append(other.work_);
@@ -39,8 +41,7 @@ void LocalOperations::take_over(const LocalOperations& other) {
   counts_.contract += other.counts_.contract;
   counts_.insert += other.counts_.insert;
   steps_ += other.steps_;
-  std::vector<SurfaceMesh::Room>& rooms = territory_.rooms;
-  rooms.insert(rooms.end(), other.territory_.rooms.begin(), other.territory_.rooms.end());
+  rooms_.insert(rooms_.end(), other.rooms_.begin(), other.rooms_.end());
 }
 
 double LocalOperations::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
@@ -126,7 +127,8 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
   QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
   const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
   if (now.most <= 0) return false;
-  if (!holds(SurfaceMesh::triangle(h)) || !holds(SurfaceMesh::triangle(g))) {
+  if (!subdomain_.contains(surface, SurfaceMesh::triangle(h)) ||
+      !subdomain_.contains(surface, SurfaceMesh::triangle(g))) {
     leave(h);
     return false;
   }
@@ -149,7 +151,7 @@ void LocalOperations::leave(HalfEdgeId h) {
   left_.to_flip.push_back(h);
   for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
     for (const VertexId v : mesh_.surface.corners(SurfaceMesh::triangle(side))) {
-      territory_.is_foreign[v.index()] = 1;
+      subdomain_.give_up(v);
     }
   }
 }
@@ -162,11 +164,6 @@ void LocalOperations::flip_where_needed() {
     flip_if_better(h);
   }
   work_.to_flip.clear();
-}
-
-bool LocalOperations::holds(TriangleId t) const {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  return territory_.holds(a) && territory_.holds(b) && territory_.holds(c);
 }
 
 bool LocalOperations::is_short(HalfEdgeId h) const {
@@ -250,7 +247,7 @@ bool LocalOperations::remove(VertexId v) {
   if (a == b || b == c || c == a || !keeps_three(a) || !keeps_three(b) || !keeps_three(c)) {
     return false;
   }
-  territory_.rooms.push_back(surface.unsplit(v));
+  rooms_.push_back(surface.unsplit(v));
   const TriangleId left = SurfaceMesh::triangle(first);
   look_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
                     SurfaceMesh::half_edge(left, 2)});
@@ -283,17 +280,17 @@ bool LocalOperations::insert(TriangleId t) {
   const auto [a, b, c] = surface.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
-  if (!territory_.is_whole && territory_.rooms.empty()) return false;
+  if (!subdomain_.is_whole() && rooms_.empty()) return false;
   const SurfaceBall ball =
       exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
   const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
   if (!x) return false;
   const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
   const auto may_cross = [&](HalfEdgeId h) {
-    return territory_.holds(surface.origin(h)) || territory_.holds(surface.target(h));
+    return subdomain_.contains(surface.origin(h)) || subdomain_.contains(surface.target(h));
   };
   const auto under = triangle_under(surface, place, t, *x, may_cross);
-  if (!under || !holds(*under)) return false;
+  if (!under || !subdomain_.contains(surface, *under)) return false;
   for (const VertexId v : surface.corners(*under)) {
     if (sizing_.is_too_short(mesh_.at(v), *x)) return false;
   }
@@ -304,11 +301,10 @@ bool LocalOperations::insert(TriangleId t) {
 }
 
 void LocalOperations::put_in(TriangleId under, const SurfacePoint& x) {
-  std::vector<SurfaceMesh::Room>& rooms = territory_.rooms;
-  if (rooms.empty()) rooms.push_back(mesh_.add_room());
-  const SurfaceMesh::Room room = rooms.back();
-  rooms.pop_back();
-  mesh_.points[room.vertex.index()] = x;
+  if (rooms_.empty()) rooms_.push_back(mesh_.surface.add_room());
+  const SurfaceMesh::Room room = rooms_.back();
+  rooms_.pop_back();
+  mesh_.points[room.vertex] = x;
   mesh_.surface.split(under, room);
   for (const TriangleId changed : {under, room.second, room.third}) {
     look_again(changed, {SurfaceMesh::half_edge(changed, 0)});

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The operations of local refinement (section 4.3) on a mesh, or on a territory of one while
+/// The operations of local refinement (section 4.3) on a mesh, or on a subdomain of one while
 /// others work on the rest: edge flips, contraction, insertion.
 ///
 /// Contraction deletes one end of the edge and never moves a vertex, insertion takes the centre of
@@ -31,25 +31,15 @@ struct Work {
   void append(const Work& other);
 };
 
-/// The part of a mesh that one of several may change while others change theirs: the triangles of
-/// which it holds all three corners. At a vertex that it holds all triangles are its own, and no
-/// other reads them, so it may walk from one to the next over an edge of which it holds an end.
-struct Territory {
-  bool is_whole = true;
-  std::vector<char> is_foreign;  ///< by vertex, unless it is the whole mesh
-  /// For what is put in, the last first. The whole mesh gets more when there is none left.
-  std::vector<SurfaceMesh::Room> rooms;
-
-  bool holds(VertexId v) const { return is_whole || !is_foreign[v.index()]; }
-};
-
 class LocalOperations {
  public:
-  /// Does what is to be done in a territory. What has to wait for its neighbours stays behind as
-  /// work, and the territory recedes from there.
+  /// Does what is to be done in a subdomain. What has to wait for its neighbours stays behind as
+  /// work, and the subdomain gives up what lies there.
+  /// @param rooms  for vertices inserted, the last first. The whole mesh gets more when there is
+  ///               none left.
   /// @pre the mesh is closed, its vertices are points of the skin.
   LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, Work work = {},
-                  Territory territory = {});
+                  const Subdomain& subdomain = {}, std::vector<SurfaceMesh::Room> rooms = {});
 
   /// Reports now and then what share of the work known so far is done; insertions may make more.
   void report_to(const geometry::Run& run) { run_ = run; }
@@ -68,7 +58,7 @@ class LocalOperations {
   /// |G| at the corners of a triangle is at most this, Angstrom^2.
   double most_residual(const std::array<const SurfacePoint*, 3>& corners) const;
 
-  std::vector<SurfaceMesh::Room>& rooms() { return territory_.rooms; }
+  std::vector<SurfaceMesh::Room>& rooms() { return rooms_; }
   Work& work() { return work_; }
   const Work& work() const { return work_; }
   const RefinementCounts& counts() const { return counts_; }
@@ -85,7 +75,6 @@ class LocalOperations {
   void put_in(TriangleId under, const SurfacePoint& x);
   void tell(std::size_t left);
 
-  bool holds(TriangleId t) const;
   bool is_short(HalfEdgeId h) const;
   bool is_big(TriangleId t, const Circumcircle& circle) const;
   bool faces_outward(VertexId a, VertexId b, VertexId c) const;
@@ -95,7 +84,8 @@ class LocalOperations {
   const Sizing sizing_;
   Mesh& mesh_;
   Work work_, left_;  ///< to do; to be left to whom takes over
-  Territory territory_;
+  Subdomain subdomain_;
+  std::vector<SurfaceMesh::Room> rooms_;
   RefinementCounts counts_;
   std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;

@@ -7,6 +7,7 @@
 #include "certify/sure_edges.h"
 #include "certify/triangle_geometry.h"
 #include "certify/tube.h"
+#include "geometry/subdomain.h"
 #include "surface/mesh.h"
 #include "surface/surface.h"
 
@@ -25,6 +26,7 @@ using certify::SureEdges;
 using certify::SurfaceBall;
 using certify::triangle_under;
 using geometry::HalfEdgeId;
+using geometry::Subdomain;
 using geometry::SurfaceMesh;
 using geometry::TriangleId;
 using geometry::VertexId;

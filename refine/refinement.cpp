@@ -32,7 +32,7 @@ void Refinement::run() {
     operations_.contract_short_edges();
     operations_.insert_into_big_triangles(most_);
   } while (changes() > before && changes() < most_);
-  mesh_.compact(run_.threads());
+  mesh_.surface.compact(run_.threads());
 }
 
 RefinementCounts Refinement::counts() const {
@@ -96,20 +96,18 @@ void Refinement::insert_in_two_halves() {
   }
   work.big.clear();
 
-  std::array<Territory, 2> territories;
-  geometry::do_both(
-      run_.threads(), [&] { territories[0].is_foreign = touched(middle, count); },
-      [&] { territories[1].is_foreign = touched(0, middle); });
   // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
   const std::size_t most_big = std::max(todo[0].big.size(), todo[1].big.size());
-  deal_rooms(most_big / 8 * 5, territories);
-  for (Territory& t : territories) {
-    t.is_whole = false;
-    t.is_foreign.resize(mesh_.surface.vertex_count(), 0);
+  geometry::Parts parts = geometry::parts_by_blocks(mesh_.surface, middle);
+  const std::array<Rooms, 2> rooms = deal_rooms(most_big / 8 * 5);
+  parts.resize(mesh_.surface.vertex_count(), geometry::no_part);
+  for (geometry::Part half = 0; half < 2; ++half) {
+    for (const SurfaceMesh::Room& room : rooms[half]) parts[room.vertex] = half;
   }
+  geometry::Parts parts_of_last = parts;  // each gives up vertices as it goes
 
-  LocalOperations first(skin_, sizing_, mesh_, std::move(todo[0]), std::move(territories[0]));
-  LocalOperations last(skin_, sizing_, mesh_, std::move(todo[1]), std::move(territories[1]));
+  LocalOperations first(skin_, sizing_, mesh_, std::move(todo[0]), {parts, 0}, rooms[0]);
+  LocalOperations last(skin_, sizing_, mesh_, std::move(todo[1]), {parts_of_last, 1}, rooms[1]);
   first.report_to(run_);
   geometry::do_both(
       run_.threads(), [&] { first.insert_into_big_triangles(most_); },
@@ -120,32 +118,20 @@ void Refinement::insert_in_two_halves() {
             [](const auto& a, const auto& b) { return a.vertex > b.vertex; });
 }
 
-/// Gives each so many rooms, in turn, so that few gaps stay where they have not filled theirs; by
-/// blocks, so that two threads seldom write to one cache line.
-void Refinement::deal_rooms(std::size_t each, std::array<Territory, 2>& territories) {
+/// Gives each half so many rooms, in turn, so that few gaps stay where they have not filled theirs;
+/// by blocks, so that two threads seldom write to one cache line.
+std::array<Refinement::Rooms, 2> Refinement::deal_rooms(std::size_t each) {
   constexpr std::size_t block = 64;
-  territories[0].rooms = std::exchange(operations_.rooms(), {});
-  std::array<std::vector<SurfaceMesh::Room>, 2> fresh;
-  while (fresh[1].size() < each) {
-    for (auto& rooms : fresh) {
-      for (std::size_t k = 0; k < block; ++k) rooms.push_back(mesh_.add_room());
+  std::array<Rooms, 2> rooms;
+  while (rooms[1].size() < each) {
+    for (Rooms& half : rooms) {
+      for (std::size_t k = 0; k < block; ++k) half.push_back(mesh_.surface.add_room());
     }
   }
-  // The last is filled first.
-  for (std::size_t k = 0; k < 2; ++k) {
-    auto& rooms = territories[k].rooms;
-    rooms.insert(rooms.begin(), fresh[k].rbegin(), fresh[k].rend());
-  }
-}
-
-/// By vertex, whether one of the triangles [begin, end) is at it.
-std::vector<char> Refinement::touched(std::size_t begin, std::size_t end) const {
-  std::vector<char> is_touched(mesh_.surface.vertex_count(), 0);
-  for (std::size_t t = begin; t < end; ++t) {
-    if (mesh_.surface.is_removed(TriangleId{t})) continue;
-    for (const VertexId v : mesh_.surface.corners(TriangleId{t})) is_touched[v.index()] = 1;
-  }
-  return is_touched;
+  for (Rooms& half : rooms) std::ranges::reverse(half);  // the last is filled first
+  const Rooms left = std::exchange(operations_.rooms(), {});
+  rooms[0].insert(rooms[0].end(), left.begin(), left.end());
+  return rooms;
 }
 
 }  // namespace morskin::refine

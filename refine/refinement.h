@@ -26,8 +26,8 @@ class Refinement {
   void look_everywhere();
   void look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure, Work& found) const;
   void insert_in_two_halves();
-  void deal_rooms(std::size_t each, std::array<Territory, 2>& territories);
-  std::vector<char> touched(std::size_t begin, std::size_t end) const;
+  using Rooms = std::vector<SurfaceMesh::Room>;
+  std::array<Rooms, 2> deal_rooms(std::size_t each);
 
   Mesh& mesh_;
   const surface::Surface& skin_;

@@ -33,7 +33,9 @@ class Smoothing {
     SmoothingCounts counts;
     std::vector<TriangleId> waiting = find_all();
     counts.below = waiting.size();
-    if (mesh_.surface.triangle_count() > block_ && !waiting.empty()) find_owners();
+    if (mesh_.surface.triangle_count() > block_ && !waiting.empty()) {
+      parts_ = geometry::parts_by_blocks(mesh_.surface, block_);
+    }
     std::vector<TriangleId> seen = waiting;
     for (int round = 0; round < most_rounds && !waiting.empty(); ++round) {
       run_.report(geometry::unknown_share);
@@ -70,19 +72,6 @@ class Smoothing {
     return std::move(found[0]);
   }
 
-  /// A block of triangles owns the vertices that no other block has at a corner.
-  void find_owners() {
-    constexpr std::uint32_t unseen = Owners::nobody - 1;
-    owners_.assign(mesh_.surface.vertex_count(), unseen);
-    for (std::size_t t = 0; t < mesh_.surface.triangle_count(); ++t) {
-      const auto block = static_cast<std::uint32_t>(t / block_);
-      for (const VertexId v : mesh_.surface.corners(TriangleId{t})) {
-        std::uint32_t& owner = owners_[v.index()];
-        if (owner != block) owner = owner == unseen ? block : Owners::nobody;
-      }
-    }
-  }
-
   /// In the order of their ids, each once.
   void keep_those_below(std::vector<TriangleId>& triangles) const {
     std::sort(triangles.begin(), triangles.end());
@@ -105,14 +94,14 @@ class Smoothing {
   /// Improves the triangles block by block, as many at once as there are threads, and afterwards
   /// those at the borders of blocks. The blocks are the same for any number of threads.
   Work improve_all(const std::vector<TriangleId>& triangles) {
-    if (owners_.empty()) return improve(triangles, {});
+    if (parts_.empty()) return improve(triangles, {});
     std::vector<Work> found((mesh_.surface.triangle_count() - 1) / block_ + 1);
     geometry::for_each_task(run_.threads(), found.size(), [&](std::size_t block) {
       const auto place = [&](std::size_t b) {
         return std::ranges::lower_bound(triangles, TriangleId{b * block_});
       };
       found[block] =
-          improve({place(block), place(block + 1)}, {owners_, static_cast<std::uint32_t>(block)});
+          improve({place(block), place(block + 1)}, {parts_, static_cast<geometry::Part>(block)});
     });
     Work whole;
     std::vector<TriangleId> left;
@@ -124,9 +113,9 @@ class Smoothing {
     return whole;
   }
 
-  Work improve(std::span<const TriangleId> triangles, const Owners& owners) {
+  Work improve(std::span<const TriangleId> triangles, const Subdomain& subdomain) {
     Work work;
-    VertexMover mover(skin_, sizing_, mesh_, goal_, owners);
+    VertexMover mover(skin_, sizing_, mesh_, goal_, subdomain);
     for (const TriangleId t : triangles) improve(t, mover, work);
     return work;
   }
@@ -152,7 +141,7 @@ class Smoothing {
   const double goal_;  ///< squared sine
   const std::size_t block_;
   const geometry::Run run_;
-  std::vector<std::uint32_t> owners_;  ///< by vertex; none where all is one block
+  geometry::Parts parts_;  ///< none where all is one block
 };
 
 }  // namespace

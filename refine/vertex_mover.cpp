@@ -42,7 +42,7 @@ bool VertexMover::is_below(const Mesh& mesh, TriangleId t, double goal) {
 
 /// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.
 /// @return whether v may move, and none of these may be moved by another. Those around share a
-///         triangle with v; who owns v may look at them.
+///         triangle with v, so no other moves them.
 bool VertexMover::look_around(VertexId v) {
   ring_.clear();
   beyond_.clear();
@@ -50,8 +50,8 @@ bool VertexMover::look_around(VertexId v) {
     ring_.push_back(mesh_.surface.target(h));
     beyond_.push_back(mesh_.surface.apex(mesh_.surface.twin(SurfaceMesh::next(h))));
   });
-  return owners_.is_own(v) &&
-         std::ranges::all_of(beyond_, [&](VertexId x) { return owners_.stays_or_is_own(x); });
+  return subdomain_.contains(v) &&
+         std::ranges::all_of(beyond_, [&](VertexId x) { return subdomain_.is_safe_to_read(x); });
 }
 
 /// The smallest squared sine around v were it at x; nothing unless it is above `asked`, [L] and
@@ -126,7 +126,7 @@ std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const Surf
 
 VertexMover::Moved VertexMover::move(VertexId v) {
   if (!look_around(v)) return Moved::NotMine;
-  SurfacePoint& at = mesh_.points[v.index()];
+  SurfacePoint& at = mesh_.points[v];
   double now = 1, shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const Point& p = mesh_.position(ring_[i]);

@@ -13,23 +13,13 @@
 
 namespace morskin::refine {
 
-/// Who may move which vertex while others move theirs.
-struct Owners {
-  static constexpr std::uint32_t nobody = 0xFFFFFFFFU;  ///< owns those that stay where they are
-  std::span<const std::uint32_t> of_vertex;             ///< empty if there are no others
-  std::uint32_t own = nobody;
-
-  bool is_own(VertexId v) const { return of_vertex.empty() || of_vertex[v.index()] == own; }
-  bool stays_or_is_own(VertexId v) const { return is_own(v) || of_vertex[v.index()] == nobody; }
-};
-
 class VertexMover {
  public:
-  /// @param goal    squared sine of an angle, beyond which no angle is raised
-  /// @param owners  which vertices may move, and be looked at
+  /// @param goal       squared sine of an angle, beyond which no angle is raised
+  /// @param subdomain  whose vertices it may move
   VertexMover(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal,
-              const Owners& owners)
-      : skin_(skin), sizing_(sizing), mesh_(mesh), goal_(goal), owners_(owners) {}
+              const Subdomain& subdomain)
+      : skin_(skin), sizing_(sizing), mesh_(mesh), goal_(goal), subdomain_(subdomain) {}
 
   /// Whether a triangle has an angle below the goal.
   static bool is_below(const Mesh& mesh, TriangleId t, double goal);
@@ -51,7 +41,7 @@ class VertexMover {
   const Sizing sizing_;
   Mesh& mesh_;
   const double goal_;
-  const Owners owners_;
+  const Subdomain subdomain_;
   std::vector<VertexId> ring_, beyond_;  ///< of look_around()
 };
 

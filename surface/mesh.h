@@ -1,63 +1,60 @@
 #pragma once
 
-#include <vector>
+#include <optional>
+#include <utility>
 
-#include "geometry/parallel.h"
+#include "geometry/indexed_mesh.h"
+#include "geometry/mesh_data.h"
 #include "geometry/surface_mesh.h"
 #include "surface/surface_point.h"
 
 namespace morskin::surface {
 
-/// A triangle mesh whose vertices are points of a surface: connectivity, and by vertex the surface
-/// point.
+/// A triangle mesh whose vertices are points of a surface: connectivity, and data that follow it.
 struct Mesh {
   geometry::SurfaceMesh surface;
-  std::vector<SurfacePoint> points;  ///< by vertex
+  geometry::VertexData<SurfacePoint> points{surface, {Point::Zero(), Vector::Zero(), 0, CellId{}}};
+  /// Recorded only if asked for: emplace it before the first triangle is laid.
+  std::optional<geometry::TriangleBirths> births;
 
-  const SurfacePoint& at(geometry::VertexId v) const { return points[v.index()]; }
-  const Point& position(geometry::VertexId v) const { return points[v.index()].position; }
+  Mesh() = default;
+  /// Its points are to be set one by one.
+  explicit Mesh(geometry::SurfaceMesh connectivity) : surface(std::move(connectivity)) {}
+  Mesh(const Mesh& other) { assign(other); }
+  Mesh(Mesh&& other) { assign(std::move(other)); }
+  ~Mesh() = default;
+  Mesh& operator=(const Mesh& other) { return assign(other); }
+  Mesh& operator=(Mesh&& other) { return assign(std::move(other)); }
+
+  const SurfacePoint& at(geometry::VertexId v) const { return points[v]; }
+  const Point& position(geometry::VertexId v) const { return points[v].position; }
 
   geometry::VertexId add_vertex(const SurfacePoint& p) {
-    points.push_back(p);
-    return surface.add_vertex();
-  }
-  geometry::SurfaceMesh::Room add_room() {
-    points.emplace_back();
-    return surface.add_room();
-  }
-  /// Takes over another mesh as geometry::SurfaceMesh::append() does, and leaves nothing of it.
-  /// @param threads  at most; for a big mesh one, so that not all is there twice at once
-  void append(Mesh&& other, unsigned threads = 1) {
-    constexpr std::size_t big = std::size_t{1} << 20;
-    geometry::do_both(
-        points.size() < big ? threads : 1,
-        [&] {
-          surface.append(other.surface);
-          other.surface = {};
-        },
-        [&] {
-          points.reserve(geometry::SurfaceMesh::with_room(points.size() + other.points.size()));
-          points.insert(points.end(), other.points.begin(), other.points.end());
-          std::vector<SurfacePoint>().swap(other.points);
-        });
+    const geometry::VertexId v = surface.add_vertex();
+    points[v] = p;
+    return v;
   }
 
-  /// Drops removed triangles and vertices without triangles, keeping the order of the rest.
-  /// @param threads  at most
-  /// @return the new ids
-  geometry::SurfaceMesh::Renaming compact(unsigned threads = 1) {
-    geometry::SurfaceMesh::Renaming renamed = surface.renaming();
-    geometry::do_both(
-        threads, [&] { surface.compact(renamed); },
-        [&] {
-          std::size_t kept = 0;
-          for (std::size_t v = 0; v < points.size(); ++v) {
-            if (renamed.vertices[v]) points[kept++] = points[v];
-          }
-          points.resize(kept);
-        });
-    return renamed;
+ private:
+  /// Data first: then they have as many elements as the connectivity that comes.
+  template <class Other>
+  Mesh& assign(Other&& other) {
+    if (this == &other) return *this;
+    points = std::forward<Other>(other).points;
+    births.reset();
+    if (other.births) births.emplace(surface) = *std::forward<Other>(other).births;
+    surface = std::forward<Other>(other).surface;
+    return *this;
   }
 };
+
+/// The mesh as files hold it. @pre no vertex has been removed since it was compacted
+inline geometry::IndexedMesh indexed_mesh(const Mesh& mesh) {
+  geometry::IndexedMesh result;
+  result.triangles = mesh.surface.triangle_list();
+  result.positions.reserve(mesh.points.size());
+  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
+  return result;
+}
 
 }  // namespace morskin::surface

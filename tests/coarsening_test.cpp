@@ -20,6 +20,7 @@
 using namespace morskin;
 using certify::Sizing;
 using geometry::SurfaceMesh;
+using geometry::VertexId;
 using refine::Coarsening;
 using surface::Mesh;
 using surface::SurfacePoint;
@@ -73,13 +74,6 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
   return true;
 }
 
-geometry::IndexedMesh plain(const Mesh& mesh) {
-  geometry::IndexedMesh result;
-  result.triangles = mesh.surface.triangle_list();
-  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
-  return result;
-}
-
 long euler_characteristic(const SurfaceMesh& mesh) {
   return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.triangle_count()) / 2;
 }
@@ -93,7 +87,7 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
       const Sizing sizing = sizing_for(C);
       Mesh mesh = fine;
       const std::size_t removed = Coarsening(skin.surface, sizing, mesh).run();
-      mesh.compact();
+      mesh.surface.compact();
       CHECK(fine.points.size() - mesh.points.size() == removed);
       CHECK(validate(mesh.surface).value_or("") == "");
       CHECK(euler_characteristic(mesh.surface) == euler_characteristic(fine.surface));
@@ -107,10 +101,10 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
   for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
-    mesh.compact();
+    mesh.surface.compact();
     std::size_t next = 0;
     for (const SurfacePoint& p : mesh.points) {
-      while (next < fine.points.size() && fine.points[next].position != p.position) ++next;
+      while (next < fine.points.size() && fine.position(VertexId{next}) != p.position) ++next;
       REQUIRE(next < fine.points.size());
       ++next;
     }
@@ -123,7 +117,7 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
   for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
-    mesh.compact();
+    mesh.surface.compact();
     triangles_before += fine.surface.triangle_count();
     triangles += mesh.surface.triangle_count();
     short_before += short_edges(fine, sizing);
@@ -133,27 +127,28 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
   CHECK(100 * short_after < short_before);
 }
 
-TEST_CASE("vertices at the boundary and next to it wait, and are taken out later") {
+TEST_CASE("vertices outside the subdomain and next to those wait, and are taken out later") {
   for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
     support::Random random(static_cast<unsigned>(count));
-    std::vector<char> marked(count, 0), stays(count, 0);
-    for (std::size_t v = 0; v < count; ++v) marked[v] = random.uniform() < 0.05;
+    geometry::Parts parts(count, 0), stays(count, 0);
+    for (std::size_t v = 0; v < count; ++v)
+      parts[VertexId{v}] = random.uniform() < 0.05 ? geometry::no_part : 0;
     for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
       const geometry::HalfEdgeId edge{h};
-      if (!marked[mesh.surface.origin(edge).index()]) continue;
-      stays[mesh.surface.origin(edge).index()] = 1;
-      stays[mesh.surface.target(edge).index()] = 1;
+      if (parts[mesh.surface.origin(edge)] == 0) continue;
+      stays[mesh.surface.origin(edge)] = 1;
+      stays[mesh.surface.target(edge)] = 1;
     }
     Coarsening coarsening(skin.surface, sizing_for(0.3), mesh);
-    CHECK(coarsening.run(marked) > 0);
+    CHECK(coarsening.run({parts, 0}) > 0);
     for (std::size_t v = 0; v < count; ++v) {
-      if (stays[v]) CHECK(mesh.surface.outgoing(geometry::VertexId{v}).has_value());
+      if (stays[VertexId{v}]) CHECK(mesh.surface.outgoing(VertexId{v}).has_value());
     }
-    coarsening.rename(mesh.compact());
+    mesh.surface.compact();
     CHECK(coarsening.run() > 0);
-    coarsening.rename(mesh.compact());
+    mesh.surface.compact();
     CHECK(coarsening.run() == 0);  // nothing is new, nothing waits
     CHECK(validate(mesh.surface).value_or("") == "");
   });
@@ -190,7 +185,7 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     }
     refine::Refinement(skin->surface, sizing, coarse.mesh).run();
     const auto certificate =
-        certify::certify(plain(coarse.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(coarse.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }
@@ -208,11 +203,11 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, coarsening,
                                                  geometry::Run(2));
     REQUIRE(one.open_edges == 0);
-    CHECK(plain(one.mesh).positions == plain(two.mesh).positions);
+    CHECK(indexed_mesh(one.mesh).positions == indexed_mesh(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
     refine::Refinement(skin->surface, sizing, one.mesh).run();
     const auto certificate =
-        certify::certify(plain(one.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(one.mesh), skin->surface, skin->topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
   }
 }

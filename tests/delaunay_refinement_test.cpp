@@ -92,7 +92,7 @@ TEST_CASE("the mesh is the triples of samples with an empty ball about a point o
     std::size_t doubtful = 0, wrong = 0;
     for (std::uint32_t a = 0; a < points.size(); ++a) {
       // No empty ball of a dense sample is larger.
-      const double reach = 0.35 * mesh.points[a].length_scale;
+      const double reach = 0.35 * mesh.at(VertexId{a}).length_scale;
       std::vector<std::uint32_t> near;
       tree.for_each_within(points[a], 2 * reach, [&](const auto& n) {
         if (n.id.value > a) near.push_back(n.id.value);
@@ -237,7 +237,7 @@ TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
     std::size_t too_short = 0;
     for (const SurfacePoint& p : mesh.points) {
       tree.for_each_within(p.position, 0.2 * p.length_scale, [&](const auto& n) {
-        const SurfacePoint& q = mesh.points[n.id.index()];
+        const SurfacePoint& q = mesh.at(n.id);
         too_short += &p != &q && sizing.edge_ratio(p, q) <= 1;
       });
     }

@@ -34,7 +34,7 @@ Twins spoiled(const std::vector<HalfEdgeId>& twins, support::Random& random) {
             {"two swapped", twins},
             {"one its own", twins},
             {"beyond the end", twins},
-            {"none", std::vector(twins.size(), HalfEdgeId{0xFFFFFFFFU})},
+            {"none", std::vector(twins.size(), HalfEdgeId::none())},
             {"all the first", std::vector(twins.size(), HalfEdgeId{0U})},
             {"one by one", twins},
             {"two pairs crossed", twins},
@@ -72,7 +72,7 @@ Cells spoiled(const std::vector<CellId>& cells, support::Random& random) {
             {"too few", cells},
             {"one other", cells},
             {"all the first", std::vector(count, CellId{0U})},
-            {"beyond the end", std::vector(count, CellId{0xFFFFFFFFU})},
+            {"beyond the end", std::vector(count, CellId::none())},
             {"every other beyond the end", cells},
             {"at random", cells}};
   all[2].second.pop_back();
@@ -200,5 +200,5 @@ TEST_CASE("a mesh comes with twins and cells that the certificate need not look 
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
     CHECK(skin.surface.is_in(result.mesh.positions[v], result.cells[v]));
   }
-  CHECK_FALSE(skin.surface.is_in(result.mesh.positions[0], CellId{0xFFFFFFFFU}));
+  CHECK_FALSE(skin.surface.is_in(result.mesh.positions[0], CellId::none()));
 }

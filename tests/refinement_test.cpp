@@ -84,7 +84,8 @@ std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       if (VertexId{v} == a || VertexId{v} == b || VertexId{v} == c) continue;
       // Twice, since the flips compare with the smaller of two balls, which may round apart.
-      if (around.intrusion(mesh.points[v].position) > 2 * least_intrusion * around.squared_radius) {
+      if (around.intrusion(mesh.position(VertexId{v})) >
+          2 * least_intrusion * around.squared_radius) {
         ++entered;
         break;
       }
@@ -173,19 +174,20 @@ Work all_big(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("operations in a territory change no triangle with a vertex that it does not hold") {
+TEST_CASE("operations in a subdomain change no triangle with a vertex outside") {
   for (const auto& points : small_skins()) {
     const PreparedSkin skin = morskin::prepare_skin(points);
     Mesh mesh = refined_mesh(skin, coarse);
     const std::size_t triangles = mesh.surface.triangle_count();
-    Territory west;
-    west.is_whole = false;
-    for (const SurfacePoint& p : mesh.points) west.is_foreign.push_back(p.position.x() > 0.3);
-    for (int k = 0; k < 2000; ++k) west.rooms.push_back(mesh.add_room());
-    west.is_foreign.resize(mesh.surface.vertex_count(), 0);
+    geometry::Parts parts;
+    for (const SurfacePoint& p : mesh.points) parts.push_back(p.position.x() > 0.3 ? 1 : 0);
+    std::vector<SurfaceMesh::Room> rooms;
+    for (int k = 0; k < 2000; ++k) rooms.push_back(mesh.surface.add_room());
+    parts.resize(mesh.surface.vertex_count(), 0);
+    geometry::Parts changing = parts;
     const SurfaceMesh before = mesh.surface;
 
-    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), west);
+    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {changing, 0}, rooms);
     part.insert_into_big_triangles(100000);
     CHECK(part.counts().insert > 10);
     CHECK(geometry::validate(mesh.surface).value_or("") == "");
@@ -194,7 +196,7 @@ TEST_CASE("operations in a territory change no triangle with a vertex that it do
       const auto corners = before.corners(TriangleId{t});
       if (corners == mesh.surface.corners(TriangleId{t})) continue;
       ++changed;
-      for (const VertexId v : corners) CHECK(west.holds(v));
+      for (const VertexId v : corners) CHECK(parts[v] == 0);
     }
     CHECK(changed > 10);
 
@@ -206,20 +208,18 @@ TEST_CASE("operations in a territory change no triangle with a vertex that it do
     whole.insert_into_big_triangles(100000);
     whole.contract_short_edges();
     CHECK(whole.work().big.size() + whole.work().too_short.size() == 0);
-    mesh.compact();
+    mesh.surface.compact();
     check_refined(skin, mesh);
     CHECK(entered_balls(skin, mesh) == 0);
   }
 }
 
-TEST_CASE("a territory without room leaves its work as it is") {
+TEST_CASE("a subdomain without room leaves its work as it is") {
   const PreparedSkin skin = morskin::prepare_skin(small_skins()[2]);
   Mesh mesh = refined_mesh(skin, coarse);
-  Territory full;
-  full.is_whole = false;
-  full.is_foreign.resize(mesh.points.size(), 0);
+  geometry::Parts parts(mesh.points.size(), 0);
   const auto before = mesh.surface.triangle_list();
-  LocalOperations part(skin.surface, {}, mesh, all_big(mesh), full);
+  LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {parts, 0});
   part.insert_into_big_triangles(100000);
   CHECK(part.counts().insert == 0);
   CHECK(part.work().big.size() > 10);
@@ -243,7 +243,7 @@ TEST_CASE("refinement in two halves has one outcome for any number of threads") 
       CHECK(together.surface.triangle_list() == alone.surface.triangle_list());
       REQUIRE(together.points.size() == alone.points.size());
       for (std::size_t v = 0; v < alone.points.size(); ++v) {
-        CHECK(together.points[v].position == alone.points[v].position);
+        CHECK(together.position(VertexId{v}) == alone.position(VertexId{v}));
       }
     }
   }
@@ -314,8 +314,8 @@ TEST_CASE("the sphere of eight times four triangles, far too coarse, is refined 
   const auto sphere = support::sphere_mesh(Point::Zero(), 1, 1);
   Mesh mesh;
   mesh.surface = geometry::closed_mesh(sphere.positions.size(), sphere.triangles).mesh;
-  for (const Point& p : sphere.positions) {
-    mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
+  for (std::size_t v = 0; v < sphere.positions.size(); ++v) {
+    mesh.points[VertexId{v}] = *skin.surface.project(sphere.positions[v], geometry::CellId{0U});
   }
   refine_mesh(skin, mesh);
   check_refined(skin, mesh);
@@ -377,8 +377,8 @@ TEST_CASE(
   const auto s = support::sphere_mesh(Point::Zero(), 1, 0);
   Mesh mesh;
   mesh.surface = geometry::closed_mesh(6, s.triangles).mesh;
-  for (const Point& p : s.positions) {
-    mesh.points.push_back(*skin.surface.project(p, geometry::CellId{0U}));
+  for (std::size_t v = 0; v < s.positions.size(); ++v) {
+    mesh.points[VertexId{v}] = *skin.surface.project(s.positions[v], geometry::CellId{0U});
   }
   for (const double h : {0.06, 0.07}) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{7U});

@@ -41,10 +41,9 @@ Mesher sweep_without(IsLost is_lost) {
     MethodResult result = morskin::sweep_method(skin, options, observer, run);
     ++*count;
     surface::Mesh broken;
-    broken.points = result.mesh.points;
-    for (std::size_t v = 0; v < broken.points.size(); ++v) broken.surface.add_vertex();
+    for (const surface::SurfacePoint& p : result.mesh.points) broken.add_vertex(p);
     for (const auto& [a, b, c] : result.mesh.surface.triangle_list()) {
-      if (is_lost(broken.points[a].position, *count)) continue;
+      if (is_lost(broken.position(VertexId{a}), *count)) continue;
       broken.surface.add_triangle(VertexId{a}, VertexId{b}, VertexId{c});
     }
     result.mesh = broken;

@@ -24,15 +24,8 @@ Mesh rough_mesh(const PreparedSkin& skin) {
   return support::skin_mesh(skin.surface, morskin::make_mesh(skin, options));
 }
 
-geometry::IndexedMesh indexed(const Mesh& mesh) {
-  geometry::IndexedMesh result;
-  result.triangles = mesh.surface.triangle_list();
-  for (const SurfacePoint& p : mesh.points) result.positions.push_back(p.position);
-  return result;
-}
-
 Certificate certificate(const PreparedSkin& skin, const Mesh& mesh) {
-  return certify::certify(indexed(mesh), skin.surface, skin.topology);
+  return certify::certify(indexed_mesh(mesh), skin.surface, skin.topology);
 }
 
 std::size_t triangles_below(const Mesh& mesh, double angle_deg) {
@@ -80,7 +73,7 @@ TEST_CASE("smoothing keeps every triangle's corners and lets no vertex into a su
     const auto before = mesh.surface.triangle_list();
     smooth(skin.surface, {}, mesh, goal_deg);
     CHECK(mesh.surface.triangle_list() == before);
-    CHECK(restricted_delaunay(indexed(mesh), skin.surface, mesh.points).violations == 0);
+    CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
   }
 }
 
@@ -110,10 +103,10 @@ TEST_CASE("a mesh without an angle below the goal is left as it is, and so is an
   const PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1)});
   Mesh mesh = rough_mesh(skin);
   smooth(skin.surface, {}, mesh, goal_deg);
-  const geometry::IndexedMesh once = indexed(mesh);
+  const geometry::IndexedMesh once = indexed_mesh(mesh);
   CHECK(smooth(skin.surface, {}, mesh, goal_deg).moved == 0);
   CHECK(smooth(skin.surface, {}, mesh, 0).below == 0);
-  CHECK(indexed(mesh).positions == once.positions);
+  CHECK(indexed_mesh(mesh).positions == once.positions);
 }
 
 TEST_CASE("smoothing is the same with any number of threads") {
@@ -123,7 +116,7 @@ TEST_CASE("smoothing is the same with any number of threads") {
   Mesh second = first;
   smooth(skin.surface, {}, first, goal_deg, geometry::Run(1));
   smooth(skin.surface, {}, second, goal_deg, geometry::Run(3));
-  CHECK(indexed(first).positions == indexed(second).positions);
+  CHECK(indexed_mesh(first).positions == indexed_mesh(second).positions);
 }
 
 TEST_CASE("smoothing in many small blocks keeps every law, and is the same in any order of them") {
@@ -139,10 +132,10 @@ TEST_CASE("smoothing in many small blocks keeps every law, and is the same in an
     CHECK(counts.left == 0);
     CHECK(mesh.surface.triangle_list() == before);
     CHECK(certificate(skin, mesh).reason == "");
-    CHECK(restricted_delaunay(indexed(mesh), skin.surface, mesh.points).violations == 0);
+    CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
     CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), least_block).moved ==
           counts.moved);
-    CHECK(indexed(mesh).positions == indexed(other).positions);
+    CHECK(indexed_mesh(mesh).positions == indexed_mesh(other).positions);
   }
   CHECK(moved > 20);
 }

@@ -16,7 +16,7 @@ using Points = std::vector<WeightedPoint>;
 using Corner = Triangulator::Corner;
 using Tetrahedra = std::vector<std::array<Corner, 4>>;
 
-constexpr std::uint32_t none = 0xffffffff;
+using geometry::no_index;
 
 /// A triangulation under insertions, removals and moves, and what it should be: the points by
 /// corner, which are also their ids.
@@ -123,7 +123,7 @@ class History {
  private:
   void note(std::uint32_t t) {
     if (!triangulator.is_live(t)) return;
-    star_.resize(points.size(), none);
+    star_.resize(points.size(), no_index);
     for (const Corner c : triangulator.tetrahedra()[t].corners) {
       if (c < star_.size()) star_[c] = t;
     }

@@ -67,7 +67,7 @@ TEST_CASE("what is proved of a triangle holds at each of its points, and so does
     support::Random random(seed);
     for (int i = 0; i < 200; ++i) {
       // A vertex and two points of the skin about it, up to a length scale off.
-      const SurfacePoint a = mesh.points[random.below(mesh.points.size())];
+      const SurfacePoint a = mesh.at(geometry::VertexId{random.below(mesh.points.size())});
       const geometry::Vector e = a.normal.unitOrthogonal(), f = a.normal.cross(e);
       const double size = a.length_scale * random.between(0.1, 1), turn = random.between(0.5, 2);
       const double angle = random.between(0, 6);

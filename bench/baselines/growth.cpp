@@ -27,7 +27,9 @@ Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
       options_(options),
       mesh_(skin, options.sizing, options.kept),
       metamorphoses_(find_metamorphoses(skin, options.end, longest_edge(options.sizing))),
-      is_over_(metamorphoses_.size(), 0) {
+      is_over_(metamorphoses_.size(), 0),
+      next_look_(mesh_.surface(), never),
+      is_seen_(mesh_.surface(), 0) {
   for (const Metamorphosis& m : metamorphoses_) mesh_.watch(m.cells);
 }
 
@@ -54,7 +56,7 @@ void Growth::run() {
       ++shown;
     } else {
       const LookQueue::Look next = queue_.pop();
-      if (next_look_[next.triangle.index()] != next.time) continue;
+      if (next_look_[next.triangle] != next.time) continue;
       look(next.triangle, next.time);
       mend_changed(next.time);
     }
@@ -65,31 +67,17 @@ void Growth::run() {
 
 surface::Mesh Growth::mesh() {
   mesh_.set_time(options_.end);
-  surface::Mesh result;
-  result.surface = mesh_.surface();
-  const auto renamed = result.surface.compact();
-  result.points.reserve(result.surface.vertex_count());
-  for (std::size_t v = 0; v < renamed.size(); ++v) {
-    if (renamed[v]) result.points.push_back(mesh_.at(VertexId{v}));
-  }
-  return result;
+  return mesh_.snapshot();
 }
 
 void Growth::show(double time) {
   if (!options_.snapshot) return;
   mesh_.set_time(time);
-  surface::Mesh copy;
-  copy.surface = mesh_.surface();
-  const auto renamed = copy.surface.compact();
-  for (std::size_t v = 0; v < renamed.size(); ++v) {
-    if (renamed[v]) copy.points.push_back(mesh_.at(VertexId{v}));
-  }
-  options_.snapshot(time, copy);
+  options_.snapshot(time, mesh_.snapshot());
 }
 
 void Growth::schedule(TriangleId t, double time) {
-  if (next_look_.size() <= t.index()) next_look_.resize(mesh_.surface().triangle_count(), never);
-  next_look_[t.index()] = time < options_.end ? time : never;
+  next_look_[t] = time < options_.end ? time : never;
   if (time < options_.end) queue_.push(time, t);
 }
 
@@ -101,16 +89,12 @@ void Growth::schedule(TriangleId t, double time, double length_scale) {
 
 /// Drops removed elements, and void entries of the queue.
 void Growth::compact() {
-  const std::vector<std::optional<TriangleId>> renamed = mesh_.compact();
-  for (std::size_t t = 0; t < next_look_.size(); ++t) {
-    if (renamed[t]) next_look_[renamed[t]->index()] = next_look_[t];
-  }
-  next_look_.resize(mesh_.surface().triangle_count(), never);
+  mesh_.compact();
   queue_.clear();
-  for (std::size_t t = 0; t < next_look_.size(); ++t) {
-    if (next_look_[t] < never) queue_.push(next_look_[t], TriangleId{t});
+  for (std::size_t i = 0; i < next_look_.size(); ++i) {
+    const TriangleId t{i};
+    if (next_look_[t] < never) queue_.push(next_look_[t], t);
   }
-  is_seen_.clear();
 }
 
 /// Looks at what has changed until nothing changes any more.
@@ -249,10 +233,9 @@ Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t watch
   mesh_.set_time(m.before());
   const Point& centre = skin_.patch(m.cell).centre;
   HotRegion region;
-  is_seen_.resize(surface.vertex_count(), 0);
   std::vector<VertexId> seen;
   const auto visit = [&](VertexId v) {
-    if (std::exchange(is_seen_[v.index()], 1) != 0) return;
+    if (std::exchange(is_seen_[v], 1) != 0) return;
     seen.push_back(v);
     if (!surface.outgoing(v)) return;
     if ((mesh_.position(v) - centre).norm() < radius) region.vertices.push_back(v);
@@ -262,7 +245,7 @@ Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t watch
   for (std::size_t i = 0; i < region.vertices.size(); ++i) {
     surface.for_each_outgoing(region.vertices[i], [&](HalfEdgeId h) { visit(surface.target(h)); });
   }
-  for (const VertexId v : seen) is_seen_[v.index()] = 0;
+  for (const VertexId v : seen) is_seen_[v] = 0;
   return region;
 }
 

@@ -77,8 +77,8 @@ class Growth {
   std::vector<Metamorphosis> metamorphoses_;
   std::vector<char> is_over_;  ///< by metamorphosis
   LookQueue queue_;
-  std::vector<double> next_look_;  ///< by triangle; an entry of the queue with another time is void
-  std::vector<char> is_seen_;      ///< by vertex; all 0 but during hot_region()
+  geometry::TriangleData<double> next_look_;  ///< an entry of the queue with another time is void
+  geometry::VertexData<char> is_seen_;        ///< all 0 but during hot_region()
   GrowthCounts counts_;
 };
 

@@ -102,7 +102,8 @@ void KeptDelaunay::compare(const surface::Mesh& mesh, const skin::SkinSurface& s
     if (!found) {
       ++counts_.facets_missing;
     } else {
-      const double missed = miss(*delaunay_, *found, skin, body, mesh.points[triangle[0]].cell);
+      const double missed =
+          miss(*delaunay_, *found, skin, body, mesh.at(VertexId{triangle[0]}).cell);
       counts_.facets_not_crossed += missed > 0;
       counts_.worst_miss = std::max(counts_.worst_miss, missed);
     }

@@ -16,7 +16,7 @@ namespace morskin::baselines {
 
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFU;
+using geometry::no_index;
 constexpr int most_levels = 20;
 
 /// The grid's corners seen so far, numbered in the order they came, by open addressing.
@@ -27,8 +27,8 @@ class CornerNumbers {
     if (2 * keys_.size() >= slots_.size()) grow();
     const std::uint64_t key = key_of(p);
     std::size_t slot = slot_of(key);
-    while (slots_[slot] != none && keys_[slots_[slot]] != key) slot = (slot + 1) & mask();
-    if (slots_[slot] == none) {
+    while (slots_[slot] != no_index && keys_[slots_[slot]] != key) slot = (slot + 1) & mask();
+    if (slots_[slot] == no_index) {
       slots_[slot] = static_cast<std::uint32_t>(keys_.size());
       keys_.push_back(key);
     }
@@ -47,10 +47,10 @@ class CornerNumbers {
     return (key * 0x9E3779B97F4A7C15U) >> (64 - std::bit_width(mask()));
   }
   void grow() {
-    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), none);
+    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), no_index);
     for (std::size_t i = 0; i < keys_.size(); ++i) {
       std::size_t slot = slot_of(keys_[i]);
-      while (slots_[slot] != none) slot = (slot + 1) & mask();
+      while (slots_[slot] != no_index) slot = (slot + 1) & mask();
       slots_[slot] = static_cast<std::uint32_t>(i);
     }
   }
@@ -94,7 +94,7 @@ class March {
     const std::uint32_t number = numbers_.of(place);
     if (number == samples_.size()) {
       samples_.push_back(sample(skin_, grid_.at(place), near));
-      vertices_.push_back({none, none, none});
+      vertices_.push_back({no_index, no_index, no_index});
     }
     return number;
   }
@@ -104,7 +104,7 @@ class March {
                        std::size_t edge) {
     const auto [low, axis] = cube_edge(edge);
     std::uint32_t& v = vertices_[corners[low]][axis];
-    if (v == none) {
+    if (v == no_index) {
       v = static_cast<std::uint32_t>(result_.cells.size());
       const GridPlace from{place[0] + (low & 1U), place[1] + (low >> 1 & 1U),
                            place[2] + (low >> 2 & 1U)};
@@ -201,9 +201,9 @@ morskin::Mesher marching_cubes_mesher(double step) {
     run.stage("marching cubes", [&] {
       const GridMesh made = marching_cubes(skin.surface, step);
       result.mesh.surface = geometry::closed_mesh(made.cells.size(), made.mesh.triangles).mesh;
-      result.mesh.points.reserve(made.cells.size());
       for (std::size_t v = 0; v < made.cells.size(); ++v) {
-        result.mesh.points.push_back(skin.surface.at(made.mesh.positions[v], made.cells[v]));
+        result.mesh.points[geometry::VertexId{v}] =
+            skin.surface.at(made.mesh.positions[v], made.cells[v]);
       }
     });
     return result;

@@ -9,8 +9,8 @@ namespace morskin::baselines {
 using certify::circumcircle;
 
 VertexId MovingMesh::add_vertex(SurfacePoint p) {
-  moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
   const VertexId v = surface_.add_vertex();
+  moving_[v] = {p, now_, Trajectory(skin_, p.position, p.cell, now_)};
   enter(v, p.cell);
   if (kept_ != nullptr) kept_->add(v, p.position);
   return v;
@@ -30,26 +30,25 @@ void MovingMesh::move(VertexId v, Moving& moving) {
 std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
   const auto w = static_cast<std::uint32_t>(visitors_.size());
   visitors_.emplace_back();
-  for (const CellId cell : cells) watch_[cell.index()] = w;
+  for (const CellId cell : cells) watch_[cell] = w;
   return w;
 }
 
 void MovingMesh::forget(std::uint32_t watch, const std::vector<CellId>& cells) {
   visitors_[watch] = {};
-  for (const CellId cell : cells) watch_[cell.index()] = nobody;
+  for (const CellId cell : cells) watch_[cell] = no_index;
 }
 
 std::optional<TriangleId> MovingMesh::take_changed() {
   if (changed_.empty()) return std::nullopt;
   const TriangleId t = changed_.back();
   changed_.pop_back();
-  is_changed_[t.index()] = 0;
+  is_changed_[t] = 0;
   return t;
 }
 
 void MovingMesh::add_changed(TriangleId t) {
-  if (is_changed_.size() <= t.index()) is_changed_.resize(surface_.triangle_count(), 0);
-  if (std::exchange(is_changed_[t.index()], 1) == 0) changed_.push_back(t);
+  if (std::exchange(is_changed_[t], 1) == 0) changed_.push_back(t);
 }
 
 void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
@@ -68,28 +67,20 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
   }
 }
 
-std::vector<std::optional<TriangleId>> MovingMesh::compact() {
-  std::vector<std::optional<TriangleId>> triangles(surface_.triangle_count());
-  std::size_t left = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!surface_.is_removed(TriangleId{t})) triangles[t] = TriangleId{left++};
-  }
-  const std::vector<std::optional<VertexId>> vertices = surface_.compact();
-  if (kept_ != nullptr) kept_->rename(vertices);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (vertices[v]) moving_[vertices[v]->index()] = moving_[v];
-  }
-  moving_.resize(surface_.vertex_count());
-  for (std::vector<VertexId>& visitors : visitors_) {
-    std::size_t kept = 0;
-    for (const VertexId v : visitors) {
-      if (vertices[v.index()]) visitors[kept++] = *vertices[v.index()];
-    }
-    visitors.resize(kept);
-  }
-  is_changed_.assign(left, 0);
+void MovingMesh::compact() {
+  const geometry::Renaming renaming = surface_.compact();
+  if (kept_ != nullptr) kept_->rename(renaming.vertices);
+  for (std::vector<VertexId>& visitors : visitors_) renaming.apply_to(visitors);
   dead_ = 0;
-  return triangles;
+}
+
+surface::Mesh MovingMesh::snapshot() {
+  surface::Mesh copy(surface_);
+  for (std::size_t v = 0; v < surface_.vertex_count(); ++v) {
+    if (surface_.outgoing(VertexId{v})) copy.points[VertexId{v}] = at(VertexId{v});
+  }
+  copy.surface.compact();
+  return copy;
 }
 
 /// Whether the triangle's normal agrees with the skin's at all its corners.

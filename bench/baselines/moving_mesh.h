@@ -11,12 +11,14 @@
 #include "bench/baselines/kept_delaunay.h"
 #include "bench/baselines/trajectory.h"
 #include "certify/sizing.h"
+#include "geometry/mesh_data.h"
 #include "geometry/surface_mesh.h"
 #include "refine/refinement.h"
 
 namespace morskin::baselines {
 
 using geometry::HalfEdgeId;
+using geometry::no_index;
 using geometry::SurfaceMesh;
 using geometry::TriangleId;
 using geometry::VertexId;
@@ -48,11 +50,11 @@ class MovingMesh {
       : skin_(skin),
         sizing_(sizing),
         level_(skin, 0),
-        watch_(skin.complex().size(), nobody),
+        watch_(skin.complex().size(), no_index),
         kept_(kept) {}
 
   const SurfaceMesh& surface() const { return surface_; }
-  SurfaceMesh& surface() { return surface_; }
+  SurfaceMesh& surface() { return surface_; }  ///< for others to follow and to add triangles
   const SkinSurface& skin() const { return skin_; }
   const LevelSet& level() const { return level_; }
 
@@ -64,12 +66,12 @@ class MovingMesh {
 
   /// The vertex at the time set; if it was made later than that, where it was made.
   const SurfacePoint& at(VertexId v) {
-    Moving& moving = moving_[v.index()];
+    Moving& moving = moving_[v];
     if (moving.clock != now_) move(v, moving);
     return moving.point;
   }
   const Point& position(VertexId v) { return at(v).position; }
-  const Trajectory& path(VertexId v) const { return moving_[v.index()].path; }
+  const Trajectory& path(VertexId v) const { return moving_[v].path; }
   /// A vertex at a point of the skin at the time set, which may be another vertex of this mesh.
   VertexId add_vertex(SurfacePoint p);
 
@@ -81,8 +83,8 @@ class MovingMesh {
   void forget(std::uint32_t watch, const std::vector<CellId>& cells);
   /// The watch on a cell.
   std::optional<std::uint32_t> watch_of(CellId cell) const {
-    const std::uint32_t w = watch_[cell.index()];
-    return w == nobody ? std::nullopt : std::optional(w);
+    const std::uint32_t w = watch_[cell];
+    return w == no_index ? std::nullopt : std::optional(w);
   }
 
   /// Flips the edge if it is better so, by balls to rounding.
@@ -105,26 +107,25 @@ class MovingMesh {
   double spacing() const { return template_share * longest_edge(sizing_); }
   /// Takes triangles out, and with them the vertices that have no others.
   void remove(const std::vector<TriangleId>& triangles);
-  /// Drops what has been removed. @return for each old triangle its new id, or nothing
-  /// @pre nothing is changed
-  std::vector<std::optional<TriangleId>> compact();
+  /// Drops what has been removed. @pre nothing is changed
+  void compact();
+  /// What is there at the time set.
+  surface::Mesh snapshot();
 
   refine::RefinementCounts counts;
 
  private:
-  static constexpr std::uint32_t nobody = 0xFFFFFFFFU;
-
   /// A vertex, in one piece of memory.
   struct Moving {
-    SurfacePoint point;
-    double clock;  ///< the time at which it was at `point`
+    SurfacePoint point{};
+    double clock = 0;  ///< the time at which it was at `point`
     Trajectory path;
   };
 
   void move(VertexId v, Moving& moving);
   void enter(VertexId v, CellId cell) {
-    const std::uint32_t w = watch_[cell.index()];
-    if (w != nobody) visitors_[w].push_back(v);
+    const std::uint32_t w = watch_[cell];
+    if (w != no_index) visitors_[w].push_back(v);
   }
   bool faces_outward(VertexId a, VertexId b, VertexId c);
   bool can_flip(HalfEdgeId h);
@@ -139,16 +140,16 @@ class MovingMesh {
   LevelSet level_;
   double now_ = 0;
   SurfaceMesh surface_;
-  std::vector<Moving> moving_;  ///< by vertex
+  geometry::VertexData<Moving> moving_{surface_};
   std::vector<TriangleId> changed_;
-  std::vector<char> is_changed_;  ///< by triangle, at least those in changed_
+  geometry::TriangleData<char> is_changed_{surface_, 0};
   std::size_t dead_ = 0;
 
   // Of a removal: the neighbours left, those cut off, and the edge to the next of these.
   std::vector<VertexId> link_, cuts_;
   HalfEdgeId to_cut_;
 
-  std::vector<std::uint32_t> watch_;  ///< by cell
+  geometry::IdVector<CellId, std::uint32_t> watch_;
   std::vector<std::vector<VertexId>> visitors_;
   KeptDelaunay* kept_;
 };

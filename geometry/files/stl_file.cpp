@@ -5,12 +5,12 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "geometry/error.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/text_lines.h"
+#include "geometry/id.h"
 
 namespace morskin::geometry::mesh_formats {
 namespace {
@@ -23,12 +23,12 @@ constexpr std::size_t record_size = 50;  // a normal, three corners, two spare b
 // Gives equal bits equal vertices, numbered by first appearance: an open hash table of places.
 class CornerMerger {
  public:
-  explicit CornerMerger(IndexedMesh& mesh) : mesh_(mesh), slots_(1024, empty) {}
+  explicit CornerMerger(IndexedMesh& mesh) : mesh_(mesh), slots_(1024, no_index) {}
 
   std::uint32_t vertex_at(const Point& position) {
     if (2 * mesh_.positions.size() >= slots_.size()) grow();
     const std::size_t slot = slot_of(position);
-    if (slots_[slot] == empty) {
+    if (slots_[slot] == no_index) {
       slots_[slot] = static_cast<std::uint32_t>(mesh_.positions.size());
       mesh_.positions.push_back(position);
     }
@@ -36,8 +36,6 @@ class CornerMerger {
   }
 
  private:
-  static constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
-
   static std::array<std::uint64_t, 3> bits_of(const Point& position) {
     return {std::bit_cast<std::uint64_t>(position.x()), std::bit_cast<std::uint64_t>(position.y()),
             std::bit_cast<std::uint64_t>(position.z())};
@@ -51,14 +49,14 @@ class CornerMerger {
       hash ^= hash >> 32;
     }
     std::size_t slot = hash & (slots_.size() - 1);
-    while (slots_[slot] != empty && bits_of(mesh_.positions[slots_[slot]]) != bits) {
+    while (slots_[slot] != no_index && bits_of(mesh_.positions[slots_[slot]]) != bits) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;
   }
 
   void grow() {
-    slots_.assign(2 * slots_.size(), empty);
+    slots_.assign(2 * slots_.size(), no_index);
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       slots_[slot_of(mesh_.positions[i])] = static_cast<std::uint32_t>(i);
     }

@@ -66,7 +66,7 @@ inline surface::Mesh skin_mesh(const skin::SkinSurface& surface,
   surface::Mesh mesh;
   mesh.surface = geometry::closed_mesh(result.mesh.positions.size(), result.mesh.triangles).mesh;
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
-    mesh.points.push_back(surface.at(result.mesh.positions[v], result.cells[v]));
+    mesh.points[geometry::VertexId{v}] = surface.at(result.mesh.positions[v], result.cells[v]);
   }
   return mesh;
 }

@@ -6,9 +6,10 @@
 
 namespace morskin::front {
 
-/// What a sweep may touch: the part of the surface between two levels of its Morse function. Sweeps
-/// over disjoint subdomains do not meet, and so may run at once.
-struct Subdomain {
+/// The subdomain of a sweep, told by levels as there are no vertices yet: the part of the surface
+/// between two levels of its Morse function. Sweeps over disjoint ranges do not meet, and so may
+/// run at once.
+struct LevelRange {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 
@@ -20,7 +21,7 @@ struct Subdomain {
     return value + change <= high && value - change >= low;
   }
   /// The same part, by the reversed function.
-  Subdomain reversed() const { return {-high, -low}; }
+  LevelRange reversed() const { return {-high, -low}; }
 };
 
 }  // namespace morskin::front
