@@ -39,7 +39,6 @@ struct MeshReport {
   morskin::Method method = morskin::Method::Sweep;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
-  std::optional<baselines::KeptDelaunay> kept_delaunay;
   int fronts = 2;
   morse::MorseFunction function;
   front::Operations operations;

@@ -16,7 +16,6 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
     geometry::timed(result.seconds.sweep, [&] {
       // The skins of all times pass through all cells.
       const skin::SkinSurface surface(skin.surface.points(), {}, skin::MixedComplex::Keep::All);
-      if (growing.kept != nullptr) growing.kept->clear();
       Growth run(surface, growing);
       run.run();
       result.mesh = run.mesh();
@@ -33,10 +32,6 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
       refinement.run();
       result.refinement = refinement.counts();
     });
-    if (growing.kept != nullptr) {
-      growing.kept->become(result.mesh.points);
-      growing.kept->compare(result.mesh, skin.surface);
-    }
     return result;
   };
 }

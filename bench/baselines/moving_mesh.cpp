@@ -12,7 +12,6 @@ VertexId MovingMesh::add_vertex(SurfacePoint p) {
   moving_.push_back({p, now_, Trajectory(skin_, p.position, p.cell, now_)});
   const VertexId v = surface_.add_vertex();
   enter(v, p.cell);
-  if (kept_ != nullptr) kept_->add(v, p.position);
   return v;
 }
 
@@ -24,7 +23,6 @@ void MovingMesh::move(VertexId v, Moving& moving) {
   }
   moving.point = moving.path.at(skin_, now_);
   moving.clock = now_;
-  if (kept_ != nullptr) kept_->move(v, moving.point.position);
 }
 
 std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
@@ -62,9 +60,7 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
   corners.erase(twice.begin(), twice.end());
   surface_.remove(triangles);
   for (const VertexId v : corners) {
-    if (surface_.outgoing(v)) continue;
-    ++dead_;
-    if (kept_ != nullptr) kept_->remove(v);
+    if (!surface_.outgoing(v)) ++dead_;
   }
 }
 
@@ -75,7 +71,6 @@ std::vector<std::optional<TriangleId>> MovingMesh::compact() {
     if (!surface_.is_removed(TriangleId{t})) triangles[t] = TriangleId{left++};
   }
   const std::vector<std::optional<VertexId>> vertices = surface_.compact();
-  if (kept_ != nullptr) kept_->rename(vertices);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v]) moving_[vertices[v]->index()] = moving_[v];
   }
@@ -177,7 +172,6 @@ bool MovingMesh::remove(VertexId v) {
   }
   const HalfEdgeId first = *surface_.outgoing(v);
   surface_.unsplit(v);
-  if (kept_ != nullptr) kept_->remove(v);
   ++dead_;
   add_changed(SurfaceMesh::triangle(first));
   return true;

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "bench/baselines/kept_delaunay.h"
 #include "bench/baselines/trajectory.h"
 #include "certify/sizing.h"
 #include "geometry/surface_mesh.h"
@@ -43,13 +42,8 @@ inline double longest_edge(const certify::Sizing& sizing) {
 class MovingMesh {
  public:
   /// @param sizing  what the growing mesh is kept to
-  /// @param kept    is told of each vertex that comes, moves or goes; or nullptr
-  MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing, KeptDelaunay* kept = nullptr)
-      : skin_(skin),
-        sizing_(sizing),
-        level_(skin, 0),
-        watch_(skin.complex().size(), nobody),
-        kept_(kept) {}
+  MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing)
+      : skin_(skin), sizing_(sizing), level_(skin, 0), watch_(skin.complex().size(), nobody) {}
 
   const SurfaceMesh& surface() const { return surface_; }
   SurfaceMesh& surface() { return surface_; }
@@ -150,7 +144,6 @@ class MovingMesh {
 
   std::vector<std::uint32_t> watch_;  ///< by cell
   std::vector<std::vector<VertexId>> visitors_;
-  KeptDelaunay* kept_;
 };
 
 }  // namespace morskin::baselines
