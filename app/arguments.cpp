@@ -166,9 +166,6 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--grid must be above 0");
   }
   if (typed.grow) parse_growth(mesh, *typed.grow);
-  if (mesh.keep_delaunay && !is_dynamic) {
-    throw UsageError("--keep-delaunay is for --method dynamic");
-  }
   if ((typed.fronts || typed.guard != "everywhere") && !is_sweep) {
     throw UsageError("--fronts and --guard are for --method sweep");
   }

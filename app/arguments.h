@@ -56,7 +56,6 @@ struct MeshArguments {
   std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   double grow_to = 0;  ///< of the dynamic method: Angstrom^2 added to every weight at the end
   std::optional<double> growth_shown_from;  ///< and when its snapshots begin
-  bool keep_delaunay = false;               ///< of the dynamic method
   front::Guard guard = front::Guard::Everywhere;
   std::size_t snapshots = 0;            ///< at even steps of the Morse function
   std::vector<double> snapshot_values;  ///< and at these

@@ -59,7 +59,6 @@ morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArgu
                         double, const surface::Mesh& mesh) mutable {
     outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, mesh); });
   };
-  if (arguments.keep_delaunay) growth.kept = &report.kept_delaunay.emplace();
   return baselines::dynamic_mesher(growth, &report.growth.emplace());
 }
 

@@ -124,10 +124,6 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                      "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
                      "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
                      "largest weight). What is meshed and certified is the skin at T1");
-  command.add_flag("--keep-delaunay", mesh.keep_delaunay,
-                   "With --method dynamic: also keep the three-dimensional Delaunay triangulation\n"
-                   "of the moving samples, compare the mesh with it at the end, and report what\n"
-                   "it cost: some 50 times the rest. The mesh is the same");
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"

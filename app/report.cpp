@@ -48,15 +48,6 @@ ordered_json growth_json(const baselines::GrowthCounts& growth) {
           {"looks", growth.looks}};
 }
 
-ordered_json kept_delaunay_json(const baselines::KeptDelaunayCounts& kept) {
-  return {{"insertions", kept.insertions},          {"removals", kept.removals},
-          {"moved_by_both", kept.moved_by_both},    {"moved_in_place", kept.moved_in_place},
-          {"tetrahedra_made", kept.made},           {"samples", kept.samples},
-          {"tetrahedra", kept.tetrahedra},          {"facets", kept.facets},
-          {"facets_missing", kept.facets_missing},  {"facets_not_crossed", kept.facets_not_crossed},
-          {"worst_miss", rounded(kept.worst_miss)}, {"seconds", rounded(kept.seconds)}};
-}
-
 ordered_json seconds_json(const RunSeconds& seconds) {
   return {{"read", rounded(seconds.read)},
           {"triangulate", rounded(seconds.triangulate)},
@@ -204,9 +195,6 @@ std::string json_text(const MeshReport& report) {
                        {"moved", report.counts.smoothing.moved},
                        {"left", report.counts.smoothing.left}};
   if (report.growth) json["growth"] = growth_json(*report.growth);
-  if (report.kept_delaunay) {
-    json["kept_delaunay"] = kept_delaunay_json(report.kept_delaunay->counts());
-  }
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
@@ -302,27 +290,12 @@ std::string growth_text(const baselines::GrowthCounts& growth) {
                       counted(growth.looks, "look", "looks"));
 }
 
-/// What keeping the samples' Delaunay triangulation took.
-std::string kept_delaunay_text(const baselines::KeptDelaunayCounts& kept) {
-  return line("Delaunay", grouped(kept.tetrahedra) + " tetrahedra of " + grouped(kept.samples) +
-                              " samples, kept in " + brief(kept.seconds) + " s") +
-         line("", counted(kept.insertions, "sample", "samples") + " put in, " +
-                      grouped(kept.removals) + " taken out, " + grouped(kept.moved_by_both) +
-                      " moved by both, " + grouped(kept.moved_in_place) + " moved in place") +
-         line("", "of " + counted(kept.facets, "triangle", "triangles") + " " +
-                      grouped(kept.facets_missing) + " no facet, " +
-                      grouped(kept.facets_not_crossed) + " with a dual edge off the skin");
-}
-
 /// What the method did.
 std::string method_text(const MeshReport& report) {
   if (report.grid_step) {
     return line("grid", "marching cubes, step " + brief(*report.grid_step) + " A");
   }
-  if (report.growth) {
-    return growth_text(*report.growth) +
-           (report.kept_delaunay ? kept_delaunay_text(report.kept_delaunay->counts()) : "");
-  }
+  if (report.growth) return growth_text(*report.growth);
   const bool is_sweep = report.method == MeshMethod::Sweep;
   return (is_sweep ? "" : line("method", std::string(name_of(report.method)))) +
          critical_text(report) + (is_sweep ? sweep_text(report.counts.operations) : "") +

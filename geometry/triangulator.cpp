@@ -1,3 +1,5 @@
+#include "geometry/triangulator.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "geometry/error.h"
 #include "geometry/predicates_internal.h"
 #include "geometry/spatial_order.h"
-#include "geometry/triangulator_hole.h"
 
 namespace morskin::geometry {
 namespace {
@@ -179,34 +180,22 @@ void Triangulator::insert(Corner p) {
 std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point,
                                                       std::array<std::uint32_t, 2> hints) {
   assert(dimension_ == 3);
-  const bool is_reused = !removed_corners_.empty();
-  if (!is_reused && atom_count_ >= most_points) fail_for_lack_of_ids(most_points, "points");
-  const auto p = is_reused ? removed_corners_.back() : static_cast<Corner>(atom_count_);
-  if (is_reused) {
-    points_[p] = {point};
-  } else {
-    points_.push_back({point});
-    ids_.push_back(AtomId(atom_count_));
-    rim_numbers_.resize(points_.size() + 1);
-  }
+  if (atom_count_ >= most_points) fail_for_lack_of_ids(most_points, "points");
+  const auto p = static_cast<Corner>(atom_count_);
+  points_.push_back({point});
+  ids_.push_back(AtomId(atom_count_));
+  rim_numbers_.resize(points_.size() + 1);
   const auto* hint = std::find_if(hints.begin(), hints.end(),
                                   [&](std::uint32_t t) { return is_in_conflict(t, p); });
   last_ = hint != hints.end() ? *hint : hints[0];
   if (hint == hints.end()) last_ = locate(p);
   if (hint == hints.end() && !is_in_conflict(last_, p)) {
-    if (!is_reused) {
-      points_.pop_back();
-      ids_.pop_back();
-    }
+    points_.pop_back();
+    ids_.pop_back();
     return std::nullopt;
   }
+  ++atom_count_;
   grow_cavity(p);
-  // A new id, the greatest, would have lost that tie.
-  if (is_reused && cavity_has_equal(points_[p])) {
-    for (std::size_t i = 0; i < cavity_size_; ++i) states_[cavity_[i]] = State::Live;
-    return std::nullopt;
-  }
-  is_reused ? removed_corners_.pop_back() : void(++atom_count_);
   fill_cavity(p);
   return p;
 }
@@ -261,18 +250,6 @@ void Triangulator::grow_cavity(Corner p) {
   }
 }
 
-bool Triangulator::cavity_has_equal(const WeightedPoint& point) const {
-  for (std::size_t i = 0; i < cavity_size_; ++i) {
-    for (const Corner c : tetrahedra_[cavity_[i]].corners) {
-      if (c != infinity && points_[c].position == point.position &&
-          points_[c].weight == point.weight) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 /// Joins p to every facet of the rim. Each filler is the cavity's tetrahedron there with the
 /// opposite corner replaced by p, so orientation and infinity's place are inherited.
 void Triangulator::fill_cavity(Corner p) {
@@ -292,14 +269,10 @@ void Triangulator::fill_cavity(Corner p) {
   }
   // A rim with F triangles is a sphere, with F / 2 + 2 corners.
   rim_size_ / 2 + 2 <= table_side ? link_by_table() : link_by_turning();
-  free_cavity();
-  last_ = fillers_.back();
-}
-
-void Triangulator::free_cavity() {
   for (std::size_t i = 0; i < cavity_size_; ++i) states_[cavity_[i]] = State::Free;
   free_.insert(free_.end(), cavity_.begin(),
                cavity_.begin() + static_cast<std::ptrdiff_t>(cavity_size_));
+  last_ = fillers_.back();
 }
 
 /// Links the fillers to one another. The new facet of a filler that contains p and the edge uv of
@@ -308,7 +281,10 @@ void Triangulator::free_cavity() {
 void Triangulator::link_by_table() {
   std::array<std::array<std::uint32_t, 3>, 2 * table_side> numbers;
   std::uint32_t count = 0;
-  next_stamp();
+  if (++stamp_ == 0) {
+    std::fill(rim_numbers_.begin(), rim_numbers_.end(), RimNumber{});
+    ++stamp_;
+  }
   for (std::size_t i = 0; i < rim_size_; ++i) {
     const auto& corners = tetrahedra_[fillers_[i]].corners;
     const auto& around = places_around[place_of(rim_[i])];
@@ -360,15 +336,6 @@ Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const
   }
   const Facet met = tetrahedra_[tetrahedron_of(across)].neighbours[place_of(across)];
   return facet_of(tetrahedron_of(met), entry);
-}
-
-/// A stamp that no corner has.
-std::uint32_t Triangulator::next_stamp() {
-  if (++stamp_ == 0) {
-    std::fill(rim_numbers_.begin(), rim_numbers_.end(), RimNumber{});
-    ++stamp_;
-  }
-  return stamp_;
 }
 
 std::uint32_t Triangulator::allocate() {

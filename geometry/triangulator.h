@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,10 +24,8 @@ namespace morskin::geometry {
 ///
 /// Law:    every live tetrahedron is positively oriented, and no corner is inside its orthosphere
 ///         in the sense of `orthosphere_side` under the atoms' ids. Hence the triangulation depends
-///         on points and ids alone, not on the order of insertions, removals and moves.
-/// Source: Bowyer 1981, Watson 1981; Devillers, Pion & Teillaud 2002, Walking in a triangulation;
-///         Devillers & Teillaud 2011, Perturbations for Delaunay and weighted Delaunay 3D
-///         triangulations (removal under the same perturbation).
+///         on points and ids alone, not on the order of insertions.
+/// Source: Bowyer 1981, Watson 1981; Devillers, Pion & Teillaud 2002, Walking in a triangulation.
 class Triangulator {
  public:
   using Corner = std::uint32_t;
@@ -52,9 +49,6 @@ class Triangulator {
   /// @pre in the range of predicates.h
   /// @throws LimitReached  for more than most_points or most_tetrahedra
   explicit Triangulator(std::span<const WeightedPoint> points, const Run& run = Run());
-  Triangulator(Triangulator&&) noexcept;
-  Triangulator& operator=(Triangulator&&) noexcept;
-  ~Triangulator();
 
   /// Of the points' span: -1 (no points) to 3.
   int dimension() const { return dimension_; }
@@ -67,30 +61,14 @@ class Triangulator {
   }
   bool is_ghost(const Tetrahedron& t) const { return t.corners[3] == infinity; }
 
-  /// Adds one more point, unless it is redundant or equal to one that is in: as the corner that was
-  /// removed last and has no point yet, with the id it had; if there is none, as the last corner
-  /// and with the next id.
+  /// Adds one more point, unless it is redundant, as the last corner and with the next id.
   ///
   /// @param hints  live tetrahedra near the point. One that is in conflict with it saves the walk.
   /// @pre    dimension() == 3; the point is in the range of predicates.h.
   /// @throws LimitReached  as the constructor does
   std::optional<Corner> add(const WeightedPoint& point, std::array<std::uint32_t, 2> hints);
-  /// Takes a point out: the triangulation becomes that of the other corners.
-  ///
-  /// @param tetrahedron  a live one, or a ghost, that has the corner
-  /// @return false, and nothing is done, if the points left would lie in one plane.
-  /// @pre    dimension() == 3; no point in the triangulation's range is redundant, as no point
-  ///         without a weight is, but one where another is: what a point hides does not come back.
-  bool remove(Corner p, std::uint32_t tetrahedron);
-  /// Moves a point, if with the point there the same tetrahedra are the triangulation.
-  ///
-  /// @param tetrahedron  a live one, or a ghost, that has the corner
-  /// @return false, and nothing is done, if other tetrahedra would be.
-  /// @pre    dimension() == 3; the point is in the range of predicates.h.
-  bool move(Corner p, const WeightedPoint& to, std::uint32_t tetrahedron);
   const WeightedPoint& point(Corner corner) const { return points_[corner]; }
-  /// What the last call, a successful add() or remove(), took out, and what it put in its place. A
-  /// place may be in both.
+  /// What the last successful add() took out, and what it put in its place. A place may be in both.
   std::span<const std::uint32_t> removed() const { return {cavity_.data(), cavity_size_}; }
   std::span<const std::uint32_t> added() const { return fillers_; }
 
@@ -107,25 +85,11 @@ class Triangulator {
   bool is_in_conflict(std::uint32_t tetrahedron, Corner p) const;
   bool is_in_conflict_exactly(const Tetrahedron& t, Corner p) const;
   void grow_cavity(Corner p);
-  bool cavity_has_equal(const WeightedPoint& point) const;
   void fill_cavity(Corner p);
-  void free_cavity();
-  void grow_star(Corner p, std::uint32_t first);
-  bool is_star_regular() const;
-  bool triangulate_link(Corner p);
-  void restart();
-  void find_neighbours(Corner p);
-  bool wrap_hole();
-  std::array<Corner, 4> wrapped(Facet outer) const;
-  bool is_inside(const std::array<const WeightedPoint*, 4>& q, const std::array<Corner, 4>& corners,
-                 Corner c) const;
-  void fill_hole();
-  void glue_hole();
   void link_by_table();
   void link_by_turning();
   Facet turn_to_rim(Facet rim, std::size_t exit) const;
   std::uint32_t allocate();
-  std::uint32_t next_stamp();
 
   int dimension_ = -1;
   std::size_t atom_count_ = 0;
@@ -150,10 +114,7 @@ class Triangulator {
   std::vector<RimNumber> rim_numbers_;  // by corner + 1, so that infinity is 0
   std::vector<Facet> edge_table_ = std::vector<Facet>(table_side * table_side);
   std::uint32_t stamp_ = 0;
-  std::uint32_t last_ = 0;               // where the next walk starts
-  std::vector<Corner> removed_corners_;  // without a point; the last one is used first
-  struct Hole;                           // of a removal
-  std::unique_ptr<Hole> hole_;
+  std::uint32_t last_ = 0;  // where the next walk starts
 };
 
 }  // namespace morskin::geometry

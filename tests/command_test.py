@@ -126,20 +126,6 @@ class Mesh(CommandTest):
         self.assertTrue(report["certified"])
         self.assertEqual((report["components"], report["genus"]), (12, 0))
 
-    def test_the_growing_samples_triangulation_is_kept_when_asked_for(self):
-        ball = self.input("ball.xyzr", "0 0 0 1\n")
-        words = ("--method", "dynamic", "--model", "vdw")
-        report = self.mesh_json(ball, "-o", "ball.ply", *words, "--keep-delaunay")
-        self.assertTrue(report["certified"])
-        kept = report["kept_delaunay"]
-        self.assertEqual((kept["samples"], kept["facets"]),
-                         (report["vertices"], report["triangles"]))
-        self.assertEqual((kept["facets_missing"], kept["facets_not_crossed"]), (0, 0))
-        self.assertEqual(kept["insertions"] - kept["removals"], kept["samples"])
-        self.assertNotIn("kept_delaunay", self.mesh_json(ball, "-o", "same.ply", *words))
-        self.assertEqual((self.folder / "ball.ply").read_bytes(),
-                         (self.folder / "same.ply").read_bytes())
-
     def test_growth_wants_two_times_and_the_dynamic_method(self):
         for words in (("--grow", "-1..0"), ("--method", "dynamic", "--grow", "0..-1"),
                       ("--method", "dynamic", "--grow", "x..0")):
@@ -433,7 +419,6 @@ class Failures(CommandTest):
                        "--snapshot-dir", "no", "--report", "./no/../no/snapshot-2.vtu"),
                       (*good, "--method", "dynamic", "--size", "1"),
                       (*good, "--grid", "0.3"), (*good, "--angle-goal", "61"),
-                      (*good, "--keep-delaunay"),
                       (*good, "--method", "marching-cubes", "--grid", "0"),
                       (*good, "--method", "marching-cubes", "--grid", "nan"),
                       (*good, "-o", "ring.ply"), (*good, "-o", "./ring.ply"),

@@ -13,15 +13,14 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
     run.stage("grow", [&] {
       // The skins of all times pass through all cells.
       const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All);
-      if (growing.kept != nullptr) growing.kept->clear();
-      Growth run(surface, growing);
-      run.run();
-      result.mesh = run.mesh();
+      Growth grown(surface, growing);
+      grown.run();
+      result.mesh = grown.mesh();
       for (surface::SurfacePoint& p : result.mesh.points) {
         p.cell = skin.surface.complex().same(p.cell, surface.complex());
       }
-      if (counts != nullptr) *counts = run.counts();
-      has_failed = run.counts().failed > 0;
+      if (counts != nullptr) *counts = grown.counts();
+      has_failed = grown.counts().failed > 0;
     });
     if (has_failed) return result;  // not certified, and not to be refined: there may be a hole
     run.stage("refine", [&] {
@@ -29,10 +28,6 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
       refinement.run();
       result.refinement = refinement.counts();
     });
-    if (growing.kept != nullptr) {
-      growing.kept->become(result.mesh.points);
-      growing.kept->compare(result.mesh, skin.surface);
-    }
     return result;
   };
 }

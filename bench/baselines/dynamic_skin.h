@@ -11,8 +11,7 @@ namespace morskin::baselines {
 /// methods share (refine/refinement.h): between two looks the growing mesh may break [L] and [U] a
 /// little, and nobody looks at time 0.
 ///
-/// @param growth  its sizing is the mesher's; its kept triangulation, if there is one, ends as that
-///                of the refined mesh, and is compared with it
+/// @param growth  its sizing is the mesher's
 /// @param counts  where to leave what the growth counted, or nullptr
 /// @pre growth.end == 0
 morskin::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);

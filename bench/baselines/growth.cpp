@@ -25,7 +25,7 @@ double tick(double length_scale) { return std::exp2(2 * std::floor(std::log2(len
 Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
     : skin_(skin),
       options_(options),
-      mesh_(skin, options.sizing, options.kept),
+      mesh_(skin, options.sizing),
       metamorphoses_(find_metamorphoses(skin, options.end, longest_edge(options.sizing))),
       is_over_(metamorphoses_.size(), 0),
       next_look_(mesh_.surface(), never),

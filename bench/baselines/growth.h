@@ -24,7 +24,6 @@ struct GrowthOptions {
   /// Times at which `snapshot` is to see the mesh, ascending.
   std::vector<double> snapshot_times;
   std::function<void(double time, const surface::Mesh&)> snapshot;
-  KeptDelaunay* kept = nullptr;  ///< the samples' Delaunay triangulation, if it is to be kept
 };
 
 struct GrowthCounts {

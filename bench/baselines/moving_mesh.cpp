@@ -12,7 +12,6 @@ VertexId MovingMesh::add_vertex(SurfacePoint p) {
   const VertexId v = surface_.add_vertex();
   moving_[v] = {p, now_, Trajectory(skin_, p.position, p.cell, now_)};
   enter(v, p.cell);
-  if (kept_ != nullptr) kept_->add(v, p.position);
   return v;
 }
 
@@ -24,7 +23,6 @@ void MovingMesh::move(VertexId v, Moving& moving) {
   }
   moving.point = moving.path.at(skin_, now_);
   moving.clock = now_;
-  if (kept_ != nullptr) kept_->move(v, moving.point.position);
 }
 
 std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
@@ -61,15 +59,12 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
   corners.erase(twice.begin(), twice.end());
   surface_.remove(triangles);
   for (const VertexId v : corners) {
-    if (surface_.outgoing(v)) continue;
-    ++dead_;
-    if (kept_ != nullptr) kept_->remove(v);
+    if (!surface_.outgoing(v)) ++dead_;
   }
 }
 
 void MovingMesh::compact() {
   const geometry::Renaming renaming = surface_.compact();
-  if (kept_ != nullptr) kept_->rename(renaming.vertices);
   for (std::vector<VertexId>& visitors : visitors_) renaming.apply_to(visitors);
   dead_ = 0;
 }
@@ -168,7 +163,6 @@ bool MovingMesh::remove(VertexId v) {
   }
   const HalfEdgeId first = *surface_.outgoing(v);
   surface_.unsplit(v);
-  if (kept_ != nullptr) kept_->remove(v);
   ++dead_;
   add_changed(SurfaceMesh::triangle(first));
   return true;

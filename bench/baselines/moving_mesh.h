@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "bench/baselines/kept_delaunay.h"
 #include "bench/baselines/trajectory.h"
 #include "certify/sizing.h"
 #include "geometry/mesh_data.h"
@@ -45,13 +44,8 @@ inline double longest_edge(const certify::Sizing& sizing) {
 class MovingMesh {
  public:
   /// @param sizing  what the growing mesh is kept to
-  /// @param kept    is told of each vertex that comes, moves or goes; or nullptr
-  MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing, KeptDelaunay* kept = nullptr)
-      : skin_(skin),
-        sizing_(sizing),
-        level_(skin, 0),
-        watch_(skin.complex().size(), no_index),
-        kept_(kept) {}
+  MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing)
+      : skin_(skin), sizing_(sizing), level_(skin, 0), watch_(skin.complex().size(), no_index) {}
 
   const SurfaceMesh& surface() const { return surface_; }
   SurfaceMesh& surface() { return surface_; }  ///< for others to follow and to add triangles
@@ -151,7 +145,6 @@ class MovingMesh {
 
   geometry::IdVector<CellId, std::uint32_t> watch_;
   std::vector<std::vector<VertexId>> visitors_;
-  KeptDelaunay* kept_;
 };
 
 }  // namespace morskin::baselines
