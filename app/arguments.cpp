@@ -49,7 +49,7 @@ std::uint64_t parsed_bytes(std::string_view text) {
 }
 
 void check_sizing(const certify::Sizing& sizing) {
-  if (!(sizing.C >= certify::Sizing::least_C) || !std::isfinite(sizing.C)) {
+  if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
     throw UsageError("-C must be at least 1e-5");
   }
   if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
@@ -58,7 +58,7 @@ void check_sizing(const certify::Sizing& sizing) {
 
 /// -C, -Q and --size.
 void finish(certify::Sizing& sizing, const Typed& typed) {
-  if (typed.size && !(*typed.size >= certify::Sizing::least_size && std::isfinite(*typed.size))) {
+  if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
     throw UsageError("--size must be at least 1e-6 Angstrom");
   }
   sizing.C = typed.C.value_or(typed.size ? certify::Sizing::largest_proved_C : sizing.C);

@@ -154,7 +154,7 @@ certify::Certificate certify(std::span<const PendingFile> files, morskin::MeshRe
   }
   mesh = std::move(copy);
   certify::Certificate certificate =
-      certify::certify(mesh, {std::move(result.twins), result.cells}, skin.surface, skin.topology,
+      certify::certify(mesh, {result.twins, result.cells}, skin.surface, skin.topology,
                        arguments.sizing, arguments.threads);
   if (!defect.empty()) {
     certificate.certified = false;

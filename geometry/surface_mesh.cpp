@@ -21,7 +21,7 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices,
   }
 }
 
-std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
+std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
     std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
     std::span<const HalfEdgeId> twins) {
   if (triangles.size() > most_triangles || twins.size() != 3 * triangles.size()) {

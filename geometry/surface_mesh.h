@@ -27,11 +27,10 @@ class SurfaceMesh {
   /// @pre every corner is below `vertices`; at most most_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-  /// The same glued, where somebody says which half-edge is whose twin. Nothing of that is
-  /// believed: either the mesh is closed, each edge between two triangles that agree on
-  /// orientation, or there is none, because what was said is not so.
-  /// @param twins  by half-edge; any numbers, and any number of them
-  static std::optional<SurfaceMesh> glued_as_said(
+  /// The same glued by hinted twins, which are checked: nothing unless each edge is between two
+  /// triangles that agree on orientation.
+  /// @param twins  by half-edge; any size, any values
+  static std::optional<SurfaceMesh> glued_by_twins(
       std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
       std::span<const HalfEdgeId> twins);
 

@@ -31,8 +31,8 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
 void SaddleLines::trace_all(unsigned threads, const geometry::Told& told) {
   // At least about a millisecond's lines. The nodes of many small blocks would stay with the
   // program when they are freed; those of few large ones go back to the system.
-  constexpr std::size_t least_size = 32, most_blocks = 64;
-  const std::size_t block_size = std::max(least_size, lines_.size() / most_blocks);
+  constexpr std::size_t min_size = 32, most_blocks = 64;
+  const std::size_t block_size = std::max(min_size, lines_.size() / most_blocks);
   parts_.resize(geometry::block_count(lines_.size(), block_size));
   const auto teller = std::this_thread::get_id();
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t block) {

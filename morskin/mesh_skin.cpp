@@ -19,11 +19,11 @@ constexpr double largest_input = 1 << 30;  // the range of the exact predicates
 
 void check(const MeshOptions& options) {
   const double C = options.sizing.C, Q = options.sizing.Q;
-  if (!(C >= certify::Sizing::least_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
+  if (!(C >= certify::Sizing::min_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
         std::isfinite(Q))) {
     throw geometry::RefusedInput("C and Q must satisfy C >= 1e-5, 2 C < Q and Q > 1");
   }
-  if (!(options.sizing.largest_length_scale >= certify::Sizing::least_size)) {
+  if (!(options.sizing.largest_length_scale >= certify::Sizing::min_size)) {
     throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
   }
   const bool has_snapshots = options.snapshots > 0 || !options.snapshot_values.empty();
@@ -95,7 +95,7 @@ MeshResult mesh_skin(const PreparedSkin& skin, const MeshOptions& options) {
   if (options.progress) options.progress("certify", geometry::unknown_share);
   geometry::timed(result.seconds.certify, [&] {
     const auto certified = [&] {
-      return certify::certify(result.mesh, {std::move(result.twins), result.cells}, skin.surface,
+      return certify::certify(result.mesh, {result.twins, result.cells}, skin.surface,
                               skin.topology, options.sizing, options.threads);
     };
     result.certificate = certified();

@@ -59,7 +59,7 @@ void DelaunayRefinement::run(const std::function<void(std::size_t)>& told) {
 }
 
 /// Notes which side of the skin the circumcentre lies on and how far, in the sense of
-/// is_surely_clear(). Beyond the ball that contains the body it is outside; very far out the way
+/// is_certainly_clear(). Beyond the ball that contains the body it is outside; very far out the way
 /// there is not worth the walk.
 void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   constexpr double far = 100;

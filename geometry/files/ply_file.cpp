@@ -29,7 +29,7 @@ template <class Body>
 void check_room(const Body& body, const PlyElement& element) {
   std::size_t least = 0;
   for (const PlyProperty& property : element.properties) {
-    least += body.least_size(property.count_type.value_or(property.type));
+    least += body.min_size(property.count_type.value_or(property.type));
   }
   if (least > 0 && element.count > body.rest().size() / least) {
     throw UnreadableInput(body.place() + ": the file is too short for " +
