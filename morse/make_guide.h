@@ -8,8 +8,9 @@
 
 namespace morskin::morse {
 
+/// Chooses the function and, if protecting spheres overlap, simplifies its Morse-Smale complex.
 /// @param euler_characteristic  of the skin
-/// @param asked                 the function; without one, the first default that will do
+/// @param asked                 the requested function, if any; see choose_function()
 /// @param radius_share          radius of a protecting sphere over the length scale at its centre
 /// @param threads               at most; the guide is the same for any number
 /// @throws DegenerateFunction
