@@ -57,7 +57,7 @@ std::uint64_t parsed_bytes(std::string_view text) {
 }
 
 void check_sizing(const certify::Sizing& sizing) {
-  if (!(sizing.C >= certify::Sizing::least_C) || !std::isfinite(sizing.C)) {
+  if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
     throw UsageError("-C must be at least 1e-5");
   }
   if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
@@ -66,7 +66,7 @@ void check_sizing(const certify::Sizing& sizing) {
 
 /// -C, -Q and --size.
 void finish(certify::Sizing& sizing, const Typed& typed) {
-  if (typed.size && !(*typed.size >= certify::Sizing::least_size && std::isfinite(*typed.size))) {
+  if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
     throw UsageError("--size must be at least 1e-6 Angstrom");
   }
   sizing.C = typed.C.value_or(typed.size ? certify::Sizing::largest_proved_C : sizing.C);
@@ -76,7 +76,7 @@ void finish(certify::Sizing& sizing, const Typed& typed) {
 }
 
 void check_timeout(std::optional<double> seconds) {
-  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::most_seconds)) {
+  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::max_seconds)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
 }

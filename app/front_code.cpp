@@ -87,10 +87,10 @@ class Encoder {
  private:
   void put(Laid laid) { code_.cases.push_back(static_cast<std::uint8_t>(laid)); }
 
-  std::uint32_t add_vertex(std::uint32_t old, std::array<std::uint32_t, 3> foretold) {
+  std::uint32_t add_vertex(std::uint32_t old, std::array<std::uint32_t, 3> predictors) {
     number_[old] = static_cast<std::uint32_t>(code_.vertices.size());
     code_.vertices.push_back(old);
-    code_.foretold.push_back(foretold);
+    code_.predictors.push_back(predictors);
     return number_[old];
   }
 

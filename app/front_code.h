@@ -39,7 +39,7 @@ struct FrontCode {
   std::vector<std::uint32_t> parents;     ///< by triangle, the new number of the one it was laid
                                           ///< against; of one that starts a front, the last before
   /// By vertex, three that foretell it as p + q - r; of the first of all nothing is known.
-  std::vector<std::array<std::uint32_t, 3>> foretold;
+  std::vector<std::array<std::uint32_t, 3>> predictors;
 };
 
 FrontCode front_code(const std::vector<std::array<std::uint32_t, 3>>& triangles,

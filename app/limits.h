@@ -21,14 +21,14 @@ const char* out_of_memory_text();
 /// @pre only one exists at a time.
 class TimeLimit {
  public:
-  /// @param seconds  absent: no limit. @pre 0 < *seconds <= most_seconds
+  /// @param seconds  absent: no limit. @pre 0 < *seconds <= max_seconds
   /// @param advice   what else than more time would help
   TimeLimit(std::optional<double> seconds, const std::filesystem::path& input, const char* advice);
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
   ~TimeLimit() { cancel(); }
 
-  static constexpr double most_seconds = 1e8;  // three years
+  static constexpr double max_seconds = 1e8;  // three years
 
   /// Lifts the limit: the work is done.
   void cancel();

@@ -34,7 +34,7 @@ RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points);
 /// How many atoms of the file were left out, for whatever reason.
 std::size_t skipped(const skin::ReadingCounts& counts);
 
-/// The reasons in words, "34 of water, 2 alternate places"; empty if nothing was left out.
+/// The reasons in words, "34 of water, 2 alternate locations"; empty if nothing was left out.
 std::string skipped_in_words(const skin::ReadingCounts& counts);
 
 }  // namespace morskin::app

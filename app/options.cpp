@@ -16,7 +16,8 @@ constexpr const char* about =
     "\n"
     "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
     "are\n"
-    "in Angstrom, angles in degrees. The first model is read, of alternate places the likeliest,\n"
+    "in Angstrom, angles in degrees. The first model is read, of alternate locations the "
+    "likeliest,\n"
     "and no water unless asked.\n";
 
 constexpr const char* closing =

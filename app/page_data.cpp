@@ -107,7 +107,7 @@ Grid grid_of(const geometry::IndexedMesh& mesh) {
       if (length > 0) shortest = std::min(shortest, length);
     }
   }
-  return grid_about(mesh.positions, shortest / least_edge);
+  return grid_about(mesh.positions, shortest / min_edge_steps);
 }
 
 void PageData::add_entry(const std::string& name, std::string_view kind, std::size_t count,

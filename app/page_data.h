@@ -25,10 +25,11 @@ struct Grid {
 /// @return a grid about the points with a step of at most `wanted` and at least 1,024 steps, as
 ///         far as 24 bits go
 Grid grid_about(std::span<const geometry::Point> points, double wanted);
-/// @return a grid about the mesh on which its shortest edge is `least_edge` steps long or more, as
+/// @return a grid about the mesh on which its shortest edge is `min_edge_steps` steps long or more,
+/// as
 ///         far as 24 bits go
 Grid grid_of(const geometry::IndexedMesh& mesh);
-constexpr double least_edge = 64;
+constexpr double min_edge_steps = 64;
 
 class PageData {
  public:

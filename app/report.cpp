@@ -238,7 +238,7 @@ std::string certificate_text(const Certificate& c, const certify::Sizing& sizing
   }
   if (c.triangles > 0) {
     text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                               " degrees (bound " + brief(sizing.least_angle_deg()) + ")");
+                               " degrees (bound " + brief(sizing.angle_bound_deg()) + ")");
     text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
                               brief(c.worst_U, 6) + " (good below 1), " +
                               counted(c.violations_L + c.violations_U, "violation", "violations"));

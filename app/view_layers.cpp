@@ -106,7 +106,7 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
   if (!std::isfinite(grid.step) || !grid.origin.allFinite()) {
     throw geometry::RefusedInput("the mesh is too large to be shown; give lengths in Angstrom");
   }
-  if (mesh.triangles.size() > geometry::SurfaceMesh::most_triangles) {
+  if (mesh.triangles.size() > geometry::SurfaceMesh::max_triangles) {
     throw geometry::LimitReached("the mesh has too many triangles for one page");
   }
   FrontCode code = front_code(mesh.triangles, mesh.positions.size());
@@ -122,9 +122,9 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
     SignedNumbers off;
     off.reserve(at.size());
     for (std::size_t v = 0; v < at.size(); ++v) {
-      const auto [p, q, r] = code.foretold[v];
-      const std::int32_t foretold = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
-      off.push_back(at[v][k] - foretold);
+      const auto [p, q, r] = code.predictors[v];
+      const std::int32_t predictors = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
+      off.push_back(at[v][k] - predictors);
     }
     page.add(name + "." + "xyz"[k], std::span(std::as_const(off)));
   }

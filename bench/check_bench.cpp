@@ -77,7 +77,7 @@ int main(int count, char** words) {
     return certify::restricted_delaunay(m.mesh, m.skin.surface, m.points);
   });
   kernel("check/local_delaunay", [](const Million& m) {
-    certify::SureEdges sure(m.mesh.triangles.size());
+    certify::DelaunayFilter sure(m.mesh.triangles.size());
     for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
       const auto [a, b, c] = m.mesh.triangles[t];
       const std::array p{&m.points[a], &m.points[b], &m.points[c]};

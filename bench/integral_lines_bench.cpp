@@ -39,8 +39,9 @@ void integral_lines(benchmark::State& state) {
         points.clear();
         cells.clear();
         const morse::CriticalId id{i};
-        lost += !lines.trace(id, side * p.descending, morse::Way::Down, points, cells).arrival;
-        lost += !lines.trace(id, side * p.ascending, morse::Way::Up, points, cells).arrival;
+        lost +=
+            !lines.trace(id, side * p.descending, morse::Direction::Down, points, cells).arrival;
+        lost += !lines.trace(id, side * p.ascending, morse::Direction::Up, points, cells).arrival;
         traced += 2;
         nodes += points.size();
       }

@@ -1,11 +1,10 @@
 #pragma once
 
-/// What is known of a triangle's surface ball without looking for its centre. All balls through the
-/// three corners are a pencil, with their centres on the line x = o + s n through the circumcentre
-/// o along the unit normal n. A bound on s mostly tells already on which side of the surface ball a
-/// vertex lies; the ball itself is found only where it does not.
+/// Bounds on a triangle's surface ball without its centre. The balls through the three corners form
+/// a pencil, with centres x = o + s n on the line through the circumcentre o along the unit normal
+/// n. A bound on s mostly decides on which side of the surface ball a vertex lies; only where it
+/// does not is the ball computed.
 
-#include <array>
 #include <limits>
 #include <optional>
 
@@ -13,22 +12,21 @@
 
 namespace morskin::certify {
 
-/// A ball counts as entered when a vertex is deeper in it than this share of its squared radius:
-/// above rounding, so that vertices on one circle settle either way.
-inline constexpr double least_intrusion = 1e-9;
+/// A vertex enters a ball if it is deeper in it than this share of the squared radius: above
+/// rounding, so that vertices on one circle settle either way.
+inline constexpr double min_intrusion = 1e-9;
 
-/// How deep a point lies in a ball, squared radius less squared distance, Angstrom^2: at least and
-/// at most.
+/// Bounds on the depth of a point in a ball, squared radius less squared distance, Angstrom^2.
 struct Depth {
-  double least, most;
+  double min, max;
 };
 
 struct BallPencil {
   Circumcircle circle;
-  Vector normal;  ///< unit
-  double reach;   ///< Angstrom: the surface ball has |s| <= reach
+  Vector normal;      ///< unit
+  double max_offset;  ///< bound on |s| of the surface ball, Angstrom
 
-  /// How deep p lies in the surface ball. At height h over the triangle's plane that is
+  /// Bounds on the depth of p in the surface ball. At height h over the triangle's plane it is
   ///
   ///     (squared radius) - |p - x|^2 = R^2 - |p - o|^2 + 2 s h,
   ///
@@ -36,51 +34,48 @@ struct BallPencil {
   Depth depth(const Point& p) const {
     const Vector d = p - circle.centre;
     const double middle = circle.radius * circle.radius - d.squaredNorm();
-    const double spread = 2 * reach * std::abs(d.dot(normal));
+    const double spread = 2 * max_offset * std::abs(d.dot(normal));
     return {middle - spread, middle + spread};
   }
 };
 
-/// The bound on s: with N = grad G / 2, which is 1-Lipschitz, and a corner a on the skin to within
-/// |G(a)| = g:
+/// The bound on s: with N = grad G / 2, which is 1-Lipschitz, and a corner a with |G(a)| = g,
 ///
 ///     |G(o)| <= g + 2 |N(a).(o - a)| + R^2 <= g + 2 t R + R^2,     t^2 = |N(a)|^2 - (N(a).n)^2,
 ///     N(o).n >= N(a).n - R =: m,      |G(o + s n) - G(o) - 2 s N(o).n| <= s^2,
 ///
-/// so G changes its sign on |s| <= m - sqrt(m^2 - |G(o)|) if m^2 > |G(o)|, and once, since N.n > 0
-/// as long as |s| < m. The corner whose normal is nearest to n gives the best bound.
-/// @return nothing where the bound does not hold.
-std::optional<BallPencil> ball_pencil(const surface::Surface& surface,
-                                      const std::array<const SurfacePoint*, 3>& corners,
+/// so G changes its sign on |s| <= m - sqrt(m^2 - |G(o)|) if m^2 > |G(o)|, and only once, since
+/// N.n > 0 for |s| < m. The corner whose normal is nearest to n gives the best bound.
+/// @return nothing where m^2 <= |G(o)|
+std::optional<BallPencil> ball_pencil(const surface::Surface& surface, const Corners& corners,
                                       const Circumcircle& circle);
 
-/// Whether the surface ball's centre surely lies within close_reach of the circumcentre, in shares
-/// of R. The bound above tells so where R is at most 0.15 of the length scale at a corner a and the
-/// cosine between the normal there and the triangle's at least 0.97.
+/// Bound on |s| / R of a close ball. ball_pencil() implies it where, at a corner a, R is at most
+/// 0.15 rho and the cosine between the skin's normal and the triangle's at least 0.97.
+inline constexpr double close_offset = 0.403;
 inline bool is_ball_close(const SurfacePoint& a, const Circumcircle& circle) {
   const double upright = a.normal.dot(circle.doubled_area);
   return circle.radius <= 0.15 * a.length_scale && upright > 0 &&
          upright * upright >= 0.97 * 0.97 * circle.doubled_area.squaredNorm();
 }
-inline constexpr double close_reach = 0.403;
 
-/// A triangle's surface ball, found as exactly as the questions about it take.
-class QuestionedBall {
+/// A triangle's surface ball, computed only as exactly as each question needs.
+class LazySurfaceBall {
  public:
-  QuestionedBall(const surface::Surface& surface, const std::array<const SurfacePoint*, 3>& corners,
-                 const Circumcircle& circle)
+  LazySurfaceBall(const surface::Surface& surface, const Corners& corners,
+                  const Circumcircle& circle)
       : surface_(surface),
         corners_(corners),
         circle_(circle),
         is_close_(is_ball_close(*corners[0], circle)) {}
 
-  /// How deep p lies in the ball, between bounds that tell whether it lies inside.
+  /// Bounds on the depth of p that decide whether p enters the ball.
   Depth intrusion(const Point& p) {
-    return is_close_ && is_outside_close_ball(p) ? outside : nearer_intrusion(p);
+    return is_close_ && is_outside_close_ball(p) ? outside : refined_intrusion(p);
   }
-  /// The same between any bounds that there are.
+  /// The pencil's bounds, or exact ones where it has none.
   Depth depth(const Point& p);
-  /// The same with the ball found to rounding.
+  /// Exact to rounding: min equals max.
   Depth exact_depth(const Point& p) const {
     const double depth = exact_ball().intrusion(p);
     return {depth, depth};
@@ -88,24 +83,24 @@ class QuestionedBall {
 
  private:
   static constexpr Depth outside{-std::numeric_limits<double>::infinity(), 0};
-  /// With that bound on s, as BallPencil::depth(), but for square roots.
+  /// BallPencil::depth() with close_offset, without square roots.
   bool is_outside_close_ball(const Point& p) const {
     const Vector d = p - circle_.centre;
     const double beyond = d.squaredNorm() - circle_.radius * circle_.radius;
-    const double lifted = 2 * close_reach * circle_.radius * d.dot(circle_.doubled_area);
+    const double lifted = 2 * close_offset * circle_.radius * d.dot(circle_.doubled_area);
     return beyond > 0 && beyond * beyond * circle_.doubled_area.squaredNorm() > lifted * lifted;
   }
-  Depth nearer_intrusion(const Point& p);
+  Depth refined_intrusion(const Point& p);
   SurfaceBall exact_ball() const {
     return exact_surface_ball(surface_, *corners_[0], corners_[1]->position, corners_[2]->position);
   }
   const std::optional<BallPencil>& pencil();
 
   const surface::Surface& surface_;
-  const std::array<const SurfacePoint*, 3> corners_;
+  const Corners corners_;
   const Circumcircle circle_;
   const bool is_close_;
-  bool has_looked_ = false;  ///< for the pencil
+  bool has_pencil_ = false;  ///< whether pencil_ has been computed
   std::optional<BallPencil> pencil_;
 };
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "certify/covering_degree.h"
+#include "certify/delaunay_filter.h"
 #include "certify/located_vertices.h"
 #include "certify/residuals.h"
 #include "certify/restricted_delaunay.h"
-#include "certify/sure_edges.h"
 #include "certify/triangle_geometry.h"
 #include "certify/tube.h"
 #include "geometry/mesh_shape.h"
@@ -32,16 +32,16 @@ std::string number(double x) {
   return text;
 }
 
-/// The work of certify(), one claim after the other; the first that breaks is the reason.
+/// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points, Hearsay said,
+  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points, const Hints& hints,
             const surface::Surface& surface, const Sizing& sizing, Certificate& certificate)
       : mesh_(mesh),
         surface_(surface),
         sizing_(sizing),
         out_(certificate),
-        said_(std::move(said)),
+        hints_(hints),
         points_(points) {}
 
   void run(const surface::Topology& expected, unsigned threads) {
@@ -55,26 +55,26 @@ class Certifier {
 
  private:
   void prove(unsigned threads) {
-    find_places_and_neighbours(threads);
-    SureEdges sure(mesh_.triangles.size());
+    locate_and_glue(threads);
+    DelaunayFilter filter(mesh_.triangles.size());
     check_vertices(threads);
-    check_triangles(threads, sure);
-    look_at_fans(threads);
+    check_triangles(threads, filter);
+    check_fans(threads);
     if (built_.defect) {
       measure_shape();
       out_.reason.clear();  // the first claim is the first reason
       fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
     } else {
-      const auto look_at_covering = [&] {
+      const auto check_covering = [&] {
         check_covering_degree();
         compare_counts();
         measure_shape();
       };
-      const auto look_at_balls = [&] {
+      const auto check_balls = [&] {
         out_.restricted_delaunay_violations =
-            local_delaunay_violations(mesh_, built_.mesh, surface_, points_, sure);
+            local_delaunay_violations(mesh_, built_.mesh, surface_, points_, filter);
       };
-      geometry::do_both(threads, look_at_covering, look_at_balls);
+      geometry::do_both(threads, check_covering, check_balls);
     }
     out_.is_homeomorphic = out_.reason.empty();
     if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {
@@ -90,30 +90,30 @@ class Certifier {
     if (first.empty()) first = reason;
     if (out.reason.empty()) out.reason = reason;
   }
-  /// The first element that breaks [L] or [U]; no reason against the homeomorphism.
+  /// Records the first element that breaks [L] or [U], which is no reason against homeomorphy.
   static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
     out.broken[static_cast<std::size_t>(claim)] =
         element + " has " + number(ratio) + " times its bound";
   }
   const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
 
-  /// Angles, area and volume need no connectivity.
+  /// Angles, area and volume.
   void measure_shape();
-  /// Where the vertices lie, which needs no connectivity, and the other way round.
-  void find_places_and_neighbours(unsigned threads);
-  void find_neighbours();
-  /// What is wrong round a vertex.
-  void look_at_fans(unsigned threads);
+  /// Locates the vertices and glues the triangles; neither needs the other.
+  void locate_and_glue(unsigned threads);
+  void glue();
+  /// The triangles at each vertex form one fan.
+  void check_fans(unsigned threads);
   /// Each vertex's distance to the skin.
   void check_vertices(unsigned threads);
   /// [L], [U], and the conditions c1 and c2 of the theorem.
-  void check_triangles(unsigned threads, SureEdges& sure);
-  /// What a look at some of the triangles finds.
+  void check_triangles(unsigned threads, DelaunayFilter& filter);
+  /// The results of one block of triangles.
   struct TriangleFindings {
-    Certificate out;  ///< what triangles have a say in
-    FlowReach reach;
+    Certificate out;  ///< the members that check_triangle() changes
+    FlowBounds flow;
   };
-  void check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const;
+  void check_triangle(std::size_t t, TriangleFindings& found, DelaunayFilter& filter) const;
   void add(TriangleFindings found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
@@ -123,14 +123,14 @@ class Certifier {
   const surface::Surface& surface_;
   const Sizing sizing_;
   Certificate& out_;
-  Hearsay said_;
+  const Hints& hints_;
   geometry::MeshOrDefect built_;
-  bool is_built_as_said_ = false;
-  geometry::Components parts_;
-  std::vector<SurfacePoint> located_;  ///< unless they were given
+  bool is_built_by_hints_ = false;
+  geometry::Components components_;
+  std::vector<SurfacePoint> located_;  ///< empty if they were given
   std::span<const SurfacePoint> points_;
-  double largest_residual_ = 0;  ///< of |G| over rho^2 at a vertex
-  FlowReach reach_;
+  double max_residual_ratio_ = 0;  ///< |G| / rho^2 at a vertex
+  FlowBounds flow_;
 };
 
 void Certifier::measure_shape() {
@@ -141,39 +141,39 @@ void Certifier::measure_shape() {
   out_.max_angle_deg = shape.max_angle_deg;
 }
 
-void Certifier::find_places_and_neighbours(unsigned threads) {
-  if (!points_.empty()) return find_neighbours();
+void Certifier::locate_and_glue(unsigned threads) {
+  if (!points_.empty()) return glue();
   const std::size_t count = mesh_.positions.size();
-  const bool has_cells = said_.cells.size() == count;
+  const bool has_cells = hints_.cells.size() == count;
   VertexLocator locator(mesh_, surface_);
   const auto locate = [&](std::size_t begin, std::size_t end, std::size_t) {
-    if (has_cells) return locator.locate_where_said(said_.cells, begin, end);
-    locator.locate_rest();  // of all, which are one block
+    if (has_cells) return locator.locate_hinted(hints_.cells, begin, end);
+    locator.locate_rest();  // all vertices, as one block
   };
   geometry::for_each_block_beside(
-      threads, [&] { find_neighbours(); }, count, locate,
+      threads, [&] { glue(); }, count, locate,
       has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
   locator.locate_rest();
   points_ = located_ = locator.take();
 }
 
-void Certifier::find_neighbours() {
+void Certifier::glue() {
   if (mesh_.triangles.empty()) {
     built_.defect = "no triangles";
     return;
   }
-  const std::vector<geometry::HalfEdgeId> twins = std::move(said_.twins);
-  auto mesh = geometry::SurfaceMesh::glued_as_said(mesh_.positions.size(), mesh_.triangles, twins);
-  is_built_as_said_ = mesh.has_value();
-  built_ = is_built_as_said_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
-                             : geometry::glued_mesh(mesh_.positions.size(), mesh_.triangles);
-  if (!built_.defect) parts_ = geometry::components(built_.mesh);
+  const std::size_t count = mesh_.positions.size();
+  auto mesh = geometry::SurfaceMesh::glued_by_twins(count, mesh_.triangles, hints_.twins);
+  is_built_by_hints_ = mesh.has_value();
+  built_ = is_built_by_hints_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
+                              : geometry::glued_mesh(count, mesh_.triangles);
+  if (!built_.defect) components_ = geometry::components(built_.mesh);
 }
 
-void Certifier::look_at_fans(unsigned threads) {
+void Certifier::check_fans(unsigned threads) {
   if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, threads);
-  // Where no edge stands twice there is one way to glue. Else words do not go by what was said.
-  if (built_.defect && is_built_as_said_) {
+  // Gluing is unique only if no edge occurs twice; the defect must not depend on hints.
+  if (built_.defect && is_built_by_hints_) {
     built_ = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
   }
 }
@@ -184,14 +184,14 @@ void Certifier::check_vertices(unsigned threads) {
       residuals(mesh_.positions, points_, surface_, out_.is_single_precision, threads);
   out_.max_distance_to_skin = found.max_distance;
   out_.max_relative_distance_to_skin = found.max_relative_distance;
-  largest_residual_ = found.largest;
+  max_residual_ratio_ = found.max_ratio;
   if (!found.first_off_skin) return;
   const auto& [v, distance] = *found.first_off_skin;
   fail(Claim::OnSkin,
        "vertex " + std::to_string(v) + " lies " + number(distance) + " Angstrom off the skin");
 }
 
-void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
+void Certifier::check_triangles(unsigned threads, DelaunayFilter& filter) {
   out_.worst_L = std::numeric_limits<double>::infinity();
   const std::size_t count = mesh_.triangles.size();
   std::vector<TriangleFindings> found(geometry::block_count(count));
@@ -200,12 +200,12 @@ void Certifier::check_triangles(unsigned threads, SureEdges& sure) {
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
       for (const std::uint32_t v : mesh_.triangles[later]) geometry::prefetch(&points_[v]);
-      check_triangle(t, found[block], sure);
+      check_triangle(t, found[block], filter);
     }
   });
   std::size_t far = 0;
-  for (const TriangleFindings& part : found) far += part.reach.far().size();
-  reach_.reserve(far);
+  for (const TriangleFindings& part : found) far += part.flow.far().size();
+  flow_.reserve(far);
   for (TriangleFindings& part : found) add(std::move(part));
 }
 
@@ -218,31 +218,32 @@ void Certifier::add(TriangleFindings found) {
     if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
   }
   if (out_.reason.empty()) out_.reason = found.out.reason;
-  reach_.add(std::move(found.reach));
+  flow_.add(std::move(found.flow));
 }
 
-void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges& sure) const {
+void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
+                               DelaunayFilter& filter) const {
   Certificate& out = found.out;
   const auto& corner = mesh_.triangles[t];
-  const std::array p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+  const Corners p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
   const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  const double rho = min_length_scale(p);
   const double u = sizing_.triangle_ratio(circle.radius, rho);
   out.worst_U = std::max(out.worst_U, u);
   if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
     if (a > b) continue;  // each edge from one side
-    // Only a new worst is of interest, and what breaks [L].
-    if (sizing_.is_surely_longer(points_[a], points_[b], std::max(out.worst_L, 1.0))) continue;
+    // Skip edges that neither are the worst nor break [L].
+    if (sizing_.is_certainly_longer(points_[a], points_[b], std::max(out.worst_L, 1.0))) continue;
     const double l = sizing_.edge_ratio(points_[a], points_[b]);
     out.worst_L = std::min(out.worst_L, l);
     if (!(l > 1) && out.violations_L++ == 0) {
       note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
     }
   }
-  const double residual = residual_at(p, largest_residual_);
-  sure.note(geometry::TriangleId{t}, p, circle, residual);
+  const double residual = max_residual(p, max_residual_ratio_);
+  filter.note(geometry::TriangleId{t}, p, circle, residual);
   const TubeProof proof = prove_tube(surface_, p, circle, residual);
   if (!proof.is_upright) {
     fail(out, Claim::Upright,
@@ -253,18 +254,17 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found, SureEdges
          "triangle " + std::to_string(t) +
              " is too big for its length scale to be proved near the skin");
   }
-  found.reach.add(static_cast<std::uint32_t>(t), circle.radius, proof.way, rho);
+  found.flow.add(static_cast<std::uint32_t>(t), circle.radius, proof.max_path, rho);
 }
 
 void Certifier::check_covering_degree() {
-  out_.components = parts_.count;
-  const CoveringDegree degree({mesh_, built_.mesh, parts_, points_, surface_, largest_residual_},
-                              reach_);
-  const std::optional<std::size_t> unshown = degree.first_not_shown();
-  out_.covering_degree_ok = !unshown;
-  if (!unshown) return;
+  out_.components = components_.count;
+  const LocatedMesh mesh{mesh_, built_.mesh, components_, points_, surface_, max_residual_ratio_};
+  const std::optional<std::size_t> unproved = CoveringDegree(mesh, flow_).first_unproved();
+  out_.covering_degree_ok = !unproved;
+  if (!unproved) return;
   fail(Claim::Degree,
-       "component " + std::to_string(*unshown) + " could not be shown to cover the skin once");
+       "component " + std::to_string(*unproved) + " could not be shown to cover the skin once");
 }
 
 void Certifier::compare_counts() {
@@ -290,22 +290,23 @@ void Certifier::compare_counts() {
 Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing,
                     const geometry::Run& run) {
-  return certify(mesh, Hearsay(), surface, expected, sizing, run);
+  return certify(mesh, Hints(), surface, expected, sizing, run);
 }
 
 Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const surface::Surface& surface, const surface::Topology& expected,
                     const Sizing& sizing, const geometry::Run& run) {
+  const Hints none;
   Certificate certificate;
-  Certifier(mesh, points, {}, surface, sizing, certificate).run(expected, run.threads());
+  Certifier(mesh, points, none, surface, sizing, certificate).run(expected, run.threads());
   return certificate;
 }
 
-Certificate certify(const IndexedMesh& mesh, Hearsay said, const surface::Surface& surface,
+Certificate certify(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing,
                     const geometry::Run& run) {
   Certificate certificate;
-  Certifier(mesh, {}, std::move(said), surface, sizing, certificate).run(expected, run.threads());
+  Certifier(mesh, {}, hints, surface, sizing, certificate).run(expected, run.threads());
   return certificate;
 }
 

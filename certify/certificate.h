@@ -1,14 +1,14 @@
 #pragma once
 
 /// The certificate (papers/certificate.md): from the mesh alone, in O(n), a proof that it is
-/// homeomorphic (even isotopic) to the skin, and the measure of its quality.
+/// homeomorphic (even isotopic) to the skin, and a measure of its quality.
 ///
 /// Proved when all of these hold:
 ///   manifold    the triangles form a closed oriented 2-manifold without degenerate elements;
-///   on skin     every vertex lies on the skin within residual_bound(), or, where all coordinates
-///               are floats as STL has them, within the rounding to floats;
-///   tube        every triangle lies where the flow along grad G reaches the skin (c2), and
-///   upright     faces the way the skin does there (c1), so that the flow is a covering map;
+///   on skin     every vertex lies on the skin to residual_bound(), and to the rounding to floats
+///               where all coordinates are floats, as in STL;
+///   tube        the flow along grad G carries every point of a triangle to the skin (c2), and
+///   upright     every triangle faces as the skin does (c1), so that the flow is a covering map;
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
 ///   counts      components, Euler characteristic and genus equal the dual complex's.
 
@@ -27,7 +27,7 @@
 
 namespace morskin::certify {
 
-/// What is proved, one after the other, and what is asked beyond: [L] and [U].
+/// The claims of the proof, in order, then the size conditions.
 enum class Claim { Manifold, OnSkin, Upright, Tube, Degree, Counts, L, U };
 inline constexpr std::size_t claim_count = 8;
 
@@ -52,20 +52,20 @@ struct Certificate {
   double max_relative_distance_to_skin = 0;  ///< the same over the length scale
   bool is_single_precision = false;          ///< every coordinate is a float
   double area = 0;                           ///< Angstrom^2
-  double volume = 0;                         ///< Angstrom^3, voids taken off
+  double volume = 0;                         ///< Angstrom^3, without voids
   bool covering_degree_ok = false;
-  /// Triangles with the far corner of a neighbour in their surface ball; of a mesh that is not
-  /// closed, none were looked at. No part of the proof (restricted_delaunay.h).
+  /// Triangles with the far corner of a neighbour in their surface ball; 0 if the mesh is not
+  /// closed. Not part of the proof (restricted_delaunay.h).
   std::size_t restricted_delaunay_violations = 0;
 
-  /// Homeomorphic to the skin: none of the points above is broken.
+  /// Every claim up to Counts holds.
   bool is_homeomorphic = false;
   /// Homeomorphic, and [L] and [U] hold everywhere.
   bool certified = false;
-  /// Why not, naming the first element that breaks it; empty when certified.
+  /// Why not, naming the first element that breaks a claim; empty when certified.
   std::string reason;
-  /// By Claim, the first element that breaks it in words; empty where it holds. Without a manifold
-  /// degree and counts cannot be looked at and stay empty.
+  /// By Claim, the first element that breaks it, in words; empty where it holds. Degree and counts
+  /// stay empty where the mesh is no manifold.
   std::array<std::string, claim_count> broken;
 
   const std::string& broken_by(Claim claim) const {
@@ -73,25 +73,25 @@ struct Certificate {
   }
 };
 
-/// What somebody says of a mesh. None of it is believed: what is so saves a search, and what is not
-/// changes nothing.
-struct Hearsay {
-  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; given up when looked at
-  std::span<const surface::CellId> cells;   ///< by vertex, the mixed cell that it lies in
+/// The mesher's hints: checked, never trusted. A right hint saves a search, a wrong one changes
+/// nothing. Any size, any values.
+struct Hints {
+  std::span<const geometry::HalfEdgeId> twins;  ///< by half-edge
+  std::span<const surface::CellId> cells;       ///< by vertex, the cell that contains it
 };
 
-/// @param expected  the surface's topology, known from elsewhere
-/// Never throws on a bad mesh: the reason says what is wrong with it.
+/// Never throws on a bad mesh: the reason names the defect.
+/// @param expected  the surface's topology, from a source independent of the mesh
 Certificate certify(const geometry::IndexedMesh& mesh, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing = {},
                     const geometry::Run& run = geometry::Run());
-/// The same, when the vertices have been located already.
-/// @param points  locate_vertices() of the mesh; if empty they are located here
+/// The same with vertices already located.
+/// @param points  locate_vertices() of the mesh
 Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
                     const surface::Surface& surface, const surface::Topology& expected,
                     const Sizing& sizing, const geometry::Run& run);
-/// The same, with what the maker of the mesh says of it.
-Certificate certify(const geometry::IndexedMesh& mesh, Hearsay said,
+/// The same with hints.
+Certificate certify(const geometry::IndexedMesh& mesh, const Hints& hints,
                     const surface::Surface& surface, const surface::Topology& expected,
                     const Sizing& sizing, const geometry::Run& run);
 

@@ -1,9 +1,9 @@
 #pragma once
 
-/// The third condition of the certificate (papers/certificate.md): at one vertex of every component
+/// The third condition of the certificate (papers/certificate.md): each component has a vertex for
+/// which
 ///
-///     (c3) degree   no other triangle is carried onto it by the flow, and its own go round it
-///     once,
+///     (c3) degree   its own triangles go round it once, and the flow carries no other onto it,
 ///
 /// so that the component covers its part of the skin once.
 
@@ -20,74 +20,75 @@
 
 namespace morskin::certify {
 
-/// How far it is from the corners of triangles to all that the flow makes of them, at most.
-class FlowReach {
+/// Bounds on the distance from a triangle's corners to its image under the flow.
+class FlowBounds {
  public:
-  /// @param way  no farther than this does the flow move a point of the triangle, Angstrom
-  /// @param rho  the least length scale at the corners
-  void add(std::uint32_t triangle, double circumradius, double way, double rho);
-  void add(FlowReach others);
-  /// Makes room for what others have listed as far.
+  /// @param max_path  bound on the path of a point of the triangle, Angstrom; may be infinite
+  /// @param rho       smallest length scale at the corners
+  void add(std::uint32_t triangle, double circumradius, double max_path, double rho);
+  void add(FlowBounds others);
+  /// Reserves memory for far triangles.
   void reserve(std::size_t far) { far_.reserve(far); }
 
-  /// Over the length scale at the corner; but for the triangles that reach beyond `most`.
+  /// Bound on the distance to the nearest corner over rho there, for all but the far triangles.
   double ratio() const { return ratio_; }
+  /// A triangle whose ratio exceeds max_ratio.
   struct Far {
     std::uint32_t triangle;
-    float from_first_corner;  ///< Angstrom
+    float from_first_corner;  ///< bound on the distance, Angstrom
   };
   std::span<const Far> far() const { return far_; }
-  /// How many of these are not proved, so that nothing bounds how far they reach.
+  /// Far triangles without a bound.
   std::size_t unbounded_count() const { return unbounded_count_; }
 
  private:
-  static constexpr double most = 0.8;
+  static constexpr double max_ratio = 0.8;
   double ratio_ = 0;
   std::vector<Far> far_;
   std::size_t unbounded_count_ = 0;
 };
 
-/// |G| at the corners of a triangle, at most, if at each vertex it is that share of rho^2.
-inline double residual_at(const std::array<const SurfacePoint*, 3>& p, double share) {
-  const double most_rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  return share * most_rho * most_rho;
+/// Bound on |G| at a triangle's corners. @param ratio  bound on |G| / rho^2 at every vertex
+inline double max_residual(const Corners& p, double ratio) {
+  const double rho = max_length_scale(p);
+  return ratio * rho * rho;
 }
 
-/// The closed mesh that is asked, and where it lies.
-struct FlowingMesh {
+/// A closed mesh with its vertices on a surface.
+struct LocatedMesh {
   const geometry::IndexedMesh& mesh;
   const geometry::SurfaceMesh& connectivity;
-  const geometry::Components& parts;     ///< its components
-  std::span<const SurfacePoint> points;  ///< where its vertices lie
+  const geometry::Components& components;
+  std::span<const SurfacePoint> points;  ///< by vertex
   const surface::Surface& surface;
-  double largest_residual;  ///< of |G| over rho^2 at a vertex
+  double max_residual_ratio;  ///< |G| / rho^2 at a vertex
 };
 
 class CoveringDegree {
  public:
-  /// @param reach  of all triangles
-  CoveringDegree(const FlowingMesh& mesh, const FlowReach& reach) : on_(mesh), reach_(reach) {}
+  /// @param bounds  of all triangles
+  CoveringDegree(const LocatedMesh& mesh, const FlowBounds& bounds) : on_(mesh), bounds_(bounds) {}
 
-  /// @return the first component of which (c3) could not be shown
-  std::optional<std::size_t> first_not_shown() const;
+  /// The first component without a proof of (c3).
+  std::optional<std::size_t> first_unproved() const;
 
  private:
-  /// By component, vertices that may show it.
+  /// By component, vertices at which to try (c3).
   using Candidates = std::vector<std::vector<VertexId>>;
   Candidates candidates() const;
-  /// Whether no triangle but its own may cover the vertex, for each candidate; empty if there are
-  /// too many triangles that nothing bounds.
+  /// By vertex, whether it is a candidate that only its own triangles may cover; empty if too many
+  /// triangles are unbounded.
   std::vector<char> free_candidates(const Candidates& candidates) const;
-  template <class Look>
-  void look_from_far(const std::vector<VertexId>& candidates, Look look_at) const;
-  template <class Look>
-  void look_from_near(const std::vector<VertexId>& candidates, Look look_at) const;
+  template <class Test>
+  void test_far_triangles(const std::vector<VertexId>& candidates, Test test) const;
+  template <class Test>
+  void test_near_triangles(const std::vector<VertexId>& candidates, Test test) const;
   bool turns_once(VertexId v) const;
   bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
   const Point& position(std::uint32_t v) const { return on_.mesh.positions[v]; }
 
-  const FlowingMesh on_;
-  const FlowReach& reach_;
+  const LocatedMesh on_;
+  const FlowBounds& bounds_;
 };
 
 }  // namespace morskin::certify

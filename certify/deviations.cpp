@@ -17,10 +17,10 @@ class Worst {
  public:
   void offer(double key, const Element& element) {
     if (std::isnan(key)) key = std::numeric_limits<double>::infinity();
-    if (count_ == most && !(key > kept_[most - 1].key)) return;
-    std::size_t place = count_ < most ? count_++ : most - 1;
-    for (; place > 0 && kept_[place - 1].key < key; --place) kept_[place] = kept_[place - 1];
-    kept_[place] = {key, element};
+    if (count_ == max_count && !(key > kept_[max_count - 1].key)) return;
+    std::size_t i = count_ < max_count ? count_++ : max_count - 1;
+    for (; i > 0 && kept_[i - 1].key < key; --i) kept_[i] = kept_[i - 1];
+    kept_[i] = {key, element};
   }
   std::vector<Element> list() const {
     std::vector<Element> result;
@@ -29,16 +29,16 @@ class Worst {
   }
 
  private:
-  static constexpr std::size_t most = 10;
+  static constexpr std::size_t max_count = 10;
   struct Entry {
     double key;
     Element element;
   };
-  std::array<Entry, most> kept_{};
+  std::array<Entry, max_count> kept_{};
   std::size_t count_ = 0;
 };
 
-/// |G| / 2 rho is the distance to first order, off by G / rho^2 of itself.
+/// The distance to first order, |G| / 2 rho, with a relative error of G / rho^2.
 BadVertex distance(const surface::Surface& surface, const Point& x, surface::CellId cell,
                    std::uint32_t id) {
   const double rho = surface.length_scale(x, cell);
@@ -84,7 +84,7 @@ Deviations measure_deviations(const geometry::IndexedMesh& mesh, const surface::
     out.mean_centroid_relative += off.relative;
 
     const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    const double rho = min_length_scale(p);
     const double u = sizing.triangle_ratio(circle.radius, rho);
     large.offer(u, {t, u});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How far a mesh is from the skin and from the size conditions: extremes, and the worst elements
-/// by name. The certificate proves; this tells where to look.
+/// How far a mesh is from the skin and from the size conditions: extremes and the worst elements.
+/// Not part of the proof.
 
 #include <cstdint>
 #include <span>

@@ -9,8 +9,8 @@
 
 namespace morskin::certify {
 
-/// Finds for each vertex of any mesh its mixed cell, and the normal and length scale that the skin
-/// would have there.
+/// Finds the cell of each vertex of any mesh, with the normal and length scale of the cell's
+/// formula there.
 class VertexLocator {
  public:
   VertexLocator(const geometry::IndexedMesh& mesh, const surface::Surface& surface)
@@ -19,18 +19,17 @@ class VertexLocator {
         points_(mesh.positions.size()),
         is_located_(mesh.positions.size(), 0) {}
 
-  /// Locates those of the vertices [begin, end) that lie in the cells which somebody says they lie
-  /// in. From any thread, for vertices that no other is at.
-  /// @param cells  by vertex; any numbers
-  void locate_where_said(std::span<const surface::CellId> cells, std::size_t begin,
-                         std::size_t end);
-  /// Locates all that are left, by walks from a neighbour's cell: O(n) on ordinary meshes.
+  /// Locates those of the vertices [begin, end) whose hints are right. Threads may run on disjoint
+  /// ranges at once.
+  /// @param hints  by vertex, a cell; any values
+  void locate_hinted(std::span<const surface::CellId> hints, std::size_t begin, std::size_t end);
+  /// Locates the rest, by walks from a neighbour's cell: O(n) on ordinary meshes.
   void locate_rest();
-  /// @pre all are located
+  /// By vertex. @pre locate_rest() has been called.
   std::vector<surface::SurfacePoint> take() { return std::move(points_); }
 
  private:
-  void place(std::uint32_t v, surface::CellId start);
+  void locate(std::uint32_t v, surface::CellId start);
 
   const geometry::IndexedMesh& mesh_;
   const surface::Surface& surface_;
@@ -38,7 +37,7 @@ class VertexLocator {
   std::vector<char> is_located_;  ///< by vertex
 };
 
-/// All at once, by walks.
+/// All vertices, by walks. @return by vertex
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
                                                    const surface::Surface& surface);
 

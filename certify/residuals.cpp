@@ -25,29 +25,29 @@ bool is_single_precision(std::span<const surface::Point> positions) {
 Residuals residuals(std::span<const surface::Point> positions,
                     std::span<const surface::SurfacePoint> points, const surface::Surface& surface,
                     bool is_single_precision, unsigned threads) {
-  const auto look_at = [&](std::size_t v, Residuals& found) {
+  const auto check = [&](std::size_t v, Residuals& found) {
     const double rho = points[v].length_scale;
     const double g = std::abs(surface.jet(positions[v], points[v].cell).value);
     // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
     found.max_distance = std::max(found.max_distance, g / (2 * rho));
     found.max_relative_distance = std::max(found.max_relative_distance, g / (2 * rho * rho));
-    found.largest = std::max(found.largest, g / (rho * rho));
-    // A hundred times what the mesher leaves: room for another program's last digits, far below
-    // what the theorem needs. Rounding to floats moves a vertex by at most 2^-24 of its distance d
-    // from the origin, and G by 2 rho d + d^2.
+    found.max_ratio = std::max(found.max_ratio, g / (rho * rho));
+    // A hundred times the mesher's tolerance, for the last digits of other programs: far below the
+    // needs of the theorem. Rounding to floats moves a vertex by d, at most 2^-24 of its distance
+    // from the origin, and changes G by 2 rho d + d^2.
     const double moved = is_single_precision ? std::ldexp(positions[v].norm(), -24) : 0;
     const bool is_on_skin = g <= 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
     if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, g / (2 * rho)};
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));
   geometry::for_each_block(threads, points.size(), [&](auto begin, auto end, auto block) {
-    for (std::size_t v = begin; v < end; ++v) look_at(v, found[block]);
+    for (std::size_t v = begin; v < end; ++v) check(v, found[block]);
   });
   Residuals whole;
   for (const Residuals& part : found) {
     whole.max_distance = std::max(whole.max_distance, part.max_distance);
     whole.max_relative_distance = std::max(whole.max_relative_distance, part.max_relative_distance);
-    whole.largest = std::max(whole.largest, part.largest);
+    whole.max_ratio = std::max(whole.max_ratio, part.max_ratio);
     if (!whole.first_off_skin) whole.first_off_skin = part.first_off_skin;
   }
   return whole;

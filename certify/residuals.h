@@ -16,12 +16,12 @@ bool is_single_precision(std::span<const surface::Point> positions);
 struct Residuals {
   double max_distance = 0;           ///< of a vertex to the skin, Angstrom
   double max_relative_distance = 0;  ///< the same over the length scale
-  double largest = 0;                ///< of |G| over rho^2 at a vertex
-  /// The first vertex that is farther off than residual_bound() and rounding allow, and how far.
+  double max_ratio = 0;              ///< |G| / rho^2 at a vertex
+  /// The first vertex farther off than residual_bound() and rounding allow, with its distance.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
 
-/// @param points               by vertex, as located
+/// @param points               by vertex
 /// @param is_single_precision  whether vertices may be off by the rounding to floats
 /// @param threads              at most; the result is the same for any number
 Residuals residuals(std::span<const surface::Point> positions,

@@ -14,20 +14,20 @@ namespace {
 
 using geometry::IndexedMesh;
 
-/// A squared distance of about r^2 between points with coordinates up to L is off by a few times
-/// 2 r u L: a corner's, which defines the ball, and the vertex's. This is 16 u L, Angstrom.
+/// 16 u L, Angstrom, u the unit roundoff and L the largest coordinate: squared distances of about
+/// r^2, a corner's and the vertex's, are off by a few times 2 r u L.
 double rounding_of(const IndexedMesh& mesh) {
   double largest = 0;
   for (const Point& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   return 16 * std::ldexp(largest, -53);
 }
 
-/// How deep p lies in the ball, over its squared radius, if that is beyond the refinement's margin,
-/// with which four vertices on a circle settle either way, and beyond rounding.
+/// The depth of p in the ball over its squared radius; nothing within min_intrusion, with which
+/// four vertices on a circle settle either way, and rounding.
 std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double rounding) {
   const double intrusion = ball.intrusion(p);
   const double margin =
-      least_intrusion * ball.squared_radius + rounding * std::sqrt(ball.squared_radius);
+      min_intrusion * ball.squared_radius + rounding * std::sqrt(ball.squared_radius);
   if (!(intrusion > margin)) return std::nullopt;
   return intrusion / ball.squared_radius;
 }
@@ -42,7 +42,7 @@ class DelaunayCheck {
         tree_(tree),
         rounding_(rounding_of(mesh)) {}
 
-  /// Looks at triangles [begin, end).
+  /// Checks triangles [begin, end).
   RestrictedDelaunay run(std::size_t begin, std::size_t end, std::size_t listed) const {
     RestrictedDelaunay result;
     for (std::size_t t = begin; t < end; ++t) {
@@ -87,26 +87,25 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
     ++result.exact_balls;
   };
   std::optional<DelaunayViolation> worst;
-  const auto ask = [&](std::uint32_t v) {
+  const auto test = [&](std::uint32_t v) {
     if (!ball) find_ball();
     const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
     if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
   };
   if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
-    // The ball about o that holds every ball of the pencil.
-    const double R = p->circle.radius;
-    const double most = p->reach + std::sqrt(R * R + p->reach * p->reach);
-    tree_.for_each_within(p->circle.centre, most, [&](const auto& near) {
+    // The ball about o that contains every ball of the pencil.
+    const double R = p->circle.radius, s = p->max_offset;
+    tree_.for_each_within(p->circle.centre, s + std::sqrt(R * R + s * s), [&](const auto& near) {
       const std::uint32_t v = near.id.value;
-      if (is_corner(v) || !(p->depth(mesh_.positions[v]).most > 0)) return;
-      ask(v);
+      if (is_corner(v) || !(p->depth(mesh_.positions[v]).max > 0)) return;
+      test(v);
     });
     if (!ball || ball->is_exact) return worst;
   } else {
     find_ball();
     if (ball->is_exact) {
       tree_.for_each_within(ball->centre, std::sqrt(ball->squared_radius), [&](const auto& near) {
-        if (!is_corner(near.id.value)) ask(near.id.value);
+        if (!is_corner(near.id.value)) test(near.id.value);
       });
       return worst;
     }
@@ -145,7 +144,8 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const surface::S
 std::size_t local_delaunay_violations(const IndexedMesh& mesh,
                                       const geometry::SurfaceMesh& connectivity,
                                       const surface::Surface& surface,
-                                      std::span<const SurfacePoint> points, const SureEdges& sure) {
+                                      std::span<const SurfacePoint> points,
+                                      const DelaunayFilter& filter) {
   const double rounding = rounding_of(mesh);
   const auto is_entered = [&](TriangleId t) {
     const auto [a, b, c] = mesh.triangles[t.index()];
@@ -155,26 +155,25 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh,
     std::optional<SurfaceBall> ball;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
-      // As located: the corner of a neighbour, so likely at hand.
       const Point& p = points[connectivity.apex(connectivity.twin(h)).index()].position;
-      if (bound && !(bound->depth(p).most > 0)) continue;
+      if (bound && !(bound->depth(p).max > 0)) continue;
       if (!ball) ball = exact_surface_ball(surface, *at[0], at[1]->position, at[2]->position);
       if (ball->is_exact && depth_in(*ball, p, rounding)) return true;
     }
     return false;
   };
-  std::vector<char> is_unsure(mesh.triangles.size(), 0);
+  std::vector<char> is_open(mesh.triangles.size(), 0);  // an edge is not proved Delaunay
   const std::size_t count = 3 * mesh.triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const HalfEdgeId h{i}, twin = connectivity.twin(h);
-    sure.prefetch(
+    filter.prefetch(
         connectivity.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, count - 1)}));
-    if (twin < h || sure.are_sure(h, twin)) continue;
-    for (const HalfEdgeId side : {h, twin}) is_unsure[SurfaceMesh::triangle(side).index()] = 1;
+    if (twin < h || filter.certainly_delaunay(h, twin)) continue;
+    for (const HalfEdgeId side : {h, twin}) is_open[SurfaceMesh::triangle(side).index()] = 1;
   }
   std::size_t violations = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    violations += is_unsure[t] != 0 && is_entered(TriangleId{t});
+    violations += is_open[t] != 0 && is_entered(TriangleId{t});
   }
   return violations;
 }

@@ -1,14 +1,14 @@
 #pragma once
 
-/// Whether a mesh is the restricted Delaunay triangulation of its vertices (section 2.2): each
-/// triangle's surface ball (triangle_geometry.h) has no other vertex inside. All vertices are
-/// asked, through a tree, not only those of neighbouring triangles.
+/// Whether a mesh is the restricted Delaunay triangulation of its vertices (section 2.2): no
+/// triangle's surface ball (triangle_geometry.h) contains another vertex. All vertices count, not
+/// only those of neighbouring triangles.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "certify/sure_edges.h"
+#include "certify/delaunay_filter.h"
 #include "certify/triangle_geometry.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/run.h"
@@ -25,13 +25,13 @@ struct DelaunayViolation {
 struct RestrictedDelaunay {
   std::size_t violations = 0;   ///< triangles with a vertex inside their surface ball
   std::size_t undecided = 0;    ///< triangles without a surface ball near them; not counted above
-  std::size_t exact_balls = 0;  ///< how many had to be computed
-  std::vector<DelaunayViolation> deepest;  ///< by depth, the worst first
+  std::size_t exact_balls = 0;  ///< balls computed
+  std::vector<DelaunayViolation> deepest;  ///< the deepest first
   std::vector<std::uint32_t> first_undecided;
 };
 
 /// @param points   locate_vertices() of the mesh
-/// @param listed   how many violations are kept
+/// @param listed   length of the lists, at most
 /// @pre every position is finite.
 RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
                                        const surface::Surface& surface,
@@ -41,18 +41,19 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
 
 /// How many triangles have the far corner of a neighbour in their surface ball, by the same rule.
 ///
-/// Law: none, in a certified mesh with the default sizing, exactly if restricted_delaunay() finds
-/// none. The argument, without its constants: let p lie in the ball of t, and let H be the plane
-/// through an edge of t orthogonal to the line of centres of the two balls there. Beyond H p lies
-/// deeper in the neighbour's ball, the two apexes being on their own sides of H; so from neighbour
-/// to neighbour it gets deeper until it is beyond none of the three planes. There it lies over the
-/// triangle, or beside it by what the planes lean, some 0.04 R, over a neighbour; but the mesh is a
-/// graph over the skin (certificate.h), and a vertex lies over no triangle but its own.
+/// Law: in a certified mesh with the default sizing this is 0 exactly if restricted_delaunay()
+/// finds no violation. The argument, without its constants: let p lie in the ball of t, and let H
+/// be the plane through an edge of t orthogonal to the line of centres of the two balls there. If p
+/// is beyond H it lies deeper in the neighbour's ball, so from neighbour to neighbour it gets
+/// deeper until it is beyond none of the three planes. There it lies over the triangle, or, since
+/// the planes lean, up to some 0.04 R beside it over a neighbour; but the mesh is a graph over the
+/// skin (certificate.h), and a vertex lies over no triangle but its own.
 /// @param connectivity  the mesh's, closed
-/// @param sure     with all triangles noted
+/// @param filter        with all triangles noted
 std::size_t local_delaunay_violations(const geometry::IndexedMesh& mesh,
                                       const geometry::SurfaceMesh& connectivity,
                                       const surface::Surface& surface,
-                                      std::span<const SurfacePoint> points, const SureEdges& sure);
+                                      std::span<const SurfacePoint> points,
+                                      const DelaunayFilter& filter);
 
 }  // namespace morskin::certify

@@ -14,6 +14,7 @@ using geometry::HalfEdgeId;
 using geometry::SurfaceMesh;
 using geometry::TriangleId;
 using geometry::VertexId;
+using surface::Corners;
 using surface::Mesh;
 using surface::Point;
 using surface::SurfacePoint;
@@ -34,12 +35,12 @@ inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c)
   return {a + offset, offset.norm(), n};
 }
 
-/// Whether a triangle's normal, of any length, agrees with the skin's at all its corners: then it
-/// lies on the surface the right way up.
+/// Whether a triangle's normal n, of any length, is within 72 degrees of the surface's at each
+/// corner.
 inline bool is_upright(const Vector& n, const SurfacePoint& a, const SurfacePoint& b,
                        const SurfacePoint& c) {
-  const double least = 0.3 * n.norm();
-  return n.dot(a.normal) > least && n.dot(b.normal) > least && n.dot(c.normal) > least;
+  const double bound = 0.3 * n.norm();
+  return n.dot(a.normal) > bound && n.dot(b.normal) > bound && n.dot(c.normal) > bound;
 }
 
 /// The smallest and the largest of a triangle's three angles.
@@ -55,46 +56,47 @@ inline AngleRange angle_range(const Point& a, const Point& b, const Point& c) {
   return {std::min({at_a, at_b, at_c}), std::max({at_a, at_b, at_c})};
 }
 
-/// The surface ball of a triangle: centred on the skin, through the three vertices. It is the ball
-/// that a restricted Delaunay triangle keeps empty (section 2.2). The centre lies on the line
-/// through the circumcentre along the triangle's normal.
+/// The surface ball of a triangle: centred on the skin, through the three corners. A restricted
+/// Delaunay triangle keeps it empty (section 2.2). The centre lies on the line through the
+/// circumcentre along the triangle's normal.
 struct SurfaceBall {
   Point centre;
   double squared_radius;
   bool is_exact;  ///< to rounding; otherwise one Newton step in the patch of a vertex
 
-  /// How deep p lies inside, Angstrom^2: negative outside.
+  /// Depth of p inside, Angstrom^2: negative outside.
   double intrusion(const Point& p) const { return squared_radius - (p - centre).squaredNorm(); }
 };
 
-/// The ball with its centre found in one patch, that of a vertex a: off by a few hundredths of the
+/// The ball with its centre found by the formula of a's cell alone: off by a few hundredths of the
 /// squared radius where the skin changes patches under the triangle.
 SurfaceBall quick_surface_ball(const surface::Surface& surface, const SurfacePoint& a,
                                const Circumcircle& circle);
-/// The ball with its centre on the surface to rounding.
+/// The ball with its centre on the surface to rounding, if Newton's method finds one (is_exact).
 SurfaceBall exact_surface_ball(const surface::Surface& surface, const SurfacePoint& a,
                                const Point& b, const Point& c);
 
-/// The triangle that a point of the skin lies over, seen along the normal there: a walk over the
-/// mesh, always through the edge that the point is farthest beyond. Nothing if that takes too long,
-/// as it may where the mesh is far from the skin.
-/// @param position   the place of a vertex
-/// @param may_cross  whether the walk may cross an edge; it ends with nothing where it may not
+/// The triangle under x, seen along the normal there: a walk over the mesh that always crosses the
+/// edge that x is farthest beyond.
+/// @param position   VertexId -> Point
+/// @param may_cross  HalfEdgeId -> bool
+/// @return nothing where the walk may not cross an edge or takes more than 64 steps, as it may
+///         where the mesh is far from the skin
 template <class Position, class MayCross>
 std::optional<TriangleId> triangle_under(const SurfaceMesh& surface, const Position& position,
                                          TriangleId start, const SurfacePoint& x,
                                          const MayCross& may_cross) {
-  constexpr int most_steps = 64;
+  constexpr int max_steps = 64;
   TriangleId t = start;
-  for (int step = 0; step < most_steps; ++step) {
-    double least = 0;
+  for (int step = 0; step < max_steps; ++step) {
+    double min_side = 0;
     std::optional<HalfEdgeId> through;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
       const Point &p = position(surface.origin(h)), &q = position(surface.target(h));
       const double side = (q - p).cross(x.position - p).dot(x.normal);
-      if (side >= least) continue;
-      least = side;
+      if (side >= min_side) continue;
+      min_side = side;
       through = h;
     }
     if (!through) return t;

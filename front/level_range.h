@@ -17,7 +17,7 @@ struct LevelRange {
   /// Whether all that lies within a distance of x does, where the function has the value f(x).
   bool contains(const morse::MorseFunction& function, const geometry::Point& x, double value,
                 double distance) const {
-    const double change = function.most_change(x, distance);
+    const double change = function.max_change(x, distance);
     return value + change <= high && value - change >= low;
   }
   /// The same part, by the reversed function.

@@ -12,7 +12,7 @@ namespace morskin::geometry {
 SurfaceMesh::SurfaceMesh(std::size_t vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles)
     : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId::none()) {
-  if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  if (triangles.size() > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
   HalfEdgeId h;
   for (const auto& triangle : triangles) {
     for (const std::uint32_t v : triangle) {
@@ -22,10 +22,10 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices,
   }
 }
 
-std::optional<SurfaceMesh> SurfaceMesh::glued_as_said(
+std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
     std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
     std::span<const HalfEdgeId> twins) {
-  if (triangles.size() > most_triangles || twins.size() != 3 * triangles.size()) {
+  if (triangles.size() > max_triangles || twins.size() != 3 * triangles.size()) {
     return std::nullopt;
   }
   SurfaceMesh mesh;
@@ -87,7 +87,7 @@ VertexId SurfaceMesh::add_vertex() {
 
 TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
-  require_room(half_edges_.size() / 3, most_triangles, "triangles");
+  require_capacity(half_edges_.size() / 3, max_triangles, "triangles");
   const HalfEdgeId first{half_edges_.size()};
   half_edges_.push_back({a, HalfEdgeId::none()});
   half_edges_.push_back({b, HalfEdgeId::none()});
@@ -101,7 +101,7 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
 
 SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
   const TriangleId second{triangle_count()}, third{triangle_count() + 1};
-  require_room(third.index(), most_triangles, "triangles");
+  require_capacity(third.index(), max_triangles, "triangles");
   half_edges_.resize(half_edges_.size() + 6);
   tell_size();
   return {v, second, third};
@@ -118,7 +118,7 @@ void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
   const std::size_t vertices = vertex_count(), all_vertices = vertices + other.vertex_count();
   const std::size_t triangles = triangle_count();
   const std::size_t all_triangles = triangles + other.triangle_count();
-  if (all_triangles > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  if (all_triangles > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
   const auto append_elements = [&] {
     const auto moved = [](auto id, std::size_t by) {
       return id == decltype(id)::none() ? id : decltype(id){id.index() + by};

@@ -30,14 +30,13 @@ class SurfaceMesh {
   /// Its followers stay, and have as many elements as the mesh assigned.
   SurfaceMesh& operator=(SurfaceMesh other);
   /// Triangles of a list, in its order, none glued to another yet.
-  /// @pre every corner is below `vertices`; at most most_triangles.
+  /// @pre every corner is below `vertices`; at most max_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-  /// The same glued, where somebody says which half-edge is whose twin. Nothing of that is
-  /// believed: either the mesh is closed, each edge between two triangles that agree on
-  /// orientation, or there is none, because what was said is not so.
-  /// @param twins  by half-edge; any numbers, and any number of them
-  static std::optional<SurfaceMesh> glued_as_said(
+  /// The same glued by hinted twins, which are checked: nothing unless each edge is between two
+  /// triangles that agree on orientation.
+  /// @param twins  by half-edge; any size, any values
+  static std::optional<SurfaceMesh> glued_by_twins(
       std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
       std::span<const HalfEdgeId> twins);
 
@@ -85,7 +84,7 @@ class SurfaceMesh {
 
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
-  /// @throws LimitReached  when there are most_triangles already: half-edges have 32-bit ids, of
+  /// @throws LimitReached  when there are max_triangles already: half-edges have 32-bit ids, of
   ///                       which the last means "none".
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
   /// Room for a vertex behind those there are.
@@ -158,7 +157,7 @@ class SurfaceMesh {
   /// By half-edge its twin, or the last id of all for none.
   std::vector<HalfEdgeId> twins() const;
 
-  static constexpr std::size_t most_triangles = no_index / 3;
+  static constexpr std::size_t max_triangles = no_index / 3;
 
  private:
   friend class MeshFollower;

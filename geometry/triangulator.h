@@ -33,11 +33,11 @@ class Triangulator {
   using Facet = std::uint32_t;
 
   static constexpr std::uint32_t tetrahedron_of(Facet facet) { return facet >> 2; }
-  static constexpr std::size_t place_of(Facet facet) { return facet & 3; }
+  static constexpr std::size_t index_of(Facet facet) { return facet & 3; }
 
-  static constexpr std::size_t most_points = (std::size_t{1} << 27) - 1;
-  static constexpr std::size_t most_tetrahedra = std::size_t{1}
-                                                 << 30;  ///< a Facet has two bits less
+  static constexpr std::size_t max_points = (std::size_t{1} << 27) - 1;
+  static constexpr std::size_t max_tetrahedra = std::size_t{1}
+                                                << 30;  ///< a Facet has two bits less
 
   struct alignas(32) Tetrahedron {
     std::array<Corner, 4> corners;
@@ -47,7 +47,7 @@ class Triangulator {
   /// Triangulates the points.
   ///
   /// @pre in the range of predicates.h
-  /// @throws LimitReached  for more than most_points or most_tetrahedra
+  /// @throws LimitReached  for more than max_points or max_tetrahedra
   explicit Triangulator(std::span<const WeightedPoint> points, const Run& run = Run());
 
   /// Of the points' span: -1 (no points) to 3.

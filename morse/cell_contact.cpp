@@ -20,8 +20,8 @@ Where side(const MixedComplex& complex, CellId cell, const Point& x, double doub
 }
 
 // The circle's part in the cell, an intersection of arcs, is empty, the whole circle, or ends where
-// a wall cuts the circle. So it is enough to look at those places and at any one more.
-std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, const Circle& circle,
+// a wall cuts the circle. So it is enough to test these points and any one more.
+std::optional<Point> point_in_cell(const MixedComplex& complex, CellId cell, const Circle& circle,
                                    double doubt) {
   const Vector e = circle.axis.unitOrthogonal(), f = circle.axis.cross(e);
   const auto at = [&](double angle) -> Point {
@@ -33,10 +33,10 @@ std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, con
   if (is_in(at(0))) return at(0);
   for (const skin::Wall& wall : complex.walls(cell)) {
     const double x = wall.normal.dot(e), y = wall.normal.dot(f);
-    const double reach = circle.radius * std::hypot(x, y);
+    const double extent = circle.radius * std::hypot(x, y);  // along the wall's normal
     const double distance = wall.offset - wall.normal.dot(circle.centre);
-    if (!(std::abs(distance) < reach)) continue;
-    const double towards = std::atan2(y, x), half_arc = std::acos(distance / reach);
+    if (!(std::abs(distance) < extent)) continue;
+    const double towards = std::atan2(y, x), half_arc = std::acos(distance / extent);
     for (const double angle : {towards - half_arc, towards + half_arc}) {
       if (is_in(at(angle))) return at(angle);
     }
@@ -44,9 +44,9 @@ std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, con
   return std::nullopt;
 }
 
-// The same one dimension up: the sphere's part in the cell is empty, the whole sphere, or bounded
-// by arcs of the circles in which walls cut the sphere.
-std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, const Point& centre,
+// One dimension higher: the sphere's part in the cell is empty, the whole sphere, or bounded by
+// arcs of the circles in which walls cut the sphere.
+std::optional<Point> point_in_cell(const MixedComplex& complex, CellId cell, const Point& centre,
                                    double radius, double doubt) {
   const Point pole = centre + radius * Vector::UnitX();
   if (side(complex, cell, pole, doubt) != Where::Outside) return pole;
@@ -55,20 +55,20 @@ std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, con
     if (!(std::abs(distance) < radius)) continue;
     const Circle cut{centre + distance * wall.normal, wall.normal,
                      std::sqrt((radius - distance) * (radius + distance))};
-    if (auto place = place_in_cell(complex, cell, cut, doubt)) return place;
+    if (auto point = point_in_cell(complex, cell, cut, doubt)) return point;
   }
   return std::nullopt;
 }
 
-std::optional<Point> place_in_cell(const MixedComplex& complex, CellId cell, const Stretch& stretch,
+std::optional<Point> point_in_cell(const MixedComplex& complex, CellId cell, const Stretch& stretch,
                                    double doubt) {
   double from = stretch.from, to = stretch.to;
   for (const skin::Wall& wall : complex.walls(cell)) {
     const double speed = wall.normal.dot(stretch.direction);
-    const double room = wall.offset + doubt - wall.normal.dot(stretch.start);
-    if (speed > 0) to = std::min(to, room / speed);
-    if (speed < 0) from = std::max(from, room / speed);
-    if (speed == 0 && room < 0) return std::nullopt;
+    const double distance = wall.offset + doubt - wall.normal.dot(stretch.start);
+    if (speed > 0) to = std::min(to, distance / speed);
+    if (speed < 0) from = std::max(from, distance / speed);
+    if (speed == 0 && distance < 0) return std::nullopt;
   }
   if (!(from <= to)) return std::nullopt;
   return stretch.start + from * stretch.direction;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Whether a whole circle or sphere of critical points, or the stretch of a line within which
-/// rounding leaves one, has a place in a mixed cell: only then does it belong to the skin.
+/// Whether a circle or sphere of critical points, or the piece of a line to which rounding confines
+/// one, meets a mixed cell: only then does it belong to the skin.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ using geometry::Vector;
 
 enum class Where { Inside, Outside, OnWall };
 
-/// Where x lies relative to a cell, `doubt` being the distance within which rounding might decide.
+/// Where x lies relative to a cell. @param doubt  distance to a wall that counts as on it, Angstrom
 Where side(const skin::MixedComplex& complex, skin::CellId cell, const Point& x, double doubt);
 
 struct Circle {
@@ -24,23 +24,21 @@ struct Circle {
   double radius;
 };
 
-/// A place of the circle in the cell, or within `doubt` of it; nothing if there is none.
-std::optional<Point> place_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
+/// A point of the circle in the cell, or within `doubt`, Angstrom, of it; nothing if there is none.
+std::optional<Point> point_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
                                    const Circle& circle, double doubt);
 
 /// The same for a sphere.
-std::optional<Point> place_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
+std::optional<Point> point_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
                                    const Point& centre, double radius, double doubt);
 
-/// The same for a stretch of a line, the points start + t direction, from <= t <= to.
-///
-/// @param to  may be infinite.
+/// The same for a piece of a line.
 struct Stretch {
   Point start;
   Vector direction;
-  double from, to;
+  double from, to;  ///< the points start + t direction, from <= t <= to; `to` may be infinite
 };
-std::optional<Point> place_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
+std::optional<Point> point_in_cell(const skin::MixedComplex& complex, skin::CellId cell,
                                    const Stretch& stretch, double doubt);
 
 }  // namespace morskin::morse

@@ -12,11 +12,11 @@ struct CriticalPoint {
   surface::SurfacePoint point;
   int index = 0;     ///< number of descending directions: 0 minimum, 1 saddle, 2 maximum
   double value = 0;  ///< of the Morse function
-  /// At a saddle the unit tangents of steepest descent and ascent, one of the two each; they are
-  /// orthogonal. Otherwise zero.
+  /// At a saddle a unit tangent of steepest descent and one of steepest ascent, orthogonal to each
+  /// other; the opposite ones are as steep. Otherwise zero.
   Vector descending = Vector::Zero(), ascending = Vector::Zero();
 
-  /// The same point as one of the reversed function.
+  /// The same point for the reversed function.
   CriticalPoint reversed() const { return {point, 2 - index, -value, ascending, descending}; }
 };
 

@@ -8,20 +8,20 @@ namespace morskin::morse {
 
 namespace {
 
-/// Each point may be off by its wall doubt; two that are nearer than both their doubts are one
-/// place.
+/// Each point may be off by its wall doubt; two nearer than both doubts may coincide.
 void report_coincidences(const skin::SkinSurface& surface, CriticalPoints& result) {
-  std::vector<Point> places;
-  places.reserve(result.points.size());
-  for (const CriticalPoint& p : result.points) places.push_back(p.point.position);
-  const geometry::KdTree<CriticalId> tree(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  std::vector<Point> positions;
+  positions.reserve(result.points.size());
+  for (const CriticalPoint& p : result.points) positions.push_back(p.point.position);
+  const geometry::KdTree<CriticalId> tree(positions);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     const double doubt = wall_doubt * result.points[i].point.length_scale;
-    const double reach = 2 * (doubt + surface.complex().wall_tolerance());
-    const auto twin = tree.nearest(places[i], reach, [&](CriticalId j) { return j.index() > i; });
+    const double radius = 2 * (doubt + surface.complex().wall_tolerance());
+    const auto twin =
+        tree.nearest(positions[i], radius, [&](CriticalId j) { return j.index() > i; });
     if (twin) {
       result.degeneracies.push_back("two critical points coincide within rounding " +
-                                    place_text(places[i]));
+                                    position_text(positions[i]));
     }
   }
 }
@@ -38,7 +38,7 @@ long CriticalPoints::euler_characteristic() const {
   return static_cast<long>(count(0) + count(2)) - static_cast<long>(count(1));
 }
 
-std::string place_text(const Point& x) {
+std::string position_text(const Point& x) {
   return "at (" + std::to_string(x.x()) + ", " + std::to_string(x.y()) + ", " +
          std::to_string(x.z()) + ")";
 }
@@ -49,7 +49,7 @@ bool take(const skin::SkinSurface& surface, const CriticalPoint& critical, doubl
   if (where == Where::Outside) return false;
   if (where == Where::OnWall) {
     result.degeneracies.push_back("a critical point lies on a cell wall " +
-                                  place_text(critical.point.position));
+                                  position_text(critical.point.position));
   }
   result.points.push_back(critical);
   return true;
@@ -57,7 +57,7 @@ bool take(const skin::SkinSurface& surface, const CriticalPoint& critical, doubl
 
 CriticalPoints critical_points(const skin::SkinSurface& surface, const MorseFunction& function) {
   CriticalPoints result;
-  const std::size_t cells = surface.complex().kept_size();  // no other meets the skin
+  const std::size_t cells = surface.complex().kept_size();  // no others meet the skin
   if (function.is_height()) {
     for (std::size_t i = 0; i < cells; ++i) {
       add_height_critical_points(surface, skin::CellId{i}, function, result);

@@ -5,14 +5,12 @@
 /// In a mixed cell the gradient must be parallel to N(x) = M (x - z). For the height along V this
 /// has a closed form: x = z + lambda M V, and G(x) = 0 gives lambda^2 = (w/2) / (V . M V). |lambda|
 /// is the length scale there, sign(lambda) V the outward normal, and the Hessian of the height on
-/// the tangent plane is -(1/lambda) M restricted to it. Derived in
-/// papers/3.1-morse-functions.md.
+/// the tangent plane is -(1/lambda) M restricted to it.
 ///
 /// For the squared distance from p it is (I - mu M) (x - z) = p - z, and G(x) = 0 is one equation
-/// in mu, of degree 4 (distance_equation.h); the Hessian is 2 (I - mu M). Derived in
-/// papers/3.1-morse-functions.md.
+/// in mu, of degree 4 (distance_equation.h); the Hessian is 2 (I - mu M).
 ///
-/// A point counts when it lies in the cell.
+/// A point counts if it lies in the cell. Derivations: papers/3.1-morse-functions.md.
 
 #include <string>
 #include <vector>
@@ -24,16 +22,16 @@ namespace morskin::morse {
 
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  ///< in the order of the cells
-  /// Why the function is not safely a Morse function on this skin, with the place, or nothing:
+  /// Why the function may be no Morse function on this skin, with the position; empty if it is one:
   /// - a critical point so near a cell wall that rounding decides on which side it lies;
-  /// - one whose Hessian has an eigenvalue that is zero within rounding;
-  /// - two at one place within rounding;
-  /// - a circle or a patch of critical points (squared distances from an axis or a centre of
-  ///   symmetry of a patch). Such points are not in `points`.
+  /// - a Hessian with an eigenvalue that is zero within rounding;
+  /// - two critical points that coincide within rounding;
+  /// - a circle or sphere of critical points (squared distances from an axis or a centre of
+  ///   symmetry of a patch), which is not in `points`.
   std::vector<std::string> degeneracies;
 
   std::size_t count(int index) const;
-  /// minima - saddles + maxima, the Euler characteristic of the skin when nothing is degenerate.
+  /// minima - saddles + maxima: the Euler characteristic of the skin if nothing is degenerate.
   long euler_characteristic() const;
 };
 

@@ -1,20 +1,20 @@
 #pragma once
 
-/// The two halves of critical_points(), and what they share.
+/// The two halves of critical_points() and their common parts.
 
 #include "morse/critical_points.h"
 
 namespace morskin::morse {
 
-/// A point this near a wall, relative to its length scale, may be taken for either side's.
+/// A point at less than this share of its length scale from a wall may belong to either side.
 inline constexpr double wall_doubt = 1e-9;
 
 /// "at (x, y, z)", for messages.
-std::string place_text(const Point& x);
+std::string position_text(const Point& x);
 
-/// Takes a critical point if it lies in its cell, and reports it if it may lie on a wall.
-/// @param doubt  how far rounding may have moved it or the wall, Angstrom.
-/// @return       whether it was taken.
+/// Adds a critical point if it lies in its cell, and a degeneracy if it may lie on a wall.
+/// @param doubt  bound on the rounding of the point and the wall, Angstrom
+/// @return       whether it was added
 bool take(const skin::SkinSurface& skin, const CriticalPoint& critical, double doubt,
           CriticalPoints& result);
 

@@ -14,13 +14,13 @@ namespace {
 using skin::CellId;
 using skin::Patch;
 
-/// One patch seen from the origin p of the distance.
+/// A patch relative to the origin p of the distance.
 struct View {
   const skin::SkinSurface& surface;
   const MorseFunction& function;
   CellId cell;
   Patch patch;
-  Vector out;            ///< unit, from the axis (from the centre of a sphere) to p; or zero
+  Vector out;            ///< unit, from the axis (of a sphere: from the centre) to p; or zero
   double across, along;  ///< p - centre along `out` and along the axis
   double rounding;       ///< error of p - centre, Angstrom
 };
@@ -31,8 +31,8 @@ View view(const skin::SkinSurface& surface, const MorseFunction& function, CellI
   const Vector d = origin - patch.centre;
   double along = patch.axis.dot(d);
   Vector across = d - along * patch.axis;
-  // The centre is right to 2^-53 of itself, or of the atoms' coordinates where it is their sum; its
-  // difference with p, the unit axis and the products with it add less than 2^-50 |d|.
+  // The centre has a relative error of 2^-53, or of that in the atoms' coordinates where it is
+  // their sum; its difference with p, the unit axis and products with it add less than 2^-50 |d|.
   const double rounding = std::ldexp(d.norm() + patch.centre.norm(), -50) +
                           std::ldexp(surface.complex().wall_tolerance(), -8);
   if (across.norm() <= rounding) across.setZero();
@@ -72,10 +72,10 @@ void add_sphere(const View& v, CriticalPoints& result) {
   const double radius = std::sqrt(square);
   const double doubt = wall_doubt * radius + v.surface.complex().wall_tolerance();
   if (v.across == 0) {
-    const auto place = place_in_cell(v.surface.complex(), v.cell, v.patch.centre, radius, doubt);
-    if (place) {
+    const auto point = point_in_cell(v.surface.complex(), v.cell, v.patch.centre, radius, doubt);
+    if (point) {
       result.degeneracies.push_back("a patch of critical points, a sphere about the origin, " +
-                                    place_text(*place));
+                                    position_text(*point));
     }
     return;
   }
@@ -87,12 +87,12 @@ void add_sphere(const View& v, CriticalPoints& result) {
   }
 }
 
-/// How far rounding may move a critical point along the meridian.
+/// Bound on the rounding of a critical point along the meridian, Angstrom.
 ///
 /// With t the arc length, an error e of p turns f'/2 = 0 into lambda t + c t^2 / 2 + .. = e, lambda
-/// the eigenvalue. So t < 2 e / |lambda|, as long as the root is isolated. Where it is not, the
-/// worst case is p at the meridian's centre of curvature at its tip, the cusp of the evolute, where
-/// t^3 / rho^2 = e; three times that t is allowed.
+/// the eigenvalue, so t < 2 e / |lambda| if the root is isolated. If it is not, the worst case is p
+/// at the meridian's centre of curvature at its tip, the cusp of the evolute, where
+/// t^3 / rho^2 = e; the bound is three times that t.
 double meridian_doubt(double lambda, double rho, double error) {
   return std::min(2 * error / std::abs(lambda), 3 * std::cbrt(error * rho * rho));
 }
@@ -105,15 +105,15 @@ void add_hyperboloid(const View& v, CriticalPoints& result) {
     const double wall = wall_doubt * rho + complex.wall_tolerance();
     if (p.is_circle) {
       const Circle circle{v.patch.centre + p.along * v.patch.axis, v.patch.axis, p.across};
-      const auto place = place_in_cell(complex, v.cell, circle, wall);
-      if (place) {
+      const auto point = point_in_cell(complex, v.cell, circle, wall);
+      if (point) {
         result.degeneracies.push_back("a circle of critical points about an axis through the " +
-                                      ("origin, " + place_text(*place)));
+                                      ("origin, " + position_text(*point)));
       }
       continue;
     }
     const double lambda = meridian_eigenvalue(p);
-    // Off the axis, an error of p by its share of the distance from the axis turns the point.
+    // Off the axis an error of p across the meridian turns the point about the axis.
     const double turn =
         v.across > 0 ? std::abs(p.across) * std::min(1.0, v.rounding / v.across) : 0;
     const double doubt = wall + turn + meridian_doubt(lambda, rho, v.rounding);
@@ -123,7 +123,7 @@ void add_hyperboloid(const View& v, CriticalPoints& result) {
     const double m = std::abs(p.one_plus_m - p.one_minus_m) / 2;
     if (lambda * lambda * rho <= 6 * m * v.rounding) {
       result.degeneracies.push_back("the Hessian is singular within rounding at a critical point " +
-                                    place_text(result.points.back().point.position));
+                                    position_text(result.points.back().point.position));
     }
   }
 }

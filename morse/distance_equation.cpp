@@ -7,9 +7,9 @@ namespace morskin::morse {
 
 namespace {
 
-/// The equation seen from one pole: a^2 / s^2 - b^2 / (2 - s)^2 = w for s < 1. With s = 1 - m it
-/// has the roots m > 0, with s = 1 + m, a and b exchanged and w negated, the roots m < 0. Near its
-/// pole s keeps all its digits where 1 - m would lose them, and 2 - s > 1 loses none.
+/// The equation relative to one pole: a^2 / s^2 - b^2 / (2 - s)^2 = w for s < 1. With s = 1 - m its
+/// roots are those with m > 0; with s = 1 + m, a and b exchanged and w negated, those with m < 0.
+/// Near the pole s keeps the digits that 1 - m would lose, and 2 - s > 1 loses none.
 struct Half {
   double a, b, w;
 
@@ -22,19 +22,19 @@ struct Half {
   }
 };
 
-/// The root of a monotone function of a positive variable: Newton's steps inside a bracket, halved
-/// (by ratio, while its ends differ much) where they leave it or do not shrink.
+/// The root of a monotone function of a positive variable: Newton's method inside a bracket, with
+/// bisection (geometric, while its ends differ much) where a step leaves it or does not shrink.
 ///
 /// @param falls  whether the function falls from low to high
 template <class Function>
 double root_between(const Function& function, bool falls, double low, double high) {
-  // Halving alone meets neighbouring doubles after 11 halvings of the exponent and 53 of the rest.
-  constexpr int most_steps = 128;
+  // Bisection alone takes 11 steps for the exponent and 53 for the mantissa.
+  constexpr int max_steps = 128;
   const auto middle = [&] {
     return high > 4 * low ? std::sqrt(low) * std::sqrt(high) : low + (high - low) / 2;
   };
   double s = middle(), last_step = high - low;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const auto [value, slope] = function(s);
     const double newton = value / slope;
     if (value == 0 || std::abs(newton) <= std::ldexp(s, -53)) return s;
@@ -55,7 +55,7 @@ void for_each_root(const Half& half, bool with_one, double rounding, const Visit
   const auto [a, b, w] = half;
   const double A = a * a, B = b * b;
   // 0 < s <= 1, between the poles: falls from infinity to A - B, so the two halves together have
-  // just one root there. At s = a / sqrt(w + B) the value is w or more still.
+  // one root there. At s = a / sqrt(w + B) the value is still at least w.
   if (with_one ? w >= A - B : w > A - B) {
     const double low = std::min(1.0, a / std::sqrt(w + B));
     visit(root_between([&](double s) { return half.at(s); }, true, low, 1.0));
@@ -74,7 +74,7 @@ void for_each_root(const Half& half, bool with_one, double rounding, const Visit
   const double difference = (b - a) * (b + a) / (root_b * (root_b + root_a) + root_a * root_a);
   const double turn = 2 * root_a / difference;
   const double lowest = std::max(-difference * difference * difference / 4, -B / 4);
-  // The value at the turning point changes by this much when a and b change by their rounding.
+  // The error of the value at the turning point for errors `rounding` of a and b.
   const double uncertain = 2 * rounding * (a / (turn * turn) + b / ((2 + turn) * (2 + turn)));
   if (std::abs(w - lowest) <= uncertain) {
     visit(-turn);
@@ -109,7 +109,7 @@ MeridianPoints distance_equation(double across, double along, double W, double r
     for_each_root(near_plus, true, rounding, plus);
   } else {
     for_each_root_without_pole(near_plus, true, plus);
-    // m = 1: nothing ties the part across, and G = 0 gives its length.
+    // m = 1: the part across is free, and G = 0 gives its length.
     const double square = W + along * along / 4;
     if (square > 0) points.add({0, 2, std::sqrt(square), along / 2, true});
   }

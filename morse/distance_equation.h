@@ -4,13 +4,13 @@
 ///
 /// With p the origin of the distance, d = p - centre and u = x - centre, a critical point satisfies
 /// u - d = mu M u and G = 0. Let m = mu sign. Across the patch's axis u = d / (1 - m), along it
-/// u = d / (1 + m), and what is left is one equation in m,
+/// u = d / (1 + m), which leaves one equation in m,
 ///
 ///     A / (1 - m)^2 - B / (1 + m)^2 = W,
 ///
-/// A and B the squares of d across and along the axis, W = sign w/2. It is a quartic whose real
-/// roots are found without its coefficients: between its poles and the turning points, which have a
-/// closed form, the left side is monotone. Derived in papers/3.1-morse-functions.md.
+/// A and B the squares of d across and along the axis, W = sign w/2: a quartic, solved without its
+/// coefficients. Between its poles and its turning points, which have a closed form, the left side
+/// is monotone. Derived in papers/3.1-morse-functions.md.
 
 #include <array>
 #include <cstddef>
@@ -19,12 +19,12 @@ namespace morskin::morse {
 
 /// A critical point in the half plane through the axis and p.
 struct MeridianPoint {
-  double one_minus_m, one_plus_m;  ///< each right to a few roundings of itself; their sum is 2
+  double one_minus_m, one_plus_m;  ///< each with a small relative error; their sum is 2
   double across, along;            ///< u: towards p across the axis (may be negative), and along it
   bool is_circle;  ///< p on the axis, m = 1: the whole circle of radius `across` is critical
 };
 
-/// At most four: the equation is a quartic, and a pole without residue stands for two of its roots.
+/// At most four: the equation is a quartic, and a pole without residue counts for two roots.
 class MeridianPoints {
  public:
   void add(const MeridianPoint& point) { points_[size_++] = point; }
@@ -43,7 +43,7 @@ class MeridianPoints {
 /// @param along     d along the axis, signed; exactly 0 when p is in the plane of symmetry.
 /// @param W         sign w/2, Angstrom^2.
 /// @param rounding  error of `across` and `along`, Angstrom. Where it decides whether a pair of
-///                  points exists, one point is given at the place where the two would meet.
+///                  points exists, the result has one point, where the two would coincide.
 MeridianPoints distance_equation(double across, double along, double W, double rounding);
 
 }  // namespace morskin::morse

@@ -8,8 +8,7 @@ Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector&
                         double time) {
   constexpr double s = 4.582575694955840006588047193728;  // the square root of 21
   const double h = time;
-  // By components: in pairs, each stage would wait for the last one's to be taken apart and put
-  // together again, and stages wait for one another anyhow.
+  // By components: vector instructions would lengthen the chain of dependent stages.
   const auto stage = [&](auto slope) {
     return flow({u.x() + h * slope(0), u.y() + h * slope(1), u.z() + h * slope(2)});
   };
@@ -56,20 +55,19 @@ std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, cons
       {(88 - 7 * s) / 360, (296 - 169 * s) / 1800, (-2 + 3 * s) / 225},
       {(296 + 169 * s) / 1800, (88 + 7 * s) / 360, (-2 - 3 * s) / 225},
       {(16 - s) / 36, (16 + s) / 36, 1.0 / 9}};
-  constexpr int most_corrections = 12;
-  // Off the patch the flow leads neither back nor away where it is slow, so that rounding times a
-  // long step would stay. A pull that vanishes on the patch, as fast as the flow can be, ends that.
+  constexpr int max_corrections = 12;
+  // Where the flow is slow nothing leads back to the patch, so the rounding of a long step would
+  // stay. A term that vanishes on the patch, at the rate of the flow, pulls points back.
   const double gradient = flow.gradient(u).norm();
   const double pull = flow.rate(u, gradient) / u.squaredNorm();
-  // Rounding of the velocity, a few units of the gradient's, moves the end along the line by that
-  // much times the time; corrections below it gain nothing there. Across the line they still do,
-  // so that one more is taken.
+  // The rounding of the velocity, a few units of the gradient's, times `time` moves the end along
+  // the line; smaller corrections gain nothing there. Across the line they do: one more follows.
   const double rounding = 1e-14 * u.norm() + 1e-15 * time * gradient;
   bool is_near = false;
   Eigen::Matrix<double, 9, 1> z, residual;
   for (int i = 0; i < 3; ++i) z.segment<3>(3 * i) = nodes[i] * time * velocity;
   Eigen::Matrix<double, 9, 9> derivative;
-  for (int correction = 0; correction < most_corrections; ++correction) {
+  for (int correction = 0; correction < max_corrections; ++correction) {
     residual = z;
     derivative.setIdentity();
     for (int j = 0; j < 3; ++j) {

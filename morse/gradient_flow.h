@@ -2,9 +2,9 @@
 
 /// The gradient flow of a Morse function f within one patch of the skin (sections 3.1, 3.2).
 ///
-/// Points are given by u = (r, b, s) from the patch's centre, so that small patches far from the
-/// origin lose no digits: s along the axis, r along the part of f's gradient at the centre that is
-/// orthogonal to it, b along the third. With (V, 0, v) that gradient, c = 2 curvature and
+/// Points are u = (r, b, s) from the patch's centre, so that small patches far from the origin lose
+/// no digits: s along the axis, r along the part of f's gradient at the centre that is orthogonal
+/// to it, b along the third direction. With (V, 0, v) that gradient, c = 2 curvature and
 /// k = sign w/2, the patch is r^2 + b^2 - e s^2 = k (e = 1 on a hyperboloid, -1 on a sphere, whose
 /// axis is any one with v = 0), and the part of the gradient along the skin is
 ///
@@ -24,14 +24,14 @@
 
 namespace morskin::morse {
 
-/// Which way a line runs.
-enum class Way { Down, Up };
+/// Of an integral line: descending or ascending.
+enum class Direction { Down, Up };
 
 class GradientFlow {
  public:
-  GradientFlow(const skin::Patch& patch, const MorseFunction& f, Way way)
+  GradientFlow(const skin::Patch& patch, const MorseFunction& f, Direction direction)
       : linear_(2 * f.curvature),
-        way_(way == Way::Up ? 1 : -1),
+        time_sign_(direction == Direction::Up ? 1 : -1),
         sign_(patch.sign),
         level_(patch.sign * patch.half_weight) {
     const Vector gradient = f.gradient(patch.centre);
@@ -52,25 +52,26 @@ class GradientFlow {
 
   /// The velocity of the line. @pre u lies on the patch.
   Vector operator()(const Vector& u) const {
-    // With the way in the constants: steps along a line wait for this, one after the other.
+    // The sign goes into the constants, off the critical path of the steps.
     const double r = u.x(), b = u.y(), s = u.z();
-    const double linear = way_ * linear_, across = way_ * across_, along = way_ * along_;
+    const double linear = time_sign_ * linear_, across = time_sign_ * across_,
+                 along = time_sign_ * along_;
     const double l = (linear * level_ - along * s + across * r) / ((1 + twist_) * s * s + level_);
     const double shrink = linear - l;
     return {shrink * r + across, shrink * b, (linear + twist_ * l) * s + along};
   }
-  /// The derivative of the velocity, row by component of the velocity. @pre as above
+  /// The Jacobian of the velocity. @pre u lies on the patch.
   Eigen::Matrix3d derivative(const Vector& u) const {
     const double r = u.x(), s = u.z(), below = (1 + twist_) * s * s + level_;
     const double l = (linear_ * level_ + across_ * r - along_ * s) / below;
     const Vector of_l(across_ / below, 0, -(along_ + 2 * (1 + twist_) * l * s) / below);
     Eigen::Matrix3d result = Vector(-r, -u.y(), twist_ * s) * of_l.transpose();
     result.diagonal() += Vector(linear_ - l, linear_ - l, linear_ + twist_ * l);
-    return way_ * result;
+    return time_sign_ * result;
   }
   /// The gradient of f in space.
   Vector gradient(const Vector& u) const { return linear_ * u + Vector(across_, 0, along_); }
-  /// How fast the velocity can change: its derivative is a small multiple of this at most.
+  /// The velocity's derivative is at most a small multiple of this rate.
   double rate(const Vector& u, double gradient_norm) const {
     return std::abs(linear_) + gradient_norm / u.norm();
   }
@@ -78,7 +79,7 @@ class GradientFlow {
   double value(const Vector& u) const {
     return across_ * u.x() + along_ * u.z() + linear_ / 2 * u.squaredNorm();
   }
-  /// The patch's G, zero on it.
+  /// The patch's G.
   double off(const Vector& u) const {
     return sign_ * (u.x() * u.x() + u.y() * u.y() - twist_ * u.z() * u.z() - level_);
   }
@@ -96,7 +97,7 @@ class GradientFlow {
   }
 
  private:
-  double linear_, way_, sign_, level_, twist_, across_, along_;
+  double linear_, time_sign_, sign_, level_, twist_, across_, along_;
   Vector axis_, radial_, third_;
 };
 
@@ -109,9 +110,9 @@ Vector runge_kutta_step(const GradientFlow& flow, const Vector& u, const Vector&
                         double time);
 
 /// One step of length `time` by Radau's implicit method of order 5 with 3 stages, for lines that
-/// creep: its length is not bounded by how fast the flow draws them to the slow way they are on.
+/// creep along a slow curve: the flow's fast attraction to that curve does not bound its length.
 ///
-/// @return nothing when Newton's method does not settle: a shorter step will.
+/// @return nothing where Newton's method does not converge: a shorter step will.
 /// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
 std::optional<Vector> radau_step(const GradientFlow& flow, const Vector& u, const Vector& velocity,
                                  double time);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What a sweep is to know beforehand: the Morse function, its surviving critical points and their
-/// protecting spheres (sections 3.1, 3.2; "Initialization" of section 4.1).
+/// The input of a sweep: the Morse function, its surviving critical points and their protecting
+/// spheres (sections 3.1, 3.2; "Initialization" of section 4.1).
 
 #include <array>
 #include <vector>
@@ -16,8 +16,8 @@ struct Guide {
   ProtectingSpheres spheres;          ///< about them; no two overlap
 
   std::array<std::size_t, 3> found{};  ///< critical points by index, before the simplification
-  bool is_simplified = true;  ///< false where rounding leaves the Morse-Smale complex undecided:
-                              ///< then all points survive, and spheres shrink instead
+  bool is_simplified = true;  ///< false if rounding leaves the Morse-Smale complex undecided:
+                              ///< then all points survive and spheres shrink instead
 
   /// The same for the reversed function.
   Guide reversed() const;

@@ -41,15 +41,15 @@ CriticalPoint classify(const skin::SkinSurface& surface, CellId cell, const Mors
 
 void add_height_critical_points(const skin::SkinSurface& surface, CellId cell,
                                 const MorseFunction& height, CriticalPoints& result) {
-  // The error of d below: two unit vectors and their product, each right to 2^-53, come to less
-  // than 2^-50 and are multiplied by 4 axial < 4 in the square; its own rounding is smaller.
+  // The error of d below: two unit vectors and their product, each with 2^-53, add up to less than
+  // 2^-50, and the square multiplies them by 4 axial < 4; its own rounding is smaller.
   constexpr double rounding_of_d = 0x1p-48;
   const skin::MixedComplex& complex = surface.complex();
   const Patch& patch = complex.patch(cell);
   const double axial = patch.axis.dot(height.direction);
   const double d = patch.sign * (1 - 2 * axial * axial);
-  // |d| is also the smaller eigenvalue of the Hessian in units of 1 / rho. While it is beyond twice
-  // its error, that error moves the point by less than its share of the length scale.
+  // |d| is also the smaller eigenvalue of the Hessian in units of 1 / rho. Beyond twice its error,
+  // that error over |d|, relative to the length scale, bounds the error of the point.
   const double error = rounding_of_d / std::abs(d);
   const bool is_singular = error > 0.5;
   if (!is_singular && !(patch.half_weight * d > 0)) return;
@@ -57,18 +57,18 @@ void add_height_critical_points(const skin::SkinSurface& surface, CellId cell,
       std::sqrt(std::abs(patch.half_weight) / (std::abs(d) + (is_singular ? rounding_of_d : 0)));
   const double wall = wall_doubt * size + complex.wall_tolerance();
   for (const double lambda : {-size, size}) {
-    if (error > wall_doubt) {  // the point is well known but for how far it is along its line
+    if (error > wall_doubt) {  // the point is uncertain along its line only
       const Vector mv = patch.reflect(height.direction);
-      const auto place = place_in_cell(
+      const auto point = point_in_cell(
           complex, cell,
           Stretch{patch.centre, lambda < 0 ? Vector(-mv) : mv,
                   is_singular ? size : size * (1 - error),
                   is_singular ? std::numeric_limits<double>::infinity() : size * (1 + error)},
           wall);
-      if (!place) continue;
+      if (!point) continue;
       if (is_singular) {
         result.degeneracies.push_back(
-            "the Hessian is singular within rounding at a critical point " + place_text(*place));
+            "the Hessian is singular within rounding at a critical point " + position_text(*point));
         continue;
       }
     }

@@ -10,14 +10,14 @@ namespace morskin::morse {
 
 namespace {
 
-/// Lines this many merge distances apart are told apart with certainty.
+/// Lines this many merge distances apart are certainly different.
 constexpr double safely_apart = 32;
-/// Lines nearer than this share of rho, on every level down to their end, bound a strip of skin in
-/// which nothing else can lie between them; so the side read on one level is the side on all.
+/// Lines nearer than this share of rho on every level down to their end bound a strip of skin with
+/// nothing else between them; so the side read on one level holds on all.
 constexpr double strip_width = 0.1;
 
-/// Levels are read down to this share of what a line's first piece rises; nearer to the saddle
-/// their differences are rounding.
+/// The lowest level read, as a share of the rise of a line's first piece; nearer to the saddle the
+/// differences are rounding.
 constexpr double nearest_level = 1e-6;
 
 struct Side {
@@ -30,7 +30,7 @@ class Pair {
  public:
   Pair(const IntegralLines& lines, const ArrivingLine& a, const ArrivingLine& b)
       : lines_(lines), a_(a), b_(b) {
-    read();
+    read_side();
   }
 
   bool is_second_after() const { return side_.gap > 0; }
@@ -38,7 +38,7 @@ class Pair {
     return side_.is_known &&
            std::abs(side_.gap) > safely_apart * lines_.merge_distance(side_.rho) / 2;
   }
-  /// The level from which on they are one for us, if they are.
+  /// The level from which on they are indistinguishable, if any.
   std::optional<double> meeting() const { return meeting_; }
 
  private:
@@ -59,36 +59,36 @@ class Pair {
   Side side_at(double level) const { return side_at(level, lines_.passage(a_.nodes, level)); }
 
   /// Goes up the first line, node by node, to a level where the two are apart.
-  void read() {
+  void read_side() {
     const auto value = [&](std::size_t i) { return lines_.function()(a_.nodes.points[i]); };
     std::optional<double> below;
     for (std::size_t i = a_.nodes.points.size() - 2; i > 0; --i) {
       const double level = value(i);
-      if (look(level, side_at(level, lines_.passage_at(a_.nodes, i)), below)) return;
+      if (decides(level, side_at(level, lines_.passage_at(a_.nodes, i)), below)) return;
       below = level;
     }
     // The second line passes the first one's saddle: on levels nearer to it their gap grows.
     const double start = value(0), first = value(1);
     for (double share = 0.25; share > nearest_level; share /= 4) {
       const double level = start + share * (first - start);
-      if (look(level, side_at(level), below)) return;
+      if (decides(level, side_at(level), below)) return;
       below = level;
     }
   }
 
-  /// @return whether the search is over.
-  bool look(double level, Side side, std::optional<double> below) {
+  /// Whether the sides on this level end the search.
+  bool decides(double level, Side side, std::optional<double> below) {
     if (!side.is_known) {
-      // The second line's own end has not begun yet, or its saddle lies below: the first line
-      // passes that saddle, and its side of it decides.
+      // The level is beyond the second line's last piece, or past its saddle: then the first line
+      // passes that saddle, and its side of the saddle decides.
       const double start = lines_.function()(b_.nodes.points.front());
-      const bool is_past = b_.nodes.way == Way::Down ? level > start : level < start;
+      const bool is_past = b_.nodes.direction == Direction::Down ? level > start : level < start;
       if (!is_past) return false;
       side = side_at(start + (below.value_or(start) - start) * nearest_level);
       if (side.is_known) side_ = side;
       return true;
     }
-    // Should they part all at once between two nodes, the level where they begin to is sought.
+    // If they separate suddenly between two nodes, bisect for the level where they begin to.
     for (int i = 0; i < 60 && below && std::abs(side.gap) > strip_width * side.rho; ++i) {
       const double middle = (level + *below) / 2;
       const Side between = side_at(middle);
@@ -116,7 +116,7 @@ class Pair {
   std::optional<double> meeting_;
 };
 
-/// Groups of lines, in order of angle, that the angle does not tell apart.
+/// Sorts the lines by angle, then each group that the angles do not separate.
 class Orderer {
  public:
   Orderer(const IntegralLines& lines, std::vector<ArrivingLine> arriving)
@@ -136,7 +136,7 @@ class Orderer {
     for (std::size_t first = 0; first < n;) {
       std::size_t last = first;
       while (last + 1 < n && is_doubtful(last, last + 1)) ++last;
-      put_in_order(first, last + 1);
+      sort_group(first, last + 1);
       first = last + 1;
     }
     for (const ArrivingLine& line : arriving_) order_.ids.push_back(line.id);
@@ -144,7 +144,7 @@ class Orderer {
   }
 
  private:
-  /// Whether their angles do not tell line i from j, the next round the extremum.
+  /// Whether the angles do not separate line i from j, the next about the extremum.
   bool is_doubtful(std::size_t i, std::size_t j) const {
     if (i == j) return false;
     const Arrival &a = arriving_[i].arrival, &b = arriving_[j].arrival;
@@ -153,12 +153,12 @@ class Orderer {
     return turn < safely_apart * lines_.merge_distance(rho) / std::min(a.radius, b.radius);
   }
 
-  void put_in_order(std::size_t first, std::size_t end) {
+  void sort_group(std::size_t first, std::size_t end) {
     if (end - first < 2) return;
     const auto at = [&](std::size_t i) { return arriving_.begin() + static_cast<long>(i); };
     std::sort(at(first), at(end),
               [](const ArrivingLine& a, const ArrivingLine& b) { return a.id < b.id; });
-    // By rising id, each line is put into its place among those before it.
+    // Insertion sort, by rising id.
     for (std::size_t i = first + 1; i < end; ++i) {
       std::size_t low = first, high = i;
       std::optional<Merge> merge;
@@ -167,7 +167,7 @@ class Orderer {
         const Pair pair(lines_, arriving_[middle], arriving_[i]);
         if (!pair.is_certain()) order_.is_certain = false;
         if (const auto level = pair.meeting()) {
-          const double up = arriving_[i].nodes.way == Way::Down ? 1 : -1;
+          const double up = arriving_[i].nodes.direction == Direction::Down ? 1 : -1;
           if (!merge || up * *level > up * merge->level) {
             merge = Merge{arriving_[i].id, arriving_[middle].id, *level};
           }

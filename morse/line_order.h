@@ -2,9 +2,9 @@
 
 /// The cyclic order of the integral lines that end at one extremum.
 ///
-/// Lines of one kind run together exponentially fast, soon closer than rounding, but they never
-/// cross. So where the angles at the end cannot tell two lines apart, their order is read where
-/// they are still apart, on a level farther up the lines.
+/// Lines of one kind converge exponentially, soon to within rounding, but never cross. Where the
+/// angles at the end do not separate two lines, their order is read on a level farther up, where
+/// they are still apart.
 
 #include <vector>
 
@@ -18,7 +18,7 @@ struct Merge {
   double level;
 };
 
-/// A line with where it came in.
+/// A line and its arrival.
 struct ArrivingLine {
   std::uint32_t id;
   LineNodes nodes;
@@ -28,7 +28,7 @@ struct ArrivingLine {
 struct LineOrder {
   std::vector<std::uint32_t> ids;  ///< counter-clockwise about the extremum, seen from outside
   std::vector<Merge> merges;       ///< each child once; parents have smaller ids
-  bool is_certain = true;          ///< whether rounding could not have decided any pair
+  bool is_certain = true;          ///< whether all pairs are beyond rounding
 };
 
 /// @param arriving  the lines that end at one extremum, by rising id

@@ -8,10 +8,10 @@
 
 namespace morskin::morse {
 
+/// Chooses the function and, if protecting spheres overlap, simplifies its Morse-Smale complex.
 /// Stages "critical points" and "integral lines".
-///
 /// @param euler_characteristic  of the skin
-/// @param asked                 the function; without one, the first default that will do
+/// @param asked                 the requested function, if any; see choose_function()
 /// @param radius_share          radius of a protecting sphere over the length scale at its centre
 /// @throws DegenerateFunction
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,

@@ -29,18 +29,18 @@ struct MorseFunction {
   bool is_height() const { return curvature == 0; }
 
   // [excerpt: function]
-  /// -f: minima and maxima change places, saddles stay.
+  /// -f: exchanges minima and maxima, keeps saddles.
   MorseFunction reversed() const { return {-direction, origin, -curvature}; }
 
   /// Angstrom for a height, Angstrom^2 for a squared distance.
   double operator()(const Point& x) const {
     return direction.dot(x) + curvature * (x - origin).squaredNorm();
   }
-  /// The gradient in space; on the skin it is this without its part along the normal.
+  /// The gradient in space; that on the skin lacks the part along the normal.
   Vector gradient(const Point& x) const { return direction + 2 * curvature * (x - origin); }
   // [/excerpt]
-  /// No point within a distance of x has a value that differs from f(x) by more than this.
-  double most_change(const Point& x, double distance) const {
+  /// Bound on |f(y) - f(x)| for |y - x| <= distance, Angstrom.
+  double max_change(const Point& x, double distance) const {
     return distance * (gradient(x).norm() + std::abs(curvature) * distance);
   }
 };

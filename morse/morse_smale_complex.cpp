@@ -15,7 +15,7 @@ namespace {
 
 using skin::CellId;
 
-std::string place_of(const CriticalPoint& p) {
+std::string coordinates(const CriticalPoint& p) {
   const Point& x = p.point.position;
   std::string text("(");
   text += std::to_string(x.x()) + ", " + std::to_string(x.y()) + ", " + std::to_string(x.z());
@@ -41,15 +41,14 @@ class Builder {
     if (!take_arcs()) return undecided();
     orders_.resize(complex_.points.size());
     is_stale_.assign(complex_.points.size(), 1);
-    // Lines that their accuracy leaves in doubt are traced finer until all is clear or no finer
-    // step is left.
+    // Traces doubtful lines again, finer, until all are certain or no finer step is left.
     do {
       order_arcs();
       find_regions();
     } while (refine_doubtful());
     if (complex_.arcs.size() < lines_.size()) return undecided();
     report_doubts();
-    if (polylines_ == Polylines::Keep) lay_lines();
+    if (polylines_ == Polylines::Keep) build_polylines();
     count_components();
     return std::move(complex_);
   }
@@ -58,7 +57,7 @@ class Builder {
   const CriticalPoint& point(CriticalId id) const { return complex_.points[id.index()]; }
   void report(std::string what) { complex_.degeneracies.push_back(std::move(what)); }
 
-  /// The points and why there is no more.
+  /// The points and degeneracies alone.
   MorseSmaleComplex undecided() {
     MorseSmaleComplex empty;
     empty.points = std::move(complex_.points);
@@ -80,17 +79,17 @@ class Builder {
       }
       all = false;
       const std::string end =
-          course.saddle       ? "runs into the saddle at " + place_of(point(*course.saddle))
+          course.saddle       ? "runs into the saddle at " + coordinates(point(*course.saddle))
           : course.is_at_rest ? "comes to rest where the function is flat within rounding"
                               : "finds no extremum";
-      report("the integral line from the saddle at " + place_of(point(lines_.saddle(a))) + " " +
+      report("the integral line from the saddle at " + coordinates(point(lines_.saddle(a))) + " " +
              end);
     }
     if (!all) complex_.arcs.clear();
     return all;
   }
 
-  /// The arcs that end at each extremum, put in order where they are not.
+  /// Lists the arcs that end at each extremum, and sorts them where their order is stale.
   void order_arcs() {
     const std::size_t n = complex_.points.size();
     std::vector<std::uint32_t>& first = complex_.first_end;
@@ -103,7 +102,7 @@ class Builder {
       complex_.ends[filled[complex_.arcs[a].extremum.index()]++] = ArcId{a};
     }
     constexpr std::size_t block_size = 16;  // points: about half a millisecond
-    const auto put_in_order = [&](std::size_t begin, std::size_t end, std::size_t) {
+    const auto sort_ends = [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
         const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
         if (std::exchange(is_stale_[i], 0) != 0) orders_[i] = order_at(ends);
@@ -111,12 +110,12 @@ class Builder {
                        [](std::uint32_t a) { return ArcId{a}; });
       }
     };
-    geometry::for_each_block(threads_, n, put_in_order, block_size);
+    geometry::for_each_block(threads_, n, sort_ends, block_size);
   }
 
   LineOrder order_at(std::span<const ArcId> ends) const {
     std::vector<ArrivingLine> arriving;
-    int fineness = SaddleLines::finest;  // all are as accurate as the least accurate
+    int fineness = SaddleLines::finest;  // of the coarsest line
     for (const ArcId a : ends) {
       arriving.push_back({a.value, lines_.nodes(a.value), *lines_.course(a.value).arrival});
       fineness = std::min(fineness, lines_.fineness(a.value));
@@ -124,8 +123,8 @@ class Builder {
     return order_of(lines_.tracer(fineness), std::move(arriving));
   }
 
-  /// Traces the lines finer that end at an extremum where the order is uncertain, or that bound a
-  /// face that is no quadrangle. @return whether there were any.
+  /// Refines the lines that end at an extremum with an uncertain order or bound a face that is no
+  /// quadrangle. @return whether there were any.
   bool refine_doubtful() {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       if (orders_[i].is_certain) continue;
@@ -148,10 +147,10 @@ class Builder {
   void report_doubts() {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       if (orders_[i].is_certain) continue;
-      report("integral lines to the extremum at " + place_of(complex_.points[i]) +
+      report("integral lines to the extremum at " + coordinates(complex_.points[i]) +
              " are too near to each other to be told apart");
     }
-    // Were all quadrangles, there would be one for each arc from a saddle down.
+    // One quadrangle for each descending arc.
     const std::size_t expected = complex_.arcs.size() / 2;
     if (complex_.regions.size() < expected) {
       report("rounding leaves the ends of integral lines undecided: only " +
@@ -161,8 +160,8 @@ class Builder {
     }
   }
 
-  /// The polylines, children's with the ends of their parents'.
-  void lay_lines() {
+  /// Builds the polylines; a merged line ends with its parent's end.
+  void build_polylines() {
     std::vector<Merge> merges;
     for (const LineOrder& order : orders_) {
       merges.insert(merges.end(), order.merges.begin(), order.merges.end());
@@ -179,24 +178,24 @@ class Builder {
         complex_.line_points.insert(complex_.line_points.end(), own.begin(), own.end());
         continue;
       }
-      const double way = lines_.way(a) == Way::Up ? 1 : -1;
+      const double sign = lines_.direction(a) == Direction::Up ? 1 : -1;
       for (const Point& x : own) {
-        if (way * (f_(x) - merge->level) < 0) complex_.line_points.push_back(x);
+        if (sign * (f_(x) - merge->level) < 0) complex_.line_points.push_back(x);
       }
-      // By place, as the array grows.
+      // By index, since the array grows.
       const std::uint32_t end = complex_.first_point[merge->parent + 1];
       for (std::uint32_t i = complex_.first_point[merge->parent]; i < end; ++i) {
         const Point x = complex_.line_points[i];
-        if (way * (f_(x) - merge->level) >= 0) complex_.line_points.push_back(x);
+        if (sign * (f_(x) - merge->level) >= 0) complex_.line_points.push_back(x);
       }
       ++merge;
     }
     complex_.first_point.push_back(static_cast<std::uint32_t>(complex_.line_points.size()));
   }
 
-  /// A dart is an arc with a direction: 2 a from the saddle, 2 a + 1 from the extremum.
-  /// @return  by dart, the dart that leaves where it ends, the next clockwise after its own
-  /// opposite: both have the same face on their left.
+  /// A dart is a directed arc: 2 a from the saddle, 2 a + 1 from the extremum.
+  /// @return  by dart, the next dart of the face on its left: it leaves the dart's end, next
+  ///          clockwise after the opposite dart
   std::vector<std::uint32_t> successors() const {
     std::vector<std::uint32_t> next(2 * complex_.arcs.size());
     for (std::size_t i = 0; i < complex_.points.size(); ++i) {
@@ -222,7 +221,7 @@ class Builder {
     for (std::uint32_t a = 0; a < complex_.arcs.size(); a += 2) {
       const std::uint32_t start = 2 * a + 1, second = next[start], third = next[second],
                           last = next[third];
-      if (next[last] == start && lines_.way(second / 2) == Way::Up) {
+      if (next[last] == start && lines_.direction(second / 2) == Direction::Up) {
         complex_.regions.push_back({complex_.arcs[a].extremum, complex_.arcs[a].saddle,
                                     complex_.arcs[second / 2].extremum,
                                     complex_.arcs[third / 2].saddle});
@@ -245,7 +244,7 @@ class Builder {
       if (const auto top = maximum_above(CriticalId{i})) {
         sets.join(i, top->value);
       } else {
-        report("the integral line from beside the minimum at " + place_of(complex_.points[i]) +
+        report("the integral line from beside the minimum at " + coordinates(complex_.points[i]) +
                " finds no maximum");
       }
     }
@@ -257,7 +256,7 @@ class Builder {
   /// The maximum at the end of a line from beside a minimum.
   std::optional<CriticalId> maximum_above(CriticalId minimum) const {
     const surface::SurfacePoint& at = point(minimum).point;
-    constexpr double beside = 0.1;  // of rho, or half of the way to the nearest wall
+    constexpr double beside = 0.1;  // of rho, or half the distance to the nearest wall
     const double away =
         std::min(beside * at.length_scale, lines_.tracer(0).wall_distance(minimum) / 2);
     const Point x = at.position + away * at.normal.unitOrthogonal();
@@ -265,7 +264,7 @@ class Builder {
     if (!start) return std::nullopt;
     std::vector<Point> points;
     std::vector<CellId> cells;
-    const Course course = lines_.tracer(0).trace(*start, Way::Up, points, cells);
+    const Course course = lines_.tracer(0).trace(*start, Direction::Up, points, cells);
     if (!course.arrival) return std::nullopt;
     return course.arrival->extremum;
   }
@@ -277,7 +276,7 @@ class Builder {
   MorseSmaleComplex complex_;
   SaddleLines lines_;
   std::vector<LineOrder> orders_;  ///< by point
-  std::vector<char> is_stale_;     ///< by point: whether its order must be found anew
+  std::vector<char> is_stale_;     ///< by point: whether its order must be computed again
   std::vector<std::uint32_t> doubtful_;
 };
 

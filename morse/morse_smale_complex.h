@@ -23,11 +23,11 @@ struct Arc {
 
 struct MorseSmaleComplex {
   std::vector<CriticalPoint> points;
-  /// Four to a saddle, together, counter-clockwise about it seen from outside: descending along
-  /// its `descending` direction, ascending, descending the other way, ascending the other way.
+  /// Four consecutive ones for each saddle, counter-clockwise about it seen from outside:
+  /// descending along its `descending` direction, ascending, and the two opposite ones.
   std::vector<Arc> arcs;
-  /// Regions, each minimum, saddle, maximum, saddle, counter-clockwise seen from outside; twice as
-  /// many as there are saddles.
+  /// Two for each saddle, each minimum, saddle, maximum, saddle, counter-clockwise seen from
+  /// outside.
   std::vector<std::array<CriticalId, 4>> regions;
   /// Connected components of the skin.
   std::size_t components = 0;
@@ -38,12 +38,12 @@ struct MorseSmaleComplex {
   }
   std::vector<ArcId> ends;
   std::vector<std::uint32_t> first_end;  ///< by point, into ends
-  /// Lines that come so near to one of their kind on the way that they follow it from there on.
+  /// Lines that come within the merge distance of one of their kind and follow it from there.
   std::size_t merged_lines = 0;
-  /// Why this is not safely the complex, or nothing: those of the critical points, and lines that
-  /// rounding cannot tell from one between two saddles. Where they leave the complex undecided,
-  /// `regions` is empty, and `arcs` and `components` are if a line has no end. Regions that are
-  /// given are quadrangles always.
+  /// Why this may not be the complex, or nothing: degeneracies of the critical points, and lines
+  /// indistinguishable from one between two saddles. If they leave the complex undecided, `regions`
+  /// is empty; if a line has no end, `arcs` and `components` are too. Regions are always
+  /// quadrangles.
   std::vector<std::string> degeneracies;
 
   /// The arc's polyline from the saddle to the extremum, both included.
@@ -58,10 +58,10 @@ struct MorseSmaleComplex {
 /// Whether a complex keeps the polylines of its arcs, by far the most of it.
 enum class Polylines { Keep, Drop };
 
-/// @param run  is told the share of lines that are traced
+/// Traces the lines, then the regions from the cyclic order of the arcs at all points; that each
+/// region has four sides confirms the order.
+/// @param run  is told the share of lines traced
 /// @pre  critical = critical_points(skin, f).
-/// The regions are traced from the cyclic order of the arcs at all points; that each has four sides
-/// is the witness of that order.
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,
                                       const CriticalPoints& critical,

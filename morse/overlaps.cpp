@@ -19,9 +19,9 @@ std::vector<std::pair<CriticalId, CriticalId>> overlapping_spheres(
     // The larger sphere of a pair finds the smaller, whose centre lies within two of its radii.
     const std::pair own(radii[i], CriticalId{i});
     tree.for_each_within(centres[i], 2 * radii[i], [&](const Tree::Neighbour& other) {
-      const double radius = radii[other.id.index()], reach = radii[i] + radius;
+      const double radius = radii[other.id.index()], radii_sum = radii[i] + radius;
       if (radius > 0 && std::pair(radius, other.id) < own &&
-          other.squared_distance < reach * reach) {
+          other.squared_distance < radii_sum * radii_sum) {
         pairs.emplace_back(std::minmax(own.second, other.id));
       }
     });

@@ -15,7 +15,7 @@ namespace morskin::morse {
 std::vector<std::pair<CriticalId, CriticalId>> overlapping_spheres(
     const std::vector<CriticalPoint>& points, const std::vector<double>& radii);
 
-/// The radii after both spheres of each of these pairs have shrunk in proportion until they touch.
+/// The radii after the spheres of each of these pairs have shrunk in proportion until they touch.
 std::vector<double> shrunk_apart(const std::vector<CriticalPoint>& points,
                                  const std::vector<double>& radii,
                                  const std::vector<std::pair<CriticalId, CriticalId>>& overlapping);

@@ -26,8 +26,8 @@ class Components {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Pairs of one kind of extremum: `side` 0 follows the descending arcs upwards through the values,
-/// 1 the ascending arcs downwards.
+/// Pairs of one kind of extremum: `side` 0 follows the descending arcs with rising values, 1 the
+/// ascending arcs with falling ones.
 void append_pairs(const MorseSmaleComplex& complex, std::span<const std::uint32_t> saddles_upwards,
                   std::size_t side, std::vector<PersistencePair>& pairs) {
   Components components(complex.points.size());
@@ -60,8 +60,8 @@ std::vector<PersistencePair> persistence_pairs(const MorseSmaleComplex& complex)
   pairs.reserve(upwards.size());
   append_pairs(complex, upwards, 0, pairs);
   append_pairs(complex, upwards, 1, pairs);
-  // Each pass found inner pairs before outer ones. Subtraction rounds monotonically, so an inner
-  // pair never gets the larger persistence, and a stable sort keeps the order of equal ones.
+  // Each pass finds inner pairs before outer ones. Subtraction rounds monotonically, so an inner
+  // pair never has the larger persistence, and a stable sort keeps the order of equal ones.
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const auto& a, const auto& b) { return a.persistence < b.persistence; });
   return pairs;

@@ -1,16 +1,16 @@
 #pragma once
 
-/// Persistence pairs of the critical points: which saddle can be cancelled with which extremum, and
-/// in what order (section 3.2, after Edelsbrunner, Harer and Zomorodian 2003).
+/// Persistence pairs of the critical points: the saddles and extrema that can be cancelled, and
+/// their order (section 3.2, after Edelsbrunner, Harer and Zomorodian 2003).
 ///
-/// Rise through the values. A component of the sublevel set is born at each minimum; a saddle
-/// either joins two components or not. Where it does, the younger one, whose minimum is higher,
-/// ends, and that minimum is paired with the saddle. Maxima pair with saddles in the same way from
-/// above. No saddle has both kinds of pair: on a surface a saddle that joins two components below
-/// it does not join two above it. What has no pair is the lowest minimum and the highest maximum of
-/// each component of the skin, and two saddles for each handle.
+/// Rising through the values, a component of the sublevel set is born at each minimum. A saddle may
+/// join two components; then the younger one, with the higher minimum, ends, and that minimum is
+/// paired with the saddle. Maxima pair with saddles in the same manner from above. No saddle has
+/// both kinds of pair: on a surface a saddle that joins two components below it does not join two
+/// above it. The lowest minimum and the highest maximum of each component of the skin, and two
+/// saddles for each handle, remain unpaired.
 ///
-/// Equal values fall by id throughout.
+/// Ties of values fall by id throughout.
 
 #include <vector>
 
@@ -31,7 +31,7 @@ struct PersistencePair {
 /// @pre  the values rise from minimum to saddle to maximum along every arc
 std::vector<PersistencePair> persistence_pairs(const MorseSmaleComplex& complex);
 
-/// Which point is over which: by value, equal values by id.
+/// Order by value, ties by id.
 inline bool is_lower(const MorseSmaleComplex& complex, CriticalId a, CriticalId b) {
   const double fa = complex.points[a.index()].value, fb = complex.points[b.index()].value;
   return fa != fb ? fa < fb : a < b;

@@ -13,7 +13,7 @@ ProtectingSpheres::ProtectingSpheres(std::span<const CriticalPoint> points,
   std::sort(incidences.begin(), incidences.end());
   for (const auto& [cell, id] : incidences) {
     ++first_[cell.index() + 1];
-    reaching_.push_back(id);
+    spheres_.push_back(id);
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
@@ -21,7 +21,7 @@ ProtectingSpheres::ProtectingSpheres(std::span<const CriticalPoint> points,
 std::optional<CriticalId> ProtectingSpheres::containing(const surface::SurfacePoint& p) const {
   if (p.cell.index() + 1 >= first_.size()) return std::nullopt;  // on a wall, but for rounding
   for (std::uint32_t i = first_[p.cell.index()]; i < first_[p.cell.index() + 1]; ++i) {
-    const CriticalId id = reaching_[i];
+    const CriticalId id = spheres_[i];
     const double r = radius_[id.index()];
     if ((centres_[id.index()] - p.position).squaredNorm() < r * r) return id;
   }

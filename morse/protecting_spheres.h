@@ -1,6 +1,6 @@
 #pragma once
 
-/// Protecting spheres about the critical points (sections 3.1, 4.1): where the front is expected to
+/// Protecting spheres about the critical points (sections 3.1, 4.1), where the front is expected to
 /// change its topology.
 
 #include <optional>
@@ -14,18 +14,17 @@ namespace morskin::morse {
 
 class ProtectingSpheres {
  public:
-  /// A cell of the surface and a sphere that reaches into it.
+  /// A cell of the surface and a sphere that meets it.
   using Incidence = std::pair<surface::CellId, CriticalId>;
 
   ProtectingSpheres() = default;  ///< none
-  /// @param radii       by point, Angstrom; where spheres overlap, the one with the lowest id
-  /// counts
+  /// @param radii       by point, Angstrom; where spheres overlap, the lowest id counts
   /// @param incidences  all of them, for cells below `cells`
   ProtectingSpheres(std::span<const CriticalPoint> points, std::vector<double> radii,
                     std::vector<Incidence> incidences, std::size_t cells);
 
-  /// The sphere that a point of the surface lies in, or nothing. O(1): each cell knows the spheres
-  /// that reach into it.
+  /// The sphere that contains a point of the surface, or nothing. O(1), by the list of spheres that
+  /// meet the point's cell.
   std::optional<CriticalId> containing(const surface::SurfacePoint& p) const;
 
   double radius(CriticalId id) const { return radius_[id.index()]; }
@@ -33,8 +32,8 @@ class ProtectingSpheres {
  private:
   std::vector<Point> centres_;
   std::vector<double> radius_;
-  std::vector<std::uint32_t> first_;  ///< by cell, into reaching_
-  std::vector<CriticalId> reaching_;
+  std::vector<std::uint32_t> first_;  ///< by cell, into spheres_
+  std::vector<CriticalId> spheres_;
 };
 
 }  // namespace morskin::morse

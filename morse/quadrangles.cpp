@@ -31,8 +31,8 @@ std::optional<std::vector<Sector>> matched_sectors(const MorseSmaleComplex& comp
   for (std::size_t i = 0; i < complex.points.size(); ++i) {
     const std::span<const ArcId> about = complex.arcs_at(CriticalId{i});
     for (std::size_t k = 0; k < about.size(); ++k) {
-      // The region from this arc on to the next lies before this one, seen from its saddle, and
-      // after the next one, seen from there.
+      // The region between this arc and the next precedes this one about its saddle and follows the
+      // next one about its own.
       const Sector before = before_arc(about[k]), after = about[(k + 1) % about.size()].value;
       if (!match(before, after) || !match(after, before)) return std::nullopt;
     }
@@ -74,8 +74,8 @@ std::optional<CriticalId> Quadrangles::other_end(CriticalId saddle, CriticalId e
 }
 
 void Quadrangles::join_across(Sector before, Sector after) {
-  // If these two belong to quadrangles with further sectors of the same saddle, the match made here
-  // still names one of those, and joining across the saddle's opposite arc settles it.
+  // If their partners are sectors of the same saddle, joining across its opposite arc replaces
+  // them.
   const Sector left = matched_[before], right = matched_[after];
   matched_[left] = right;
   matched_[right] = left;
@@ -103,8 +103,8 @@ std::vector<std::array<CriticalId, 4>> Quadrangles::regions() const {
   for (std::size_t i = 0; i < complex_.arcs.size(); i += 4) {
     const CriticalId first = complex_.arcs[i].saddle;
     if (!survives(first)) continue;
-    // Counter-clockwise from the minimum, the first saddle is the one that has the region between
-    // an arc to the maximum and the next, to the minimum.
+    // Counter-clockwise from the minimum, the first saddle has the region between an arc to the
+    // maximum and the next one, to the minimum.
     for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
       const CriticalId second = complex_.arcs[matched_[i + k]].saddle;
       result.push_back({heir(complex_.arcs[i + (k + 1) % 4].extremum), first,
@@ -122,11 +122,11 @@ MorseSmaleComplex Quadrangles::remaining() const {
   left.degeneracies = complex_.degeneracies;
   left.regions = regions();
   std::vector<ArcId> old_arcs;                             // by arc that is left
-  std::vector<std::uint32_t> place(complex_.arcs.size());  // by old arc
+  std::vector<std::uint32_t> index(complex_.arcs.size());  // by old arc
   for (std::size_t i = 0; i < complex_.arcs.size(); ++i) {
     const auto [saddle, extremum] = complex_.arcs[i];
     if (!survives(saddle)) continue;
-    place[i] = static_cast<std::uint32_t>(old_arcs.size());
+    index[i] = static_cast<std::uint32_t>(old_arcs.size());
     old_arcs.push_back(ArcId{i});
     left.arcs.push_back({saddle, heir(extremum)});
   }
@@ -140,7 +140,7 @@ MorseSmaleComplex Quadrangles::remaining() const {
     if (one) {
       ArcId arc = *one;
       do {
-        left.ends.push_back(ArcId{place[arc.index()]});
+        left.ends.push_back(ArcId{index[arc.index()]});
         arc = next_about_extremum(arc);
       } while (arc != *one);
     }

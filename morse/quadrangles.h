@@ -5,11 +5,11 @@
 ///
 /// Four arcs leave a saddle, to a minimum, a maximum, a minimum and a maximum; the sectors between
 /// them belong to quadrangles. A quadrangle has two saddles, hence two sectors, so a matching of
-/// the sectors holds all that is to know. Cancelling a saddle a with a minimum b deletes the four
-/// arcs of a. Across its arc to a maximum the two quadrangles on either side become one: what
-/// their other sectors were matched to is matched now. The arcs of b's other saddles lead on to a's
-/// other minimum c. For a maximum the same with the kinds exchanged. Each cancellation takes
-/// constant time, up to union-find.
+/// the sectors represents the complex. Cancelling a saddle a with a minimum b deletes the four arcs
+/// of a. Across each of its arcs to a maximum the two quadrangles become one: the partners of their
+/// two sectors at a are matched with each other. The arcs of b's other saddles now lead to a's
+/// other minimum c. For a maximum the kinds are exchanged. Each cancellation takes constant time,
+/// up to union-find.
 
 #include <array>
 #include <cstdint>
@@ -20,13 +20,12 @@
 
 namespace morskin::morse {
 
-/// A place between two neighbouring arcs of a saddle: the number of the first of them,
-/// counter-clockwise.
+/// The angle between two consecutive arcs of a saddle, numbered as the first, counter-clockwise.
 using Sector = std::uint32_t;
 
 /// By sector, the other sector of its region, from the order of the arcs about the extrema. Nothing
-/// when the order about the minima and the one about the maxima make different regions.
-/// @pre arcs stand four to a saddle, and each stands once in `ends`, with its extremum
+/// where the orders about the minima and the maxima make different regions.
+/// @pre four consecutive arcs for each saddle, each once in `ends`, at its extremum
 std::optional<std::vector<Sector>> matched_sectors(const MorseSmaleComplex& complex);
 
 class Quadrangles {
@@ -36,10 +35,10 @@ class Quadrangles {
 
   bool survives(CriticalId id) const { return survives_[id.index()]; }
 
-  /// The extremum in whose place another one is now: itself until it is cancelled.
+  /// The surviving extremum that replaces this one: itself until it is cancelled.
   CriticalId heir(CriticalId extremum) const;
 
-  /// Where the arcs of a saddle lead now, in the order of the complex.
+  /// The current ends of a saddle's arcs, in the order of the complex.
   /// @pre the saddle survives
   std::array<CriticalId, 4> ends(CriticalId saddle) const;
 
@@ -51,12 +50,12 @@ class Quadrangles {
   /// @pre other_end(saddle, extremum) has a value, and both survive
   void cancel(CriticalId saddle, CriticalId extremum);
 
-  /// The next arc counter-clockwise about the extremum that an arc leads to now.
+  /// The next arc counter-clockwise about an arc's current extremum.
   /// @pre the arc's saddle survives
   ArcId next_about_extremum(ArcId arc) const;
 
-  /// What is left: all points with their ids, and the arcs, regions and orders of those that
-  /// survive; arcs in their old order, no lines.
+  /// The remaining complex: all points with their ids, and the arcs, in their old order, regions
+  /// and orders of the surviving ones; no lines.
   MorseSmaleComplex remaining() const;
 
  private:
@@ -64,10 +63,10 @@ class Quadrangles {
   std::vector<std::array<CriticalId, 4>> regions() const;
 
   const MorseSmaleComplex& complex_;
-  std::vector<std::uint32_t> first_arc_;  ///< by critical point, of a saddle
+  std::vector<std::uint32_t> first_arc_;  ///< by critical point, for saddles
   std::vector<Sector> matched_;
   std::vector<bool> survives_;
-  mutable std::vector<CriticalId> heir_;  ///< union-find over the extrema, shortened when read
+  mutable std::vector<CriticalId> heir_;  ///< union-find over the extrema, compressed when read
 };
 
 }  // namespace morskin::morse

@@ -26,12 +26,12 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
   trace_all(run);
 }
 
-/// Traces every line; each block keeps its nodes apart.
+/// Traces every line; each block has its own nodes.
 void SaddleLines::trace_all(const geometry::Run& run) {
-  // At least about a millisecond's lines. The nodes of many small blocks would stay with the
-  // program when they are freed; those of few large ones go back to the system.
-  constexpr std::size_t least_size = 32, most_blocks = 64;
-  const std::size_t block_size = std::max(least_size, lines_.size() / most_blocks);
+  // About a millisecond or more a block. Few large blocks of nodes return to the system when freed;
+  // many small ones would not.
+  constexpr std::size_t min_size = 32, max_blocks = 64;
+  const std::size_t block_size = std::max(min_size, lines_.size() / max_blocks);
   parts_.resize(geometry::block_count(lines_.size(), block_size));
   const auto teller = std::this_thread::get_id();
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t block) {
@@ -41,10 +41,10 @@ void SaddleLines::trace_all(const geometry::Run& run) {
     for (std::size_t i = begin; i < end; ++i) {
       Line& line = lines_[i];
       line.part = static_cast<std::uint32_t>(block);
-      const Way way = this->way(static_cast<std::uint32_t>(i));
-      for (trace(line, way, parts_[block]); line.course.saddle && line.fineness < finest;) {
+      const Direction direction = this->direction(static_cast<std::uint32_t>(i));
+      for (trace(line, direction, parts_[block]); line.course.saddle && line.fineness < finest;) {
         ++line.fineness;
-        trace(line, way, parts_[block]);
+        trace(line, direction, parts_[block]);
       }
     }
   };
@@ -57,15 +57,15 @@ std::size_t SaddleLines::node_count() const {
   return count;
 }
 
-void SaddleLines::trace(Line& line, Way way, Nodes& nodes) const {
+void SaddleLines::trace(Line& line, Direction direction, Nodes& nodes) const {
   line.first = nodes.points.size();
   line.course =
-      tracer(line.fineness).trace(line.saddle, line.tangent, way, nodes.points, nodes.cells);
+      tracer(line.fineness).trace(line.saddle, line.tangent, direction, nodes.points, nodes.cells);
   line.end = nodes.points.size();
   if (kept_ == Kept::EveryOther) drop_every_other(line, nodes);
 }
 
-/// But for the first piece, which is told from the saddle, and the last, in the capture disc.
+/// Except in the first piece, at the saddle, and in the last, in the capture disc.
 void SaddleLines::drop_every_other(Line& line, Nodes& nodes) {
   constexpr std::size_t at_each_end = 2;
   std::size_t kept = std::min(line.first + at_each_end, line.end);
@@ -82,7 +82,7 @@ void SaddleLines::drop_every_other(Line& line, Nodes& nodes) {
 bool SaddleLines::refine(std::uint32_t line) {
   if (lines_[line].fineness == finest) return false;
   ++lines_[line].fineness;
-  trace(lines_[line], way(line), parts_[lines_[line].part]);
+  trace(lines_[line], direction(line), parts_[lines_[line].part]);
   return true;
 }
 
@@ -90,7 +90,7 @@ LineNodes SaddleLines::nodes(std::uint32_t line) const {
   const Line& l = lines_[line];
   return {l.saddle,
           l.tangent,
-          way(line),
+          direction(line),
           {parts_[l.part].points.data() + l.first, l.end - l.first},
           {parts_[l.part].cells.data() + l.first, l.end - l.first}};
 }

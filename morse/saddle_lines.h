@@ -1,6 +1,6 @@
 #pragma once
 
-/// The four integral lines of every saddle, each traced as finely as it turns out to need.
+/// The four integral lines of every saddle, each traced as finely as it needs.
 
 #include <array>
 #include <vector>
@@ -12,33 +12,35 @@ namespace morskin::morse {
 
 class SaddleLines {
  public:
-  /// Traces all lines: to each saddle four, together, counter-clockwise about it seen from outside,
-  /// the first along `descending`. A line that runs into a saddle is traced again, finer.
-  /// @param run   is told the share that is traced, as far as the first thread knows
-  /// @param kept  All, or only every other node between a line's ends: enough to go on from, and
-  ///                 nodes are most of what a large molecule takes before it has triangles
+  /// All nodes, or every other one between a line's ends: enough to continue from, and nodes are
+  /// most of a large molecule's memory before it has triangles.
   enum class Kept { All, EveryOther };
+  /// Traces all lines: four consecutive ones for each saddle, counter-clockwise about it seen from
+  /// outside, the first along `descending`. A line that runs into a saddle is traced again, finer.
+  /// @param run  is told the share traced, by the first thread
   SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
               std::span<const CriticalPoint> points, const geometry::Run& run = geometry::Run(),
               Kept kept = Kept::All);
 
   std::size_t size() const { return lines_.size(); }
   CriticalId saddle(std::uint32_t line) const { return lines_[line].saddle; }
-  Way way(std::uint32_t line) const { return line % 2 == 0 ? Way::Down : Way::Up; }
-  /// What became of it with the finest step tried.
+  Direction direction(std::uint32_t line) const {
+    return line % 2 == 0 ? Direction::Down : Direction::Up;
+  }
+  /// With the finest step tried.
   const Course& course(std::uint32_t line) const { return lines_[line].course; }
   LineNodes nodes(std::uint32_t line) const;
   std::size_t node_count() const;
 
-  /// 0 with the usual step, `finest` with a quarter of it, where rounding outdoes truncation: a
-  /// doubt that is left then is left to doubles.
+  /// 0 with the usual step, `finest` with a quarter of it, where rounding exceeds truncation and
+  /// finer steps gain nothing.
   int fineness(std::uint32_t line) const { return lines_[line].fineness; }
   static constexpr int finest = 1;
   /// The tracer of a fineness.
   const IntegralLines& tracer(int fineness) const {
     return tracers_[static_cast<std::size_t>(fineness)];
   }
-  /// Traces a line again with the finer step. @return false when that was done already.
+  /// Traces a line again with the finer step. @return false if that was done already.
   bool refine(std::uint32_t line);
 
  private:
@@ -57,7 +59,7 @@ class SaddleLines {
   };
 
   void trace_all(const geometry::Run& run);
-  void trace(Line& line, Way way, Nodes& nodes) const;
+  void trace(Line& line, Direction direction, Nodes& nodes) const;
   static void drop_every_other(Line& line, Nodes& nodes);
 
   std::array<IntegralLines, finest + 1> tracers_;

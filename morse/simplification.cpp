@@ -20,13 +20,13 @@ std::vector<double> full_radii(const MorseSmaleComplex& complex, double radius_s
   return radii;
 }
 
-/// From each cancelled extremum the way to the one that took its place, along the lines of
-/// cancelled saddles. Each of these is an edge between the two extrema that its old arcs led to;
-/// together they are trees with one survivor each, so the way is the only one without a return.
-class Ways {
+/// The path from each cancelled extremum to its heir along the lines of cancelled saddles. Each
+/// such saddle is an edge between the two extrema of its old arcs; together they are trees with one
+/// survivor each, so the path is unique.
+class HeirPaths {
  public:
-  Ways(const MorseSmaleComplex& complex, const std::vector<bool>& survives,
-       std::span<const Cancellation> cancelled)
+  HeirPaths(const MorseSmaleComplex& complex, const std::vector<bool>& survives,
+            std::span<const Cancellation> cancelled)
       : complex_(complex), next_(complex.points.size()) {
     std::vector<std::uint32_t> first(complex.points.size() + 1, 0);
     std::vector<ArcId> leaving = arcs_of_cancelled(cancelled);
@@ -44,7 +44,7 @@ class Ways {
     for (std::size_t i = 0; i < reached.size(); ++i) {
       for (std::size_t k = first[reached[i].index()]; k < first[reached[i].index() + 1]; ++k) {
         const ArcId away = opposite(at[k]);
-        if (next_[reached[i].index()] == at[k]) continue;  // the way it was reached by
+        if (next_[reached[i].index()] == at[k]) continue;  // where it was reached from
         const CriticalId beyond = complex.arcs[away.index()].extremum;
         next_[beyond.index()] = away;
         reached.push_back(beyond);
@@ -52,7 +52,7 @@ class Ways {
     }
   }
 
-  /// Appends the line of an arc of a surviving saddle and the way on from its end.
+  /// Appends the line of an arc of a surviving saddle and the path on from its end.
   void append_line(ArcId arc, std::vector<Point>& points) const {
     const std::span<const Point> line = complex_.line(arc);
     points.insert(points.end(), line.begin(), line.end());
@@ -70,7 +70,7 @@ class Ways {
   /// The other arc of the same saddle to the same kind of extremum.
   static ArcId opposite(ArcId arc) { return ArcId{arc.value ^ 2U}; }
 
-  /// Of every cancelled saddle the two arcs that led to extrema of the kind cancelled with it.
+  /// For every cancelled saddle the two arcs to extrema of the kind cancelled with it.
   std::vector<ArcId> arcs_of_cancelled(std::span<const Cancellation> cancelled) const {
     std::vector<std::optional<std::uint32_t>> side(complex_.points.size());
     for (const Cancellation& c : cancelled) {
@@ -90,7 +90,7 @@ class Ways {
   std::vector<std::optional<ArcId>> next_;  ///< by extremum: the arc back to the saddle to cross
 };
 
-/// Cancels some of a complex's persistence pairs and gathers what is left.
+/// Cancels some of a complex's persistence pairs.
 class Simplifier {
  public:
   Simplifier(const MorseSmaleComplex& complex, double radius_share)
@@ -100,8 +100,8 @@ class Simplifier {
 
   const std::vector<double>& radii() const { return full_; }
 
-  /// Whether the extremum to be joined is no younger than the one to be cancelled. When pairs have
-  /// been left uncancelled, the saddle may lead to one of theirs.
+  /// Whether the other extremum is no younger than the one to cancel: it may be if it belongs to a
+  /// pair that was not cancelled.
   bool leads_to_elder(const PersistencePair& pair) const {
     const auto heir = quadrangles_.other_end(pair.saddle, pair.extremum);
     if (!heir) return false;
@@ -139,12 +139,12 @@ class Simplifier {
   void gather_complex() {
     result_.complex = quadrangles_.remaining();
     MorseSmaleComplex& left = result_.complex;
-    if (complex_.first_point.empty()) return;  // nor does the complex given have polylines
-    const Ways ways(complex_, result_.survives, result_.cancelled);
+    if (complex_.first_point.empty()) return;  // the input has no polylines
+    const HeirPaths paths(complex_, result_.survives, result_.cancelled);
     left.first_point.push_back(0);
     for (std::size_t i = 0; i < complex_.arcs.size(); ++i) {
       if (!result_.survives[complex_.arcs[i].saddle.index()]) continue;
-      ways.append_line(ArcId{i}, left.line_points);
+      paths.append_line(ArcId{i}, left.line_points);
       left.first_point.push_back(static_cast<std::uint32_t>(left.line_points.size()));
     }
   }
@@ -161,11 +161,11 @@ Simplification contract_short_arcs(const MorseSmaleComplex& complex, double radi
   Simplifier simplifier(complex, radius_share);
   const std::vector<double>& radii = simplifier.radii();
   const auto overlap = [&](CriticalId a, CriticalId b) {
-    const double reach = radii[a.index()] + radii[b.index()];
+    const double radii_sum = radii[a.index()] + radii[b.index()];
     return (complex.points[a.index()].point.position - complex.points[b.index()].point.position)
-               .squaredNorm() < reach * reach;
+               .squaredNorm() < radii_sum * radii_sum;
   };
-  // A pair left uncancelled forbids those around it for good, so one pass in order does all.
+  // A pair that stays forbids those around it for good, so one pass in order is enough.
   std::vector<bool> holds_a_pair(complex.points.size(), false);  // the component of an extremum
   for (const PersistencePair& pair : persistence_pairs(complex)) {
     if (overlap(pair.saddle, pair.extremum) && !holds_a_pair[pair.extremum.index()] &&

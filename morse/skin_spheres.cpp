@@ -12,7 +12,7 @@ namespace {
 
 using skin::CellId;
 
-/// Cells that a ball about a point of `start` reaches, found by crossing the walls it cuts.
+/// Cells that meet a ball about a point of `start`, found by crossing the walls it cuts.
 std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point& centre,
                                  CellId start, double radius) {
   std::vector<CellId> reached{start};
@@ -20,7 +20,7 @@ std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point&
     for (const skin::Wall& wall : complex.walls(reached[i])) {
       if (wall.offset - wall.normal.dot(centre) > radius + complex.wall_tolerance()) continue;
       if (std::find(reached.begin(), reached.end(), wall.beyond) == reached.end()) {
-        bool cut = true;  // the ball reaches the cell beyond unless one of its walls shuts it out
+        bool cut = true;  // the ball meets the cell beyond unless one of its walls separates them
         for (const skin::Wall& other : complex.walls(wall.beyond)) {
           cut = cut && other.normal.dot(centre) - other.offset <= radius + complex.wall_tolerance();
         }
@@ -32,17 +32,16 @@ std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point&
 }
 
 std::vector<double> disjoint_radii(std::span<const CriticalPoint> points, double radius_share) {
-  std::vector<Point> places;
-  places.reserve(points.size());
-  for (const CriticalPoint& p : points) places.push_back(p.point.position);
-  const geometry::KdTree<CriticalId> tree(places);
+  std::vector<Point> positions;
+  positions.reserve(points.size());
+  for (const CriticalPoint& p : points) positions.push_back(p.point.position);
+  const geometry::KdTree<CriticalId> tree(positions);
   std::vector<double> radii;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double full = radius_share * points[i].point.length_scale;
-    // Farther than 2 full is of no matter; the look goes a little beyond, so that only the minimum
-    // below decides.
+    // A little beyond twice the full radius, so that only the minimum below decides.
     const auto other =
-        tree.nearest(places[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
+        tree.nearest(positions[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
     radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
   }
   return radii;

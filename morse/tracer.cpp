@@ -13,14 +13,14 @@ namespace {
 using skin::CellId;
 using skin::Patch;
 
-/// A take-off of this share of rho along the parabola that osculates a line at its saddle leaves an
-/// error of fourth order, 1e-10 rho. It follows the square of the step, so that both errors keep
-/// step with each other.
+/// The first node's distance from the saddle, over rho, on the osculating parabola: an error of
+/// fourth order, 1e-10 rho. It scales with the square of the step, as both errors then shrink
+/// alike.
 constexpr double usual_take_off = 3e-3;
-/// Nodes on arcs in closed form are at most this angle apart, radians (or rho, on a hyperbola).
+/// Largest angle between nodes on arcs in closed form, radians (or rho, on a hyperbola).
 constexpr double node_spacing = 0.3;
 /// Pieces after which a line counts as lost. The longest in the corpus have some thousands.
-constexpr int most_pieces = 20000;
+constexpr int max_pieces = 20000;
 
 /// tan(t/2) of the point (cos t, sin t), 0 < t < pi, without cancellation at either pole.
 double half_tangent(double cosine, double sine) {
@@ -35,20 +35,20 @@ bool is_along_axis(const Patch& patch, const Vector& tangent) {
 
 }  // namespace
 
-Tracer::Tracer(const IntegralLines& lines, Way way, std::vector<Point>* points,
+Tracer::Tracer(const IntegralLines& lines, Direction direction, std::vector<Point>* points,
                std::vector<CellId>* cells)
     : lines_(lines),
-      way_(way),
+      direction_(direction),
       points_(points),
       cells_(cells),
       tolerance_(lines.skin_.complex().wall_tolerance()),
-      flow_(lines.skin_.complex().patch(CellId{0U}), lines.f_, way) {}
+      flow_(lines.skin_.complex().patch(CellId{0U}), lines.f_, direction) {}
 
 void Tracer::enter(CellId cell, const Vector& u) {
   const skin::MixedComplex& complex = lines_.skin_.complex();
   const Patch& patch = complex.patch(cell);
   cell_ = cell;
-  flow_ = GradientFlow(patch, lines_.f_, way_);
+  flow_ = GradientFlow(patch, lines_.f_, direction_);
   centre_ = patch.centre;
   centre_value_ = lines_.f_(centre_);
   u_ = flow_.settled(flow_.to_local(u));
@@ -62,19 +62,19 @@ void Tracer::enter(CellId cell, const Vector& u) {
   }
 }
 
-// Ties of the triangulation give cells without width, whose patch need not pass through the point
-// at all: a flat tetrahedron's orthocentre may lie anywhere on a line. The gradient is continuous,
-// so they are crossed with the velocity of the cell that the line comes from.
+// Ties of the triangulation give cells without width, whose patch need not contain the point: a
+// flat tetrahedron's orthocentre may lie anywhere on a line. The gradient is continuous, so the
+// line crosses them with the velocity of the cell that it leaves.
 void Tracer::leave_through(LocalWall wall) {
   const skin::MixedComplex& complex = lines_.skin_.complex();
   const Point x = centre_ + flow_.to_space(u_);
   const Vector velocity = flow_.to_space(velocity_);
   CellId cell = wall.beyond, before = cell_;
-  constexpr int most_crossed = 64;
-  // A cell counts as without width when the line would leave it again within this; the walls of
-  // flat simplices were seen to be 17 tolerances off.
+  constexpr int max_crossed = 64;
+  // A cell that the line would leave again within this distance has no width; the largest error
+  // seen in walls of flat simplices is 17 tolerances.
   const double no_width = 64 * tolerance_;
-  for (int crossed = 0; crossed < most_crossed; ++crossed) {
+  for (int crossed = 0; crossed < max_crossed; ++crossed) {
     std::optional<CellId> passed;
     double farthest = -no_width;
     for (const skin::Wall& other : complex.walls(cell)) {
@@ -148,11 +148,11 @@ void Tracer::follow_meridian(CriticalId saddle, const Vector& tangent) {
   for (const CriticalId id : lines_.within(lines_.points_[saddle.index()].point.cell)) {
     if (lines_.points_[id.index()].index != 1) return;
   }
-  const double way = patch.axis.dot(tangent) > 0 ? 1 : -1;
+  const double sign = patch.axis.dot(tangent) > 0 ? 1 : -1;
   const Vector u = u_;
   const double s = u.z(), r = std::hypot(u.x(), u.y());
-  const Vector turned = way * Vector(s / r * u.x(), s / r * u.y(), r);  // du / d(hyperbolic angle)
-  // A wall is reached where a cosh t + b sinh t = c; its zero with growing distance, in e^t.
+  const Vector turned = sign * Vector(s / r * u.x(), s / r * u.y(), r);  // du / d(hyperbolic angle)
+  // The line meets a wall where a cosh t + b sinh t = c: the zero with growing distance, in e^t.
   double first = INFINITY;
   std::size_t exit = 0;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -179,9 +179,9 @@ void Tracer::follow_meridian(CriticalId saddle, const Vector& tangent) {
 }
 
 std::optional<std::size_t> Tracer::wall_passed() const {
-  // Lines leave a cell `tolerance` beyond its wall, so that only a way back of that length leads
-  // into it again. Where cells have no width the next wall is passed with the first; a quarter
-  // allows for rounding.
+  // Lines leave a cell `tolerance` beyond its wall, so that rounding does not lead back into it.
+  // Where cells have no width the next wall is passed with the first; a quarter allows for
+  // rounding.
   std::optional<std::size_t> passed;
   double farthest = tolerance_ / 4;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -194,7 +194,7 @@ std::optional<std::size_t> Tracer::wall_passed() const {
 }
 
 void Tracer::run() {
-  for (int piece = 0; piece < most_pieces; ++piece) {
+  for (int piece = 0; piece < max_pieces; ++piece) {
     if (const auto wall = wall_passed()) {
       leave_through(walls_[*wall]);
       continue;
@@ -203,12 +203,12 @@ void Tracer::run() {
   }
 }
 
-// u = rho (cos t pole + sin t side), the pole being where the line runs to: t falls to 0.
+// u = rho (cos t pole + sin t side), with the pole at the line's end: t falls to 0.
 bool Tracer::follow_great_circle() {
   const double rho = u_.norm();
   const double gradient = flow_.gradient(Vector::Zero()).x();
-  const double way = way_ == Way::Up ? 1 : -1;
-  const Vector pole = way * Vector::UnitX();
+  const double sign = direction_ == Direction::Up ? 1 : -1;
+  const Vector pole = sign * Vector::UnitX();
   const double height = pole.dot(u_) / rho;
   Vector side = u_ / rho - height * pole;
   const double sine = side.norm();
@@ -233,7 +233,7 @@ bool Tracer::follow_great_circle() {
   }
   const double angle = 2 * std::atan(from);
   if (stop_) {
-    const double x = way * (*stop_ - level_here(u_) + gradient * u_.x()) / (gradient * rho);
+    const double x = sign * (*stop_ - level_here(u_) + gradient * u_.x()) / (gradient * rho);
     if (x > -1 && x < 1 && half_tangent(x, std::sqrt((1 - x) * (1 + x))) >= to) {
       const double t = std::acos(x);
       u_ = rho * (std::cos(t) * pole + std::sin(t) * side);
@@ -243,15 +243,15 @@ bool Tracer::follow_great_circle() {
     }
   }
   if (exit != nullptr) {
-    lay_circle(pole, side, angle, 2 * std::atan(to));
+    add_arc_nodes(pole, side, angle, 2 * std::atan(to));
     leave_through(*exit);
     return true;
   }
   for (const CriticalId id : lines_.within(cell_)) {
-    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0)) continue;
+    if (lines_.points_[id.index()].index != (direction_ == Direction::Up ? 2 : 0)) continue;
     const Vector away = flow_.to_space(u_ - rho * pole);
     if (angle > node_spacing) {
-      lay_circle(pole, side, angle, angle / std::ceil(angle / node_spacing));
+      add_arc_nodes(pole, side, angle, angle / std::ceil(angle / node_spacing));
     }
     arrive(id, away);
     return false;
@@ -259,7 +259,7 @@ bool Tracer::follow_great_circle() {
   return false;
 }
 
-void Tracer::lay_circle(const Vector& pole, const Vector& side, double from, double to) {
+void Tracer::add_arc_nodes(const Vector& pole, const Vector& side, double from, double to) {
   const double rho = u_.norm();
   const int pieces =
       points_ == nullptr ? 1 : std::max(1, static_cast<int>(std::ceil((from - to) / node_spacing)));

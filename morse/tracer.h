@@ -1,7 +1,6 @@
 #pragma once
 
-/// The follower of one integral line: where it stands, and how it goes on to the next cell wall.
-/// An inner part of integral_lines.cpp.
+/// Traces one integral line from cell wall to cell wall. Internal to integral_lines.cpp.
 
 #include <utility>
 
@@ -11,19 +10,19 @@ namespace morskin::morse {
 
 class Tracer {
  public:
-  /// @param points, cells  the nodes, appended to as the line goes on; both or neither.
-  Tracer(const IntegralLines& lines, Way way, std::vector<Point>* points,
+  /// @param points, cells  receive the nodes; both or neither may be null
+  Tracer(const IntegralLines& lines, Direction direction, std::vector<Point>* points,
          std::vector<skin::CellId>* cells);
 
-  /// Stands at a point of the skin.
+  /// Starts at a point of the skin.
   void start(const Point& x, skin::CellId cell);
-  /// Stands on the line that leaves a saddle along a tangent, a share (0, 1] of the way of the
-  /// first node from it.
+  /// Starts on the line that leaves a saddle along a tangent.
+  /// @param share  of the distance from the saddle to the first node, in (0, 1]
   void start(CriticalId saddle, const Vector& tangent, double share);
   /// Follows the meridian of a saddle's hyperboloid to the wall, if the line runs along it.
   void follow_meridian(CriticalId saddle, const Vector& tangent);
 
-  /// Goes on to an extremum, or to the level at which it stops, as far as it gets.
+  /// Traces the line to an extremum, to the level of stop_at(), or until it cannot continue.
   void run();
 
   void stop_at(double level) { stop_ = level; }
@@ -36,7 +35,7 @@ class Tracer {
     Vector normal;  ///< in the flow's coordinates
     double offset;
     skin::CellId beyond;
-    double distance, slope;  ///< of the point stood at, and along the velocity
+    double distance, slope;  ///< of the current point, and its derivative along the velocity
   };
 
   /// @param u  in space, from the centre of the cell's patch
@@ -46,7 +45,7 @@ class Tracer {
   double level_here(const Vector& u) const { return centre_value_ + flow_.value(u); }
   std::optional<std::size_t> wall_passed() const;
   bool follow_great_circle();
-  void lay_circle(const Vector& pole, const Vector& side, double from, double to);
+  void add_arc_nodes(const Vector& pole, const Vector& side, double from, double to);
   bool step();
   double step_time();
   std::pair<double, double> rates() const;
@@ -57,12 +56,12 @@ class Tracer {
   bool rises_above(const LocalWall& wall, double& time, double slope_at_end) const;
   bool capture(double time);
   void arrive(CriticalId id, const Vector& from);
-  bool look_for_stop(double time);
+  bool stops_within(double time);
   bool is_at_saddle();
   bool comes_too_near(const CriticalPoint& saddle) const;
 
   const IntegralLines& lines_;
-  Way way_;
+  Direction direction_;
   std::vector<Point>* points_;
   std::vector<skin::CellId>* cells_;
   double tolerance_;
@@ -70,15 +69,15 @@ class Tracer {
   Point centre_;
   GradientFlow flow_;
   double centre_value_ = 0;
-  Vector u_, velocity_;  ///< where the line stands, in the flow's coordinates
-  Vector end_;           ///< where the step ends
+  Vector u_, velocity_;  ///< the current point, in the flow's coordinates
+  Vector end_;           ///< of the step
   std::vector<LocalWall> walls_;
   std::optional<double> stop_;
   bool at_level_ = false;
-  double decay_ = 0;       ///< since it creeps: how much of what was off the slow way has died out
+  double decay_ = 0;       ///< while it creeps: e-folds by which it has come nearer the slow curve
   double creep_time_ = 0;  ///< of the last step while it creeps
-  bool is_implicit_ = false;          ///< how steps are taken
-  std::optional<CriticalId> origin_;  ///< the saddle that the line has left
+  bool is_implicit_ = false;          ///< the kind of step
+  std::optional<CriticalId> origin_;  ///< the saddle that the line leaves
   Course course_;
 };
 

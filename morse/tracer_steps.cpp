@@ -1,5 +1,5 @@
-// The tracer where no closed form is known: Runge-Kutta steps that end where something happens, at
-// a cell wall, on a level, in a capture disc.
+// The tracer where there is no closed form: Runge-Kutta steps, shortened to end at a cell wall, on
+// a level or in a capture disc.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace morskin::morse {
 
 namespace {
 
-/// A zero of the cubic with these values (opposite signs) and slopes at 0 and 1, roughly.
+/// An approximate zero of the cubic with these values, of opposite signs, and slopes at 0 and 1.
 double cubic_zero(double v0, double s0, double v1, double s1) {
   double t = v0 / (v0 - v1);
   const double c = 3 * (v1 - v0) - 2 * s0 - s1, d = s0 + s1 - 2 * (v1 - v0);
@@ -24,39 +24,38 @@ double cubic_zero(double v0, double s0, double v1, double s1) {
   return t;
 }
 
-/// A line creeps where the skin is this flat along it: |grad f| on the skin over that in space. A
-/// usual step then gains 0.003 rho, an implicit one, ten times dearer, up to 0.054 rho.
+/// A line creeps where its slope, |grad f| on the skin over that in space, is below this: a usual
+/// step then gains 0.003 rho, an implicit one, which costs ten times as much, up to 0.054 rho;
 constexpr double creeping_slope = 1e-2;
-/// ... and the rate at which its own speed changes is this share of that at which its neighbours
-/// come nearer: within `creeping_change` of the usual step they come 9 e-folds nearer, for which
-/// the usual method needs a handful of steps.
+/// and where its speed changes at less than this share of the rate at which its neighbours
+/// converge: while its speed changes by an implicit step's `creeping_change`, they come 9 e-folds
+/// nearer, for which the usual method needs a handful of steps.
 constexpr double rate_share = 0.02;
-/// By then what was off the slow way has died out to rounding: e^-37 < 2^-53.
+/// E-folds after which the distance from the slow curve is rounding: e^-37 < 2^-53.
 constexpr double settled_decay = 37;
-/// The length of a creeping step over rho and the e-folds by which it changes its own speed, which
-/// bound it near the extremum, both over the step. Its error is of order 5, or 3 across the way,
-/// but only what the flow has not yet drawn back counts there, the share `slope` of the skin. So
-/// chosen that lines stay as accurate as others (tests/creeping_lines_test.cpp).
+/// Bounds on a creeping step, over the usual step: on its length over rho and, near the extremum,
+/// on the e-folds of its change of speed. Its error is of order 5, and 3 across the curve, where
+/// the flow damps it. Chosen to make creeping lines as accurate as others
+/// (tests/creeping_lines_test.cpp).
 constexpr double creeping_share = 0.3, creeping_change = 1;
 
-/// Below this slope the velocity is rounding: it is a difference of terms of the gradient's size,
-/// so its last 6 of 53 bits are not known.
+/// Below this slope the velocity is rounding: a difference of terms of the gradient's size, whose
+/// last 6 of 53 bits are unknown.
 constexpr double slope_at_rest = 0x1p-47;
 
-/// The saddle's flow is taken as linear up to this share of rho.
-constexpr double linear_reach = 0.1;
+/// The radius over rho within which the flow about a saddle is taken as linear.
+constexpr double linear_radius = 0.1;
 
 }  // namespace
 
-// A shorter step than one that settles does so too; if not, the search for a wall looks farther on.
+// If Radau's method converges for a step it does for shorter ones; otherwise the end stays at u_.
 Vector Tracer::step_end(double time) const {
   return flow_.settled(is_implicit_ ? radau_step(flow_, u_, velocity_, time).value_or(u_)
                                     : runge_kutta_step(flow_, u_, velocity_, time));
 }
 
-/// At which rates the flow spreads lines apart here, along its two principal directions on the
-/// skin; the lower one first. Read from the derivative alone: the direction of a slow flow is
-/// rounding.
+/// The rates at which the flow separates lines along its two principal directions on the skin, the
+/// lower one first. From the derivative alone: the direction of a slow flow is rounding.
 std::pair<double, double> Tracer::rates() const {
   const Vector normal = flow_.normal(u_).normalized(), first = normal.unitOrthogonal(),
                second = normal.cross(first);
@@ -69,14 +68,14 @@ std::pair<double, double> Tracer::rates() const {
   return {lower, product / lower};
 }
 
-/// The usual time of a step, or, on a line that creeps, as much as its own speed allows. Zero where
-/// f is flat within rounding.
+/// The usual time of a step or, on a line that creeps, the time that its speed allows. Zero where f
+/// is flat within rounding.
 double Tracer::step_time() {
   const double gradient = flow_.gradient(u_).norm(), speed = velocity_.norm();
   is_implicit_ = false;
   if (!(speed > slope_at_rest * gradient)) return 0;
-  // Where the flow is slow, near critical points, it is nearly linear, and the error of a step is
-  // its length times the ninth power of its time: a little more time gives about the same error.
+  // Where the flow is slow, near critical points, it is nearly linear, and a step's error is its
+  // length times the ninth power of its time: a little more time gives about the same error.
   const double time =
       lines_.step_ * std::sqrt(std::sqrt(std::sqrt(gradient / speed))) / flow_.rate(u_, gradient);
   const auto [fast, slow] = speed < creeping_slope * gradient ? rates() : std::pair(0.0, 0.0);
@@ -97,8 +96,9 @@ double Tracer::step_time() {
   return std::max(creep_time_, time);
 }
 
-/// Shortens a step to where a function, negative at its begin and not at its end, is zero.
-/// `function` gives value and slope in time at a point. The step's new end is left in end_.
+/// Shortens a step to the zero of a function that is negative at its begin and not at its end, and
+/// sets end_. @param function  (point, velocity) -> value and its derivative in time
+/// @return the new time
 template <class Function>
 double Tracer::first_zero(double time, double tolerance, Function function) {
   const auto [v0, s0] = function(u_, velocity_);
@@ -117,8 +117,8 @@ double Tracer::first_zero(double time, double tolerance, Function function) {
   return t;
 }
 
-/// Whether the line bulges through a wall within a step that ends before it. If so, `time` becomes
-/// the time of the farthest point.
+/// Whether the line passes a wall within a step that ends before it. If so, `time` becomes a time
+/// beyond the wall.
 bool Tracer::rises_above(const LocalWall& wall, double& time, double slope_at_end) const {
   double low = 0, high = time, s_low = wall.slope, s_high = slope_at_end;
   for (int i = 0; i < 6; ++i) {
@@ -129,7 +129,7 @@ bool Tracer::rises_above(const LocalWall& wall, double& time, double slope_at_en
       return true;
     }
     const double s = wall.normal.dot(flow_(x));
-    // As the distance is nearly a parabola, its top is no higher than this.
+    // A bound on the top of the distance, which is nearly a parabola.
     const double top = wall.normal.dot(x) - wall.offset + std::abs(s) * (high - low);
     if (top < tolerance_ || s == 0) return false;
     (s > 0 ? low : high) = t;
@@ -140,8 +140,8 @@ bool Tracer::rises_above(const LocalWall& wall, double& time, double slope_at_en
 
 /// Shortens the step to the first wall it passes. @return whether there is one.
 bool Tracer::end_at_wall(double& time, std::optional<std::size_t>& exit) {
-  // |u''| stays below a small multiple of |u'| times the rate, so a line can bulge no farther
-  // beyond the walls' distances at the step's ends than this.
+  // |u''| is below a small multiple of |u'| times the rate, which bounds how far the line goes
+  // beyond its distances from the walls at the step's ends.
   const double bulge =
       time * time * flow_.rate(u_, flow_.gradient(u_).norm()) * velocity_.norm() / 2;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -173,7 +173,7 @@ bool Tracer::step() {
   std::optional<std::size_t> exit;
   for (std::size_t i = 0; i <= walls_.size() && end_at_wall(time, exit); ++i) {
   }
-  if (stop_ && look_for_stop(time)) return false;
+  if (stop_ && stops_within(time)) return false;
   if ((!exit && capture(time)) || is_at_saddle()) return false;
   u_ = end_;
   velocity_ = flow_(u_);
@@ -189,12 +189,12 @@ bool Tracer::step() {
   return true;
 }
 
-bool Tracer::look_for_stop(double time) {
-  const double way = way_ == Way::Up ? 1 : -1;
-  if (way * (level_here(end_) - *stop_) < 0) return false;
+bool Tracer::stops_within(double time) {
+  const double sign = direction_ == Direction::Up ? 1 : -1;
+  if (sign * (level_here(end_) - *stop_) < 0) return false;
   const double rounding = 4e-16 * (std::abs(*stop_) + std::abs(centre_value_));
   first_zero(time, rounding, [&](const Vector& x, const Vector& velocity) {
-    return std::pair(way * (level_here(x) - *stop_), way * flow_.gradient(x).dot(velocity));
+    return std::pair(sign * (level_here(x) - *stop_), sign * flow_.gradient(x).dot(velocity));
   });
   u_ = end_;
   velocity_ = flow_(u_);
@@ -211,18 +211,18 @@ bool Tracer::is_at_saddle() {
 }
 
 // Near a saddle a line comes in along one of its two directions and leaves along the other: x falls
-// like e^(-i t), y grows like e^(o t), and x^(o/i) y stays. Where x was `reach`, y was the offset
-// below, by which the line missed the one that ends at the saddle; within the accuracy of lines
-// nobody knows its sign. It is taken at the one step in which the line turns from coming to going,
-// where neither part is small against the other and the bend of the two directions does not count.
+// like e^(-i t), y grows like e^(o t), and x^(o/i) y is constant. So at x = `radius`, y was the
+// value compared below, the offset from the line that ends at the saddle; its sign is unknown
+// within the accuracy of lines. It is computed in the one step in which y outgrows x, where neither
+// is small against the other and the curvature of the two directions does not matter.
 bool Tracer::comes_too_near(const CriticalPoint& saddle) const {
-  const double rho = saddle.point.length_scale, reach = linear_reach * rho;
+  const double rho = saddle.point.length_scale, radius = linear_radius * rho;
   const Vector to = centre_ + flow_.to_space(end_) - saddle.point.position;
-  if (!(to.squaredNorm() < reach * reach)) return false;
+  if (!(to.squaredNorm() < radius * radius)) return false;
   const double merge = lines_.merge_distance(rho);
   if (to.norm() < merge) return true;
-  const Vector &in = way_ == Way::Down ? saddle.ascending : saddle.descending,
-               &out = way_ == Way::Down ? saddle.descending : saddle.ascending;
+  const Vector &in = direction_ == Direction::Down ? saddle.ascending : saddle.descending,
+               &out = direction_ == Direction::Down ? saddle.descending : saddle.ascending;
   const double x = std::abs(in.dot(to)), y = std::abs(out.dot(to));
   if (y < x) return false;
   const Vector from = centre_ + flow_.to_space(u_) - saddle.point.position;
@@ -233,13 +233,13 @@ bool Tracer::comes_too_near(const CriticalPoint& saddle) const {
     const Vector local = flow_.to_local(direction);
     return std::abs(local.dot(derivative * local));
   };
-  return y * std::pow(x / reach, rate(out) / rate(in)) < merge;
+  return y * std::pow(x / radius, rate(out) / rate(in)) < merge;
 }
 
 bool Tracer::capture(double time) {
   for (const CriticalId id : lines_.within(cell_)) {
     const CaptureDisc& disc = lines_.discs_[id.index()];
-    if (lines_.points_[id.index()].index != (way_ == Way::Up ? 2 : 0) ||
+    if (lines_.points_[id.index()].index != (direction_ == Direction::Up ? 2 : 0) ||
         !disc.contains(flow_.to_space(end_))) {
       continue;
     }

@@ -15,11 +15,11 @@ using geometry::Vector;
 
 void check(const certify::Sizing& sizing) {
   const double C = sizing.C, Q = sizing.Q;
-  if (!(C >= certify::Sizing::least_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
+  if (!(C >= certify::Sizing::min_C && Q > 1 && 2 * C < Q && std::isfinite(C) &&
         std::isfinite(Q))) {
     throw geometry::RefusedInput("C and Q must satisfy C >= 1e-5, 2 C < Q and Q > 1");
   }
-  if (!(sizing.largest_length_scale >= certify::Sizing::least_size)) {
+  if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
     throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
   }
 }
@@ -78,13 +78,13 @@ class Delivering {
              const Run& run)
       : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
 
-  void operator()(MeshResult& result, std::vector<geometry::HalfEdgeId> twins) const {
+  void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
     Observer::Delivery arrived =
         run_.stage("deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {})); });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
-      return certify::certify(result.mesh, {std::move(twins), result.cells}, skin_.surface,
-                              skin_.topology, sizing_, run_);
+      return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.topology,
+                              sizing_, run_);
     });
     if (arrived.defect.empty()) return;
     result.certificate.certified = false;
@@ -107,7 +107,7 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Ob
   Parcel parcel(made.mesh, run);
   MeshResult result{std::move(made), std::move(parcel.mesh), std::move(parcel.cells), {}, {}};
   const Delivering deliver(skin, options.sizing, observer, run);
-  deliver(result, std::move(parcel.twins));
+  deliver(result, parcel.twins);
   if (!result.certificate.certified && mend(skin, options, result, run)) deliver(result, {});
   return result;
 }

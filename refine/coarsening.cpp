@@ -161,7 +161,7 @@ double Coarsening::ear(VertexId a, VertexId b, VertexId c, double limit) const {
 bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {
   if (sizing_.is_tube_proved()) return true;
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  const double rho = min_length_scale(p);
   return prove_tube(skin_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
                     skin_.residual_bound(rho))
       .holds();

@@ -37,8 +37,8 @@ std::size_t DelaunayRefinement::follow(Facet f) {
   const std::uint32_t u = Triangulator::tetrahedron_of(behind(f));
   const Dual &from = duals_[t], &to = duals_[u];
   if (!is_ghost(u) && is_inside(t) == is_inside(u) &&
-      surface::is_surely_clear((from.centre - to.centre).norm(), std::abs(from.root),
-                               std::abs(to.root))) {
+      surface::is_certainly_clear((from.centre - to.centre).norm(), std::abs(from.root),
+                                  std::abs(to.root))) {
     return 0;
   }
   const FacetGeometry facet = geometry_of(f);

@@ -58,7 +58,7 @@ void DelaunayRefinement::run(const geometry::Run& run) {
 }
 
 /// Notes which side of the skin the circumcentre lies on and how far, in the sense of
-/// is_surely_clear(). Beyond the ball that contains the body it is outside; very far out the way
+/// is_certainly_clear(). Beyond the ball that contains the body it is outside; very far out the way
 /// there is not worth the walk.
 void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   constexpr double far = 100;
@@ -155,7 +155,7 @@ DelaunayRefinement::Triangle DelaunayRefinement::triangle(Facet f) const {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto& corners = delaunay_.tetrahedra()[Triangulator::tetrahedron_of(f)].corners;
-  const auto& places = outward[Triangulator::place_of(f)];
+  const auto& places = outward[Triangulator::index_of(f)];
   return {corners[places[0]], corners[places[1]], corners[places[2]]};
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "certify/sure_edges.h"
+#include "certify/delaunay_filter.h"
 #include "certify/tube.h"
 
 namespace morskin::refine {
@@ -13,7 +13,7 @@ namespace {
 
 /// Of two balls the deeper entered.
 Depth deeper(const Depth& a, const Depth& b) {
-  return {std::max(a.least, b.least), std::max(a.most, b.most)};
+  return {std::max(a.min, b.min), std::max(a.max, b.max)};
 }
 
 }  // namespace
@@ -45,11 +45,10 @@ void LocalOperations::take_over(const LocalOperations& other) {
 }
 
 double LocalOperations::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
-  return skin_.residual_bound(
-      std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale}));
+  return skin_.residual_bound(max_length_scale(p));
 }
 
-QuestionedBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const {
+LazySurfaceBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const {
   return {skin_,
           {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
           circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
@@ -59,7 +58,7 @@ QuestionedBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const {
 bool LocalOperations::is_big(TriangleId t, const Circumcircle& circle) const {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+  const double rho = min_length_scale(p);
   if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
   if (sizing_.is_tube_proved()) return false;
   return !prove_tube(skin_, p, circle, skin_.residual_bound(rho)).holds();
@@ -121,25 +120,25 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
   const std::array here{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const SurfacePoint& beyond = mesh_.at(d);
   const double residual = std::max(most_residual(here), skin_.residual_bound(beyond.length_scale));
-  if (is_surely_delaunay(here, beyond, residual)) return false;
+  if (is_certainly_delaunay(here, beyond, residual)) return false;
   const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
   const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
-  QuestionedBall left = ball(a, b, c), right = ball(b, a, d);
+  LazySurfaceBall left = ball(a, b, c), right = ball(b, a, d);
   const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
-  if (now.most <= 0) return false;
+  if (now.max <= 0) return false;
   if (!subdomain_.contains(surface, SurfaceMesh::triangle(h)) ||
       !subdomain_.contains(surface, SurfaceMesh::triangle(g))) {
     leave(h);
     return false;
   }
   if (!can_flip(h)) return false;
-  QuestionedBall upper = ball(a, d, c), lower = ball(b, c, d);
+  LazySurfaceBall upper = ball(a, d, c), lower = ball(b, c, d);
   const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
-  if (then.least >= now.most) return false;
-  if (then.most >= now.least) {
+  if (then.min >= now.max) return false;
+  if (then.max >= now.min) {
     const Depth exactly_now = deeper(left.exact_depth(at_d), right.exact_depth(at_c));
     const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
-    if (exactly_then.least >= exactly_now.least) return false;
+    if (exactly_then.min >= exactly_now.min) return false;
   }
   flip(h);
   return true;

@@ -54,7 +54,7 @@ class LocalOperations {
 
   /// Finds whether a triangle breaks [L] or [U].
   Circumcircle look_at(TriangleId t, Work& found) const;
-  QuestionedBall ball(VertexId a, VertexId b, VertexId c) const;
+  LazySurfaceBall ball(VertexId a, VertexId b, VertexId c) const;
   /// |G| at the corners of a triangle is at most this, Angstrom^2.
   double most_residual(const std::array<const SurfacePoint*, 3>& corners) const;
 

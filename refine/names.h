@@ -3,8 +3,8 @@
 // The names of other rooms that refinement is written in.
 
 #include "certify/ball_pencil.h"
+#include "certify/delaunay_filter.h"
 #include "certify/sizing.h"
-#include "certify/sure_edges.h"
 #include "certify/triangle_geometry.h"
 #include "certify/tube.h"
 #include "geometry/subdomain.h"
@@ -15,14 +15,14 @@ namespace morskin::refine {
 
 using certify::Circumcircle;
 using certify::circumcircle;
+using certify::DelaunayFilter;
 using certify::Depth;
 using certify::exact_surface_ball;
-using certify::is_surely_delaunay;
+using certify::is_certainly_delaunay;
 using certify::is_upright;
+using certify::LazySurfaceBall;
 using certify::prove_tube;
-using certify::QuestionedBall;
 using certify::Sizing;
-using certify::SureEdges;
 using certify::SurfaceBall;
 using certify::triangle_under;
 using geometry::HalfEdgeId;

@@ -45,7 +45,7 @@ RefinementCounts Refinement::counts() const {
 void Refinement::look_everywhere() {
   const std::size_t count = mesh_.surface.triangle_count();
   std::vector<Work> found(geometry::block_count(count));
-  SureEdges sure(count);
+  DelaunayFilter sure(count);
   geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
@@ -65,17 +65,17 @@ void Refinement::look_everywhere() {
 }
 
 /// Notes the half-edges [begin, end), and their twins, over which a vertex lies in the ball.
-void Refinement::look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure,
+void Refinement::look_for_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
                                 Work& found) const {
   for (std::size_t i = begin; i < end; ++i) {
     const HalfEdgeId h{i}, twin = mesh_.surface.twin(h);
     sure.prefetch(
         mesh_.surface.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, end - 1)}));
-    if (twin < h || sure.are_sure(h, twin)) continue;
+    if (twin < h || sure.certainly_delaunay(h, twin)) continue;
     for (const HalfEdgeId side : {h, twin}) {
       const auto [a, b, c] = mesh_.surface.corners(SurfaceMesh::triangle(side));
       const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(side));
-      if (operations_.ball(a, b, c).intrusion(mesh_.position(beyond)).most > 0) {
+      if (operations_.ball(a, b, c).intrusion(mesh_.position(beyond)).max > 0) {
         found.to_flip.push_back(side);
       }
     }

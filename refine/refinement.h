@@ -5,7 +5,7 @@
 /// for [U], until neither is left. Where [U] alone does not imply the certificate's conditions (c1)
 /// and (c2), insertion breaks what does not meet these as well.
 
-#include "certify/sure_edges.h"
+#include "certify/delaunay_filter.h"
 #include "refine/local_operations.h"
 
 namespace morskin::refine {
@@ -24,7 +24,8 @@ class Refinement {
 
  private:
   void look_everywhere();
-  void look_for_flips(std::size_t begin, std::size_t end, const SureEdges& sure, Work& found) const;
+  void look_for_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
+                      Work& found) const;
   void insert_in_two_halves();
   using Rooms = std::vector<SurfaceMesh::Room>;
   std::array<Rooms, 2> deal_rooms(std::size_t each);

@@ -1,4 +1,4 @@
-// Alternate places: the same atom at several positions, told apart by a letter.
+// Alternate locations: one atom at several positions, each with a letter.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,8 +12,8 @@
 namespace morskin::skin::molecule_formats {
 namespace {
 
-// One place of an atom that has several.
-struct Place {
+// One of an atom's alternate locations.
+struct Location {
   std::size_t index;  // in the file
   Label chain;
   Label residue_number;
@@ -30,7 +30,7 @@ bool is_likelier(const AtomRecord& a, const AtomRecord& b) {
   return a.alternate < b.alternate;
 }
 
-Place place_of(const AtomRecord& record, std::size_t index) {
+Location location_of(const AtomRecord& record, std::size_t index) {
   std::string name(record.atom.name.view());
   const std::size_t letter = name.find_first_not_of("0123456789");
   if (record.atom.element.view() == "D" && letter != std::string::npos && name[letter] == 'D') {
@@ -39,58 +39,59 @@ Place place_of(const AtomRecord& record, std::size_t index) {
   return {index, record.atom.chain, record.atom.residue_number, Label(name), 0, &record};
 }
 
-// Marks the places of other identities than the residue's likeliest.
-void mark_unlikely_residues(const std::vector<Place>& places, std::vector<bool>& is_out) {
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    const Place* likeliest = &places[first];
-    for (last = first; last < places.size(); ++last) {
-      if (places[last].residue_key() != places[first].residue_key()) break;
-      if (is_likelier(*places[last].record, *likeliest->record)) likeliest = &places[last];
+// Marks the locations of all identities but each residue's likeliest.
+void mark_unlikely_residues(const std::vector<Location>& locations, std::vector<bool>& is_out) {
+  for (std::size_t first = 0, last = 0; first < locations.size(); first = last) {
+    const Location* likeliest = &locations[first];
+    for (last = first; last < locations.size(); ++last) {
+      if (locations[last].residue_key() != locations[first].residue_key()) break;
+      if (is_likelier(*locations[last].record, *likeliest->record)) likeliest = &locations[last];
     }
     for (std::size_t i = first; i < last; ++i) {
-      if (places[i].record->atom.residue != likeliest->record->atom.residue) {
-        is_out[places[i].index] = true;
+      if (locations[i].record->atom.residue != likeliest->record->atom.residue) {
+        is_out[locations[i].index] = true;
       }
     }
   }
 }
 
-// Counts the places that repeat their atom and letter.
-void number_copies(std::vector<Place>& places) {
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const Place& before = places[i - 1];
-    const bool is_repeated = before.atom_key() == places[i].atom_key() &&
-                             before.record->alternate == places[i].record->alternate &&
-                             before.record->atom.residue == places[i].record->atom.residue;
-    if (is_repeated) places[i].copy = before.copy + 1;
+// Numbers the locations that repeat an atom and a letter.
+void number_copies(std::vector<Location>& locations) {
+  for (std::size_t i = 1; i < locations.size(); ++i) {
+    const Location& before = locations[i - 1];
+    const bool is_repeated = before.atom_key() == locations[i].atom_key() &&
+                             before.record->alternate == locations[i].record->alternate &&
+                             before.record->atom.residue == locations[i].record->atom.residue;
+    if (is_repeated) locations[i].copy = before.copy + 1;
   }
 }
 
 }  // namespace
 
-std::size_t keep_likeliest_places(std::vector<AtomRecord>& atoms) {
-  std::vector<Place> places;
+std::size_t keep_likeliest_locations(std::vector<AtomRecord>& atoms) {
+  std::vector<Location> locations;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
-    if (atoms[i].alternate != ' ') places.push_back(place_of(atoms[i], i));
+    if (atoms[i].alternate != ' ') locations.push_back(location_of(atoms[i], i));
   }
-  std::ranges::stable_sort(places, {}, [](const Place& place) {
-    return std::tuple(place.chain, place.residue_number, place.name, place.record->atom.residue,
-                      place.record->alternate);
+  std::ranges::stable_sort(locations, {}, [](const Location& location) {
+    return std::tuple(location.chain, location.residue_number, location.name,
+                      location.record->atom.residue, location.record->alternate);
   });
   std::vector<bool> is_out(atoms.size(), false);
-  mark_unlikely_residues(places, is_out);
-  number_copies(places);
-  std::erase_if(places, [&](const Place& place) { return is_out[place.index]; });
-  std::ranges::stable_sort(places, {}, [](const Place& place) {
-    return std::tuple(place.chain, place.residue_number, place.name, place.copy);
+  mark_unlikely_residues(locations, is_out);
+  number_copies(locations);
+  std::erase_if(locations, [&](const Location& location) { return is_out[location.index]; });
+  std::ranges::stable_sort(locations, {}, [](const Location& location) {
+    return std::tuple(location.chain, location.residue_number, location.name, location.copy);
   });
-  for (std::size_t i = 1, best = 0; i < places.size(); ++i) {
-    if (places[i].atom_key() != places[best].atom_key() || places[i].copy != places[best].copy) {
+  for (std::size_t i = 1, best = 0; i < locations.size(); ++i) {
+    if (locations[i].atom_key() != locations[best].atom_key() ||
+        locations[i].copy != locations[best].copy) {
       best = i;
-    } else if (is_likelier(*places[i].record, *places[best].record)) {
-      is_out[places[std::exchange(best, i)].index] = true;
+    } else if (is_likelier(*locations[i].record, *locations[best].record)) {
+      is_out[locations[std::exchange(best, i)].index] = true;
     } else {
-      is_out[places[i].index] = true;
+      is_out[locations[i].index] = true;
     }
   }
   std::size_t next = 0;

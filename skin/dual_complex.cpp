@@ -17,36 +17,36 @@ namespace {
 using geometry::RegularTriangulation;
 using geometry::Sign;
 
-/// The places of the cofaces of simplices of one dimension.
+/// The cofaces of all simplices of one dimension, by index.
 struct Cofaces {
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint32_t> places;
+  std::vector<std::uint32_t> first;  ///< by simplex, into indices
+  std::vector<std::uint32_t> indices;
 
   std::span<const std::uint32_t> of(std::size_t simplex) const {
-    return {places.data() + first[simplex], first[simplex + 1] - first[simplex]};
+    return {indices.data() + first[simplex], first[simplex + 1] - first[simplex]};
   }
 };
 
-template <std::size_t N, class FacetPlace>
+template <std::size_t N, class FacetIndex>
 Cofaces cofaces(std::size_t facets, const std::vector<std::array<AtomId, N>>& simplices,
-                FacetPlace facet_place) {
+                FacetIndex facet_index) {
   Cofaces result;
   result.first.assign(facets + 2, 0);
   for (std::size_t s = 0; s < simplices.size(); ++s) {
-    for (std::size_t k = 0; k < N; ++k) ++result.first[facet_place(s, k) + 2];
+    for (std::size_t k = 0; k < N; ++k) ++result.first[facet_index(s, k) + 2];
   }
   std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  result.places.resize(result.first.back());
+  result.indices.resize(result.first.back());
   for (std::uint32_t s = 0; s < simplices.size(); ++s) {
     for (std::size_t k = 0; k < N; ++k) {
-      result.places[result.first[facet_place(s, k) + 1]++] = s;
+      result.indices[result.first[facet_index(s, k) + 1]++] = s;
     }
   }
   result.first.pop_back();
   return result;
 }
 
-/// The vertex that a coface has more.
+/// The vertex of a coface that the simplex lacks.
 template <std::size_t N>
 AtomId apex_over(const std::array<AtomId, N>& simplex, const std::array<AtomId, N + 1>& coface) {
   return *std::ranges::find_if(
@@ -60,8 +60,8 @@ std::array<WeightedPoint, N> weighted(const SkinSurface& skin, const std::array<
   return result;
 }
 
-/// Whether the orthocentre lies in the (closed) simplex: no facet's smallest orthosphere has the
-/// opposite vertex inside.
+/// Whether the orthocentre lies in the closed simplex: no facet's smallest orthosphere contains the
+/// opposite vertex.
 template <std::size_t N>
 bool contains_orthocentre(const std::array<WeightedPoint, N>& simplex) {
   if constexpr (N > 1) {
@@ -74,12 +74,12 @@ bool contains_orthocentre(const std::array<WeightedPoint, N>& simplex) {
   return true;
 }
 
-/// Membership in K of the simplices of one dimension, given that of the next one.
+/// Membership in K of the simplices of one dimension, given that of the next higher one.
 template <std::size_t N>
 struct Membership {
   const SkinSurface& skin;
   const std::vector<std::array<AtomId, N>>& simplices;
-  const std::vector<std::array<AtomId, N + 1>>& above;  ///< of the next dimension, if there is one
+  const std::vector<std::array<AtomId, N + 1>>& above;  ///< of the next dimension, if any
   const Cofaces& cofaces;
   const std::vector<char>& above_in;
 
@@ -90,15 +90,15 @@ struct Membership {
     const Sign weight = geometry::orthosphere_weight_sign(corners);
     bool is_face = false;  // of a simplex in K
     if constexpr (N < 4) {
-      for (const std::uint32_t place : cofaces.of(s)) is_face = is_face || above_in[place];
+      for (const std::uint32_t c : cofaces.of(s)) is_face = is_face || above_in[c];
     }
-    // Deep in the body nearly all are faces, and nothing else has to be asked.
+    // Deep in the body nearly all are faces, which decides.
     if (weight == Sign::Negative || (is_face && weight != Sign::Zero)) {
       return is_face ? Verdict::In : Verdict::Out;
     }
     if constexpr (N < 4) {
-      for (const std::uint32_t place : cofaces.of(s)) {
-        const AtomId apex = apex_over(simplices[s], above[place]);
+      for (const std::uint32_t c : cofaces.of(s)) {
+        const AtomId apex = apex_over(simplices[s], above[c]);
         const bool is_attached = geometry::orthosphere_power_sign(
                                      corners, skin.points()[apex.index()]) == Sign::Negative;
         if (is_attached) return is_face ? Verdict::In : Verdict::Out;
@@ -108,7 +108,7 @@ struct Membership {
   }
 };
 
-/// By place, whether each simplex of one dimension is in K.
+/// By index, whether each simplex of one dimension is in K.
 /// @throws SingularSkin  for the first that makes the skin singular
 template <std::size_t N>
 std::vector<char> members(const Membership<N>& membership, unsigned threads) {
@@ -139,8 +139,8 @@ std::size_t count_roots(geometry::UnionFind& sets, std::size_t n, Counted counte
   return count;
 }
 
-/// The voids in K: tetrahedra out of K, joined through triangles out of K. The outside of the hull
-/// is one more place.
+/// The voids of K: tetrahedra not in K, joined through triangles not in K. The last set is the
+/// outside of the hull.
 std::size_t count_voids(const Cofaces& tetrahedra_of, const std::vector<char>& triangle_in,
                         const std::vector<char>& tetrahedron_in) {
   const auto outside = static_cast<std::uint32_t>(tetrahedron_in.size());
@@ -167,8 +167,8 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
   assert(t.tetrahedron_triangles.size() == t.tetrahedra.size());
   assert(t.triangle_edges.size() == t.triangles.size());
   DualComplex result;
-  // From the top down, and of each dimension only what the next one asks for: in a big molecule
-  // these lists are the most that is held before there is a mesh.
+  // From the highest dimension down, keeping only what the next one needs: in a big molecule these
+  // lists make the peak of memory before there is a mesh.
   auto in3 = members<4>({skin, t.tetrahedra, {}, {}, {}}, threads);
   std::vector<char> in2, in1, in0;
   {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside orthocentre: vectors whose coordinates are held exactly, for simplices so flat that
-// rounding would turn their normals and orthocentres anywhere.
+// Inside orthocentre: vectors with exact coordinates, for simplices so flat that rounding would
+// make their normals and orthocentres meaningless.
 
 #include <array>
 
@@ -12,7 +12,7 @@
 namespace morskin::skin {
 
 using geometry::Expansion;
-/// The nearest number of the type but for its last bit or two.
+/// Right to the last bit or two.
 inline long double rounded(const Expansion& x) {
   long double sum = 0;
   for (const double component : x.components()) sum += component;  // smallest first

@@ -1,11 +1,9 @@
 #pragma once
 
 /// The skin of growing balls: at time t every weight is w + t (Angstrom^2). The regular
-/// triangulation, the mixed complex and all orthocentres stay as they are, and every orthocentre's
-/// weight becomes w + t; so the skin at t is the level set G = t / 2 of the one function whose zero
-/// set is the skin at t = 0 (papers/5-dynamic.md).
-///
-/// A LevelSet is a view of a SkinSurface at such a time.
+/// triangulation, the mixed complex and all orthocentres do not change, and every orthocentre's
+/// weight becomes w + t; so the skin at t is the level set G = t / 2 of the function G whose zero
+/// set is the skin at t = 0 (papers/5-dynamic.md). A LevelSet is a view of a SkinSurface at time t.
 
 #include "skin/skin_surface.h"
 

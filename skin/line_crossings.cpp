@@ -10,20 +10,20 @@ namespace morskin::skin {
 
 namespace {
 
-/// The share of the segment at which it leaves the cell, after `from`.
+/// The parameter, from `from` on, at which p + t d leaves the cell.
 double exit_of(const MixedComplex& complex, CellId cell, const Point& p, const Vector& d,
                double from) {
-  double least = std::numeric_limits<double>::infinity();
+  double exit = std::numeric_limits<double>::infinity();
   for (const Wall& wall : complex.walls(cell)) {
     const double slope = wall.normal.dot(d);
     if (!(slope > 0)) continue;
-    least = std::min(least, (wall.offset - wall.normal.dot(p)) / slope);
+    exit = std::min(exit, (wall.offset - wall.normal.dot(p)) / slope);
   }
-  return std::max(least, from);
+  return std::max(exit, from);
 }
 
-/// G along the segment inside one cell: a + b t + c t^2, t from the middle of the piece, so that a
-/// far end does not drown the near.
+/// G along the segment inside one cell: a + b t + c t^2, with t from the middle of the piece, since
+/// a far origin would cancel.
 struct Piece {
   double middle, a, b, c;
 
@@ -43,11 +43,11 @@ struct Piece {
   double zero(double low, double high) const {
     const double root = std::sqrt(std::max(b * b - 4 * a * c, 0.0));
     const double twice = -(b + std::copysign(root, b));  // without cancellation
-    double best = high, least = std::numeric_limits<double>::infinity();
+    double best = high, min_distance = std::numeric_limits<double>::infinity();
     for (const double t : {middle + twice / (2 * c), middle + 2 * a / twice}) {
       const double inside = std::clamp(t, low, high);
-      if (!(std::abs(t - inside) < least)) continue;  // nor one that is no number
-      least = std::abs(t - inside);
+      if (!(std::abs(t - inside) < min_distance)) continue;  // also NaN
+      min_distance = std::abs(t - inside);
       best = inside;
     }
     return best;
@@ -63,21 +63,21 @@ LineCrossings line_crossings(const Skin& skin, const Point& p, const Point& q, C
   const double length = d.norm();
   LineCrossings result;
   if (!(length > 0)) return result;
-  // Past a wall by twice the tolerance, so that the walk cannot be held back by it.
-  const double least_step = 2 * complex.wall_tolerance() / length;
-  const std::size_t most_steps = 1000 + 8 * complex.size();
+  // Twice the tolerance past a wall, so that the walk leaves the cell.
+  const double min_step = 2 * complex.wall_tolerance() / length;
+  const std::size_t max_steps = 1000 + 8 * complex.size();
   CellId cell = skin.locate(p, hint);
   double from = 0;
   bool is_outside = false;
   for (std::size_t step = 0; from < 1; ++step) {
-    if (step == most_steps) {
+    if (step == max_steps) {
       result.is_complete = false;
       break;
     }
     const double to = std::min(exit_of(complex, cell, p, d, from), 1.0);
     const Piece piece(skin.patch(cell), p, d, from + (to - from) / 2);
     if (step == 0) is_outside = piece.is_outside(0);
-    // Signs are carried from piece to piece, so that a zero on a wall is found once.
+    // The sign carries over from piece to piece, so that a zero on a wall is found once.
     double low = from;
     for (const double high : {piece.turning_point(), to}) {
       if (!(high > low && high <= to)) continue;
@@ -88,7 +88,7 @@ LineCrossings line_crossings(const Skin& skin, const Point& p, const Point& q, C
       }
       low = high;
     }
-    from = std::max(to, from + least_step);
+    from = std::max(to, from + min_step);
     if (from < 1) cell = skin.locate(p + from * d, cell);
   }
   return result;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Where a segment crosses the skin: every crossing, found piece by piece. Inside one mixed cell G
-/// is a quadratic along a line, so its zeros are known in closed form and none is missed.
+/// Every crossing of a segment with the skin, cell by cell. Inside one mixed cell G is a quadratic
+/// along a line, so its zeros have a closed form and none is missed.
 
 #include "skin/skin_surface.h"
 

@@ -16,7 +16,7 @@ namespace {
 
 using geometry::RegularTriangulation;
 
-constexpr std::size_t most_walls = 0xFFFFFFFFU;  // places in them have 32 bits
+constexpr std::size_t max_walls = 0xFFFFFFFFU;  // indices have 32 bits
 
 }  // namespace
 
@@ -25,9 +25,9 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
     : points_(std::move(points)), triangulation_(std::move(triangulation)) {
   const std::array sizes{triangulation_.vertices.size(), triangulation_.edges.size(),
                          triangulation_.triangles.size(), triangulation_.tetrahedra.size()};
-  // A wall of either cell for each simplex and facet of it; there are always more walls than cells.
+  // Two walls for each pair of a simplex and a facet; always more than there are cells.
   const std::size_t walls = 2 * (2 * sizes[1] + 3 * sizes[2] + 4 * sizes[3]);
-  geometry::require_room(walls, most_walls, "walls of the mixed complex");
+  geometry::require_capacity(walls, max_walls, "walls of the mixed complex");
   for (std::size_t d = 0; d < 4; ++d) {
     first_number_[d + 1] = first_number_[d] + static_cast<std::uint32_t>(sizes[d]);
   }
@@ -79,11 +79,11 @@ CellId MixedComplex::numbered(std::uint32_t number) const {
   return (bits & bit) != 0 ? CellId{kept} : CellId{kept_size_ + number - kept};
 }
 
-/// Of a cell that is not kept: the number with so many others of its kind before it.
+/// Of a cell that is not kept: the number with as many cells before it that are not kept.
 std::uint32_t MixedComplex::number(CellId cell) const {
   if (is_kept(cell)) return number_of_[cell.index()];
   const std::size_t before = cell.index() - kept_size();
-  std::size_t word = 0, words = kept_bits_.size();  // the last word with no more before it
+  std::size_t word = 0, words = kept_bits_.size();  // the last word with at most `before` before it
   while (words > 1) {
     const std::size_t half = words / 2, middle = word + half;
     if (64 * middle - kept_before_[middle] <= before) word = middle;
@@ -95,8 +95,7 @@ std::uint32_t MixedComplex::number(CellId cell) const {
          static_cast<std::uint32_t>(std::countr_zero(others));
 }
 
-/// The place of an atom among the vertices: its own, less the hidden atoms before it. Those are
-/// few.
+/// The index of an atom among the vertices: its id less the hidden atoms before it, which are few.
 std::uint32_t MixedComplex::vertex_of(AtomId atom) const {
   const auto& hidden = triangulation_.hidden;
   if (hidden.empty()) return atom.value;
@@ -110,31 +109,31 @@ Patch MixedComplex::make_patch(CellId cell) const { return make_patch_numbered(n
 
 Patch MixedComplex::make_patch_numbered(std::uint32_t n) const {
   const int d = dimension_of(n);
-  const std::size_t place = n - first_number_[static_cast<std::size_t>(d)];
+  const std::size_t index = n - first_number_[static_cast<std::size_t>(d)];
   switch (d) {
     case 0:
-      return make_patch(simplices<1>()[place]);
+      return make_patch(simplices<1>()[index]);
     case 1:
-      return make_patch(simplices<2>()[place]);
+      return make_patch(simplices<2>()[index]);
     case 2:
-      return make_patch(simplices<3>()[place]);
+      return make_patch(simplices<3>()[index]);
     default:
-      return make_patch(simplices<4>()[place]);
+      return make_patch(simplices<4>()[index]);
   }
 }
 
 template <std::size_t N>
-void MixedComplex::add_walls_to_facets(std::size_t place, std::vector<Wall>& walls) const {
-  const Point own = centre<N>(place);
-  const auto facet = facets<N>(place);
+void MixedComplex::add_walls_to_facets(std::size_t index, std::vector<Wall>& walls) const {
+  const Point own = centre<N>(index);
+  const auto facet = facets<N>(index);
   for (std::size_t k = 0; k < N; ++k) {
-    const Wall wall = make_wall(simplices<N>()[place], k, centre<N - 1>(facet[k]), own, CellId());
+    const Wall wall = make_wall(simplices<N>()[index], k, centre<N - 1>(facet[k]), own, CellId());
     walls.push_back({-wall.normal, -wall.offset, cell(N - 2, facet[k])});
   }
 }
 
-/// The places of a simplex's cofaces of one dimension more, ascending. Their last corner is joined
-/// to the simplex's first by an edge, and simplices are sorted.
+/// The indices of a simplex's cofaces of one dimension more, ascending. An edge joins their further
+/// corner to the simplex's first; simplices are sorted.
 template <std::size_t N>
 std::vector<std::uint32_t> MixedComplex::cofaces(const std::array<AtomId, N>& simplex) const {
   std::vector<std::uint32_t> result;
@@ -161,20 +160,20 @@ std::vector<std::uint32_t> MixedComplex::cofaces(const std::array<AtomId, N>& si
 }
 
 template <std::size_t N>
-void MixedComplex::add_walls_to_cofaces(std::size_t place, std::vector<Wall>& walls) const {
-  const Point own = centre<N>(place);
-  for (const std::uint32_t above : cofaces(simplices<N>()[place])) {
+void MixedComplex::add_walls_to_cofaces(std::size_t index, std::vector<Wall>& walls) const {
+  const Point own = centre<N>(index);
+  for (const std::uint32_t above : cofaces(simplices<N>()[index])) {
     const auto facet = facets<N + 1>(above);
-    const auto k = static_cast<std::size_t>(std::ranges::find(facet, place) - facet.begin());
+    const auto k = static_cast<std::size_t>(std::ranges::find(facet, index) - facet.begin());
     walls.push_back(
         make_wall(simplices<N + 1>()[above], k, own, centre<N + 1>(above), cell(N, above)));
   }
 }
 
-/// The walls of any cell, in the order in which build_walls() keeps them.
+/// The walls of any cell, in the order of build_walls().
 std::vector<Wall> MixedComplex::make_walls(CellId cell) const {
   std::vector<Wall> walls;
-  const std::size_t at = place(cell);
+  const std::size_t at = simplex_index(cell);
   switch (dimension(cell)) {
     case 0:
       add_walls_to_cofaces<1>(at, walls);

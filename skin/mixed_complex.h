@@ -5,14 +5,13 @@
 /// one quadratic patch (patch.h).
 ///
 /// Two cells share a wall exactly when one simplex is a facet of the other. With v the vertex that
-/// the larger has more, the wall lies in the plane through the midpoint of the two orthocentres,
-/// normal to the part of v's direction that is orthogonal to the smaller simplex.
+/// the facet lacks, the wall lies in the plane through the midpoint of the two orthocentres, normal
+/// to the part of v's direction that is orthogonal to the facet.
 ///
-/// Cells that the skin meets or comes near are kept with their patches and walls; the others, in a
-/// big molecule by far the most, are made again when a walk strays into one. Kept cells come first,
-/// then the others, and both are numbered by dimension: vertices, edges, triangles, tetrahedra, in
-/// the order of the triangulation's arrays. Ties of the triangulation give cells of no volume; they
-/// do no harm.
+/// Cells at or near the skin are kept with their patches and walls; the others, by far the most in
+/// a big molecule, are made on demand. Ids of kept cells come first, then those of the others, both
+/// by dimension: vertices, edges, triangles, tetrahedra, in the order of the triangulation's
+/// arrays. Ties of the triangulation give cells without volume, which are harmless.
 
 #include <array>
 #include <span>
@@ -30,14 +29,14 @@ using geometry::AtomId;
 using geometry::CellId;
 using geometry::WeightedPoint;
 
-/// One wall of a cell, seen from inside: the cell is where normal . x <= offset.
+/// One wall of a cell, which lies where normal . x <= offset.
 struct Wall {
   Vector normal;  ///< unit, out of the cell
   double offset;  ///< Angstrom
   CellId beyond;  ///< the cell on the other side
 };
 
-/// The walls of a cell: kept ones by reference, others by value.
+/// The walls of a cell: those of kept cells by reference, others by value.
 class Walls {
  public:
   explicit Walls(std::span<const Wall> kept) : kept_(kept) {}
@@ -55,11 +54,10 @@ class Walls {
 
 class MixedComplex {
  public:
-  /// Which cells are kept: those near the skin or, for the skins of all times, all.
+  /// The cells to keep: those near the skin, or all, for the skins of all times (level_set.h).
   enum class Keep { NearSkin, All };
 
-  /// @param points         the weighted points
-  /// @param triangulation  theirs
+  /// @param triangulation  of the points
   /// @param threads        at most; the complex does not depend on it
   MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation,
                Keep keep = Keep::NearSkin, unsigned threads = 1);
@@ -67,15 +65,13 @@ class MixedComplex {
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
 
-  /// Empties the triangulation's lists of facets, which take 270 bytes an atom in a molecule: cells
-  /// that are made on demand look theirs up, all else is made but the dual complex, which needs
-  /// them.
+  /// Frees the triangulation's lists of facets, some 270 bytes an atom. Only the dual complex needs
+  /// them; cells made on demand search for theirs.
   void forget_facets();
 
   std::size_t size() const { return first_number_[4]; }
-  /// How many cells are kept. Every point x of the skin lies in a cell with an id below, but for
-  /// rounding; so does every point with |G(x)| at most `nearness` times the weight of the cell's
-  /// heaviest atom.
+  /// The number of kept cells; their ids are below it. They contain, up to rounding, every x with
+  /// |G(x)| at most `nearness` times the weight of the cell's heaviest atom.
   std::uint32_t kept_size() const { return kept_size_; }
   bool is_kept(CellId cell) const { return cell.value < kept_size_; }
 
@@ -95,32 +91,32 @@ class MixedComplex {
 
   /// Dimension of the cell's simplex, 0 to 3.
   int dimension(CellId cell) const { return dimension_of(number(cell)); }
-  /// The number of the cell's simplex, by dimension and then by place.
+  /// The number of the cell's simplex, counted by dimension, then by index.
   std::uint32_t number(CellId cell) const;
-  /// The simplex's place in the triangulation's array of that dimension.
-  std::size_t place(CellId cell) const {
+  /// The simplex's index in the triangulation's array of its dimension.
+  std::size_t simplex_index(CellId cell) const {
     const std::uint32_t n = number(cell);
     return n - first_number_[static_cast<std::size_t>(dimension_of(n))];
   }
-  /// The cell of the simplex at a place in the triangulation's array of a dimension.
-  CellId cell(int dimension, std::size_t place) const {
+  /// The cell of a simplex by its index in the triangulation's array of its dimension.
+  CellId cell(int dimension, std::size_t index) const {
     return numbered(first_number_[static_cast<std::size_t>(dimension)] +
-                    static_cast<std::uint32_t>(place));
+                    static_cast<std::uint32_t>(index));
   }
 
-  /// The cell here of a simplex that has another cell in a complex of the same points.
+  /// The cell of the same simplex, given its cell in another complex of the same points.
   CellId same(CellId cell, const MixedComplex& other) const { return numbered(other.number(cell)); }
 
-  /// Distance, Angstrom, within which a point counts as inside a cell: 2^-42 of the largest
-  /// coordinate, above the rounding of a wall's offset. G is C^1 across walls, so a point taken on
-  /// the wrong side by d has its G wrong by at most d^2 (papers/2.1-molecular-skin.md).
+  /// Distance, Angstrom, by which a point may be beyond a wall and count as inside: 2^-42 of the
+  /// largest coordinate, above the rounding of a wall's offset. G is C^1 across walls, so at a
+  /// distance d beyond one its value is wrong by at most d^2 (papers/2.1-molecular-skin.md).
   double wall_tolerance() const { return wall_tolerance_; }
 
   static constexpr double nearness = 1.0 / 64;
 
  private:
-  // Simplices have numbers, by dimension and place; cells are these numbers with the kept ones put
-  // first. A bit for each number, and how many are kept before each word of bits, lead both ways.
+  // Cell ids are the simplices' numbers with the kept ones moved to the front. A bit by number, and
+  // the count of kept ones before each word of bits, convert in both directions.
   CellId numbered(std::uint32_t number) const;
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
@@ -146,18 +142,18 @@ class MixedComplex {
   template <std::size_t N>
   Patch make_patch(const std::array<AtomId, N>& simplex) const;
   template <std::size_t N>
-  Point centre(std::size_t place) const;
+  Point centre(std::size_t index) const;
   template <std::size_t N>
   Wall make_wall(const std::array<AtomId, N>& simplex, std::size_t k, const Point& facet_centre,
                  const Point& centre, CellId cell) const;
   template <std::size_t N>
-  void add_walls_to_facets(std::size_t place, std::vector<Wall>& walls) const;
+  void add_walls_to_facets(std::size_t index, std::vector<Wall>& walls) const;
   template <std::size_t N>
-  void add_walls_to_cofaces(std::size_t place, std::vector<Wall>& walls) const;
+  void add_walls_to_cofaces(std::size_t index, std::vector<Wall>& walls) const;
   template <std::size_t N>
   std::vector<std::uint32_t> cofaces(const std::array<AtomId, N>& simplex) const;
   template <std::size_t N>
-  std::array<std::uint32_t, N> facets(std::size_t place) const;
+  std::array<std::uint32_t, N> facets(std::size_t index) const;
   template <std::size_t N, class Visit>
   void for_each_kept_incidence(Visit visit) const;
   template <std::size_t N>
@@ -171,11 +167,12 @@ class MixedComplex {
   std::vector<std::uint64_t> kept_bits_;         ///< by number
   std::vector<std::uint32_t> kept_before_;       ///< by word of kept_bits_
   std::uint32_t kept_size_ = 0;
-  std::vector<std::uint32_t> number_of_;  ///< by kept cell
-  std::vector<Patch> patches_;            ///< by kept cell, like what follows
-  std::vector<std::uint32_t> first_wall_;
+  std::vector<std::uint32_t> number_of_;   ///< by kept cell
+  std::vector<Patch> patches_;             ///< by kept cell
+  std::vector<std::uint32_t> first_wall_;  ///< by kept cell, into walls_
   std::vector<Wall> walls_;
-  std::vector<std::uint32_t> first_edge_, edges_at_;  ///< by vertex: places of edges, ascending
+  std::vector<std::uint32_t> first_edge_;  ///< by vertex, into edges_at_
+  std::vector<std::uint32_t> edges_at_;    ///< indices of edges, ascending by vertex
   double wall_tolerance_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the making of single cells (mixed_complex.cpp) and of all that are kept
-/// (mixed_complex_kept.cpp) share.
+/// Shared by mixed_complex.cpp, which makes single cells, and mixed_complex_kept.cpp, which makes
+/// all kept ones.
 
 #include <algorithm>
 
@@ -34,23 +34,23 @@ decltype(auto) MixedComplex::simplices() const {
   if constexpr (N == 4) return (triangulation_.tetrahedra);
 }
 
-/// The places of the facets of the simplex at a place, entry k opposite corner k.
+/// The indices of a simplex's facets, entry k opposite corner k.
 template <std::size_t N>
-std::array<std::uint32_t, N> MixedComplex::facets(std::size_t place) const {
+std::array<std::uint32_t, N> MixedComplex::facets(std::size_t index) const {
   if constexpr (N == 2) {
-    const auto& [a, b] = triangulation_.edges[place];
+    const auto& [a, b] = triangulation_.edges[index];
     return {vertex_of(b), vertex_of(a)};
   } else {
     if constexpr (N == 4) {
-      if (!are_facets_forgotten_) return triangulation_.tetrahedron_triangles[place];
+      if (!are_facets_forgotten_) return triangulation_.tetrahedron_triangles[index];
     } else {
-      if (!are_facets_forgotten_) return triangulation_.triangle_edges[place];
+      if (!are_facets_forgotten_) return triangulation_.triangle_edges[index];
     }
     std::array<std::uint32_t, N> result;
     const auto& list = simplices<N - 1>();
     for (std::size_t k = 0; k < N; ++k) {
       std::array<AtomId, N - 1> facet;
-      const auto& simplex = simplices<N>()[place];
+      const auto& simplex = simplices<N>()[index];
       const auto rest = std::copy_n(simplex.begin(), k, facet.begin());
       std::copy(simplex.begin() + static_cast<std::ptrdiff_t>(k) + 1, simplex.end(), rest);
       result[k] = static_cast<std::uint32_t>(std::ranges::lower_bound(list, facet) - list.begin());
@@ -71,12 +71,12 @@ Patch MixedComplex::make_patch(const std::array<AtomId, N>& simplex) const {
   return patch;
 }
 
-/// The orthocentre of the simplex at a place, as its patch has it.
+/// The orthocentre of a simplex, as stored in its patch.
 template <std::size_t N>
-Point MixedComplex::centre(std::size_t place) const {
-  const std::uint32_t n = first_number_[N - 1] + static_cast<std::uint32_t>(place);
+Point MixedComplex::centre(std::size_t index) const {
+  const std::uint32_t n = first_number_[N - 1] + static_cast<std::uint32_t>(index);
   return is_kept_number(n) ? patches_[numbered(n).index()].centre
-                           : make_patch(simplices<N>()[place]).centre;
+                           : make_patch(simplices<N>()[index]).centre;
 }
 
 /// The wall of a simplex's k-th facet to the simplex.
@@ -85,7 +85,7 @@ Point MixedComplex::centre(std::size_t place) const {
 template <std::size_t N>
 Wall MixedComplex::make_wall(const std::array<AtomId, N>& simplex, std::size_t k,
                              const Point& facet_centre, const Point& centre, CellId cell) const {
-  std::array<Point, N> p;  // the corners, the one that the facet lacks last
+  std::array<Point, N> p;  // the corners, that opposite the facet last
   for (std::size_t i = 0; i < N; ++i) p[i] = points_[simplex[(k + 1 + i) % N].index()].position;
   const Vector normal = direction_off_facet(p);
   const Point middle = (facet_centre + centre) / 2;

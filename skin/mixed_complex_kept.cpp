@@ -1,4 +1,4 @@
-// Which cells are kept, and the patches and walls of these.
+// The choice of kept cells, with their patches and walls.
 
 #include <algorithm>
 #include <atomic>
@@ -19,8 +19,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-/// For each facet of simplices with known largest powers the largest of theirs, which is its own.
-/// A facet with fewer than two tetrahedra, or in no simplex at all, has an unbounded dual.
+/// The largest power on each facet's dual: the largest of the simplices it bounds, or infinity for
+/// a facet with fewer than two tetrahedra or none, whose dual is unbounded.
 template <std::size_t N>
 std::vector<double> MixedComplex::largest_powers_of_facets(
     const std::vector<double>& powers) const {
@@ -39,16 +39,16 @@ std::vector<double> MixedComplex::largest_powers_of_facets(
   return result;
 }
 
-/// Marks those simplices of one dimension to keep that have a place in [begin, end).
+/// Marks the simplices to keep among those with indices in [begin, end).
 ///
 /// At x = (c + q) / 2 with c in the simplex and q in its dual, 4 G(x) is the power of the simplex's
 /// atoms at q less the weight of the ball about c that is orthogonal to theirs. The power is at
 /// least minus the orthocentre's weight w, the ball's weight at least w and at most the heaviest
-/// atom's; so G has a zero only where these ranges overlap.
+/// atom's; so G has a zero only if these ranges overlap.
 ///
-/// Deep in the body w need not be known: a simplex's dual is part of its facet's, so w is at least
-/// that of any tetrahedron about it, and these are at least minus the largest power.
-/// @param powers  by place, the largest that the atoms have on the simplex's dual
+/// Deep in the body w is not needed: a simplex's dual is part of its facet's, so w is at least that
+/// of any tetrahedron about it, and these are at least minus the largest power.
+/// @param powers  by simplex, the largest power of its atoms on its dual, Angstrom^2
 template <std::size_t N>
 void MixedComplex::mark_kept(const std::vector<double>& powers, std::size_t begin,
                              std::size_t end) {
@@ -65,12 +65,12 @@ void MixedComplex::mark_kept(const std::vector<double>& powers, std::size_t begi
     const bool is_inside = powers[s] + slack < w;
     if (is_outside || is_inside) continue;
     const std::size_t n = first_number_[N - 1] + s;
-    // Another thread may be at other bits of the word.
+    // Another thread may set other bits of the word.
     std::atomic_ref(kept_bits_[n / 64]).fetch_or(std::uint64_t{1} << n % 64);
   }
 }
 
-/// @return the powers of their facets
+/// @return the largest powers of the facets
 template <std::size_t N>
 std::vector<double> MixedComplex::mark_kept_and_pass_down(std::vector<double> powers,
                                                           unsigned threads) {
@@ -81,7 +81,7 @@ std::vector<double> MixedComplex::mark_kept_and_pass_down(std::vector<double> po
   return below;
 }
 
-/// From the top down: at any time the powers of two dimensions are held.
+/// From the highest dimension down, with the powers of two dimensions in memory at a time.
 void MixedComplex::mark_near_skin(unsigned threads) {
   std::vector<double> powers(triangulation_.tetrahedra.size());
   geometry::for_each_block(
@@ -126,8 +126,8 @@ void MixedComplex::build_patches(unsigned threads) {
                            });
 }
 
-/// Visits each pair of a simplex with N corners and a facet of which one is kept: visit(place, k,
-/// facet's place).
+/// Visits each pair of a simplex with N corners and a facet of which one is kept: visit(simplex, k,
+/// facet), by index.
 template <std::size_t N, class Visit>
 void MixedComplex::for_each_kept_incidence(Visit visit) const {
   const std::size_t count = simplices<N>().size();
@@ -140,8 +140,8 @@ void MixedComplex::for_each_kept_incidence(Visit visit) const {
   }
 }
 
-/// Counts the walls between simplices with N corners and their facets, by facet: first_wall_, one
-/// place on.
+/// Counts the walls between simplices with N corners and their facets in first_wall_, by facet and
+/// shifted by one.
 template <std::size_t N>
 void MixedComplex::count_walls() {
   for_each_kept_incidence<N>([&](std::size_t, std::size_t, std::uint32_t f) {
@@ -153,9 +153,9 @@ void MixedComplex::count_walls() {
 /// A cell's walls to facets come first, in their order, then those to cofaces, in theirs.
 template <std::size_t N>
 void MixedComplex::fill_walls() {
-  // By facet: how many walls it has already. Those to its own facets have their places.
+  // By facet, the walls filled so far: those to its own facets are reserved.
   std::vector<std::uint32_t> filled(simplices<N - 1>().size(), N == 2 ? 0 : N - 1);
-  // A simplex's facets come one after the other, and a cell that is not kept has no centre yet.
+  // A simplex's facets are visited in a row; only kept cells have stored centres.
   std::size_t last = simplices<N>().size();
   Point centre = Point::Zero();
   for_each_kept_incidence<N>([&](std::size_t s, std::size_t k, std::uint32_t f) {
@@ -170,7 +170,7 @@ void MixedComplex::fill_walls() {
   });
 }
 
-/// The three kinds of walls, by dimension, have places of their own.
+/// One task for each of the three kinds of walls, by dimension, which fill disjoint ranges.
 void MixedComplex::build_walls(unsigned threads) {
   const auto for_each_kind = [&](auto work) {
     geometry::for_each_task(threads, 3, [&](std::size_t task) {

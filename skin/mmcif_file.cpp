@@ -1,5 +1,5 @@
-// mmCIF: the grammar is gemmi's, the table of atoms is read here, for few of its columns are needed
-// and small files lack some that gemmi's own reader asks for.
+// mmCIF: gemmi parses the grammar. The table of atoms is read here, because few of its columns are
+// needed and small files lack some that gemmi's own reader requires.
 
 #include <algorithm>
 #include <array>
@@ -81,13 +81,13 @@ class AtomTable {
     }
     if (loop_ == nullptr) return;
     for (std::size_t column = 0; column < ColumnCount; ++column) {
-      places_[column] = place_of(column_tags[column].tag);
-      if (places_[column] < 0) places_[column] = place_of(column_tags[column].other);
+      columns_[column] = column_of(column_tags[column].tag);
+      if (columns_[column] < 0) columns_[column] = column_of(column_tags[column].other);
     }
   }
 
   bool is_present() const { return loop_ != nullptr; }
-  bool has(Column column) const { return places_[column] >= 0; }
+  bool has(Column column) const { return columns_[column] >= 0; }
   std::size_t size() const { return loop_->length(); }
 
   // The value without its quotation marks; empty if the column is missing or the value unknown.
@@ -96,14 +96,14 @@ class AtomTable {
     return cif::as_string(raw(row, column));
   }
   const std::string& raw(std::size_t row, Column column) const {
-    return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(places_[column])];
+    return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(columns_[column])];
   }
   std::uint32_t line_of(std::size_t row) const {
     return first_line_ == 0 ? 0 : static_cast<std::uint32_t>(first_line_ + row);
   }
 
  private:
-  int place_of(std::string_view tag) const {
+  int column_of(std::string_view tag) const {
     if (tag.empty()) return -1;
     return loop_->find_tag("_atom_site." + std::string(tag));
   }
@@ -130,7 +130,7 @@ class AtomTable {
   }
 
   cif::Loop* loop_ = nullptr;
-  std::array<int, ColumnCount> places_{};
+  std::array<int, ColumnCount> columns_{};
   std::size_t first_line_ = 0;  // of the first row; 0 if unknown
 };
 

@@ -38,12 +38,12 @@ double weight(double radius, Model model, double probe);
 double patch_radius(double weight);
 
 /// The weighted points of all atoms, in the atoms' order, every number on the grid of the exact
-/// predicates; whoever uses them checks that none is beyond 2^30 (morskin::prepare_skin does).
+/// predicates. The caller checks that none exceeds 2^30 (morskin::prepare_skin does).
 std::vector<geometry::WeightedPoint> weighted_points(const Molecule& molecule, Model model,
                                                      double probe);
 
-/// The balls in the form of an XYZR file, "x y z r" per line, r the patch radius. Every number is
-/// the shortest that reads back as the same double.
+/// The balls as an XYZR file, "x y z r" per line, r the patch radius. Every number is the shortest
+/// that reads back as the same double.
 std::string xyzr_text(const std::vector<geometry::WeightedPoint>& points);
 
 }  // namespace morskin::skin

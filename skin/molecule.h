@@ -13,7 +13,7 @@
 
 namespace morskin::skin {
 
-/// Up to eight characters, stored in place; a longer text loses its end.
+/// Up to eight characters, without allocation; a longer text is cut.
 class Label {
  public:
   Label() = default;
@@ -30,7 +30,7 @@ class Label {
   std::array<char, 8> letters_{};  // the unused ones are zero
 };
 
-/// A ball of the molecule, and whence it came. What the file does not tell is empty.
+/// A ball of the molecule with its description in the file; missing fields are empty.
 struct Atom {
   geometry::Point position;  ///< Angstrom
   double radius = 0;         ///< Angstrom: van der Waals, or as the file gives it
@@ -42,14 +42,14 @@ struct Atom {
   std::uint32_t line = 0;    ///< of the file, from 1; 0 if unknown
 };
 
-/// What a file held and the molecule does not, and what may surprise.
+/// Atoms and models of a file that were left out, and duplicates that were kept.
 struct ReadingCounts {
   std::size_t waters = 0;        ///< atoms of water left out
-  std::size_t alternates = 0;    ///< atoms left out for a likelier place of the same atom
-  std::size_t zero_radii = 0;    ///< atoms left out because the file gives radius 0
-  std::size_t unknown = 0;       ///< atoms left out because the file calls their element X, unknown
+  std::size_t alternates = 0;    ///< atoms left out for a likelier alternate location
+  std::size_t zero_radii = 0;    ///< atoms left out for a radius of 0 in the file
+  std::size_t unknown = 0;       ///< atoms left out for the element X, unknown
   std::size_t other_models = 0;  ///< models after the first, left out whole
-  std::size_t duplicates = 0;    ///< atoms kept though an earlier one has their place and radius
+  std::size_t duplicates = 0;    ///< atoms kept though an earlier one has their position and radius
 };
 
 /// The atoms of the first model of a file, in the file's order.
@@ -59,10 +59,10 @@ struct Molecule {
   ReadingCounts counts;
 };
 
-/// An atom in words, "atom CA of ALA 12 chain A (line 345)", as far as the file tells.
+/// An atom in words, "atom CA of ALA 12 chain A (line 345)", without missing fields.
 std::string describe(const Atom& atom);
 
-/// The same; an atom whose line is unknown is told by its place in the molecule, from 1.
+/// The same; if its line is unknown, with the atom's index in the molecule, from 1.
 std::string describe(const Molecule& molecule, geometry::AtomId atom);
 
 }  // namespace morskin::skin

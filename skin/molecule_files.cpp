@@ -134,7 +134,7 @@ void check_range(const Atom& atom, const std::string& source) {
   }
 }
 
-// How many atoms have the place and radius of an earlier one.
+// How many atoms have the position and radius of an earlier one.
 std::size_t count_duplicates(const std::vector<Atom>& atoms) {
   std::vector<std::array<double, 4>> balls;
   balls.reserve(atoms.size());
@@ -159,7 +159,7 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
   if (!options.waters && has_others) {
     molecule.counts.waters = std::erase_if(file.atoms, is_water);
   }
-  molecule.counts.alternates = molecule_formats::keep_likeliest_places(file.atoms);
+  molecule.counts.alternates = molecule_formats::keep_likeliest_locations(file.atoms);
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
     if (!file.has_radii) give_radius(record.atom, source);
@@ -195,7 +195,7 @@ Molecule parse_molecule(std::string_view bytes, const std::string& source,
                         const ReadOptions& options) {
   std::string unpacked;
   if (geometry::is_gzip(bytes)) {
-    unpacked = geometry::unpack_gzip(bytes, source, options.most_bytes);
+    unpacked = geometry::unpack_gzip(bytes, source, options.max_bytes);
     bytes = unpacked;
   }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -213,7 +213,7 @@ Molecule parse_molecule(std::string_view bytes, const std::string& source,
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {
-  const geometry::FileBytes bytes = geometry::read_file(path, options.most_bytes);
+  const geometry::FileBytes bytes = geometry::read_file(path, options.max_bytes);
   return parse_molecule(bytes.view(), path.string(), options);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-// Molecules from the files that chemists keep them in.
+// Molecules from files of chemists.
 //
-// What a reader keeps: the first model; of each atom with alternate places the likeliest; hydrogens
-// if they are there; no water unless asked or unless there is nothing else; no atom whose element
-// the file itself calls unknown (X). Radii come from the file (PQR, XYZR) or from the elements
-// (PDB, mmCIF, XYZ; see radii.h). Molecule::counts tells what was left out.
+// A reader keeps the first model, of alternate locations the likeliest, and hydrogens if present.
+// It drops water, unless asked to keep it or there is nothing else, and atoms of the element X
+// (unknown). Radii come from the file (PQR, XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h).
+// Molecule::counts lists what was left out.
 
 #include <cstddef>
 #include <filesystem>
@@ -31,9 +31,9 @@ std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& pa
 struct ReadOptions {
   bool waters = false;                   ///< keep water
   std::optional<MoleculeFormat> format;  ///< absent: by the ending, else by the content
-  /// Of the file, once unpacked: 26 million lines of 80 columns, ten times the largest entry of the
-  /// PDB (3J3Q, 2.4 million atoms). Whoever has more says so here.
-  std::size_t most_bytes = std::size_t{1} << 31;
+  /// Of the unpacked file: 26 million lines of 80 columns, ten times the largest entry of the PDB
+  /// (3J3Q, 2.4 million atoms).
+  std::size_t max_bytes = std::size_t{1} << 31;
 };
 
 /// Reads the molecule in a file; "-" is standard input. Gzipped files are unpacked whatever their
@@ -46,9 +46,9 @@ struct ReadOptions {
 ///                          radius; names the atom and its line
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The molecule that `bytes` hold, gzipped or not.
+/// The molecule in `bytes`, gzipped or not.
 ///
-/// @param source  the name to use in messages and, for its ending, to choose the format.
+/// @param source  the name for messages; its ending chooses the format.
 /// @throws UnreadableInput, RefusedInput  as above
 Molecule parse_molecule(std::string_view bytes, const std::string& source,
                         const ReadOptions& options = {});

@@ -17,20 +17,20 @@ using geometry::Vector;
 using geometry::WeightedPoint;
 using Simplex = std::span<const WeightedPoint>;
 
-/// A product of vectors this much smaller than the product of their lengths has lost too many bits
-/// to cancellation, and is computed again exactly. Doubles keep 53 - 10 bits above it, about as
-/// many as the walls' tolerance takes for granted, long doubles 64 - 10.
+/// A product of vectors smaller than this share of the product of their lengths has cancelled too
+/// much and is computed exactly. Above it doubles keep 53 - 10 bits, about as many as the walls'
+/// tolerance assumes, long doubles 64 - 10.
 constexpr double flat = 0x1p-10;
-/// A product whose sign alone matters is right above this: rounding spoils 2^-50.
+/// Above this share the sign of a product is right: rounding is below 2^-50.
 constexpr double doubtful = 0x1p-40;
-/// The same for a weight against its two terms; 64 - 20 bits are left, and a few go into rounding.
+/// Such a share for a weight against its two terms: 64 - 20 bits remain, less a few for rounding.
 constexpr long double thin = 0x1p-20L;
 
 Wide wide(const Vector& v) { return v.cast<long double>(); }
 
-/// With arms e, f, g from the first point and the loads p, q, r of each (by how much the power of
-/// its end exceeds that of the first point, there), the orthocentre lies at numerator / (2
-/// denominator) from the first point. Vec and Number are long doubles or exact.
+/// With the edges e, f, g from the first point, and for each the difference p, q, r of its end's
+/// power and its own at the first point, the orthocentre lies at numerator / (2 denominator) from
+/// the first point. Vec and Number are double, long double or exact.
 template <class Vec, class Number>
 struct Fraction {
   Vec numerator;
@@ -39,10 +39,10 @@ struct Fraction {
 };
 
 template <class Vec, class Number>
-Fraction<Vec, Number> fraction(const std::array<Vec, 3>& arms, const std::array<Number, 3>& loads,
+Fraction<Vec, Number> fraction(const std::array<Vec, 3>& edges, const std::array<Number, 3>& powers,
                                std::size_t points) {
-  const auto& [e, f, g] = arms;
-  const auto& [p, q, r] = loads;
+  const auto& [e, f, g] = edges;
+  const auto& [p, q, r] = powers;
   if (points == 2) return {p * e, e.dot(e), e};
   if (points == 3) {
     const Vec n = e.cross(f);
@@ -53,28 +53,28 @@ Fraction<Vec, Number> fraction(const std::array<Vec, 3>& arms, const std::array<
 }
 
 Fraction<Wide, long double> wide_fraction(Simplex simplex) {
-  std::array<Wide, 3> arms;
-  std::array<long double, 3> loads{};
+  std::array<Wide, 3> edges;
+  std::array<long double, 3> powers{};
   for (std::size_t i = 1; i < simplex.size(); ++i) {
-    arms[i - 1] = wide(simplex[i].position) - wide(simplex[0].position);
-    loads[i - 1] =
-        arms[i - 1].squaredNorm() + static_cast<long double>(simplex[0].weight) - simplex[i].weight;
+    edges[i - 1] = wide(simplex[i].position) - wide(simplex[0].position);
+    powers[i - 1] = edges[i - 1].squaredNorm() + static_cast<long double>(simplex[0].weight) -
+                    simplex[i].weight;
   }
-  return fraction(arms, loads, simplex.size());
+  return fraction(edges, powers, simplex.size());
 }
 
 Fraction<ExactVector, Expansion> exact_fraction(Simplex simplex) {
-  std::array<ExactVector, 3> arms;
-  std::array<Expansion, 3> loads;
+  std::array<ExactVector, 3> edges;
+  std::array<Expansion, 3> powers;
   for (std::size_t i = 1; i < simplex.size(); ++i) {
-    arms[i - 1] = ExactVector(simplex[0].position, simplex[i].position);
-    loads[i - 1] =
-        arms[i - 1].dot(arms[i - 1]) + Expansion::difference(simplex[0].weight, simplex[i].weight);
+    edges[i - 1] = ExactVector(simplex[0].position, simplex[i].position);
+    powers[i - 1] = edges[i - 1].dot(edges[i - 1]) +
+                    Expansion::difference(simplex[0].weight, simplex[i].weight);
   }
-  return fraction(arms, loads, simplex.size());
+  return fraction(edges, powers, simplex.size());
 }
 
-/// Whether the arms' product, whose square is the denominator of a triangle, has cancelled.
+/// Whether the product of the edges, whose square is a triangle's denominator, has cancelled.
 bool is_flat(Simplex simplex, long double denominator) {
   if (simplex.size() < 3) return false;
   long double squares = static_cast<long double>(flat) * flat;
@@ -84,7 +84,7 @@ bool is_flat(Simplex simplex, long double denominator) {
   return !((simplex.size() == 3 ? denominator : denominator * denominator) >= squares);
 }
 
-/// w - |numerator / (2 denominator)|^2 on one fraction line.
+/// w - |numerator / (2 denominator)|^2 as one fraction.
 long double exact_weight(double weight, const Fraction<ExactVector, Expansion>& at) {
   const Expansion square = Expansion(4.0) * (at.denominator * at.denominator);
   return rounded(Expansion(weight) * square - at.numerator.dot(at.numerator)) / rounded(square);
@@ -117,24 +117,24 @@ Orthocentre orthocentre(Simplex simplex) {
           simplex.size() == 4 ? Wide(Wide::Zero()) : Wide(normal.normalized())};
 }
 
-/// With arms e, f, g of a volume that has not cancelled, each term of the numerator is off by a few
-/// u |f| |g| (|e|^2 + |w_0 - w_1|), so the offset o by at most 2^-39 (reach + |o|), and its square
-/// by 2^-37 (reach + |o|)^2.
+/// If the volume of the edges e, f, g has not cancelled, each term of the numerator has an error of
+/// a few u |f| |g| (|e|^2 + |w_0 - w_1|), so the offset o one of at most 2^-39 (extent + |o|), and
+/// its square of 2^-37 (extent + |o|)^2.
 double rough_weight(const std::array<WeightedPoint, 4>& tetrahedron) {
-  std::array<Vector, 3> arm;
-  std::array<double, 3> load;
-  double reach = 0, squares = flat * flat;
+  std::array<Vector, 3> edge;
+  std::array<double, 3> power;
+  double extent = 0, squares = flat * flat;
   const double first_weight = tetrahedron[0].weight;
   for (std::size_t i = 0; i < 3; ++i) {
-    arm[i] = tetrahedron[i + 1].position - tetrahedron[0].position;
-    const double square = arm[i].squaredNorm(), more = first_weight - tetrahedron[i + 1].weight;
-    load[i] = square + more;
-    reach += (square + std::abs(more)) / std::sqrt(square);
+    edge[i] = tetrahedron[i + 1].position - tetrahedron[0].position;
+    const double square = edge[i].squaredNorm(), more = first_weight - tetrahedron[i + 1].weight;
+    power[i] = square + more;
+    extent += (square + std::abs(more)) / std::sqrt(square);
     squares *= square;
   }
-  const auto at = fraction(arm, load, 4);
+  const auto at = fraction(edge, power, 4);
   const double square = (at.numerator / (2 * at.denominator)).squaredNorm();
-  const double far = reach + std::sqrt(square);
+  const double far = extent + std::sqrt(square);
   if (at.denominator * at.denominator >= squares && far * far <= 0x1p17 * std::abs(first_weight)) {
     return first_weight - square;
   }

@@ -27,7 +27,7 @@ using geometry::Vector;
 ///
 /// G < 0 inside the body; G, its gradient 2 M u and |u| are continuous across cells.
 struct Patch {
-  Point centre;            ///< where the simplex's span meets its dual's: the orthocentre
+  Point centre;            ///< the orthocentre: intersection of the simplex's span and its dual's
   Vector axis;             ///< unit, or zero
   double sign = 1;         ///< +1 or -1
   double half_weight = 0;  ///< w/2 of the orthocentre, Angstrom^2; may be negative
@@ -56,9 +56,8 @@ struct Patch {
   Vector normal(const Point& x) const { return half_gradient(x).normalized(); }
 
   /// Moves x along the gradient line to the quadric of this patch. Along x + s N the function is
-  /// the exact parabola G + 2 s |u|^2 + s^2 (G + w/2); the nearer root is taken in the form that
-  /// does not cancel. Where the line misses the quadric it goes twice as
-  /// far as Newton's step.
+  /// the parabola G + 2 s |u|^2 + s^2 (G + w/2); s is its nearer root, in the form without
+  /// cancellation, or twice Newton's step where there is none.
   Point slide(const Point& x) const {
     const Vector u = x - centre;
     const Vector n = reflect(u);

@@ -5,16 +5,16 @@
 
 namespace morskin::skin {
 
-/// The van der Waals radius of an element, Angstrom, as this program uses it throughout.
+/// The van der Waals radius of an element.
 ///
 /// @param element  a symbol in upper or lower case ("C", "CL", "Cl"); "D" and "T" are hydrogen.
-/// @return Angstrom; nothing for what is no element, or one without a published radius.
-/// Source: A. Bondi, J. Phys. Chem. 68 (1964) 441; what is missing there from M. Mantina et al.,
+/// @return Angstrom; nothing for unknown symbols and elements without a published radius
+/// Source: A. Bondi, J. Phys. Chem. 68 (1964) 441; elements missing there from M. Mantina et al.,
 ///         J. Phys. Chem. A 113 (2009) 5806, and S. Alvarez, Dalton Trans. 42 (2013) 8617.
 std::optional<double> van_der_waals_radius(std::string_view element);
 
 /// The symbol of an element in the usual spelling ("Cl"), "D" for deuterium and "T" for tritium;
-/// nothing for what is no element.
+/// nothing for unknown symbols.
 std::optional<std::string_view> element_symbol(std::string_view element);
 
 /// The symbol of the element with this atomic number, 1 to 118; nothing for other numbers.

@@ -9,13 +9,13 @@
 namespace morskin::skin {
 
 /// The skin is singular: a simplex that meets its dual has weight exactly zero, so the surface has
-/// a point without a tangent plane. Two balls that just touch make one. `atoms` are the simplex's.
+/// a point without a tangent plane, as for two balls that touch at a point.
 class SingularSkin : public geometry::RefusedInput {
  public:
   explicit SingularSkin(std::vector<geometry::AtomId> singular_atoms)
       : geometry::RefusedInput(text(singular_atoms)), atoms(std::move(singular_atoms)) {}
 
-  std::vector<geometry::AtomId> atoms;
+  std::vector<geometry::AtomId> atoms;  ///< of the simplex
 
  private:
   static std::string text(const std::vector<geometry::AtomId>& ids) {

@@ -37,8 +37,8 @@ SkinComponents::SkinComponents(const SkinSurface& skin) : skin_(skin) {
   find_voids();
 }
 
-/// Atoms of positive weight, joined along edges on which the weight stays positive. Its least value
-/// on the edge is that of the orthocentre, or of an end.
+/// Atoms of positive weight, joined along edges on which the weight stays positive. Its minimum on
+/// the edge is at the orthocentre or at an end.
 void SkinComponents::find_bodies() {
   const geometry::RegularTriangulation& t = skin_.triangulation();
   const MixedComplex& complex = skin_.complex();
@@ -50,7 +50,7 @@ void SkinComponents::find_bodies() {
     const CellId cell = complex.cell(1, e);
     std::vector<std::uint32_t> ends;
     for_each_wall_to(complex, cell, 0, [&](const Wall& wall) {
-      ends.push_back(static_cast<std::uint32_t>(complex.place(wall.beyond)));
+      ends.push_back(static_cast<std::uint32_t>(complex.simplex_index(wall.beyond)));
     });
     if (!is_body(ends[0]) || !is_body(ends[1])) continue;
     if (complex.patch(cell).half_weight > 0 || !is_centre_between(complex, cell, 0)) {
@@ -67,8 +67,8 @@ void SkinComponents::find_bodies() {
   }
 }
 
-/// The same upside down: tetrahedra of negative weight, joined through triangles on whose dual
-/// segment it stays negative; one place more for the outside.
+/// The dual: tetrahedra of negative weight, joined through triangles on whose dual segment it stays
+/// negative. The last set is the outside.
 void SkinComponents::find_voids() {
   const geometry::RegularTriangulation& t = skin_.triangulation();
   const MixedComplex& complex = skin_.complex();
@@ -82,7 +82,7 @@ void SkinComponents::find_voids() {
     std::array ends{outside, outside};
     std::size_t count = 0;
     for_each_wall_to(complex, cell, 3, [&](const Wall& wall) {
-      ends[count++] = static_cast<std::uint32_t>(complex.place(wall.beyond));
+      ends[count++] = static_cast<std::uint32_t>(complex.simplex_index(wall.beyond));
     });
     if (!is_void(ends[0]) || !is_void(ends[1])) continue;
     if (complex.patch(cell).half_weight < 0 || !is_centre_between(complex, cell, 3)) {
@@ -100,9 +100,9 @@ void SkinComponents::find_voids() {
   }
 }
 
-/// From cell to cell to one of the last dimension, 0 or 3, away from the orthocentres.
-std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint& x,
-                                                              int last_dimension) const {
+/// Goes from cell to cell, away from the orthocentres, to one of the last dimension, 0 or 3.
+std::optional<SkinComponents::End> SkinComponents::path_end(const SurfacePoint& x,
+                                                            int last_dimension) const {
   const MixedComplex& complex = skin_.complex();
   const bool is_down = last_dimension == 0;
   Point at = x.position;
@@ -110,24 +110,24 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
   for (int d = complex.dimension(cell); d != last_dimension; d += is_down ? -1 : 1) {
     const Patch& patch = complex.patch(cell);
     const Vector u = at - patch.centre;
-    // Half of u is moved twice as far: c or q alone.
+    // c or q moves alone, along one half of u.
     Vector line = is_down ? Vector(u - patch.reflect(u)) : Vector(u + patch.reflect(u));
     std::optional<CellId> nearest;
-    double least = std::numeric_limits<double>::infinity();
+    double step = std::numeric_limits<double>::infinity();
     for_each_wall_to(complex, cell, is_down ? d - 1 : d + 1, [&](const Wall& wall) {
-      if (line.isZero(0)) line = wall.normal;  // from the orthocentre any way leads away
+      if (line.isZero(0)) line = wall.normal;  // at the orthocentre any direction will do
       const double slope = wall.normal.dot(line);
       if (!(slope > 0)) return;
-      const double reach = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
-      if (reach >= least) return;
-      least = reach;
+      const double to_wall = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
+      if (to_wall >= step) return;
+      step = to_wall;
       nearest = wall.beyond;
     });
     if (!nearest) {
-      if (is_down) return std::nullopt;  // a simplex is bounded: only rounding leads here
+      if (is_down) return std::nullopt;  // lost to rounding: a simplex is bounded
       return End{cell, true};
     }
-    at += least * line;
+    at += step * line;
     cell = *nearest;
   }
   return End{cell, false};
@@ -135,12 +135,12 @@ std::optional<SkinComponents::End> SkinComponents::end_of_way(const SurfacePoint
 
 std::optional<SkinComponents::Sides> SkinComponents::sides(const SurfacePoint& x) const {
   const MixedComplex& complex = skin_.complex();
-  const std::optional<End> down = end_of_way(x, 0), up = end_of_way(x, 3);
+  const std::optional<End> down = path_end(x, 0), up = path_end(x, 3);
   if (!down || !up || !(complex.patch(down->cell).half_weight > 0)) return std::nullopt;
-  Sides sides{body_of_vertex_[complex.place(down->cell)], std::nullopt};
+  Sides sides{body_of_vertex_[complex.simplex_index(down->cell)], std::nullopt};
   if (up->is_at_infinity) return sides;
   if (!(complex.patch(up->cell).half_weight < 0)) return std::nullopt;
-  sides.cavity = void_of_tetrahedron_[complex.place(up->cell)];
+  sides.cavity = void_of_tetrahedron_[complex.simplex_index(up->cell)];
   return sides;
 }
 

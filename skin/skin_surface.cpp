@@ -43,26 +43,26 @@ std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) c
 }
 
 std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
-  const std::size_t place = complex_.place(cell);
+  const std::size_t index = complex_.simplex_index(cell);
   const geometry::RegularTriangulation& t = complex_.triangulation();
   const auto list = [](const auto& simplex) {
     return std::vector<AtomId>(simplex.begin(), simplex.end());
   };
   switch (complex_.dimension(cell)) {
     case 0:
-      return {t.vertices[place]};
+      return {t.vertices[index]};
     case 1:
-      return list(t.edges[place]);
+      return list(t.edges[index]);
     case 2:
-      return list(t.triangles[place]);
+      return list(t.triangles[index]);
     default:
-      return list(t.tetrahedra[place]);
+      return list(t.tetrahedra[index]);
   }
 }
 
 CellId SkinSurface::locate(const Point& x, CellId hint) const {
   CellId current = hint;
-  // To notice a round: a cell on the way, later and later ones as the way grows (Brent 1980).
+  // Detects a cycle by a mark on the path, moved on as the path grows (Brent 1980).
   CellId passed = hint;
   std::size_t steps = 0, next_mark = 8;
   for (;;) {
@@ -79,7 +79,7 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   }
 }
 
-/// The cell behind the wall that x is farthest beyond; the cell itself, if there is none.
+/// The cell behind the wall that x is farthest beyond; the cell itself if it contains x.
 template <class Walls>
 CellId SkinSurface::next_cell(const Point& x, CellId cell, const Walls& walls) const {
   double farthest = complex_.wall_tolerance();
@@ -97,12 +97,12 @@ bool SkinSurface::is_in(const Point& x, CellId cell) const {
   return complex_.is_kept(cell) && next_cell(x, cell, complex_.kept_walls(cell)) == cell;
 }
 
-/// Tries every way over walls that x lies beyond, until it is in a cell; should there be none,
-/// takes the one whose walls it is least beyond.
+/// Searches all cells that can be reached over walls with x beyond them for one that contains x,
+/// or, should there be none, the one with x the least beyond its walls.
 CellId SkinSurface::search(const Point& x, CellId start) const {
   std::vector<CellId> waiting{start}, seen{start};  // seen: ascending
   CellId best = start;
-  double least = std::numeric_limits<double>::infinity();
+  double least_beyond = std::numeric_limits<double>::infinity();
   while (!waiting.empty()) {
     const CellId cell = waiting.back();
     waiting.pop_back();
@@ -111,14 +111,14 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
       const double distance = wall.normal.dot(x) - wall.offset;
       farthest = std::max(farthest, distance);
       if (distance <= complex_.wall_tolerance()) continue;
-      const auto place = std::ranges::lower_bound(seen, wall.beyond);
-      if (place != seen.end() && *place == wall.beyond) continue;
-      seen.insert(place, wall.beyond);
+      const auto at = std::ranges::lower_bound(seen, wall.beyond);
+      if (at != seen.end() && *at == wall.beyond) continue;
+      seen.insert(at, wall.beyond);
       waiting.push_back(wall.beyond);
     }
     if (farthest <= complex_.wall_tolerance()) return cell;
-    if (farthest < least) {
-      least = farthest;
+    if (farthest < least_beyond) {
+      least_beyond = farthest;
       best = cell;
     }
   }
@@ -161,10 +161,9 @@ std::vector<Point> SkinSurface::samples() const {
   return positions;
 }
 
-/// On a hyperboloid, at a distance s from the middle along the axis, rho^2 = k + 2 s^2, with k the
-/// square of the waist's radius or of half the distance of the sheets. The integral of 2 pi / rho
-/// ds on both sides is the area over rho^2; with two sheets, by the distance from the axis, it is
-/// less.
+/// On a hyperboloid of one sheet, at s along the axis from the middle, rho^2 = k + 2 s^2 with k the
+/// square of the waist's radius, and the integral of 2 pi / rho ds over both sides is that of
+/// rho^-2. With two sheets, k the square of half their distance, it is less.
 PatchExtent extent_of(const Patch& patch, double max_length_scale) {
   const double k = std::abs(patch.half_weight);
   if (patch.axis.isZero(0)) return {4 * M_PI, std::sqrt(k)};

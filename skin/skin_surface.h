@@ -1,7 +1,7 @@
 #pragma once
 
-/// The skin surface F of a set of weighted points (section 2.1): where a point lies in the mixed
-/// complex, the nearest place on F along the gradient, the length scale and the normal there.
+/// The skin surface F of a set of weighted points (section 2.1): locates points in the mixed
+/// complex, projects them onto F along the gradient, and gives length scale and normal.
 
 #include <array>
 #include <cmath>
@@ -36,12 +36,12 @@ class SkinSurface final : public surface::Surface {
   /// @copydoc MixedComplex::forget_facets
   void forget_facets() { complex_.forget_facets(); }
   Patch patch(CellId cell) const { return complex_.patch(cell); }
-  /// Work with the patch of a cell, without a copy of one that is kept.
+  /// Calls work(patch) with the patch of a cell, without copying that of a kept cell.
   template <class Work>
   decltype(auto) with_patch(CellId cell, Work work) const {
     return complex_.is_kept(cell) ? work(complex_.kept_patch(cell)) : work(complex_.patch(cell));
   }
-  /// The weighted points whose simplex the cell belongs to, one to four.
+  /// The corners of the cell's simplex, one to four.
   std::vector<AtomId> atoms(CellId cell) const;
 
   /// The principal curvatures at a point of the skin, 1/Angstrom, positive where the body is
@@ -54,11 +54,11 @@ class SkinSurface final : public surface::Surface {
 
   /// The mixed cell that contains x, by a walk over cell walls.
   ///
-  /// The mixed complex is a regular subdivision, so a walk that always crosses a wall which x lies
-  /// beyond cannot go round. With rounded walls it can, where several cells are flatter than
-  /// rounding; when it does, every path is tried.
+  /// The mixed complex is a regular subdivision, so a walk that always crosses a wall with x beyond
+  /// it cannot cycle. With rounded walls it can, where several cells are flatter than rounding;
+  /// then a search tries every path.
   CellId locate(const Point& x, CellId hint) const override;
-  /// Whether x lies in a cell that is kept, so that the walk from there ends at once.
+  /// Whether `cell` is a kept cell and contains x, so that a walk from it ends at once.
   bool is_in(const Point& x, CellId cell) const override;
 
   Jet jet(const Point& x, CellId cell) const override {
@@ -72,14 +72,13 @@ class SkinSurface final : public surface::Surface {
     return complex_.patch(locate(x, hint)).value(x);
   }
 
-  /// Slides patch by patch.
+  /// Slides patch by patch (Patch::slide).
   std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;
-  /// A distance to F of 1e-11 rho and of the rounding that coordinates of this size cannot avoid.
+  /// For a distance to F of 1e-11 rho and the rounding of coordinates of this size.
   double residual_bound(double rho) const override {
     return 2 * rho * (1e-11 * rho + 0x1p-9 * complex_.wall_tolerance());
   }
-  /// Inside one mixed cell G is a quadratic along a line, so its zeros are known in closed form and
-  /// none is missed.
+  /// @copydoc line_crossings
   LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
 
   BoundingBall bounding_ball() const override;
@@ -97,7 +96,7 @@ class SkinSurface final : public surface::Surface {
   MixedComplex complex_;
 };
 
-/// How much surface a patch can describe up to a length scale.
+/// Bounds on the surface that a patch can describe, up to a length scale.
 PatchExtent extent_of(const Patch& patch, double max_length_scale);
 
 }  // namespace morskin::skin

@@ -9,14 +9,14 @@
 
 namespace morskin::skin {
 
-/// @param skin  tells the patch of a cell, locates points and bounds the residual
+/// @param skin  has locate(), with_patch(), jet() and residual_bound()
 template <class Surface>
 std::optional<SurfacePoint> slide_onto(const Surface& skin, const Point& x, CellId hint) {
-  // Two or three rounds settle a point within rho / 2; the cap is for points that are out of reach.
-  constexpr int most_rounds = 40;
+  // Points within rho / 2 take two or three rounds; the limit is for points too far away.
+  constexpr int max_rounds = 40;
   Point y = x;
   CellId cell = skin.locate(y, hint);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     skin.with_patch(cell, [&](const Patch& patch) { y = patch.slide(y); });
     cell = skin.locate(y, cell);
     const surface::Jet jet = skin.jet(y, cell);

@@ -11,10 +11,11 @@ struct BoundingBall {
   geometry::Point centre;
   double radius = 0;  ///< Angstrom
 
-  /// Between which s the points `p + s direction` lie in it, if any do.
+  /// The points `p + s direction` with low <= s <= high, Angstrom.
   struct Chord {
     double low, high;
   };
+  /// The chord of a line in the ball; nothing where the line misses it.
   /// @pre direction is a unit vector
   std::optional<Chord> chord(const geometry::Point& p, const geometry::Vector& direction) const {
     const geometry::Vector off_centre = p - centre;

@@ -8,25 +8,26 @@ namespace morskin::surface {
 
 /// A zero of G along a segment.
 struct LineCrossing {
-  double at;  ///< share of the segment, 0 to 1
+  double at;  ///< parameter on the segment, 0 to 1
   Point position;
   CellId cell;
 };
 
 struct LineCrossings {
   std::vector<LineCrossing> all;  ///< in the order of the segment
-  /// False where the path through the cells was lost to rounding; then some may be missing.
+  /// False where rounding lost the path through the cells; then some may be missing.
   bool is_complete = true;
 };
 
-/// Whether a segment of this length with both ends on one side of the surface surely stays there.
+/// Whether a bound proves that a segment with both ends on one side of the surface stays there.
 ///
 /// G - |x|^2 is concave and G + |x|^2 is convex (G is 2-Lipschitz in its gradient), so with s = l t
 /// along a segment of length l whose ends have G = g and G = h, both positive,
 ///     G >= (1 - t) g + t h - t (1 - t) l^2,
 /// a parabola without zero on [0, 1] exactly if l < sqrt(g) + sqrt(h). The same below zero.
-/// @param root_p, root_q  sqrt |G| at the ends
-inline bool is_surely_clear(double length, double root_p, double root_q) {
+/// @param length          of the segment, Angstrom
+/// @param root_p, root_q  sqrt |G| at the ends, Angstrom
+inline bool is_certainly_clear(double length, double root_p, double root_q) {
   return length < root_p + root_q;
 }
 

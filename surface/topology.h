@@ -4,7 +4,7 @@
 
 namespace morskin::surface {
 
-/// What is known of a closed surface's topology from elsewhere than a mesh.
+/// The topology of a closed surface, from a source independent of any mesh.
 struct Topology {
   std::size_t components = 0;
   std::size_t genus = 0;  ///< summed over components

@@ -14,10 +14,10 @@ using geometry::VertexId;
 namespace {
 
 /// Random points in a cube, and a length scale that varies a thousandfold and is 1-Lipschitz.
-struct Places {
+struct Samples {
   std::vector<Point> points;
 
-  Places(std::size_t count, std::uint64_t seed) {
+  Samples(std::size_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> coordinate(-1, 1);
     for (std::size_t i = 0; i < count; ++i) {
@@ -38,19 +38,20 @@ struct Places {
 
 }  // namespace
 
-TEST_CASE("every candidate within reach of a place is visited, as a search of all finds them") {
+TEST_CASE(
+    "every candidate within the radius of a point is visited, as a search of all finds them") {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Places places(1000, seed);
-    for (const double reach : {0.01, 0.1, 0.3, 0.8}) {
-      const std::vector<Candidate> candidates = places.candidates(7);
-      const CandidateGrid grid(reach, candidates);
-      for (std::size_t i = 0; i < places.points.size(); ++i) {
-        const double rho = places.length_scale(i);
-        std::vector<char> is_visited(places.points.size(), 0);
-        grid.for_each_near(places.points[i], rho, [&](VertexId v) { is_visited[v.index()] = 1; });
+    const Samples samples(1000, seed);
+    for (const double radius : {0.01, 0.1, 0.3, 0.8}) {
+      const std::vector<Candidate> candidates = samples.candidates(7);
+      const CandidateGrid grid(radius, candidates);
+      for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        const double rho = samples.length_scale(i);
+        std::vector<char> is_visited(samples.points.size(), 0);
+        grid.for_each_near(samples.points[i], rho, [&](VertexId v) { is_visited[v.index()] = 1; });
         for (const Candidate& candidate : candidates) {
-          if ((candidate.position - places.points[i]).norm() > reach * rho) continue;
+          if ((candidate.position - samples.points[i]).norm() > radius * rho) continue;
           CHECK(is_visited[candidate.vertex.index()] != 0);
           ++found;
         }
@@ -60,7 +61,7 @@ TEST_CASE("every candidate within reach of a place is visited, as a search of al
   CHECK(found > 10'000);  // so the law was put to the test
 }
 
-TEST_CASE("a place is shown few of many candidates, however many there are") {
+TEST_CASE("a query visits few of many candidates, however many there are") {
   // A capsid's mesh has thousands of components with sixteen candidates each. Buckets limited to
   // 65,536 once showed every vertex a hundred of them.
   std::mt19937_64 random(1);
@@ -69,8 +70,8 @@ TEST_CASE("a place is shown few of many candidates, however many there are") {
   for (Point& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < points.size(); ++i) candidates.push_back({VertexId{i}, points[i], 1});
-  const double reach = 0.3;
-  const CandidateGrid grid(reach, candidates);
+  const double radius = 0.3;
+  const CandidateGrid grid(radius, candidates);
   std::size_t visits = 0;
   constexpr std::size_t questions = 10'000;
   for (std::size_t i = 0; i < questions; ++i) {

@@ -50,7 +50,7 @@ struct Good {
 std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
                              const geometry::SurfaceMesh& surface) {
   const auto points = certify::locate_vertices(mesh, good.skin.surface);
-  certify::SureEdges sure(mesh.triangles.size());
+  certify::DelaunayFilter sure(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
     const std::array p{&points[a], &points[b], &points[c]};

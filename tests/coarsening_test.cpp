@@ -65,7 +65,7 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const auto [a, b, c] = mesh.surface.corners(geometry::TriangleId{t});
     const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
-    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    const double rho = min_length_scale(p);
     if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
         !certify::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
       return false;

@@ -1,4 +1,4 @@
-// Integral lines where the function is nearly degenerate: they creep along a way of little slope,
+// Integral lines where the function is nearly degenerate: they creep along a curve of little slope,
 // or run so near to a saddle that rounding decides on which side they pass.
 
 #include <doctest/doctest.h>
@@ -86,7 +86,7 @@ TEST_CASE("the derivative of the flow is that of its differences") {
     const MorseFunction f = random.uniform() < 0.5
                                 ? MorseFunction::height(random.direction())
                                 : MorseFunction::squared_distance(5 * random.direction());
-    const GradientFlow flow(patch, f, random.uniform() < 0.5 ? Way::Up : Way::Down);
+    const GradientFlow flow(patch, f, random.uniform() < 0.5 ? Direction::Up : Direction::Down);
     const Vector u = on_patch(flow, random.between(2, 3) * random.direction());
     const Eigen::Matrix3d derivative = flow.derivative(u);
     for (int i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ TEST_CASE("an implicit step is of order 5: half the time divides its error by mo
     CAPTURE(seed);
     support::Random random(seed);
     const skin::Patch patch{Vector::Zero(), random.direction(), 1, 1};
-    const GradientFlow flow(patch, MorseFunction::height(random.direction()), Way::Up);
+    const GradientFlow flow(patch, MorseFunction::height(random.direction()), Direction::Up);
     const Vector u = on_patch(flow, 1.5 * random.direction());
     const auto error = [&](double time) {
       Vector exact = u;
@@ -157,22 +157,22 @@ TEST_CASE("a creeping line lies where steps too short to be implicit find it") {
   for (const support::TracedLine& line : support::traced_lines(lines)) {
     for (std::size_t i = 1; i + 2 < line.points.size(); ++i) {
       const skin::Patch& patch = test.skin.complex().patch(line.cells[i]);
-      const GradientFlow flow(patch, test.f, line.way);
+      const GradientFlow flow(patch, test.f, line.direction);
       Vector u = flow.to_local(line.points[i] - patch.centre);
       const Vector end = flow.to_local(line.points[i + 1] - patch.centre);
       if ((end - u).norm() < 20 * flow(u).norm()) continue;  // not an implicit step
       ++compared;
-      const double way = line.way == Way::Up ? 1 : -1, level = way * flow.value(end);
+      const double sign = line.direction == Direction::Up ? 1 : -1, level = sign * flow.value(end);
       const double time = 0.05;
       Vector next = u;
-      for (; way * flow.value(next) < level; next = runge_kutta_step(flow, u, flow(u), time)) {
+      for (; sign * flow.value(next) < level; next = runge_kutta_step(flow, u, flow(u), time)) {
         u = next;
       }
       double low = 0, high = time;
       for (int k = 0; k < 60; ++k) {
         const double middle = (low + high) / 2;
         next = runge_kutta_step(flow, u, flow(u), middle);
-        (way * flow.value(next) < level ? low : high) = middle;
+        (sign * flow.value(next) < level ? low : high) = middle;
       }
       CHECK((next - end).norm() < IntegralLines::usual_accuracy * end.norm());
     }

@@ -331,8 +331,8 @@ TEST_CASE(
           expected = side(skin.complex(), cell, centre + circle.radius * out, 0) == Where::Inside;
         }
         const auto place = is_circle
-                               ? place_in_cell(skin.complex(), cell, circle, 1e-9)
-                               : place_in_cell(skin.complex(), cell, centre, circle.radius, 1e-9);
+                               ? point_in_cell(skin.complex(), cell, circle, 1e-9)
+                               : point_in_cell(skin.complex(), cell, centre, circle.radius, 1e-9);
         if (expected) REQUIRE(place.has_value());
         ++(place ? found : absent)[static_cast<std::size_t>(is_circle)];
         if (!place) continue;
@@ -346,7 +346,7 @@ TEST_CASE(
         const Point x = centre + t * stretch.direction;
         expected = expected || side(skin.complex(), cell, x, 0) == Where::Inside;
       }
-      const auto place = place_in_cell(skin.complex(), cell, stretch, 1e-9);
+      const auto place = point_in_cell(skin.complex(), cell, stretch, 1e-9);
       if (expected) REQUIRE(place.has_value());
       if (!place) continue;
       CHECK(side(skin.complex(), cell, *place, 1e-8) != Where::Outside);

@@ -27,7 +27,7 @@ void check_result(const MeshResult& result, const certify::Sizing& sizing = {}) 
   CHECK(certificate.certified);
   CHECK(certificate.is_homeomorphic);
   CHECK(certificate.covering_degree_ok);
-  CHECK(certificate.min_angle_deg > sizing.least_angle_deg());
+  CHECK(certificate.min_angle_deg > sizing.angle_bound_deg());
   CHECK(certificate.worst_L > 1);
   CHECK(certificate.worst_U < 1);
   const long chi = support::euler_characteristic(result.critical_points);

@@ -17,11 +17,11 @@ using support::TracedLine;
 
 namespace {
 
-double way_of(const TracedLine& line) { return line.way == Way::Up ? 1 : -1; }
+double sign_of(const TracedLine& line) { return line.direction == Direction::Up ? 1 : -1; }
 
-/// The part of f's gradient along the skin, on the way of the line, over the gradient's length.
-Vector slope(const MorseCase& test, const surface::SurfacePoint& x, double way) {
-  const Vector g = way * test.f.gradient(x.position).normalized();
+/// The part of f's gradient along the skin, in the line's direction, over the gradient's length.
+Vector slope(const MorseCase& test, const surface::SurfacePoint& x, double sign) {
+  const Vector g = sign * test.f.gradient(x.position).normalized();
   return g - g.dot(x.normal) * x.normal;
 }
 
@@ -66,7 +66,7 @@ void check_lines(const MorseCase& test) {
       const Point& x = line.points[i];
       // Where a take-off or a capture disc is tiny, the difference is below the rounding of f.
       const double rounding = 4e-16 * (std::abs(test.f(x)) + test.f.gradient(x).norm() * x.norm());
-      if (i > 0 && way_of(line) * (test.f(x) - test.f(line.points[i - 1])) <= 0) {
+      if (i > 0 && sign_of(line) * (test.f(x) - test.f(line.points[i - 1])) <= 0) {
         is_monotone &= std::abs(test.f(x) - test.f(line.points[i - 1])) <= rounding;
       }
       const skin::Patch& patch = complex.patch(test.skin.locate(x, line.cells[i]));
@@ -94,7 +94,7 @@ TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls
       ++count;
       REQUIRE(line.course.arrival);
       const CriticalPoint& end = test.critical.points[line.course.arrival->extremum.index()];
-      CHECK(end.index == (line.way == Way::Up ? 2 : 0));
+      CHECK(end.index == (line.direction == Direction::Up ? 2 : 0));
       CHECK(line.points.front() == test.critical.points[line.saddle.index()].point.position);
       CHECK(line.points.back() == end.point.position);
     }
@@ -153,14 +153,15 @@ TEST_CASE("the frame of a gradient flow is orthonormal for any angle of gradient
     const double tilt = std::pow(10, random.between(-20, 1));
     const double length = std::pow(10, random.between(-5, 5));
     const GradientFlow flow(
-        patch, MorseFunction::height(length * (patch.axis + tilt * random.direction())), Way::Up);
+        patch, MorseFunction::height(length * (patch.axis + tilt * random.direction())),
+        Direction::Up);
     const Vector a = random.direction(), b = random.direction();
     CHECK(std::abs(flow.to_local(a).dot(flow.to_local(b)) - a.dot(b)) < 1e-14);
     CHECK((flow.to_space(flow.to_local(a)) - a).norm() < 1e-14);
   }
 }
 
-TEST_CASE("the chord between two nodes is parallel to the gradient half way") {
+TEST_CASE("the chord between two nodes is parallel to the gradient midway") {
   for (unsigned seed = 0; seed < 15; ++seed) {
     CAPTURE(seed);
     const MorseCase test(seed);
@@ -180,8 +181,8 @@ TEST_CASE("the chord between two nodes is parallel to the gradient half way") {
             chord.norm() < 1e4 * test.skin.complex().wall_tolerance()) {
           continue;
         }
-        worst = std::max(worst, chord.cross(slope(test, *middle, way_of(line))).norm() /
-                                    chord.norm() / slope(test, *middle, way_of(line)).norm());
+        worst = std::max(worst, chord.cross(slope(test, *middle, sign_of(line))).norm() /
+                                    chord.norm() / slope(test, *middle, sign_of(line)).norm());
       }
       // Half way is off by the second order of a step's time, which is at most some tens of steps'
       // share where the flow is slow.
@@ -228,12 +229,12 @@ TEST_CASE("on one ball every line is half a great circle to the pole, of heights
     const Vector pole = f.gradient(centre).normalized();
     const Vector start = random.direction();
     const surface::SurfacePoint x = test.skin.at(centre + radius * start, CellId{0U});
-    for (const Way way : {Way::Down, Way::Up}) {
+    for (const Direction direction : {Direction::Down, Direction::Up}) {
       std::vector<Point> points;
       std::vector<CellId> cells;
-      const Course course = lines.trace(x, way, points, cells);
+      const Course course = lines.trace(x, direction, points, cells);
       REQUIRE(course.arrival);
-      const double side = way == Way::Up ? 1 : -1;
+      const double side = direction == Direction::Up ? 1 : -1;
       CHECK((points.back() - centre - side * radius * pole).norm() < 1e-13 * (radius + 10));
       const Vector normal = pole.cross(start).normalized();
       for (const Point& p : points) {
@@ -270,7 +271,7 @@ TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
       if (disc.radius == 0) continue;
       ++discs;
       const CriticalPoint& p = test.critical.points[i];
-      const double way = p.index == 0 ? 1 : -1;
+      const double sign = p.index == 0 ? 1 : -1;
       CHECK(disc.radius <= lines.wall_distance(CriticalId{i}));
       for (int k = 0; k < 50; ++k) {
         const Vector away = disc.radius * test.random.between(0, 1.1) *
@@ -283,11 +284,12 @@ TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
         // A line from there stays in the disc up to its end.
         std::vector<Point> points;
         std::vector<CellId> cells;
-        const Course course = lines.trace(*x, p.index == 0 ? Way::Down : Way::Up, points, cells);
+        const Course course =
+            lines.trace(*x, p.index == 0 ? Direction::Down : Direction::Up, points, cells);
         REQUIRE(course.arrival);
         CHECK(course.arrival->extremum == CriticalId{i});
         // The form is f's difference, and the gradient does not vanish.
-        const double rise = way * (test.f(x->position) - p.value);
+        const double rise = sign * (test.f(x->position) - p.value);
         CHECK(std::abs(disc.height(u) - rise) <=
               1e-13 * (std::abs(p.value) + 10 * test.f.gradient(x->position).norm()));
         CHECK(slope(test, *x, 1).norm() > 0);
@@ -328,8 +330,8 @@ TEST_CASE("lines find an extremum a millionth of its length scale from a cell wa
         REQUIRE(x);
         std::vector<Point> points;
         std::vector<CellId> cells;
-        for (const Way way : {Way::Down, Way::Up}) {
-          CHECK(lines.trace(*x, way, points, cells).arrival);
+        for (const Direction direction : {Direction::Down, Direction::Up}) {
+          CHECK(lines.trace(*x, direction, points, cells).arrival);
         }
       }
     }
@@ -349,7 +351,7 @@ TEST_CASE("a line passes each level between its ends once, at its node if it has
         const auto node = lines.passage_at(line.nodes(), i);
         CHECK((place->position - node.position).norm() <= lines.merge_distance(node.length_scale));
       }
-      const double beyond = test.f(line.points.front()) - way_of(line);
+      const double beyond = test.f(line.points.front()) - sign_of(line);
       CHECK_FALSE(lines.passage(line.nodes(), beyond));
     }
   }

@@ -73,8 +73,8 @@ TEST_CASE("a segment that is surely clear of the skin does not cross it") {
       const double g = skin.value(segment.p, CellId{0U}), h = skin.value(segment.q, CellId{0U});
       if ((g > 0) != (h > 0)) continue;
       ++all;
-      if (!surface::is_surely_clear((segment.q - segment.p).norm(), std::sqrt(std::abs(g)),
-                                    std::sqrt(std::abs(h)))) {
+      if (!surface::is_certainly_clear((segment.q - segment.p).norm(), std::sqrt(std::abs(g)),
+                                       std::sqrt(std::abs(h)))) {
         continue;
       }
       ++clear;

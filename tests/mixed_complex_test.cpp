@@ -330,7 +330,7 @@ TEST_CASE("a cell's dimension and place lead back to the cell, and every simplex
         REQUIRE(cell.index() < complex.size());
         is_met[cell.index()] = 1;
         CHECK(complex.dimension(cell) == static_cast<int>(d));
-        CHECK(complex.place(cell) == place);
+        CHECK(complex.simplex_index(cell) == place);
       }
     }
     CHECK(std::ranges::count(is_met, 0) == 0);

@@ -148,7 +148,7 @@ TEST_CASE("an atom is described by name, residue, chain and line") {
   CHECK(molecule.atoms[0].position == Point(1.5, 2.5, -3.25));
 }
 
-TEST_CASE("of alternate places the likeliest stays, of equals the first letter") {
+TEST_CASE("of alternate locations the likeliest stays, of equals the first letter") {
   const auto place = [](const char* name, char letter, const char* residue, const char* tail) {
     return pdb_line("ATOM", name, letter, residue, 7, letter, tail);
   };
@@ -299,10 +299,10 @@ TEST_CASE("a gzipped file that is cut short, damaged or too large is turned down
   damaged[packed.size() / 2] ^= 0x10;
   CHECK_THROWS_AS(parse_molecule(damaged, "a.pdb"), UnreadableInput);
   ReadOptions small;
-  small.most_bytes = 1000;
+  small.max_bytes = 1000;
   CHECK_THROWS_WITH_AS(parse_molecule(gzipped(std::string(100000, ' ')), "a.pdb", small),
                        doctest::Contains("more than 1000 bytes"), UnreadableInput);
-  small.most_bytes = small_pdb().size();
+  small.max_bytes = small_pdb().size();
   CHECK(parse_molecule(packed, "a.pdb", small).atoms.size() == 3);
 }
 
@@ -321,12 +321,12 @@ TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {
 TEST_CASE("a file that holds more than it may is turned down before all of it is read") {
   const TemporaryFolder folder;
   ReadOptions options;
-  options.most_bytes = 15;
+  options.max_bytes = 15;
   const auto path = folder.file("a.xyzr", "0 0 0 1\n1 0 0 1\n");
   CHECK_THROWS_WITH_AS(read_molecule(path, options), doctest::Contains("more than 15 bytes"),
                        UnreadableInput);
   CHECK_THROWS_AS(read_molecule("/dev/zero", options), UnreadableInput);
-  options.most_bytes = 16;
+  options.max_bytes = 16;
   CHECK(read_molecule(path, options).atoms.size() == 2);
 }
 

@@ -49,7 +49,7 @@ Breaches breaches(const Mesh& mesh, const Sizing& sizing = {}) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
     const std::array p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
     const double radius = circumcircle(p[0]->position, p[1]->position, p[2]->position).radius;
-    const double rho = std::min({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
+    const double rho = min_length_scale(p);
     found.U += !(sizing.triangle_ratio(radius, rho) < 1);
     for (std::size_t k = 0; k < 3; ++k) {
       found.L += !(sizing.edge_ratio(*p[k], *p[(k + 1) % 3]) > 1);
@@ -73,7 +73,7 @@ void check_refined(const PreparedSkin& skin, const Mesh& mesh, const Sizing& siz
 }
 
 /// A ball this shallowly entered counts as empty: the refinement's own share of its squared radius.
-constexpr double least_intrusion = 1e-9;
+constexpr double min_intrusion = 1e-9;
 
 std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
   std::size_t entered = 0;
@@ -85,7 +85,7 @@ std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
       if (VertexId{v} == a || VertexId{v} == b || VertexId{v} == c) continue;
       // Twice, since the flips compare with the smaller of two balls, which may round apart.
       if (around.intrusion(mesh.position(VertexId{v})) >
-          2 * least_intrusion * around.squared_radius) {
+          2 * min_intrusion * around.squared_radius) {
         ++entered;
         break;
       }
@@ -350,19 +350,19 @@ TEST_CASE("a surface ball found to rounding is as deep as its bounds say, and th
       const SurfaceBall exact =
           exact_surface_ball(skin.surface, mesh.at(a), mesh.position(b), mesh.position(c));
       if (!exact.is_exact) continue;
-      QuestionedBall ball(skin.surface, {&mesh.at(a), &mesh.at(b), &mesh.at(c)},
-                          circumcircle(mesh.position(a), mesh.position(b), mesh.position(c)));
+      LazySurfaceBall ball(skin.surface, {&mesh.at(a), &mesh.at(b), &mesh.at(c)},
+                           circumcircle(mesh.position(a), mesh.position(b), mesh.position(c)));
       const double rounding = 1e-8 * exact.squared_radius;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
         const Point& p = mesh.position(mesh.surface.apex(mesh.surface.twin(h)));
         const double depth = exact.intrusion(p);
         const Depth bounds = ball.depth(p), intrusion = ball.intrusion(p);
-        CHECK(bounds.least <= depth + rounding);
-        CHECK(bounds.most >= depth - rounding);
-        if (std::abs(depth) > rounding) CHECK((intrusion.most > 0) == (depth > 0));
+        CHECK(bounds.min <= depth + rounding);
+        CHECK(bounds.max >= depth - rounding);
+        if (std::abs(depth) > rounding) CHECK((intrusion.max > 0) == (depth > 0));
         ++asked;
-        decided += bounds.most <= 0 || bounds.least > 0;
+        decided += bounds.max <= 0 || bounds.min > 0;
       }
     }
     CHECK(10 * decided > 9 * asked);

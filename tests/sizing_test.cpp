@@ -53,8 +53,8 @@ TEST_CASE("a rim point dropped on the sandwich ball is as far as [U] lets an edg
 
 TEST_CASE("the least angle is 21.54 degrees with the default constants") {
   constexpr double two_digits = 0.01;
-  CHECK(std::abs(Sizing{}.least_angle_deg() - 21.54) < two_digits);
-  CHECK(Sizing{}.least_angle_deg() > 21.54);
+  CHECK(std::abs(Sizing{}.angle_bound_deg() - 21.54) < two_digits);
+  CHECK(Sizing{}.angle_bound_deg() > 21.54);
 }
 
 TEST_CASE("insertion with the default constants cannot make a short edge") {
@@ -83,7 +83,7 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
     if (!keeps_L) continue;
     ++kept;
     const auto angles = certify::angle_range(p[0].position, p[1].position, p[2].position);
-    CHECK(angles.smallest_deg > sizing.least_angle_deg());
+    CHECK(angles.smallest_deg > sizing.angle_bound_deg());
   }
   CHECK(kept > 20);  // the law was put to the test
 }

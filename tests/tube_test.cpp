@@ -38,7 +38,7 @@ TEST_CASE("on a ball all triangles are proved up to nearly the last that lies in
     CAPTURE(R);
     const TubeProof found = proof(skin, on_ball(skin, R));
     CHECK(found.holds());
-    CHECK(found.way >= 1 - std::sqrt(1 - R * R));  // from the circumcentre straight up
+    CHECK(found.max_path >= 1 - std::sqrt(1 - R * R));  // from the circumcentre straight up
   }
   for (double R = std::sqrt(0.5) + 1e-9; R < 1; R += 0.01) {
     CAPTURE(R);
@@ -55,7 +55,7 @@ TEST_CASE("a triangle that is upside down is never proved upright") {
   }
 }
 
-TEST_CASE("what is proved of a triangle holds at each of its points, and so does the longest way") {
+TEST_CASE("a proof for a triangle holds at each of its points, and so does its longest path") {
   std::size_t held = 0, coarse = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
@@ -95,7 +95,7 @@ TEST_CASE("what is proved of a triangle holds at each of its points, and so does
         CHECK(std::abs(patch.value(x)) < N.squaredNorm());
         const auto end = skin->surface.project(x, a.cell);
         REQUIRE(end);
-        CHECK((end->position - x).norm() <= found.way * (1 + 1e-9));
+        CHECK((end->position - x).norm() <= found.max_path * (1 + 1e-9));
       }
     }
   }

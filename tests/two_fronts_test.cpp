@@ -144,7 +144,7 @@ TEST_CASE("no value within a distance differs by more than a Morse function's mo
                           morse::MorseFunction::squared_distance(from).reversed()}) {
       const double distance = random.between(0, 4);
       const geometry::Point y = x + distance * random.direction();
-      CHECK(std::abs(f(y) - f(x)) <= f.most_change(x, distance) * (1 + 1e-12));
+      CHECK(std::abs(f(y) - f(x)) <= f.max_change(x, distance) * (1 + 1e-12));
     }
   }
 }

@@ -101,7 +101,7 @@ std::string create_beside(const std::filesystem::path& target, int& number) {
 
 }  // namespace
 
-FileBytes read_file(const std::filesystem::path& path, std::size_t most_bytes) {
+FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   const bool is_standard_input = path == "-";
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
@@ -115,19 +115,19 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t most_bytes) {
   // One byte more than the size, so that a file that does not grow is read in one piece.
   std::size_t capacity = 1 << 16;
   if (S_ISREG(status.st_mode)) capacity = static_cast<std::size_t>(status.st_size) + 1;
-  capacity = std::min(capacity, most_bytes + 1);
+  capacity = std::min(capacity, max_bytes + 1);
   auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
   std::size_t size = read_up_to(file, bytes.get(), capacity, path);
-  while (size == capacity && size <= most_bytes) {
-    capacity = std::min(2 * capacity, most_bytes + 1);
+  while (size == capacity && size <= max_bytes) {
+    capacity = std::min(2 * capacity, max_bytes + 1);
     auto larger = std::make_unique_for_overwrite<char[]>(capacity);
     std::memcpy(larger.get(), bytes.get(), size);
     bytes = std::move(larger);
     size += read_up_to(file, bytes.get() + size, capacity - size, path);
   }
-  if (size > most_bytes) {
+  if (size > max_bytes) {
     fail_to_read(path,
-                 "holds more than " + std::to_string(most_bytes) + " bytes; name another file");
+                 "holds more than " + std::to_string(max_bytes) + " bytes; name another file");
   }
   return {std::move(bytes), size};
 }

@@ -24,11 +24,11 @@ class FileBytes {
 
 /// Reads all of a file; "-" is standard input.
 ///
-/// @param most_bytes  how much it may hold: a device or a pipe may never end.
+/// @param max_bytes  how much it may hold: a device or a pipe may never end.
 /// @throws UnreadableInput  if it is missing, a directory, not permitted, holds more, or fails
 /// while being read.
 FileBytes read_file(const std::filesystem::path& path,
-                    std::size_t most_bytes = std::numeric_limits<std::size_t>::max() / 4);
+                    std::size_t max_bytes = std::numeric_limits<std::size_t>::max() / 4);
 
 /// Whether `path` is written to directly, since no file could be renamed to it: "-" and
 /// "/dev/stdout" (standard output), "/dev/stderr" (standard error), and whatever else exists and is

@@ -22,12 +22,12 @@ constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max() / 2;
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t most_bytes) {
+std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t max_bytes) {
   z_stream stream{};
   if (inflateInit2(&stream, gzip_window) != Z_OK) fail(source, "zlib does not start; try again");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
 
-  const std::size_t most = std::min(most_bytes, std::max(bomb_bytes, bomb_ratio * bytes.size()));
+  const std::size_t most = std::min(max_bytes, std::max(bomb_bytes, bomb_ratio * bytes.size()));
   std::string text;
   std::size_t taken = 0;  // of bytes
   std::size_t made = 0;   // of text, the rest is room

@@ -18,9 +18,9 @@ constexpr std::size_t bomb_bytes = std::size_t{1} << 26;
 /// What gzip packed; several packed parts one after the other are joined.
 ///
 /// @param source      the file's name, for messages.
-/// @param most_bytes  how much the result may hold.
-/// @throws UnreadableInput  if the bytes are damaged or cut short, or hold more than `most_bytes`,
+/// @param max_bytes  how much the result may hold.
+/// @throws UnreadableInput  if the bytes are damaged or cut short, or hold more than `max_bytes`,
 ///                          or are a bomb
-std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t most_bytes);
+std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t max_bytes);
 
 }  // namespace morskin::geometry

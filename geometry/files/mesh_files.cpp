@@ -51,7 +51,7 @@ Point take_position(std::string_view& fields, const TextLines& lines) {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1ULL << 34;  // of a mesh file, packed or not
+constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
 constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
     {".ply", MeshFormat::PlyBinary},
@@ -129,7 +129,7 @@ namespace {
 // Bytes as they are, or what gzip packed in them.
 std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& room) {
   if (!is_gzip(bytes)) return bytes;
-  room = unpack_gzip(bytes, source, most_bytes);
+  room = unpack_gzip(bytes, source, max_bytes);
   return room;
 }
 
@@ -162,7 +162,7 @@ std::filesystem::path msms_partner(const std::filesystem::path& path) {
 
 IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
   const std::filesystem::path partner = msms_partner(path);
-  const FileBytes other = read_file(partner, most_bytes);
+  const FileBytes other = read_file(partner, max_bytes);
   std::string room;
   const mesh_formats::MsmsFile named{bytes, path.string()};
   const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), room),
@@ -174,7 +174,7 @@ IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes)
 }  // namespace
 
 IndexedMesh read_mesh(const std::filesystem::path& path) {
-  const FileBytes file = read_file(path, most_bytes);
+  const FileBytes file = read_file(path, max_bytes);
   if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
     return parse_mesh(file.view(), path.string());
   }

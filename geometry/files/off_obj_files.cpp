@@ -13,7 +13,7 @@
 namespace morskin::geometry::mesh_formats {
 namespace {
 
-constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t max_vertices = std::numeric_limits<std::uint32_t>::max();
 
 // Moves to the next OFF line that says something, without its comment; "" at the end.
 std::string_view next_off_line(TextLines& lines) {
@@ -50,7 +50,7 @@ std::uint32_t obj_corner(std::string_view field, std::size_t vertices, const Tex
   const std::optional<std::int64_t> number = parse_integer(field.substr(0, field.find('/')));
   const auto known = static_cast<std::int64_t>(vertices);
   if (!number || *number == 0 || *number < -known ||
-      *number > static_cast<std::int64_t>(most_vertices)) {
+      *number > static_cast<std::int64_t>(max_vertices)) {
     lines.fail("corner " + quoted(field) + " names no vertex; write the mesh again");
   }
   return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : known + *number);
@@ -72,7 +72,7 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
   }
   const std::size_t vertices = take_count(fields, lines);
   const std::size_t faces = take_count(fields, lines);
-  if (vertices > most_vertices) lines.fail("too many vertices; at most 2^32 - 1 are read");
+  if (vertices > max_vertices) lines.fail("too many vertices; at most 2^32 - 1 are read");
 
   // A vertex needs six bytes of text ("0 0 0\n") and a face eight, whatever the counts say.
   IndexedMesh mesh;
@@ -120,7 +120,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
     const std::string_view word = take_field(fields);
     if (word == "v") {
       mesh.positions.push_back(take_position(fields, lines));
-      if (mesh.positions.size() > most_vertices) lines.fail("too many vertices");
+      if (mesh.positions.size() > max_vertices) lines.fail("too many vertices");
     } else if (word == "f") {
       polygon.clear();
       for (auto field = take_field(fields); !field.empty(); field = take_field(fields)) {
@@ -130,7 +130,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
       const std::uint32_t highest = *std::ranges::max_element(polygon);
       if (highest > last_corner || last_corner_place.empty()) {
         last_corner = highest;
-        last_corner_place = lines.place();
+        last_corner_place = lines.location();
       }
       append_fan(mesh, polygon);
     } else if (!word.empty()) {

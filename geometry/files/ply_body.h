@@ -43,7 +43,7 @@ class PlyBinaryBody {
 
   bool is_swapped() const { return is_swapped_; }
   std::string_view rest() const { return rest_; }
-  std::size_t least_size(PlyScalar type) const { return size_of(type); }
+  std::size_t min_size(PlyScalar type) const { return size_of(type); }
   std::string place() const {
     return source_ + ": byte " + std::to_string(whole_size_ - rest_.size()) + " of the body";
   }
@@ -92,7 +92,7 @@ class PlyAsciiBody {
       : lines_(header.body, {}), header_lines_(header.line_count), source_(std::move(source)) {}
 
   std::string_view rest() const { return lines_.rest(); }
-  std::size_t least_size(PlyScalar) const { return 1; }
+  std::size_t min_size(PlyScalar) const { return 1; }
   std::string place() const {
     return source_ + ":" + std::to_string(header_lines_ + lines_.number());
   }

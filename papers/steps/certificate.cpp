@@ -14,11 +14,11 @@ int main() {
   const geometry::IndexedMesh mesh = morskin::make_mesh(skin).mesh;
   const certify::Certificate good = certify::certify(mesh, skin.surface, skin.topology);
   std::printf("[L] %.3f (above 1), [U] %.3f (below 1), smallest angle %.1f (bound %.2f)\n",
-              good.worst_L, good.worst_U, good.min_angle_deg, certify::Sizing{}.least_angle_deg());
+              good.worst_L, good.worst_U, good.min_angle_deg, certify::Sizing{}.angle_bound_deg());
   std::printf("V - E + F = %ld, expected %ld\n", good.euler_characteristic,
               good.expected_euler_characteristic);
   bool holds = good.worst_L > 1 && good.worst_U < 1 && good.euler_characteristic == 4 &&
-               good.min_angle_deg > certify::Sizing{}.least_angle_deg();
+               good.min_angle_deg > certify::Sizing{}.angle_bound_deg();
 
   // [excerpt: step-certificate]
   const auto is_certified = [&](const char* what, const geometry::IndexedMesh& some) {

@@ -32,7 +32,7 @@ int main() {
   std::vector<geometry::CellId> cells;
   const morse::IntegralLines lines(skin, height, points, 0.05);  // steps of 0.05 rho
   const morse::Course course = lines.trace(morse::CriticalId{saddle}, points[saddle].descending,
-                                           morse::Way::Down, nodes, cells);
+                                           morse::Direction::Down, nodes, cells);
   if (!course.arrival) return 1;
   // [/excerpt]
   bool falls = true;

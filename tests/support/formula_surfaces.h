@@ -16,7 +16,7 @@ using geometry::Vector;
 using surface::CellId;
 
 /// What both share. All crossings of a segment are found by halving: a piece is settled once its
-/// ends tell that it stays on one side (surface::is_surely_clear), or once G is monotone on it.
+/// ends tell that it stays on one side (surface::is_certainly_clear), or once G is monotone on it.
 class FormulaSurface : public surface::Surface {
  public:
   double residual_bound(double rho) const final { return 1e-11 * rho * rho; }
@@ -41,8 +41,8 @@ class FormulaSurface : public surface::Surface {
     const double length = (b - a).norm();
     const surface::Jet at_a = jet_at(a), at_b = jet_at(b);
     const bool is_one_side = (at_a.value > 0) == (at_b.value > 0);
-    if (is_one_side && surface::is_surely_clear(length, std::sqrt(std::abs(at_a.value)),
-                                                std::sqrt(std::abs(at_b.value)))) {
+    if (is_one_side && surface::is_certainly_clear(length, std::sqrt(std::abs(at_a.value)),
+                                                   std::sqrt(std::abs(at_b.value)))) {
       return;
     }
     // N is 1-Lipschitz, so along the piece its part keeps its sign where it is longer than that.

@@ -38,12 +38,12 @@ struct MorseCase {
 struct TracedLine {
   morse::CriticalId saddle;
   geometry::Vector tangent;
-  morse::Way way;
+  morse::Direction direction;
   std::vector<geometry::Point> points;
   std::vector<geometry::CellId> cells;
   morse::Course course;
 
-  morse::LineNodes nodes() const { return {saddle, tangent, way, points, cells}; }
+  morse::LineNodes nodes() const { return {saddle, tangent, direction, points, cells}; }
 };
 
 /// The lines of all saddles, four to each.
@@ -53,14 +53,14 @@ inline std::vector<TracedLine> traced_lines(const morse::IntegralLines& lines) {
     const morse::CriticalPoint& p = lines.points()[i];
     if (p.index != 1) continue;
     for (const double side : {1.0, -1.0}) {
-      for (const morse::Way way : {morse::Way::Down, morse::Way::Up}) {
+      for (const morse::Direction direction : {morse::Direction::Down, morse::Direction::Up}) {
         TracedLine line{morse::CriticalId{i},
-                        side * (way == morse::Way::Down ? p.descending : p.ascending),
-                        way,
+                        side * (direction == morse::Direction::Down ? p.descending : p.ascending),
+                        direction,
                         {},
                         {},
                         {}};
-        line.course = lines.trace(line.saddle, line.tangent, way, line.points, line.cells);
+        line.course = lines.trace(line.saddle, line.tangent, direction, line.points, line.cells);
         all.push_back(std::move(line));
       }
     }

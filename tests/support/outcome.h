@@ -25,7 +25,7 @@ inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
     const morskin::MeshResult result = support::meshed(points, options);
     const certify::Certificate& certificate = result.certificate;
     if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
-    if (!(certificate.min_angle_deg > options.sizing.least_angle_deg())) {
+    if (!(certificate.min_angle_deg > options.sizing.angle_bound_deg())) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};
     }
     if (certificate.euler_characteristic != support::euler_characteristic(result.critical_points)) {

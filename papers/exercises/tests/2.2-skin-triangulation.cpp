@@ -17,7 +17,7 @@ TEST_CASE("2.2-skin-triangulation, predict: the numbers of triangles have this r
 
 TEST_CASE("2.2-skin-triangulation, run: the bound is arcsin(1/Q^2)" * until(angle_bound_deg)) {
   const certify::Sizing sizing{0.08, 1.6};
-  CHECK(std::abs(*angle_bound_deg - sizing.least_angle_deg()) < 0.01);
+  CHECK(std::abs(*angle_bound_deg - sizing.angle_bound_deg()) < 0.01);
 }
 
 TEST_CASE("2.2-skin-triangulation, explain: at this Q an inserted vertex is just far enough" *

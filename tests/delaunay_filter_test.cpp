@@ -1,4 +1,4 @@
-#include "certify/sure_edges.h"
+#include "certify/delaunay_filter.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using certify::SureEdges;
+using certify::DelaunayFilter;
 using geometry::HalfEdgeId;
 using geometry::TriangleId;
 using skin::Vector;
@@ -16,10 +16,10 @@ namespace {
 
 using Corners = std::array<const SurfacePoint*, 3>;
 
-void note(const skin::SkinSurface& skin, SureEdges& sure, TriangleId t, const Corners& p) {
-  const double rho = std::max({p[0]->length_scale, p[1]->length_scale, p[2]->length_scale});
-  sure.note(t, p, certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
-            skin.residual_bound(rho));
+void note(const skin::SkinSurface& skin, DelaunayFilter& filter, TriangleId t, const Corners& p) {
+  const double rho = max_length_scale(p);
+  filter.note(t, p, certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+              skin.residual_bound(rho));
 }
 
 /// How deep x lies in the surface ball of a triangle, in shares of its squared radius; nothing
@@ -38,11 +38,11 @@ struct Pair {
   Corners right() const { return {&b, &a, &d}; }
 };
 
-bool is_sure(const skin::SkinSurface& skin, const Pair& pair) {
-  SureEdges sure(2);
-  note(skin, sure, TriangleId{0U}, pair.left());
-  note(skin, sure, TriangleId{1U}, pair.right());
-  return sure.are_sure(HalfEdgeId{0U}, HalfEdgeId{3U});
+bool is_certain(const skin::SkinSurface& skin, const Pair& pair) {
+  DelaunayFilter filter(2);
+  note(skin, filter, TriangleId{0U}, pair.left());
+  note(skin, filter, TriangleId{1U}, pair.right());
+  return filter.certainly_delaunay(HalfEdgeId{0U}, HalfEdgeId{3U});
 }
 
 /// Four points of the skin about a fifth, nearly on one circle: hard to tell which edge is
@@ -65,7 +65,8 @@ std::optional<Pair> random_pair(const skin::SkinSurface& skin, const SurfacePoin
 
 }  // namespace
 
-TEST_CASE("at a sure edge neither far corner lies in the other triangle's surface ball") {
+TEST_CASE(
+    "at an edge proved Delaunay neither far corner lies in the other triangle's surface ball") {
   std::size_t seen = 0, seen_quickly = 0;
   for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
     const auto skin = morskin::prepare_skin(support::molecule(file, skin::Model::Vdw));
@@ -76,9 +77,9 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
       const SurfacePoint x = skin.surface.at(mesh.mesh.positions[v], mesh.cells[v]);
       const auto pair = random_pair(skin.surface, x, random);
       if (!pair) continue;
-      const bool is_quick = certify::is_surely_delaunay(
+      const bool is_quick = certify::is_certainly_delaunay(
           pair->left(), pair->d, skin.surface.residual_bound(pair->d.length_scale));
-      const bool is_noted = is_sure(skin.surface, *pair);
+      const bool is_noted = is_certain(skin.surface, *pair);
       if (!is_quick && !is_noted) continue;
       seen_quickly += is_quick;
       seen += is_noted;
@@ -94,21 +95,21 @@ TEST_CASE("at a sure edge neither far corner lies in the other triangle's surfac
   CHECK(seen_quickly > 2000);
 }
 
-TEST_CASE("nearly all edges of a refined mesh are sure") {
+TEST_CASE("nearly all edges of a refined mesh are proved Delaunay by their angles") {
   const auto skin = morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
   const auto mesh =
       support::skin_mesh(skin.surface, morskin::make_mesh(skin, support::uncertified()));
-  SureEdges sure(mesh.surface.triangle_count());
+  DelaunayFilter filter(mesh.surface.triangle_count());
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
-    note(skin.surface, sure, TriangleId{t}, {&mesh.at(a), &mesh.at(b), &mesh.at(c)});
+    note(skin.surface, filter, TriangleId{t}, {&mesh.at(a), &mesh.at(b), &mesh.at(c)});
   }
-  std::size_t unsure = 0, edges = 0;
+  std::size_t open = 0, edges = 0;
   for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
     const HalfEdgeId h{i}, twin = mesh.surface.twin(h);
-    CHECK(sure.are_sure(h, twin) == sure.are_sure(twin, h));
-    unsure += !sure.are_sure(h, twin);
+    CHECK(filter.certainly_delaunay(h, twin) == filter.certainly_delaunay(twin, h));
+    open += !filter.certainly_delaunay(h, twin);
     ++edges;
   }
-  CHECK(20 * unsure < edges);
+  CHECK(20 * open < edges);
 }

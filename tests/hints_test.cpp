@@ -1,5 +1,4 @@
-// What a mesh's maker says of it may save the certificate a search, and may not change a word of
-// it.
+// A mesher's hints may save the certificate a search, and may not change a word of it.
 
 #include <doctest/doctest.h>
 
@@ -22,7 +21,7 @@ using support::ball;
 
 namespace {
 
-/// What is said, by the way in which it is wrong.
+/// Hints by name, each wrong in its own manner.
 using Twins = std::vector<std::pair<std::string, std::vector<HalfEdgeId>>>;
 using Cells = std::vector<std::pair<std::string, std::vector<CellId>>>;
 
@@ -39,7 +38,7 @@ Twins spoiled(const std::vector<HalfEdgeId>& twins, support::Random& random) {
             {"one by one", twins},
             {"two pairs crossed", twins},
             {"at random", twins}};
-  const auto said = [&](const char* how) -> std::vector<HalfEdgeId>& {
+  const auto named = [&](const char* how) -> std::vector<HalfEdgeId>& {
     for (auto& [name, list] : all) {
       if (name == how) return list;
     }
@@ -48,15 +47,15 @@ Twins spoiled(const std::vector<HalfEdgeId>& twins, support::Random& random) {
   const std::size_t count = twins.size(), a = random.below(count);
   std::size_t b = a;
   while (b == a || twins[a].index() == b) b = random.below(count);
-  said("too few").pop_back();
-  said("too many").push_back(HalfEdgeId{0U});
-  std::swap(said("two swapped")[a], said("two swapped")[b]);
-  said("one its own")[a] = HalfEdgeId{a};
-  said("beyond the end")[a] = HalfEdgeId{count};
-  for (std::size_t h = 0; h < count; ++h) said("one by one")[h] = HalfEdgeId{h ^ 1U};
-  for (HalfEdgeId& h : said("at random")) h = HalfEdgeId{random.below(count)};
+  named("too few").pop_back();
+  named("too many").push_back(HalfEdgeId{0U});
+  std::swap(named("two swapped")[a], named("two swapped")[b]);
+  named("one its own")[a] = HalfEdgeId{a};
+  named("beyond the end")[a] = HalfEdgeId{count};
+  for (std::size_t h = 0; h < count; ++h) named("one by one")[h] = HalfEdgeId{h ^ 1U};
+  for (HalfEdgeId& h : named("at random")) h = HalfEdgeId{random.below(count)};
   if (twins[a].index() < count && twins[b].index() < count) {  // mutual, but of other edges
-    auto& list = said("two pairs crossed");
+    auto& list = named("two pairs crossed");
     list[a] = HalfEdgeId{b};
     list[b] = HalfEdgeId{a};
     list[twins[a].index()] = twins[b];
@@ -128,46 +127,47 @@ std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh&
 
 }  // namespace
 
-TEST_CASE("what is said of a mesh changes nothing in its certificate, be it so or not") {
+TEST_CASE("hints change nothing in a certificate, right or wrong") {
   const morskin::PreparedSkin skin =
       morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)});
   const IndexedMesh mesh = morskin::make_mesh(skin, support::uncertified()).mesh;
   support::Random random(1);
   for (const auto& one : good_and_bad(mesh)) {
     const std::string& kind = one.first;
-    const IndexedMesh& looked_at = one.second;
+    const IndexedMesh& certified_mesh = one.second;
     CAPTURE(kind);
-    const auto certificate = [&](certify::Hearsay said, unsigned threads) {
-      return certify::certify(looked_at, std::move(said), skin.surface, skin.topology, {},
+    const auto certificate = [&](const certify::Hints& hints, unsigned threads) {
+      return certify::certify(certified_mesh, hints, skin.surface, skin.topology, {},
                               geometry::Run(threads));
     };
     const Certificate expected = certificate({}, 1);
     CHECK(expected.certified == (kind == "good"));
     std::vector<CellId> cells;
-    for (const auto& p : certify::locate_vertices(looked_at, skin.surface)) cells.push_back(p.cell);
+    for (const auto& p : certify::locate_vertices(certified_mesh, skin.surface))
+      cells.push_back(p.cell);
     const SurfaceMesh glued =
-        geometry::glued_mesh(looked_at.positions.size(), looked_at.triangles).mesh;
+        geometry::glued_mesh(certified_mesh.positions.size(), certified_mesh.triangles).mesh;
     for (const unsigned threads : {1U, 2U}) {
       for (const auto& twins : spoiled(glued.twins(), random)) {
         CAPTURE(twins.first);
         check_same(certificate({twins.second, cells}, threads), expected);
       }
-      for (const auto& said : spoiled(cells, random)) {
-        CAPTURE(said.first);
-        check_same(certificate({{}, said.second}, threads), expected);
+      for (const auto& hinted : spoiled(cells, random)) {
+        CAPTURE(hinted.first);
+        check_same(certificate({{}, hinted.second}, threads), expected);
       }
     }
   }
 }
 
-TEST_CASE("a mesh glued as it is said to be is the one that a search for twins finds") {
+TEST_CASE("a mesh glued by hinted twins is the one that a search for twins finds") {
   const IndexedMesh sphere = support::sphere_mesh(geometry::Point::Zero(), 1, 3);
   const std::size_t count = sphere.positions.size();
   const SurfaceMesh found = geometry::glued_mesh(count, sphere.triangles).mesh;
   support::Random random(2);
   for (const auto& twins : spoiled(found.twins(), random)) {
     CAPTURE(twins.first);
-    const auto glued = SurfaceMesh::glued_as_said(count, sphere.triangles, twins.second);
+    const auto glued = SurfaceMesh::glued_by_twins(count, sphere.triangles, twins.second);
     REQUIRE(glued.has_value() == (twins.first == "as it is"));
     if (!glued) continue;
     CHECK(geometry::validate(*glued).value_or("") == "");
@@ -179,24 +179,24 @@ TEST_CASE("a mesh glued as it is said to be is the one that a search for twins f
   }
 }
 
-TEST_CASE("what may be said of twins is not enough where a triangle repeats a corner or turns") {
-  const auto said_of = [](const support::TriangleList& list, std::vector<std::uint32_t> twins) {
+TEST_CASE("hinted twins are refused where a triangle repeats a corner or turns") {
+  const auto is_accepted = [](const support::TriangleList& list, std::vector<std::uint32_t> twins) {
     std::vector<HalfEdgeId> ids(twins.begin(), twins.end());
-    return SurfaceMesh::glued_as_said(4, list, ids).has_value();
+    return SurfaceMesh::glued_by_twins(4, list, ids).has_value();
   };
-  CHECK(said_of({{0, 1, 2}, {1, 0, 2}}, {3, 5, 4, 0, 2, 1}));
-  CHECK_FALSE(said_of({{0, 1, 2}, {0, 1, 2}}, {3, 4, 5, 0, 1, 2}));
-  CHECK_FALSE(said_of({{0, 0, 1}}, {0, 2, 1}));
-  CHECK_FALSE(said_of({{0, 1, 2}}, {0, 1, 2}));
-  CHECK(said_of({}, {}));
+  CHECK(is_accepted({{0, 1, 2}, {1, 0, 2}}, {3, 5, 4, 0, 2, 1}));
+  CHECK_FALSE(is_accepted({{0, 1, 2}, {0, 1, 2}}, {3, 4, 5, 0, 1, 2}));
+  CHECK_FALSE(is_accepted({{0, 0, 1}}, {0, 2, 1}));
+  CHECK_FALSE(is_accepted({{0, 1, 2}}, {0, 1, 2}));
+  CHECK(is_accepted({}, {}));
 }
 
 TEST_CASE("a mesh comes with twins and cells that the certificate need not look for") {
   const morskin::PreparedSkin skin = morskin::prepare_skin(support::tetrahedron_balls(2.8));
   const morskin::MeshResult result = morskin::make_mesh(skin, support::uncertified());
-  CHECK(
-      SurfaceMesh::glued_as_said(result.mesh.positions.size(), result.mesh.triangles, result.twins)
-          .has_value());
+  const SurfaceMesh mesh = support::skin_mesh(skin.surface, result).surface;
+  CHECK(SurfaceMesh::glued_by_twins(mesh.vertex_count(), mesh.triangle_list(), mesh.twins())
+            .has_value());
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
     CHECK(skin.surface.is_in(result.mesh.positions[v], result.cells[v]));
   }
