@@ -20,7 +20,7 @@ namespace {
 using geometry::IndexedMesh;
 using skin::SkinComponents;
 
-constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;  // a half-edge's id has 32 bits
+constexpr std::size_t max_triangles = 0xFFFFFFFFU / 3;  // a half-edge's id has 32 bits
 
 // Which components of the mesh lie on which of the skin: by their first vertex, and by the sign of
 // their volume, which is negative in a void. Empty if rounding hides the skin's components.
@@ -77,9 +77,9 @@ ExitCode check_command(const CheckArguments& arguments) {
   const TimeLimit time_limit(arguments.timeout, arguments.mesh,
                              "leave out the search with --no-self-intersections");
   const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
-  if (mesh.triangles.size() > most_triangles) {
+  if (mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +
-                                    std::to_string(most_triangles) + " triangles; cut it up");
+                                    std::to_string(max_triangles) + " triangles; cut it up");
   }
   CheckReport report;
   report.arguments = arguments;

@@ -106,7 +106,7 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
   if (!std::isfinite(grid.step) || !grid.origin.allFinite()) {
     throw geometry::RefusedInput("the mesh is too large to be shown; give lengths in Angstrom");
   }
-  if (mesh.triangles.size() > geometry::SurfaceMesh::most_triangles) {
+  if (mesh.triangles.size() > geometry::SurfaceMesh::max_triangles) {
     throw geometry::LimitReached("the mesh has too many triangles for one page");
   }
   FrontCode code = front_code(mesh.triangles, mesh.positions.size());

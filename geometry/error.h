@@ -38,7 +38,7 @@ class LimitReached : public std::runtime_error {
 
 /// Keeps 32-bit ids from running over: to be asked before another of `things` is added.
 /// @throws LimitReached  when there are `most` of them
-inline void require_room(std::size_t count, std::size_t most, const char* things) {
+inline void require_capacity(std::size_t count, std::size_t most, const char* things) {
   if (count >= most) fail_for_lack_of_ids(most, things);
 }
 

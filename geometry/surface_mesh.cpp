@@ -11,7 +11,7 @@ namespace morskin::geometry {
 SurfaceMesh::SurfaceMesh(std::size_t vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles)
     : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId{kBoundary}) {
-  if (triangles.size() > most_triangles) fail_for_lack_of_ids(most_triangles, "triangles");
+  if (triangles.size() > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
   HalfEdgeId h;
   for (const auto& triangle : triangles) {
     for (const std::uint32_t v : triangle) {
@@ -24,7 +24,7 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices,
 std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
     std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
     std::span<const HalfEdgeId> twins) {
-  if (triangles.size() > most_triangles || twins.size() != 3 * triangles.size()) {
+  if (triangles.size() > max_triangles || twins.size() != 3 * triangles.size()) {
     return std::nullopt;
   }
   SurfaceMesh mesh;
@@ -78,7 +78,7 @@ VertexId SurfaceMesh::add_vertex() {
 
 TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
-  require_room(half_edges_.size() / 3, most_triangles, "triangles");
+  require_capacity(half_edges_.size() / 3, max_triangles, "triangles");
   const HalfEdgeId first{half_edges_.size()};
   half_edges_.push_back({a, HalfEdgeId{kBoundary}});
   half_edges_.push_back({b, HalfEdgeId{kBoundary}});
@@ -91,7 +91,7 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
 
 SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
   const TriangleId second{triangle_count()}, third{triangle_count() + 1};
-  require_room(third.index(), most_triangles, "triangles");
+  require_capacity(third.index(), max_triangles, "triangles");
   half_edges_.resize(half_edges_.size() + 6);
   return {v, second, third};
 }
@@ -108,8 +108,8 @@ void SurfaceMesh::append(const SurfaceMesh& other) {
   const auto moved = [](auto id, std::uint32_t by) {
     return id.value == kBoundary ? id : decltype(id){id.value + by};
   };
-  if (triangle_count() + other.triangle_count() > most_triangles) {
-    fail_for_lack_of_ids(most_triangles, "triangles");
+  if (triangle_count() + other.triangle_count() > max_triangles) {
+    fail_for_lack_of_ids(max_triangles, "triangles");
   }
   reserve(with_room(vertex_count() + other.vertex_count()));
   for (const HalfEdge& h : other.half_edges_) {

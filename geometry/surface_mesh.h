@@ -24,7 +24,7 @@ class SurfaceMesh {
  public:
   SurfaceMesh() = default;
   /// Triangles of a list, in its order, none glued to another yet.
-  /// @pre every corner is below `vertices`; at most most_triangles.
+  /// @pre every corner is below `vertices`; at most max_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 
   /// The same glued by hinted twins, which are checked: nothing unless each edge is between two
@@ -78,7 +78,7 @@ class SurfaceMesh {
 
   VertexId add_vertex();
   /// A triangle with three boundary half-edges. Half-edge 0 runs from a to b.
-  /// @throws LimitReached  when there are most_triangles already: half-edges have 32-bit ids, of
+  /// @throws LimitReached  when there are max_triangles already: half-edges have 32-bit ids, of
   ///                       which the last means "none".
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
   /// Room for a vertex behind those there are.
@@ -168,7 +168,7 @@ class SurfaceMesh {
   /// By half-edge its twin, or the last id of all for none.
   std::vector<HalfEdgeId> twins() const;
 
-  static constexpr std::size_t most_triangles = 0xFFFFFFFFU / 3;
+  static constexpr std::size_t max_triangles = 0xFFFFFFFFU / 3;
 
  private:
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFFU;

@@ -18,7 +18,7 @@ constexpr Triangulator::Facet facet_of(std::uint32_t tetrahedron, std::size_t pl
 }
 
 /// The places around the facet opposite each place, all turning the same way.
-constexpr std::array<std::array<std::size_t, 3>, 4> places_around{
+constexpr std::array<std::array<std::size_t, 3>, 4> indices_around{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// The greatest power of two up to |x|, times 2^shift; for zero, 2^shift.
@@ -33,7 +33,7 @@ std::array<Triangulator::Facet, 20> facets_behind_first(
   const auto corners_of = [&](Triangulator::Facet f) {
     std::array<Triangulator::Corner, 4> corners =
         tetrahedra[Triangulator::tetrahedron_of(f)].corners;
-    std::swap(corners[Triangulator::place_of(f)], corners[3]);
+    std::swap(corners[Triangulator::index_of(f)], corners[3]);
     std::sort(corners.begin(), corners.begin() + 3);
     return std::array{corners[0], corners[1], corners[2]};
   };
@@ -50,7 +50,7 @@ std::array<Triangulator::Facet, 20> facets_behind_first(
 
 Triangulator::Triangulator(std::span<const WeightedPoint> points, const Told& told)
     : atom_count_(points.size()) {
-  if (points.size() > most_points) fail_for_lack_of_ids(most_points, "atoms");
+  if (points.size() > max_points) fail_for_lack_of_ids(max_points, "atoms");
   if (points.empty()) return;
   std::vector<AtomId> order = spatial_order(points);
   find_first_tetrahedron(points, order);
@@ -139,7 +139,7 @@ void Triangulator::make_first_tetrahedron() {
   }
   states_.assign(5, State::Live);
   static const std::array<Facet, 20> behind = facets_behind_first(tetrahedra_);
-  for (Facet f = 0; f < 20; ++f) tetrahedra_[tetrahedron_of(f)].neighbours[place_of(f)] = behind[f];
+  for (Facet f = 0; f < 20; ++f) tetrahedra_[tetrahedron_of(f)].neighbours[index_of(f)] = behind[f];
 }
 
 /// The common case: a finite tetrahedron, and the filter can tell.
@@ -182,7 +182,7 @@ std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point
                                                       std::array<std::uint32_t, 2> hints) {
   assert(dimension_ == 3);
   const bool is_reused = !removed_corners_.empty();
-  if (!is_reused && atom_count_ >= most_points) fail_for_lack_of_ids(most_points, "points");
+  if (!is_reused && atom_count_ >= max_points) fail_for_lack_of_ids(max_points, "points");
   const auto p = is_reused ? removed_corners_.back() : static_cast<Corner>(atom_count_);
   if (is_reused) {
     points_[p] = {point};
@@ -234,7 +234,7 @@ std::uint32_t Triangulator::locate(Corner p) const {
     }
     if (exit == 4) return here;
     here = tetrahedron_of(t.neighbours[exit]);
-    entered_by = place_of(t.neighbours[exit]);
+    entered_by = index_of(t.neighbours[exit]);
     if (is_ghost(tetrahedra_[here])) return here;
   }
 }
@@ -280,7 +280,7 @@ bool Triangulator::cavity_has_equal(const WeightedPoint& point) const {
 void Triangulator::fill_cavity(Corner p) {
   fillers_.clear();
   for (std::size_t i = 0; i < rim_size_; ++i) {
-    const std::size_t place = place_of(rim_[i]);
+    const std::size_t place = index_of(rim_[i]);
     const std::uint32_t filler = allocate();
     const Tetrahedron& inner = tetrahedra_[tetrahedron_of(rim_[i])];
     const Facet outer = inner.neighbours[place];
@@ -289,7 +289,7 @@ void Triangulator::fill_cavity(Corner p) {
     t.corners[place] = p;
     t.neighbours = {unlinked, unlinked, unlinked, unlinked};
     t.neighbours[place] = outer;
-    tetrahedra_[tetrahedron_of(outer)].neighbours[place_of(outer)] = facet_of(filler, place);
+    tetrahedra_[tetrahedron_of(outer)].neighbours[index_of(outer)] = facet_of(filler, place);
     fillers_.push_back(filler);
   }
   // A rim with F triangles is a sphere, with F / 2 + 2 corners.
@@ -313,7 +313,7 @@ void Triangulator::link_by_table() {
   next_stamp();
   for (std::size_t i = 0; i < rim_size_; ++i) {
     const auto& corners = tetrahedra_[fillers_[i]].corners;
-    const auto& around = places_around[place_of(rim_[i])];
+    const auto& around = indices_around[index_of(rim_[i])];
     for (std::size_t k = 0; k < 3; ++k) {
       RimNumber& known = rim_numbers_[corners[around[k]] + 1];
       const bool is_new = known.stamp != stamp_;
@@ -328,7 +328,7 @@ void Triangulator::link_by_table() {
   }
   for (std::size_t i = 0; i < rim_size_; ++i) {
     Tetrahedron& t = tetrahedra_[fillers_[i]];
-    const auto& around = places_around[place_of(rim_[i])];
+    const auto& around = indices_around[index_of(rim_[i])];
     for (std::size_t k = 0; k < 3; ++k) {
       t.neighbours[around[(k + 2) % 3]] =
           edge_table_[numbers[i][(k + 1) % 3] * table_side + numbers[i][k]];
@@ -340,7 +340,7 @@ void Triangulator::link_by_table() {
 void Triangulator::link_by_turning() {
   for (std::size_t i = 0; i < rim_size_; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      if (k == place_of(rim_[i])) continue;
+      if (k == index_of(rim_[i])) continue;
       tetrahedra_[fillers_[i]].neighbours[k] = turn_to_rim(rim_[i], k);
     }
   }
@@ -350,17 +350,17 @@ void Triangulator::link_by_turning() {
 /// between, through the cavity, until the rim is met. There the outer side knows the filler.
 Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const {
   const Tetrahedron* here = &tetrahedra_[tetrahedron_of(rim)];
-  std::size_t entry = place_of(rim);
+  std::size_t entry = index_of(rim);
   Facet across = here->neighbours[exit];
   while (states_[tetrahedron_of(across)] == State::InCavity) {
     const Corner pivot = here->corners[entry];
     here = &tetrahedra_[tetrahedron_of(across)];
-    entry = place_of(across);
+    entry = index_of(across);
     exit = 0;
     while (here->corners[exit] != pivot) ++exit;
     across = here->neighbours[exit];
   }
-  const Facet met = tetrahedra_[tetrahedron_of(across)].neighbours[place_of(across)];
+  const Facet met = tetrahedra_[tetrahedron_of(across)].neighbours[index_of(across)];
   return facet_of(tetrahedron_of(met), entry);
 }
 
@@ -375,7 +375,7 @@ std::uint32_t Triangulator::next_stamp() {
 
 std::uint32_t Triangulator::allocate() {
   if (free_.empty()) {
-    require_room(tetrahedra_.size(), most_tetrahedra, "tetrahedra of the triangulated atoms");
+    require_capacity(tetrahedra_.size(), max_tetrahedra, "tetrahedra of the triangulated atoms");
     tetrahedra_.emplace_back();
     states_.push_back(State::Live);
     return static_cast<std::uint32_t>(tetrahedra_.size() - 1);

@@ -29,10 +29,10 @@ struct Triangulator::Hole {
   std::vector<std::uint32_t> renamed;        // the new tetrahedron, by tetrahedron of `link`
   std::vector<Open> open, open_at_infinity;  // with three points, and with infinity as a corner
 
-  /// @param facet  to be joined to the one with the corners of the facet of t at `place`
-  static Open opened(const Tetrahedron& t, std::size_t place, Facet facet) {
-    Corner a = t.corners[(place + 1) & 3], b = t.corners[(place + 2) & 3];
-    const Corner c = t.corners[(place + 3) & 3];
+  /// @param facet  to be joined to the one with the corners of the facet of t at `index`
+  static Open opened(const Tetrahedron& t, std::size_t index, Facet facet) {
+    Corner a = t.corners[(index + 1) & 3], b = t.corners[(index + 2) & 3];
+    const Corner c = t.corners[(index + 3) & 3];
     if (b < a) std::swap(a, b);
     const Corner smallest = std::min(a, c), greatest = std::max(b, c);
     const Corner middle = std::max(a, std::min(b, c));

@@ -93,7 +93,7 @@ bool Triangulator::is_star_regular() const {
     for (const Facet behind : tetrahedra_[here].neighbours) {
       const std::uint32_t there = tetrahedron_of(behind);
       if (states_[there] == State::InCavity && there < here) continue;  // seen from there
-      const Corner beyond = tetrahedra_[there].corners[place_of(behind)];
+      const Corner beyond = tetrahedra_[there].corners[index_of(behind)];
       if (beyond != infinity && is_in_conflict_exactly(tetrahedra_[here], beyond)) return false;
     }
   }
@@ -130,14 +130,14 @@ bool Triangulator::wrap_hole() {
       open.push_back(one);
       return;
     }
-    tetrahedra_[tetrahedron_of(facet)].neighbours[place_of(facet)] = other->facet;
-    tetrahedra_[tetrahedron_of(other->facet)].neighbours[place_of(other->facet)] = facet;
+    tetrahedra_[tetrahedron_of(facet)].neighbours[index_of(facet)] = other->facet;
+    tetrahedra_[tetrahedron_of(other->facet)].neighbours[index_of(other->facet)] = facet;
     *other = open.back();
     open.pop_back();
   };
   for (std::size_t i = 0; i < rim_size_; ++i) {
     const Tetrahedron& t = tetrahedra_[tetrahedron_of(rim_[i])];
-    const std::size_t place = place_of(rim_[i]);
+    const std::size_t place = index_of(rim_[i]);
     const Hole::Open one = Hole::opened(t, place, t.neighbours[place]);
     (one.last == infinity ? hole.open_at_infinity : hole.open).push_back(one);
   }
@@ -153,12 +153,12 @@ bool Triangulator::wrap_hole() {
     fillers_.push_back(filler);
     Tetrahedron& t = tetrahedra_[filler];
     t.corners = corners;
-    const std::size_t wrapped_place = corners[3] == infinity ? 3 : place_of(outer);
-    t.neighbours[wrapped_place] = outer;
-    tetrahedra_[tetrahedron_of(outer)].neighbours[place_of(outer)] =
-        filler << 2 | static_cast<Facet>(wrapped_place);
+    const std::size_t wrapped_index = corners[3] == infinity ? 3 : index_of(outer);
+    t.neighbours[wrapped_index] = outer;
+    tetrahedra_[tetrahedron_of(outer)].neighbours[index_of(outer)] =
+        filler << 2 | static_cast<Facet>(wrapped_index);
     for (std::uint32_t k = 0; k < 4; ++k) {
-      if (k != wrapped_place) join(filler, k, filler << 2 | k);
+      if (k != wrapped_index) join(filler, k, filler << 2 | k);
     }
   }
   assert(hole.open_at_infinity.empty());
@@ -167,7 +167,7 @@ bool Triangulator::wrap_hole() {
 
 /// The tetrahedron, or ghost, to stand behind a facet, turned so that it is positive.
 std::array<Triangulator::Corner, 4> Triangulator::wrapped(Facet outer) const {
-  const std::size_t place = place_of(outer);
+  const std::size_t place = index_of(outer);
   std::array<Corner, 4> corners = tetrahedra_[tetrahedron_of(outer)].corners;
   // The corners of the facet, the other way round.
   std::swap(corners[place == 0 ? 1 : 0], corners[place < 2 ? 2 : 1]);
@@ -274,7 +274,7 @@ void Triangulator::fill_hole() {
       const std::uint32_t there = tetrahedron_of(found.neighbours[k]);
       if (link.states_[there] == State::InCavity) {
         t.neighbours[k] =
-            hole.renamed[there] << 2 | static_cast<Facet>(place_of(found.neighbours[k]));
+            hole.renamed[there] << 2 | static_cast<Facet>(index_of(found.neighbours[k]));
       } else {
         hole.open.push_back(Hole::opened(t, k, fillers_[i] << 2 | k));
       }
@@ -287,7 +287,7 @@ void Triangulator::glue_hole() {
   std::vector<Hole::Open>& open = hole_->open;
   for (std::size_t i = 0; i < rim_size_; ++i) {
     const Tetrahedron& t = tetrahedra_[tetrahedron_of(rim_[i])];
-    open.push_back(Hole::opened(t, place_of(rim_[i]), t.neighbours[place_of(rim_[i])]));
+    open.push_back(Hole::opened(t, index_of(rim_[i]), t.neighbours[index_of(rim_[i])]));
   }
   std::sort(open.begin(), open.end(), [](const Hole::Open& a, const Hole::Open& b) {
     return std::pair(a.first_two, a.last) < std::pair(b.first_two, b.last);
@@ -296,8 +296,8 @@ void Triangulator::glue_hole() {
   for (std::size_t i = 0; i + 1 < open.size(); i += 2) {
     const Facet f = open[i].facet, g = open[i + 1].facet;
     assert(open[i].has_corners_of(open[i + 1]));
-    tetrahedra_[tetrahedron_of(f)].neighbours[place_of(f)] = g;
-    tetrahedra_[tetrahedron_of(g)].neighbours[place_of(g)] = f;
+    tetrahedra_[tetrahedron_of(f)].neighbours[index_of(f)] = g;
+    tetrahedra_[tetrahedron_of(g)].neighbours[index_of(g)] = f;
   }
 }
 

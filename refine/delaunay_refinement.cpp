@@ -156,7 +156,7 @@ DelaunayRefinement::Triangle DelaunayRefinement::triangle(Facet f) const {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto& corners = delaunay_.tetrahedra()[Triangulator::tetrahedron_of(f)].corners;
-  const auto& places = outward[Triangulator::place_of(f)];
+  const auto& places = outward[Triangulator::index_of(f)];
   return {corners[places[0]], corners[places[1]], corners[places[2]]};
 }
 

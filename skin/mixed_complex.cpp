@@ -27,7 +27,7 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
                          triangulation_.triangles.size(), triangulation_.tetrahedra.size()};
   // Two walls for each pair of a simplex and a facet; always more than there are cells.
   const std::size_t walls = 2 * (2 * sizes[1] + 3 * sizes[2] + 4 * sizes[3]);
-  geometry::require_room(walls, max_walls, "walls of the mixed complex");
+  geometry::require_capacity(walls, max_walls, "walls of the mixed complex");
   for (std::size_t d = 0; d < 4; ++d) {
     first_number_[d + 1] = first_number_[d] + static_cast<std::uint32_t>(sizes[d]);
   }

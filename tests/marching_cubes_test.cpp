@@ -24,12 +24,12 @@ constexpr std::size_t bit(std::size_t number, std::size_t place) { return number
 
 std::size_t upper_end(CubeEdge edge) { return edge.corner | std::size_t{1} << edge.axis; }
 
-geometry::Point place_of(std::size_t corner) {
+geometry::Point position_of(std::size_t corner) {
   return geometry::Point(static_cast<double>(bit(corner, 0)), static_cast<double>(bit(corner, 1)),
                          static_cast<double>(bit(corner, 2)));
 }
 geometry::Point middle_of(CubeEdge edge) {
-  return (place_of(edge.corner) + place_of(upper_end(edge))) / 2;
+  return (position_of(edge.corner) + position_of(upper_end(edge))) / 2;
 }
 
 /// The faces of the cube that an edge lies on, a bit each.
@@ -139,7 +139,7 @@ TEST_CASE("a single inside corner is cut off by a triangle that faces away from 
     REQUIRE(c.count == 1);
     const auto at = [&](std::size_t k) { return middle_of(cube_edge(c.triangles[0][k])); };
     const geometry::Vector normal = (at(1) - at(0)).cross(at(2) - at(0));
-    CHECK(normal.dot(at(0) - place_of(corner)) > 0);
+    CHECK(normal.dot(at(0) - position_of(corner)) > 0);
   }
 }
 

@@ -503,7 +503,7 @@ TEST_CASE("neighbouring tetrahedra of the triangulator know each other and share
       for (std::size_t k = 0; k < 4; ++k) {
         const Triangulator::Facet behind = t.neighbours[k];
         const std::uint32_t there = Triangulator::tetrahedron_of(behind);
-        const std::size_t place = Triangulator::place_of(behind);
+        const std::size_t place = Triangulator::index_of(behind);
         const Triangulator::Tetrahedron& other = triangulator.tetrahedra()[there];
         auto mine = t.corners, theirs = other.corners;
         std::swap(mine[k], mine[3]);

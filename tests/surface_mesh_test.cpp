@@ -444,10 +444,10 @@ TEST_CASE("components are those that a search from triangle to triangle finds") 
 }
 
 TEST_CASE("as many triangles may be added as have half-edges with 32-bit ids, and no more") {
-  constexpr std::size_t most = SurfaceMesh::most_triangles;
+  constexpr std::size_t most = SurfaceMesh::max_triangles;
   CHECK(3 * most <= 0xFFFFFFFFU);  // the last half-edge is below the mark for a boundary
   CHECK(3 * (most + 1) > 0xFFFFFFFFU);
-  CHECK_NOTHROW(geometry::require_room(most - 1, most, "triangles"));
-  CHECK_THROWS_WITH_AS(geometry::require_room(most, most, "triangles"),
+  CHECK_NOTHROW(geometry::require_capacity(most - 1, most, "triangles"));
+  CHECK_THROWS_WITH_AS(geometry::require_capacity(most, most, "triangles"),
                        doctest::Contains("more than 1431655765 triangles"), geometry::LimitReached);
 }

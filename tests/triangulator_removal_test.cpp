@@ -107,9 +107,9 @@ class History {
         const Triangulator::Facet g = triangulator.tetrahedra()[i].neighbours[k];
         const std::uint32_t there = Triangulator::tetrahedron_of(g);
         if (!triangulator.is_live(there)) return false;
-        if (triangulator.tetrahedra()[there].neighbours[Triangulator::place_of(g)] != (i << 2 | k))
+        if (triangulator.tetrahedra()[there].neighbours[Triangulator::index_of(g)] != (i << 2 | k))
           return false;
-        if (opposite_corners(i, k) != opposite_corners(there, Triangulator::place_of(g)))
+        if (opposite_corners(i, k) != opposite_corners(there, Triangulator::index_of(g)))
           return false;
       }
     }

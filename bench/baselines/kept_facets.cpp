@@ -29,15 +29,15 @@ double miss(const Triangulator& delaunay, Triangulator::Facet f, const skin::Ski
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto tetrahedra = delaunay.tetrahedra();
   if (delaunay.is_ghost(tetrahedra[Triangulator::tetrahedron_of(f)])) {
-    f = tetrahedra[Triangulator::tetrahedron_of(f)].neighbours[Triangulator::place_of(f)];
+    f = tetrahedra[Triangulator::tetrahedron_of(f)].neighbours[Triangulator::index_of(f)];
   }
   const Triangulator::Tetrahedron& inner = tetrahedra[Triangulator::tetrahedron_of(f)];
   const Triangulator::Tetrahedron& outer =
-      tetrahedra[Triangulator::tetrahedron_of(inner.neighbours[Triangulator::place_of(f)])];
+      tetrahedra[Triangulator::tetrahedron_of(inner.neighbours[Triangulator::index_of(f)])];
   const auto corner = [&](const Triangulator::Tetrahedron& t, std::size_t k) -> const Point& {
     return delaunay.point(t.corners[k]).position;
   };
-  const auto& places = outward[Triangulator::place_of(f)];
+  const auto& places = outward[Triangulator::index_of(f)];
   const certify::Circumcircle circle = certify::circumcircle(
       corner(inner, places[0]), corner(inner, places[1]), corner(inner, places[2]));
   const Vector normal = circle.doubled_area.normalized();

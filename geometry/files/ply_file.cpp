@@ -20,19 +20,19 @@ namespace morskin::geometry::mesh_formats {
 namespace {
 
 constexpr std::size_t face_size = 13;  // in our files: one byte 3, three 32-bit corners
-constexpr double most_vertices = std::numeric_limits<std::uint32_t>::max();
+constexpr double max_vertices = std::numeric_limits<std::uint32_t>::max();
 
 static_assert(sizeof(Point) == 3 * sizeof(double));
 
-// Throws unless what is left of the file has room for as many elements as the header claims.
+// Throws if the rest of the file is too short for the count of elements in the header.
 template <class Body>
 void check_room(const Body& body, const PlyElement& element) {
-  std::size_t least = 0;
+  std::size_t min_size = 0;
   for (const PlyProperty& property : element.properties) {
-    least += body.min_size(property.count_type.value_or(property.type));
+    min_size += body.min_size(property.count_type.value_or(property.type));
   }
-  if (least > 0 && element.count > body.rest().size() / least) {
-    throw UnreadableInput(body.place() + ": the file is too short for " +
+  if (min_size > 0 && element.count > body.rest().size() / min_size) {
+    throw UnreadableInput(body.location() + ": the file is too short for " +
                           std::to_string(element.count) + " elements " + quoted(element.name) +
                           "; write it again");
   }
@@ -42,8 +42,8 @@ void check_room(const Body& body, const PlyElement& element) {
 template <class Body>
 std::uint32_t take_whole(Body& body, PlyScalar type) {
   const double value = body.take(type);
-  if (!(value >= 0 && value <= most_vertices) || value != std::floor(value)) {
-    throw UnreadableInput(body.place() + ": " + std::to_string(value) +
+  if (!(value >= 0 && value <= max_vertices) || value != std::floor(value)) {
+    throw UnreadableInput(body.location() + ": " + std::to_string(value) +
                           " is no corner or count; write the mesh again");
   }
   return static_cast<std::uint32_t>(value);
@@ -89,9 +89,9 @@ void read_vertices(Body& body, const PlyElement& element, IndexedMesh& mesh) {
     if (const std::optional<int> axis = axis_of(property)) ++times[static_cast<std::size_t>(*axis)];
   }
   if (times != std::array{1, 1, 1})
-    throw UnreadableInput(body.place() + ": vertices need x, y and z; write it again");
-  if (static_cast<double>(element.count) > most_vertices) {
-    throw UnreadableInput(body.place() + ": too many vertices; at most 2^32 - 1 are read");
+    throw UnreadableInput(body.location() + ": vertices need x, y and z; write it again");
+  if (static_cast<double>(element.count) > max_vertices) {
+    throw UnreadableInput(body.location() + ": too many vertices; at most 2^32 - 1 are read");
   }
   check_room(body, element);
   mesh.positions.resize(element.count, Point::Zero());
@@ -114,7 +114,7 @@ void read_plain_vertices(PlyBinaryBody& body, const PlyElement& element, Indexed
   body.skip(size);
 }
 
-// Reads triangles as long as they have the layout this program writes; how many there were.
+// Reads triangles as long as they have the layout that this program writes; returns their number.
 std::uint64_t read_plain_triangles(PlyBinaryBody& body, const PlyElement& element,
                                    IndexedMesh& mesh) {
   const PlyProperty& only = element.properties[0];
@@ -144,7 +144,7 @@ void read_faces(Body& body, const PlyElement& element, IndexedMesh& mesh) {
     if (property.is_list() && is_named) corners = &property;
   }
   if (corners == nullptr) {
-    throw UnreadableInput(body.place() +
+    throw UnreadableInput(body.location() +
                           ": faces need a list vertex_indices; write the mesh again");
   }
   check_room(body, element);
@@ -161,7 +161,7 @@ void read_faces(Body& body, const PlyElement& element, IndexedMesh& mesh) {
       }
       const std::uint32_t count = take_whole(body, *property.count_type);
       if (count < 3) {
-        throw UnreadableInput(body.place() + ": face " + std::to_string(face) + " has " +
+        throw UnreadableInput(body.location() + ": face " + std::to_string(face) + " has " +
                               std::to_string(count) + " corners; remove it");
       }
       polygon.clear();
