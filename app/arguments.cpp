@@ -68,7 +68,7 @@ void finish(certify::Sizing& sizing, const Typed& typed) {
 }
 
 void check_timeout(std::optional<double> seconds) {
-  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::most_seconds)) {
+  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::max_seconds)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
 }

@@ -11,7 +11,7 @@ constexpr std::uint32_t none = 0xFFFFFFFFU;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // By half-edge 3 t + k its twin; none at a border, an edge with more than two triangles, or one
-// that two triangles run along the same way.
+// that two triangles traverse in the same direction.
 std::vector<std::uint32_t> twins(const Triangles& triangles) {
   struct HalfEdge {
     std::uint32_t low, high;  // its ends
@@ -85,10 +85,10 @@ class Encoder {
  private:
   void put(Laid laid) { code_.cases.push_back(static_cast<std::uint8_t>(laid)); }
 
-  std::uint32_t add_vertex(std::uint32_t old, std::array<std::uint32_t, 3> foretold) {
+  std::uint32_t add_vertex(std::uint32_t old, std::array<std::uint32_t, 3> predictors) {
     number_[old] = static_cast<std::uint32_t>(code_.vertices.size());
     code_.vertices.push_back(old);
-    code_.foretold.push_back(foretold);
+    code_.predictors.push_back(predictors);
     return number_[old];
   }
 

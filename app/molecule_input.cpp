@@ -58,10 +58,10 @@ std::size_t skipped(const skin::ReadingCounts& counts) {
 
 std::string skipped_in_words(const skin::ReadingCounts& counts) {
   std::string words;
-  for (const auto& [count, what] :
-       {std::pair(counts.waters, " of water"), std::pair(counts.alternates, " in alternate locations"),
-        std::pair(counts.zero_radii, " of radius 0"),
-        std::pair(counts.unknown, " of unknown element")}) {
+  for (const auto& [count, what] : {std::pair(counts.waters, " of water"),
+                                    std::pair(counts.alternates, " in alternate locations"),
+                                    std::pair(counts.zero_radii, " of radius 0"),
+                                    std::pair(counts.unknown, " of unknown element")}) {
     if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + what;
   }
   return words;

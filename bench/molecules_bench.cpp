@@ -1,6 +1,6 @@
-// The molecules of the paper's Table 1 by each method of the library, and the kernels that meshing
-// them spends its time in. Each row counts what speed could be traded for: the smallest angle and
-// the distance to [L] and [U]. Run from the project's root.
+// The molecules of the paper's Table 1 by each method of the library, and the main kernels. Each
+// row counts what speed could be traded for: the smallest angle and the distance to [L] and [U].
+// Run from the project's root.
 
 #include <benchmark/benchmark.h>
 

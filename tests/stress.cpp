@@ -26,7 +26,7 @@ using support::Outcome;
 
 namespace {
 
-constexpr unsigned most_seconds = 60;  // of work on one set
+constexpr unsigned max_seconds = 60;  // of work on one set
 constexpr unsigned most_waiting = 20;  // times as long by the clock, on a busy machine
 
 // What the child tells its parent; short enough for one write to a pipe.
@@ -37,9 +37,9 @@ struct Message {
 };
 
 [[noreturn]] void run_child(unsigned seed, const morskin::MeshOptions& options, int pipe) {
-  const rlimit work{most_seconds, most_seconds};
+  const rlimit work{max_seconds, max_seconds};
   ::setrlimit(RLIMIT_CPU, &work);
-  ::alarm(most_waiting * most_seconds);
+  ::alarm(most_waiting * max_seconds);
   const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
   Message message{outcome.kind, outcome.triangles, {}};
   outcome.why.copy(message.why.data(), message.why.size() - 1);
@@ -63,7 +63,7 @@ Outcome run_set(unsigned seed, const morskin::MeshOptions& options) {
   const int signal = WTERMSIG(status);
   const bool is_late = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
   return {Outcome::Kind::Failed,
-          is_late ? "took more than " + std::to_string(most_seconds) + " s"
+          is_late ? "took more than " + std::to_string(max_seconds) + " s"
                   : "crashed: " + std::string(::strsignal(signal)),
           0};
 }
