@@ -19,13 +19,13 @@
 
 namespace morskin::app {
 
-/// The arguments make no sense; the text says which and why. The command's exit code is 2.
+/// Wrong arguments; the text names them and the reason. The command's exit code is 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What every command that reads a molecule asks.
+/// The arguments of every command that reads a molecule.
 struct MoleculeArguments {
   std::filesystem::path input;
   skin::Model model = skin::Model::Paper;
@@ -67,7 +67,7 @@ struct MeshArguments {
   std::optional<std::uint64_t> max_memory;  ///< bytes
 };
 
-/// What becomes of critical points whose protecting spheres overlap.
+/// The treatment of critical points whose protecting spheres overlap.
 enum class Simplify { Not, BySpheres, ByPersistence };
 
 struct MorseArguments {
@@ -117,7 +117,7 @@ struct ViewArguments {
 /// Whether a file's ending, with or without .gz, is that of a mesh.
 bool names_a_mesh(const std::filesystem::path& path);
 
-/// Nothing is left to do: help or the version was printed, or a complaint.
+/// The command ends here: it has printed help, the version or a complaint.
 struct Finished {
   ExitCode code;
 };
@@ -126,7 +126,7 @@ using Arguments =
     std::variant<Finished, MeshArguments, MorseArguments, BallsArguments, InfoArguments,
                  CheckArguments, ViewArguments, RenderArguments, FigureArguments>;
 
-/// Prints help, version or what is wrong with the arguments.
+/// Prints help, the version or a complaint about the arguments.
 Arguments parse_arguments(int count, const char* const* words);
 
 }  // namespace morskin::app

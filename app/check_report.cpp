@@ -122,14 +122,14 @@ std::string components_text(const geometry::MeshCheck& topology) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, topology.components.size()); ++i) {
     const geometry::MeshComponent& c = topology.components[i];
-    std::string said = grouped(c.triangles) + " triangles, area " + brief(c.area, 6) + " A^2";
+    std::string words = grouped(c.triangles) + " triangles, area " + brief(c.area, 6) + " A^2";
     if (c.is_closed_and_oriented) {
-      said += ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
-              brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
+      words += ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
+               brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
     } else {
-      said += ", not closed";
+      words += ", not closed";
     }
-    text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + said);
+    text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + words);
   }
   if (topology.components.size() > most) {
     text += line("", "and " + grouped(topology.components.size() - most) + " more");
@@ -257,7 +257,7 @@ std::string people_text(const CheckReport& report) {
             v.name + (v.holds ? "" : ": " + v.reason) + "\n";
   }
   if (!report.against) {
-    text += "nothing was said about the surface; --against INPUT runs the certificate\n";
+    text += "the surface was not checked; --against INPUT runs the certificate\n";
   }
   return text;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `morskin check` tells about a mesh, for people and for programs.
+/// The report of `morskin check` about a mesh, for people and for programs.
 
 #include <optional>
 #include <string>
@@ -18,12 +18,12 @@
 
 namespace morskin::app {
 
-/// One thing that was looked at. The reason names the first element that breaks it.
+/// One condition. The reason names the first element that breaks it.
 struct Verdict {
   std::string name;
   bool holds = true;
   std::string reason;
-  bool is_required = true;  ///< whether the mesh fails with it
+  bool is_required = true;  ///< whether the mesh fails if it is broken
 };
 
 /// A component of the skin and the mesh's components that lie on it: one, if all is well.
@@ -32,12 +32,12 @@ struct CoveredComponent {
   std::vector<std::uint32_t> by;
 };
 
-/// What only the molecule can tell.
+/// The part of the report that needs the molecule.
 struct AgainstSkin {
   certify::Certificate certificate;
   certify::Deviations deviations;
   certify::RestrictedDelaunay delaunay;
-  std::vector<CoveredComponent> covered;  ///< empty if the components could not be told apart
+  std::vector<CoveredComponent> covered;  ///< empty if the components are indistinguishable
 };
 
 struct CheckReport {

@@ -4,7 +4,7 @@
 
 namespace morskin::app {
 
-/// Each does what its name says, prints its report and returns the exit code.
+/// Each runs the command of its name, prints its report and returns the exit code.
 /// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
 /// UsageError
 ExitCode mesh_command(const MeshArguments& arguments);

@@ -19,7 +19,7 @@ enum class ComplexFormat { Json, Vtu };
 /// The format that a file's ending stands for, in upper or lower case.
 std::optional<ComplexFormat> complex_format_of(const std::filesystem::path& path);
 
-/// Everything that `morskin morse` tells.
+/// The report of `morskin morse`.
 struct ComplexReport {
   MorseArguments arguments;
   morse::MorseFunction function;  ///< the one used
@@ -43,13 +43,13 @@ CriticalCounts counts_before(const ComplexReport& report);
 CriticalCounts counts_after(const ComplexReport& report);
 
 /// One JSON object, one critical point, arc, region or pair to a line, every number to the last
-/// bit. Ids are places in `critical_points`, which lists all of them.
+/// bit. Ids are indices in `critical_points`, which lists all of them.
 std::string complex_json(const ComplexReport& report);
 
 /// Critical points as vertices, in order of their ids, then the arcs as lines from node to node.
 /// Numbers on points: `value`, of the function. On cells: `index`, `value` (of the critical point,
 /// or of the extremum at the arc's end), `id` (of the critical point or the saddle), `arc` (its
-/// place among the arcs; -1 for a critical point) and `survives`, 0 or 1.
+/// index among the arcs; -1 for a critical point) and `survives`, 0 or 1.
 std::string complex_vtu(const ComplexReport& report);
 
 }  // namespace morskin::app

@@ -2,7 +2,7 @@
 
 namespace morskin::app {
 
-/// What the command tells the shell. Scripts rely on these numbers.
+/// Scripts rely on these numbers.
 enum class ExitCode {
   Success = 0,  ///< meshed and certified; a check passed
   Usage = 2,    ///< the command line makes no sense

@@ -25,7 +25,7 @@ using geometry::no_index;
 // Walks up a function that is linear on every triangle.
 //
 // Inside a triangle a path is straight, so each barycentric coordinate changes at a constant rate.
-// Coordinates and rates are told by half-edge: that of the corner opposite, which is zero on it.
+// Barycentric coordinates and rates are by half-edge: that of the opposite corner, zero on it.
 class Ascent {
  public:
   Ascent(const SurfaceMesh& mesh, const std::vector<Point>& positions,
@@ -39,7 +39,8 @@ class Ascent {
     slope_.reserve(mesh.triangle_count());
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.corners(TriangleId{t});
-      const Vector ab = place(b) - place(a), bc = place(c) - place(b), ca = place(a) - place(c);
+      const Vector ab = position(b) - position(a), bc = position(c) - position(b),
+                   ca = position(a) - position(c);
       const Vector normal = ab.cross(bc);
       Coordinates rates{};
       double slope = 0;
@@ -74,7 +75,7 @@ class Ascent {
  private:
   using Coordinates = std::array<double, 3>;
 
-  const Point& place(VertexId v) const { return positions_[v.index()]; }
+  const Point& position(VertexId v) const { return positions_[v.index()]; }
   double value(VertexId v) const { return values_[v.index()]; }
   double rate(HalfEdgeId h) const { return rates_[h.index() / 3][h.index() % 3]; }
   VertexId higher_end(HalfEdgeId h) const {
@@ -94,7 +95,7 @@ class Ascent {
     return true;
   }
 
-  // From a place in t.
+  // From a point in t.
   VertexId follow(TriangleId t, Coordinates at) {
     // Values grow along the path, but for rounding; a path longer than this goes round in it.
     const std::size_t most = 1000 + 4 * mesh_.triangle_count();
@@ -128,16 +129,16 @@ class Ascent {
 
   // The vertex where the path from a vertex ends.
   VertexId top(VertexId v) {
-    std::vector<VertexId> way;
+    std::vector<VertexId> path;
     while (top_[v.index()] == no_index) {
-      way.push_back(v);
+      path.push_back(v);
       top_[v.index()] = v.value;  // until more is known
       const std::optional<VertexId> up = step(v);
       if (!up) break;
       v = *up;
     }
     const std::uint32_t end = top_[v.index()];
-    for (const VertexId w : way) top_[w.index()] = end;
+    for (const VertexId w : path) top_[w.index()] = end;
     return VertexId{end};
   }
 
@@ -149,7 +150,7 @@ class Ascent {
     bool is_edge = true;
     mesh_.for_each_outgoing(v, [&](HalfEdgeId h) {
       const VertexId w = mesh_.target(h);
-      const double along = (value(w) - value(v)) / (place(w) - place(v)).norm();
+      const double along = (value(w) - value(v)) / (position(w) - position(v)).norm();
       const double inside = slope_[SurfaceMesh::triangle(h).index()];
       if (along > steepest) {
         steepest = along;
@@ -194,18 +195,18 @@ std::uint32_t nearest_of(const std::vector<morse::CriticalPoint>& points, int in
 }
 
 // By triangle the extremum of an index that its path leads to.
-std::vector<std::uint32_t> extrema(const SurfaceMesh& mesh, const geometry::IndexedMesh& places,
+std::vector<std::uint32_t> extrema(const SurfaceMesh& mesh, const geometry::IndexedMesh& indexed,
                                    const morse::MorseFunction& function, int index,
                                    const std::vector<morse::CriticalPoint>& points) {
   std::vector<double> values;
-  values.reserve(places.positions.size());
-  for (const Point& p : places.positions) values.push_back(function(p));
-  Ascent ascent(mesh, places.positions, values);
-  std::vector<std::uint32_t> nearest(places.positions.size(), no_index);  // by top
+  values.reserve(indexed.positions.size());
+  for (const Point& p : indexed.positions) values.push_back(function(p));
+  Ascent ascent(mesh, indexed.positions, values);
+  std::vector<std::uint32_t> nearest(indexed.positions.size(), no_index);  // by top
   std::vector<std::uint32_t> result;
   result.reserve(mesh.triangle_count());
   for (const std::uint32_t v : ascent.tops()) {
-    if (nearest[v] == no_index) nearest[v] = nearest_of(points, index, places.positions[v]);
+    if (nearest[v] == no_index) nearest[v] = nearest_of(points, index, indexed.positions[v]);
     result.push_back(nearest[v]);
   }
   return result;

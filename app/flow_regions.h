@@ -1,11 +1,11 @@
 #pragma once
 
-/// Which region of the Morse-Smale complex each triangle of a mesh lies in: told by the minimum and
-/// the maximum that the integral line through its middle runs between (section 3.2).
+/// The region of the Morse-Smale complex that each triangle of a mesh lies in, by the minimum and
+/// the maximum at the ends of the integral line through its centroid (section 3.2).
 ///
-/// For pictures. The lines are those of the function made linear on every triangle, so the borders
-/// of the regions are off the integral lines of the skin by a triangle or so, and where many run
-/// side by side by more. A triangle whose pair no region of the complex has takes a neighbour's.
+/// For pictures. The lines are those of the function interpolated linearly on every triangle, so
+/// the borders of regions are off the skin's integral lines by a triangle or so, and by more where
+/// many lines are close. A triangle whose pair belongs to no region takes a neighbour's.
 
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace morskin::app {
 
-/// A pair of extrema, by their places among the critical points.
+/// A pair of extrema, by their indices among the critical points.
 struct FlowRegion {
   std::uint32_t minimum, maximum;
   friend auto operator<=>(const FlowRegion&, const FlowRegion&) = default;
@@ -26,8 +26,8 @@ struct FlowRegions {
   std::vector<std::uint32_t> of_triangle;  ///< into regions
 };
 
-/// @param complex  its regions may be missing: then every pair is let pass
-/// @param threads  at most; the answer is the same for any number
+/// @param complex  without regions every pair is accepted
+/// @param threads  at most; the result is the same for any number
 /// @pre  the mesh is a closed 2-manifold; there are a minimum and a maximum.
 FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFunction& function,
                          const morse::MorseSmaleComplex& complex, unsigned threads);

@@ -13,7 +13,7 @@ using geometry::no_index;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // By half-edge 3 t + k its twin; none at a border, an edge with more than two triangles, or one
-// that two triangles run along the same way.
+// that two triangles traverse in the same direction.
 std::vector<std::uint32_t> twins(const Triangles& triangles) {
   struct HalfEdge {
     std::uint32_t low, high;  // its ends

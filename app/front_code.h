@@ -2,10 +2,9 @@
 
 /// A triangle mesh in few bytes, for the viewer page: two bits or so for each triangle.
 ///
-/// The decoder lays the mesh as section 4.1 lays a skin: it keeps fronts, cycles of edges with the
-/// mesh on their left, and for the front edge at hand it is told what lies beyond. All that has to
-/// be written is which case it is. Edges are taken in the order in which they came to be, so
-/// nothing says where to go on. Reader: `viewer/src/front_code.js`.
+/// The decoder builds the mesh as section 4.1 does: it keeps fronts, cycles of edges with the mesh
+/// on their left. The code gives for each front edge, in the order of their creation, the case of
+/// the triangle beyond. Reader: `viewer/src/front_code.js`.
 ///
 /// With e the front edge from a to b, the triangle beyond it is (b, a, v):
 ///
@@ -18,7 +17,7 @@
 ///     Old      v is an old vertex that no front edge starts from (a mesh that is no manifold)
 ///
 /// When no edge is left the next triangle starts a new front; each of its corners is New or Old.
-/// Any triangle list can be written, whatever its defects.
+/// Any triangle list can be encoded, whatever its defects.
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +28,7 @@ namespace morskin::app {
 
 enum class Laid : std::uint8_t { Border, New, Next, Previous, Both, Touch, Old };
 
-/// Vertices and triangles have new numbers, in the order in which they are laid.
+/// Vertices and triangles are renumbered in the order of decoding.
 struct FrontCode {
   std::vector<std::uint8_t> cases;        ///< of Laid
   std::vector<std::uint32_t> references;  ///< of Touch: ids of edges back from the newest; of Old:
@@ -38,7 +37,7 @@ struct FrontCode {
   std::vector<std::uint32_t> triangles;   ///< by new number the old one
   std::vector<std::uint32_t> parents;     ///< by triangle, the new number of the one it was laid
                                           ///< against; of one that starts a front, the last before
-  /// By vertex, three that foretell it as p + q - r; of the first of all nothing is known.
+  /// By vertex, the p, q and r that predict it as p + q - r; meaningless for the first vertex.
   std::vector<std::array<std::uint32_t, 3>> predictors;
 };
 

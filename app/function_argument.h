@@ -10,12 +10,12 @@
 
 namespace morskin::app {
 
-/// The function that "height:x,y,z" or "distance:x,y,z" stands for: the height along a direction of
-/// any length, or the squared distance from a point, Angstrom.
+/// Parses "height:x,y,z" or "distance:x,y,z": the height along a direction of any length, or the
+/// squared distance from a point, Angstrom.
 /// @throws UsageError
 morse::MorseFunction parsed_function(std::string_view text);
 
-/// The height that "x,y,z" after --height stands for.
+/// Parses the "x,y,z" after --height.
 /// @throws UsageError
 morse::MorseFunction parsed_height(std::string_view text);
 

@@ -30,7 +30,7 @@ Growth growth(skin::Model model) {
   return {};
 }
 
-// Atoms by element, "?" where the file tells none.
+// Atoms by element, "?" if unknown.
 std::map<std::string, std::size_t> elements(const skin::Molecule& molecule) {
   std::map<std::string, std::size_t> counts;
   for (const skin::Atom& atom : molecule.atoms)
@@ -123,11 +123,11 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                               ", probe " + brief(arguments.molecule.probe) + " A");
   text += line("duplicates", grouped(counts.duplicates));
   text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
-  constexpr double most_in_digits = 1e15;
+  constexpr double max_in_digits = 1e15;
   const double triangles = rounded(info.triangles, 2);
   text += line("triangles", "about " +
-                                (triangles < most_in_digits ? grouped(std::llround(triangles))
-                                                            : brief(triangles, 2)) +
+                                (triangles < max_in_digits ? grouped(std::llround(triangles))
+                                                           : brief(triangles, 2)) +
                                 ": a guess from the heavy atoms and C, by what proteins had");
   text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
                              " MiB with so many triangles");

@@ -1,13 +1,13 @@
 #pragma once
 
-/// Leaving no temporary file behind when the user or the system ends the program.
+/// Removal of temporary files when the user or the system ends the program.
 
 #include <string>
 #include <vector>
 
 namespace morskin::app {
 
-/// Removes what the living RemovedOnInterrupt watches. Fit for a signal handler.
+/// Removes the files of the current RemovedOnInterrupt. Safe in a signal handler.
 void remove_watched_files();
 
 /// While this exists SIGINT, SIGTERM and SIGHUP remove the named files before they end the program.
@@ -19,13 +19,13 @@ class RemovedOnInterrupt {
   RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
   ~RemovedOnInterrupt();
 
-  /// Files that `create` makes and names are never left behind: no signal comes in between.
+  /// Calls `create`, which makes and names the files, with signals blocked.
   template <class Create>
   void guard(Create create) {
     undisturbed([&] { watch(create()); });
   }
 
-  /// Does some quick work that must not be left half done: signals wait until it is over.
+  /// Does some quick work with signals blocked.
   template <class Work>
   void undisturbed(Work work) {
     hold_signals();

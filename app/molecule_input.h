@@ -10,7 +10,7 @@
 
 namespace morskin::app {
 
-/// A molecule and the weighted points that the model makes of it.
+/// A molecule and its weighted points under a model.
 struct MoleculeInput {
   skin::Molecule molecule;
   std::vector<geometry::WeightedPoint> points;  ///< by atom
@@ -31,7 +31,7 @@ struct RadiusRange {
 };
 RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points);
 
-/// How many atoms of the file were left out, for whatever reason.
+/// The number of atoms of the file that were left out.
 std::size_t skipped(const skin::ReadingCounts& counts);
 
 /// The reasons in words, "34 of water, 2 alternate locations"; empty if nothing was left out.

@@ -16,9 +16,8 @@ constexpr const char* about =
     "\n"
     "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
     "are\n"
-    "in Angstrom, angles in degrees. The first model is read, of alternate locations the "
-    "likeliest,\n"
-    "and no water unless asked.\n";
+    "in Angstrom, angles in degrees. The first model is read, of alternate locations the\n"
+    "likeliest, and no water unless asked.\n";
 
 constexpr const char* closing =
     "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
@@ -61,7 +60,7 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
                      "with C above 0.107, the least that C allows)");
   command.add_option("--size", typed.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
-                     "elsewhere, and in place of a longer one, what -C gives, then 0.2\n"
+                     "elsewhere, and instead of a longer one, what -C gives, then 0.2\n"
                      "unless it is given");
 }
 
@@ -180,7 +179,7 @@ void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
   command.add_flag("-q,--quiet", morse.quiet, "Print nothing but errors");
   add_progress_option(command, typed);
   command.footer(
-      "Unless told otherwise, arcs between overlapping protecting spheres are contracted, as in\n"
+      "By default arcs between overlapping protecting spheres are contracted, as in\n"
       "section 3.2 of the paper, where the persistence condition allows it.");
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-/// The options of the commands, in words: names, help, what each fills in. What they may say is
-/// checked in arguments.cpp.
+/// The options of the commands: names, help texts and targets. arguments.cpp checks their values.
 
 #include <optional>
 #include <string>
@@ -14,7 +13,7 @@ class App;
 
 namespace morskin::app {
 
-/// Options as typed, where that is not the value they stand for.
+/// Options as typed, before conversion.
 struct Typed {
   std::string model = "paper";
   std::optional<std::string> height, function;
@@ -30,7 +29,7 @@ struct Typed {
   TypedPicture picture;
 };
 
-/// Everything that any of the commands may be told.
+/// The options of all commands.
 struct AllArguments {
   MeshArguments mesh;
   MorseArguments morse;
@@ -43,7 +42,7 @@ struct AllArguments {
   FigureArguments figure;
 };
 
-/// Tells the parser of all commands and options. Both must outlive it.
+/// Adds all commands and options to the parser. Both must outlive it.
 void add_commands(CLI::App& app, AllArguments& all, Typed& typed);
 
 }  // namespace morskin::app

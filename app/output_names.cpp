@@ -12,7 +12,7 @@
 namespace morskin::app {
 namespace {
 
-// The one name of a file, whatever way its path is written.
+// The canonical path of a file.
 std::filesystem::path one_name(const std::filesystem::path& path) {
   std::error_code failed;
   const std::filesystem::path absolute = std::filesystem::absolute(path);
@@ -28,10 +28,10 @@ void check_not_given_otherwise(const std::filesystem::path& name, const MeshArgu
                        " goes when it is not certified; choose another name");
     }
   }
-  const std::filesystem::path place = one_name(name);
+  const std::filesystem::path path = one_name(name);
   if (mesh.has_snapshots() &&
-      place.parent_path() == one_name(mesh.snapshot_folder / "x").parent_path() &&
-      place.filename().string().starts_with("snapshot-")) {
+      path.parent_path() == one_name(mesh.snapshot_folder / "x").parent_path() &&
+      path.filename().string().starts_with("snapshot-")) {
     throw UsageError(name.string() + " may become a snapshot's name; choose another");
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which names outputs may have.
+/// Checks of output names.
 
 #include <filesystem>
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace morskin::app {
 
-/// The ending of a path, with its dot, in small letters.
+/// The ending of a path, with its dot, in lower case.
 std::string lower_extension(const std::filesystem::path& path);
 
 /// "-" and /dev/stdout.
 bool is_standard_output(const std::filesystem::path& path);
 
-/// Standard output, a device, a pipe: what takes bytes and keeps no name.
+/// Standard output, a device, a pipe: no regular file.
 bool is_special(const std::filesystem::path& path);
 
 /// @throw UsageError if the output has no name or is the molecule's own file.
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule);
 
-/// @throw UsageError unless the outputs of `mesh`, its report included, are apart from the input
-/// and from each other and from what the run names by itself, of known formats, and at most one
-/// goes to standard output.
+/// @throw UsageError unless the outputs of `mesh`, its report included, differ from the input, from
+/// each other and from names that the run chooses itself, have known formats, and at most one goes
+/// to standard output.
 void check_outputs(const MeshArguments& mesh);
 
 }  // namespace morskin::app

@@ -62,7 +62,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-// JSON inside a page: nothing in it may look like a tag.
+// JSON inside a page, without anything that resembles a tag.
 std::string harmless(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
     json.replace(at, 1, "\\u003c");
@@ -89,9 +89,9 @@ Grid grid_about(std::span<const geometry::Point> points, double wanted) {
   }
   const double extent = (high - low).maxCoeff();
   // A power of two, so that coordinates of the grid are exact.
-  constexpr double most_steps = (1 << 24) - 2;
+  constexpr double max_steps = (1 << 24) - 2;
   const double coarsest = std::exp2(std::floor(std::log2(extent / 1024)));
-  const double finest = std::exp2(std::ceil(std::log2(extent / most_steps)));
+  const double finest = std::exp2(std::ceil(std::log2(extent / max_steps)));
   const double step = std::exp2(std::floor(std::log2(wanted)));
   grid.step = std::max(std::min(step, coarsest), finest);
   if (!(grid.step > 0)) grid.step = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a viewer page carries: named arrays, packed, and a JSON object that says what they are.
+/// The data of a viewer page: named arrays, packed, and a JSON object that describes them.
 /// Reader: `viewer/src/page_data.js`; the arrays of a page are listed in `papers/viewer.md`.
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace morskin::app {
 
-/// Multiples of `step` from `origin`: a position is three integers below 2^24, which single
-/// precision holds exactly.
+/// Multiples of `step` from `origin`: a position is three integers below 2^24, exact in single
+/// precision.
 struct Grid {
   geometry::Point origin = geometry::Point::Zero();
   double step = 1;  ///< Angstrom
@@ -33,7 +33,7 @@ constexpr double min_edge_steps = 64;
 
 class PageData {
  public:
-  /// Integers, told apart by byte so that deflate finds the high bytes, which are mostly zero.
+  /// Integers, split by byte so that deflate finds the high bytes, which are mostly zero.
   void add(const std::string& name, std::span<const std::uint32_t> numbers);
   /// The same for signed ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
   void add(const std::string& name, std::span<const std::int32_t> numbers);

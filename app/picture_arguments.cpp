@@ -13,8 +13,8 @@
 namespace morskin::app {
 namespace {
 
-constexpr double most_zoom = 1e6;
-constexpr double most_pixels = 1 << 25;  // with nine samples each: 300 million
+constexpr double max_zoom = 1e6;
+constexpr double max_pixels = 1 << 25;  // with nine samples each: 300 million
 
 // "1.5,2,3", as many numbers as wanted.
 std::vector<double> numbers(std::string_view text, std::size_t count, char separator,
@@ -61,7 +61,7 @@ void set_size(RenderArguments& render, std::string_view text) {
   const bool is_square = text.find('x') == std::string_view::npos;
   const std::vector<double> v = numbers(text, is_square ? 1 : 2, 'x', complaint);
   const double width = v.front(), height = v.back();
-  if (!(width >= 1 && height >= 1 && width * height <= most_pixels) || width != std::floor(width) ||
+  if (!(width >= 1 && height >= 1 && width * height <= max_pixels) || width != std::floor(width) ||
       height != std::floor(height)) {
     throw UsageError(complaint);
   }
@@ -88,10 +88,10 @@ void add_render(CLI::App& app, RenderArguments& render, TypedPicture& typed) {
   command.add_option("--size", typed.size, "Of a panel, pixels: 800 or 1200x800 (default: 800)");
   command.add_option("--view", typed.view, "x,y,z: from where it is seen (default: 0,0,1)");
   command.add_option("--up", typed.up, "x,y,z: upwards in the picture (default: 0,1,0)");
-  command.add_option("--at", typed.at, "x,y,z: the place in the middle (default: all in view)");
+  command.add_option("--at", typed.at, "x,y,z: the point in the middle (default: all in view)");
   command.add_option("--zoom", render.zoom, "How many times larger than all in view");
   command.add_option("--inset", typed.inset,
-                     "x,y,factor: a place of the first panel, 0 to 1 from its top left, to be\n"
+                     "x,y,factor: a point of the first panel, 0 to 1 from its top left, to be\n"
                      "shown so many times larger in a last panel");
   command.add_option("--colour", typed.colour, "Of the surface (default: #a9c3d9)");
   command
@@ -131,15 +131,15 @@ void finish(RenderArguments& render, const TypedPicture& typed) {
   if (!typed.view.empty()) render.view = direction(typed.view, "--view");
   if (!typed.up.empty()) render.up = direction(typed.up, "--up");
   if (!typed.at.empty()) render.at = vector(typed.at, "--at");
-  if (!(render.zoom > 0 && render.zoom <= most_zoom)) {
+  if (!(render.zoom > 0 && render.zoom <= max_zoom)) {
     throw UsageError("--zoom must be above 0 and at most 1e6");
   }
   if (!typed.inset.empty()) {
     const std::string complaint =
-        "--inset needs x,y,factor: a place, 0 to 1 from the top left, and a factor above 0, at "
+        "--inset needs x,y,factor: a point, 0 to 1 from the top left, and a factor above 0, at "
         "most 1e6";
     const std::vector<double> v = numbers(typed.inset, 3, ',', complaint);
-    if (!(v[2] > 0 && v[2] <= most_zoom)) throw UsageError(complaint);
+    if (!(v[2] > 0 && v[2] <= max_zoom)) throw UsageError(complaint);
     render.inset = Inset{v[0], v[1], v[2]};
   }
   if (!typed.colour.empty()) render.colour = parsed_colour(typed.colour);

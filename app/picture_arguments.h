@@ -20,7 +20,7 @@ namespace morskin::app {
 enum class ColourBy { Nothing, Angle, Component };
 enum class DrawEdges { Auto, Always, Never };  ///< Auto: where triangles are large enough
 
-/// A second panel: a place of the first, 0 to 1 from the top left, and how many times larger.
+/// A second panel: its centre in the first, 0 to 1 from the top left, and its magnification.
 struct Inset {
   double x = 0.5, y = 0.5, factor = 1;
 };

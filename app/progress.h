@@ -18,7 +18,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { wipe(); }
 
-  /// @param share  how much of the stage is done, 0 to 1; below 0 where nobody can tell.
+  /// @param share  of the stage that is done, 0 to 1; below 0 if unknown
   void show(std::string_view stage, double share);
   void wipe();
   /// Shows what a run reports. This must outlive the run.

@@ -20,7 +20,7 @@ using pictures::Camera;
 using pictures::Colour;
 using pictures::Image;
 
-constexpr double least_side = 7;  // pixels of a mean triangle from which on its edges are drawn
+constexpr double min_side = 7;  // pixels of a mean triangle from which on its edges are drawn
 constexpr Colour front_red = Colour::of(0xe02d2d);
 
 // Red at 21 degrees, the paper's bound, and below; through yellow to blue at 60.
@@ -32,9 +32,9 @@ std::vector<Colour> colours_by_angle(const geometry::IndexedMesh& mesh) {
     const certify::AngleRange angles =
         certify::angle_range(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     const double share = std::clamp((angles.smallest_deg - 21) / (60 - 21), 0.0, 1.0);
-    const double place = share * (stops.size() - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-    colours.push_back(mixed(stops[i], stops[i + 1], place - static_cast<double>(i)));
+    const double position = share * (stops.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(position), stops.size() - 2);
+    colours.push_back(mixed(stops[i], stops[i + 1], position - static_cast<double>(i)));
   }
   return colours;
 }
@@ -94,7 +94,7 @@ Image panel(pictures::Scene& scene, const Camera& camera, const RenderArguments&
   pictures::MeshLayer& layer = scene.meshes[0];
   const bool is_edged =
       arguments.edges == DrawEdges::Always ||
-      (arguments.edges == DrawEdges::Auto && mean_side(layer.mesh, camera) > least_side);
+      (arguments.edges == DrawEdges::Auto && mean_side(layer.mesh, camera) > min_side);
   layer.coat.edge_width = is_edged ? 1.1 : 0;
   // As much as keeps a line before the triangles it bounds.
   for (pictures::Line& line : scene.lines) line.lift = line.width / camera.scale;
@@ -123,7 +123,7 @@ Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
   return camera;
 }
 
-// The camera of an inset, and its place in the first panel framed.
+// The camera of an inset, with its frame in the first panel.
 Camera inset_camera(const Camera& camera, const Inset& inset, Image& first) {
   Camera detail = camera;
   detail.scale *= inset.factor;

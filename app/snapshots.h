@@ -1,6 +1,6 @@
 #pragma once
 
-/// Pictures of a sweep on its way, as mesh files (the paper's Figure 4).
+/// Intermediate states of a sweep as mesh files (the paper's Figure 4).
 
 #include <filesystem>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace morskin::app {
 
 /// Writes snapshot-K.ply, the mesh laid so far, and snapshot-K.vtu, the same with the edges of the
-/// front, told apart by the integer `front`, and the Morse function's value at every vertex.
+/// front, marked by the integer `front`, and the Morse function's value at every vertex.
 /// @return the two names
 /// @throws geometry::UnwritableOutput
 std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,

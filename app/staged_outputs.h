@@ -1,7 +1,7 @@
 #pragma once
 
 /// The files a command writes: created under temporary names at the start, so that an unwritable
-/// place is known before the long work, and named at the end, all or none.
+/// folder is found before the long work, and renamed at the end, all or none.
 
 #include <filesystem>
 #include <string_view>
@@ -17,12 +17,12 @@ class StagedOutputs {
   /// @throws geometry::UnwritableOutput  for the first name that cannot be written
   explicit StagedOutputs(const std::vector<std::filesystem::path>& names);
 
-  /// The files that get a name; what geometry::is_written_directly is not among them.
+  /// The regular files: not those that geometry::is_written_directly.
   std::vector<geometry::PendingFile>& files() { return files_; }
   /// The rest: standard output, devices, pipes.
   const std::vector<std::filesystem::path>& direct() const { return direct_; }
 
-  /// Gives the files their names, or does other quick work, without a signal in between.
+  /// Renames the files, or does other quick work, with signals blocked.
   template <class Work>
   void undisturbed(Work work) {
     interruption_.undisturbed(work);

@@ -123,8 +123,8 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
     off.reserve(at.size());
     for (std::size_t v = 0; v < at.size(); ++v) {
       const auto [p, q, r] = code.predictors[v];
-      const std::int32_t predictors = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
-      off.push_back(at[v][k] - predictors);
+      const std::int32_t predicted = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
+      off.push_back(at[v][k] - predicted);
     }
     page.add(name + "." + "xyz"[k], std::span(std::as_const(off)));
   }
@@ -145,7 +145,7 @@ void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& 
 
 void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded) {
   const auto count = recorded.laid;
-  const std::uint32_t each = std::max(1U, (count + most_steps - 1) / most_steps);
+  const std::uint32_t each = std::max(1U, (count + max_steps - 1) / max_steps);
   const std::uint32_t steps = (count + each - 1) / each;
   std::vector<std::uint8_t> operation(count, 0);  // by swept triangle
   std::array<Numbers, 5> done;                    // by operation and step
@@ -184,7 +184,7 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
   std::vector<double> balls;
   std::vector<float> radii;
   std::vector<std::uint8_t> element_of;
-  std::map<std::string, std::uint8_t> place;
+  std::map<std::string, std::uint8_t> index_of;
   nlohmann::ordered_json elements = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
     const skin::Atom& atom = molecule.atoms[i];
@@ -192,13 +192,13 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
     balls.insert(balls.end(), {p.position.x(), p.position.y(), p.position.z(), p.weight});
     radii.push_back(static_cast<float>(atom.radius));
     std::string element(atom.element.view());
-    // There are fewer elements than this; a file that makes up its own shows the rest as the last.
-    if (!place.contains(element) && elements.size() < 255) {
-      place.emplace(element, static_cast<std::uint8_t>(elements.size()));
+    // Enough for all elements; further made-up ones of a file share the last index.
+    if (!index_of.contains(element) && elements.size() < 255) {
+      index_of.emplace(element, static_cast<std::uint8_t>(elements.size()));
       elements.push_back(element);
     }
-    const auto found = place.find(element);
-    element_of.push_back(found == place.end() ? std::uint8_t{254} : found->second);
+    const auto found = index_of.find(element);
+    element_of.push_back(found == index_of.end() ? std::uint8_t{254} : found->second);
   }
   page.about["elements"] = elements;
   page.add("atoms.balls", std::span(std::as_const(balls)));
@@ -207,7 +207,7 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
 
   const geometry::RegularTriangulation& triangulation = skin.triangulation();
   page.about["complex"] = {{"cells", skin.complex().size()}};
-  // Corners ascend: the first is told by its difference from the simplex before, the others by
+  // Corners ascend: the first is stored as its difference from the simplex before, the others by
   // theirs from the corner before.
   const auto add_simplices = [&](const std::string& name, const auto& simplices) {
     SignedNumbers numbers;
@@ -231,16 +231,16 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
 
 void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
                const morse::Simplification& simplified) {
-  std::vector<float> places;
+  std::vector<float> values;
   std::vector<std::uint8_t> indices, survives;
-  Numbers heirs;  // of a point that was cancelled with a saddle, what took its place; else itself
+  Numbers heirs;  // of a cancelled extremum the one that replaced it, else the point itself
   std::array<std::size_t, 3> counts{}, left{};
   for (std::size_t i = 0; i < traced.points.size(); ++i) {
     const morse::CriticalPoint& p = traced.points[i];
     const bool stays = simplified.survives[i];
     for (const double number : {p.point.position.x(), p.point.position.y(), p.point.position.z(),
                                 p.value, p.point.length_scale, simplified.radius[i]}) {
-      places.push_back(static_cast<float>(number));
+      values.push_back(static_cast<float>(number));
     }
     indices.push_back(static_cast<std::uint8_t>(p.index));
     survives.push_back(stays);
@@ -252,7 +252,7 @@ void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
     heirs[c.extremum.index()] = c.heir.value;
   }
   page.about["critical"] = {{"found", counts}, {"left", left}};
-  page.add("critical.points", std::span(std::as_const(places)));
+  page.add("critical.points", std::span(std::as_const(values)));
   page.add("critical.index", std::span(std::as_const(indices)));
   page.add("critical.survives", std::span(std::as_const(survives)));
   page.add("critical.heir", std::span(std::as_const(heirs)));

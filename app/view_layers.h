@@ -36,7 +36,7 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
 void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
                const morse::Simplification& simplified);
 
-/// Most steps of the slider through a sweep.
-constexpr std::uint32_t most_steps = 8192;
+/// Limit of the steps of the slider through a sweep.
+constexpr std::uint32_t max_steps = 8192;
 
 }  // namespace morskin::app

@@ -4,8 +4,8 @@
 
 namespace morskin::app {
 
-/// The viewer: an HTML page whose marks @ABOUT@ and @DATA@ stand, in this order, where a page's own
-/// data go. `viewer/dist/viewer.html`, made by `make viewer-asset`.
+/// The viewer: an HTML page with the marks @ABOUT@ and @DATA@, in this order, for a page's own
+/// data. `viewer/dist/viewer.html`, made by `make viewer-asset`.
 std::string_view viewer_asset();
 
 }  // namespace morskin::app

@@ -1,5 +1,5 @@
-// What `check` does to a mesh of about a million triangles (gramicidin A, model paper, C = 0.0425),
-// step by step. Run from the project's root.
+// The steps of `check` on a mesh of about a million triangles (gramicidin A, model paper,
+// C = 0.0425). Run from the project's root.
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
-// Critical points per second of a height and of a squared distance, and what the protecting spheres
-// about them cost. Run from the project's root.
+// Critical points per second of a height and of a squared distance, and the cost of their
+// protecting spheres. Run from the project's root.
 
 #include <benchmark/benchmark.h>
 

@@ -71,8 +71,8 @@ BENCHMARK(whole_complex)
     ->Unit(benchmark::kMillisecond)
     ->Complexity();
 
-/// Every test a near tie: steps of 1 are exact ties for the integers, steps of 0.1 only the
-/// expansions can settle.
+/// Every test is a near tie: with steps of 1 the integers decide, with steps of 0.1 only
+/// expansions.
 void lattice_insertion(benchmark::State& state) {
   const Points points = lattice(20, static_cast<double>(state.range(0)) / 10);
   for (auto _ : state) benchmark::DoNotOptimize(Triangulator(points).tetrahedra().data());
@@ -82,7 +82,7 @@ BENCHMARK(lattice_insertion)->ArgName("tenths")->Arg(10)->Arg(1)->Unit(benchmark
 
 constexpr std::size_t pool_mask = 1023;
 
-/// Five of a pool of points, different ones each time.
+/// Five points of a pool, different ones each time.
 template <class Predicate>
 void run_on_fives(benchmark::State& state, const Points& pool, Predicate predicate) {
   std::size_t i = 0;
@@ -94,7 +94,7 @@ void run_on_fives(benchmark::State& state, const Points& pool, Predicate predica
   }
 }
 
-/// Range 0: random doubles; 1: a lattice of whole numbers, which the integers can hold.
+/// Range 0: random doubles; 1: a lattice of integers, within the integer tier.
 Points pool(const benchmark::State& state) {
   return state.range(0) == 0 ? random_points(pool_mask + 1, 0.5) : lattice(11, 1);
 }

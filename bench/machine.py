@@ -1,4 +1,4 @@
-"""What a measurement was made on: machine, compiler, flags, load, version of the source."""
+"""The environment of a measurement: machine, compiler, flags, load, version of the source."""
 
 import datetime
 import os
@@ -32,7 +32,7 @@ def cached(name):
 
 
 def environment():
-    """All of it, now. What cannot be found out is empty."""
+    """The current environment; unknown values are empty."""
     compiler, commit = cached("CMAKE_CXX_COMPILER"), output_of("git", "rev-parse", "HEAD")
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),

@@ -1,5 +1,5 @@
-// Marching cubes of gramicidin with as many triangles as the sweep makes, and what it spends its
-// time in. Run from the project's root.
+// Marching cubes of gramicidin with as many triangles as the sweep makes, and the time of its
+// parts. Run from the project's root.
 
 #include <benchmark/benchmark.h>
 
@@ -29,7 +29,7 @@ void marching_cubes(benchmark::State& state) {
   state.counters["triangles/s"] = Counter(triangles, Counter::kIsIterationInvariantRate);
 }
 
-/// Finding the cells near the skin, without looking at their corners.
+/// Finding the cells near the skin, without evaluating their corners.
 void narrow_band(benchmark::State& state) {
   const double step = baselines::step_like_sweep(gramicidin().surface);
   const baselines::Grid grid = baselines::grid_over(gramicidin().surface, step);

@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: the molecules, their arguments, one run of the command."""
+"""Common parts of the scripts of this folder: molecules, arguments, one run of the command."""
 
 import argparse
 import dataclasses

@@ -1,6 +1,6 @@
-// The molecules of the paper's Table 1 by each method of the library, and the kernels that meshing
-// them spends its time in. Each row counts what speed could be traded for: the smallest angle and
-// the distance to [L] and [U]. Run from the project's root.
+// The molecules of the paper's Table 1 by each method of the library, and the main kernels. Each
+// row counts what speed could be traded for: the smallest angle and the distance to [L] and [U].
+// Run from the project's root.
 
 #include <benchmark/benchmark.h>
 
@@ -20,6 +20,19 @@ constexpr double probe = 1.4;  // Angstrom, as in section 2.1
 
 std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Model model) {
   return skin::weighted_points(skin::read_molecule("bench/molecules/" + file), model, probe);
+}
+
+/// Writes binary PLY and reads it back, in memory.
+class AsFile : public morskin::Observer {
+ public:
+  Delivery deliver(geometry::IndexedMesh mesh) override {
+    const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
+    return {geometry::parse_mesh(bytes, "memory"), {}};
+  }
+};
+
+std::string_view name_of(morskin::Method method) {
+  return method == morskin::Method::Sweep ? "sweep" : "static";
 }
 
 /// Writes binary PLY and reads it back, in memory.

@@ -9,7 +9,7 @@ some random squared distances; each raw and simplified (`morskin morse`). The la
   - a saddle has two arcs to minima and two to maxima; a region is a minimum, a saddle, a maximum, a
     saddle, neighbours joined by arcs; there are two regions for each saddle, and each arc borders
     two
-  - a line starts at its saddle and ends at its extremum; raw ones rise or fall all the way
+  - a line starts at its saddle and ends at its extremum; raw ones rise or fall throughout
   - the hierarchy is that of sublevel and superlevel sets, found here anew; all that it leaves is
     one minimum and one maximum for each component and two saddles for each handle
   - simplified, the cancelled pairs belong to the hierarchy, and no two protecting spheres overlap
@@ -195,8 +195,8 @@ class Laws:
             for other_low, other_radius, other in spheres[i + 1:]:
                 if other_low > low + 2 * radius:
                     break
-                reach = radius + other_radius
-                self.expect(reach <= math.dist(centre, other) * (1 + 1e-12), "spheres overlap")
+                radii = radius + other_radius
+                self.expect(radii <= math.dist(centre, other) * (1 + 1e-12), "spheres overlap")
 
 
 def broken_laws(raw, simplified, default):

@@ -5,15 +5,15 @@ Two tables, as text on standard output and as Markdown in results/prediction.md:
 
   touches   every molecule and model, swept once from below with the guard looking everywhere: the
             saddles, those that survive the simplification, the touches of the front inside
-            protecting spheres and outside, how many of each were in vain (split off a loop that
+            protecting spheres and outside, how many of each were futile (split off a loop that
             closed again without meeting the front or a maximum), and the share inside
-  guards    the same runs with the guard looking everywhere, along the front's own polygon and in
+  guards    the same runs with the guard searching everywhere, along the front's own polygon and in
             enlarged protecting spheres, and in those spheres only: how many are certified, and
             the seconds of those that all three have certified
 
 With --functions instead: every molecule along 10 random directions and 3 squared distances from
 random points, with both fronts; all must be certified with the same Euler characteristic. Singular
-skins (exit code 4) and functions that are degenerate (2) are left out, and a line says so.
+skins (exit code 4) and degenerate functions (2) are left out, with a line each.
 """
 
 import random

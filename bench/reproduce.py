@@ -12,8 +12,8 @@ Into the results folder go
   inputs.sha256     the inputs, so that it can be seen what was measured
 
 and bench/reproduce_plots.py draws scaling and angles from there. The methods take turns within each
-repetition, so that noise hits all alike. A method that is not built in, a run that is out of time
-and a run that was left out are told in a line and in table1.md, never passed over.
+repetition, so that noise hits all alike. Methods that are not built in, runs out of time and runs
+left out are reported in a line and in table1.md.
 
 With --parts only some are run; the others' rows are taken from the folder, and table1.md says so.
 With --quick (QUICK=1) the whole takes under five minutes: smaller molecules, and each part stops
@@ -86,7 +86,7 @@ def arguments():
 
 
 class Notes:
-    """What table1.md must not keep quiet about."""
+    """Remarks for table1.md."""
 
     def __init__(self):
         self.lines = []
@@ -118,7 +118,7 @@ class Part:
         return late
 
     def run(self, path, model, method, fixed, *options, keep=None):
-        """Meshes once; the row has what was measured beside what is fixed."""
+        """Meshes once; the row has the measured values beside the fixed ones."""
         timeout = max(1, min(self.timeout, self.deadline - time.monotonic()))
         done = mesh(path, model, timeout, *METHODS[method], *options, keep=keep)
         report = done.report
@@ -149,7 +149,7 @@ class Part:
 
 
 def methods_there_are(options, notes):
-    """The methods that were asked for and that this build has; the others are told."""
+    """The methods that were asked for and that this build has; reports the others."""
     there = []
     for method, words in METHODS.items():
         if method not in options.methods.split(","):
@@ -219,14 +219,14 @@ def scaling(options, methods, notes, folder):
                                             "C": C}))
     limit = {}  # by series and method, where the first run was out of time
     for repetition in range(1, options.repetitions + 1):
-        for place, (path, fixed) in enumerate(cases):
+        for index, (path, fixed) in enumerate(cases):
             for method in turns(methods, repetition):
-                if place >= limit.get((fixed["series"], method), math.inf) or part.is_late():
+                if index >= limit.get((fixed["series"], method), math.inf) or part.is_late():
                     continue
                 row = part.run(path, "paper", method, {**fixed, "repetition": repetition},
                                "-C", str(fixed["C"]))
                 if row["code"] not in (0, 5):
-                    limit[fixed["series"], method] = place
+                    limit[fixed["series"], method] = index
     part.end()
     return part
 

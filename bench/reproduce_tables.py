@@ -135,7 +135,7 @@ def angle_counts(points, triangles):
 
 
 def write_environment(path, started, ended, options, parts):
-    """What these parts were run on; what others were run on earlier stays as it was."""
+    """The environment of these parts; that of parts run earlier is kept."""
     now = dict(started)
     now["load_at_start"], now["load_at_end"] = now.pop("load"), ended["load"]
     now["date_at_end"] = ended["date"]
@@ -206,7 +206,7 @@ def agreement_text(rows, methods):
 
 
 def asked_text(rows):
-    """What is asked of the sweep, and whether it was met."""
+    """The requirements on the sweep, and whether they are met."""
     body = []
     for molecule, (name, _, angle, _, _) in PAPER.items():
         runs = measured(rows.get("table1", []), molecule=molecule, method="sweep")

@@ -9,17 +9,17 @@ namespace {
 
 constexpr double largest_coordinate = 0x1p30;
 constexpr double grid = 0x1p-300;
-constexpr double surely_on_grid = 0x1p-248;  // 52 bits below it is the grid
+constexpr double certainly_on_grid = 0x1p-248;  // 52 bits below it is the grid
 
 bool is_in_range(const Point& p) {
   return std::ranges::all_of(p, [](double x) {
-    return std::fabs(x) <= largest_coordinate && (x == 0 || std::fabs(x) >= surely_on_grid);
+    return std::fabs(x) <= largest_coordinate && (x == 0 || std::fabs(x) >= certainly_on_grid);
   });
 }
 
 double scaled(double x, int exponent) {
   const double y = std::ldexp(x, exponent);
-  return std::fabs(y) >= surely_on_grid ? y : std::nearbyint(y / grid) * grid;
+  return std::fabs(y) >= certainly_on_grid ? y : std::nearbyint(y / grid) * grid;
 }
 
 }  // namespace

@@ -7,13 +7,13 @@
 
 namespace morskin::geometry {
 
-/// The positions of a mesh from any file, brought into the range in which signs of degree three
+/// The positions of a mesh from any file, in the range in which signs of degree three
 /// (`orientation`, `are_collinear`) are exact: at most 2^30 in magnitude and multiples of 2^-300,
 /// so that a product of three differences neither overflows nor loses its last bit.
 ///
-/// Positions already in range are used as they are. Others are scaled by one power of two, which
-/// changes no sign; what is then no multiple of 2^-300, below 2^-248 and so 2^278 times smaller
-/// than the largest coordinate, is rounded to one.
+/// Positions out of range are scaled by one power of two, which changes no sign, and rounded to
+/// multiples of 2^-300, which changes only coordinates below 2^-248, 2^278 times smaller than the
+/// largest.
 class ExactPositions {
  public:
   /// @param positions  all finite; must outlive this object.

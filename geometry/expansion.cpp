@@ -100,7 +100,7 @@ Expansion operator*(const Expansion& a, const Expansion& b) {
 void Expansion::compress() {
   if (size_ < 2) return;
   double* const c = data();
-  // Downwards: gather into few large components, kept at the upper end of the array.
+  // Downwards: gather into few large components at the upper end of the array.
   double running = c[size_ - 1];
   std::size_t bottom = size_ - 1;
   for (std::size_t i = size_ - 1; i-- > 0;) {
@@ -112,7 +112,7 @@ void Expansion::compress() {
     }
   }
   c[bottom] = running;
-  // Upwards: what does not fit into the next one stays behind, at the lower end.
+  // Upwards: rounding errors stay as components at the lower end.
   std::size_t kept = 0;
   for (std::size_t i = bottom + 1; i < size_; ++i) {
     const Rounded sum = fast_two_sum(c[i], running);

@@ -21,8 +21,8 @@ constexpr Sign sign_of(const Number& x) {
 
 namespace internal {
 
-/// A double and what rounding took from it; the true number is head + tail. Sums and products of
-/// two doubles are such numbers exactly (Dekker 1971, Knuth 1969; no contraction to fma allowed).
+/// A double and its rounding error; the true number is head + tail. Sums and products of two
+/// doubles are such numbers exactly (Dekker 1971, Knuth 1969; no contraction to fma allowed).
 struct Rounded {
   double head;
   double tail;
@@ -49,7 +49,7 @@ inline Rounded split(double a) {
   return {head, a - head};
 }
 
-/// a * b, given the splits of both, which many products share.
+/// a * b, given the splits of both.
 inline Rounded two_product(double a, Rounded a_split, double b, Rounded b_split) {
   const double product = a * b;
   const double error = ((a_split.head * b_split.head - product) + a_split.head * b_split.tail) +
@@ -61,8 +61,8 @@ inline Rounded two_product(double a, Rounded a_split, double b, Rounded b_split)
 
 /// A number of about 106 bits, for a filter between double and `Expansion`.
 ///
-/// Law: a difference of doubles is exact; a sum errs by at most 2^-103 (|a| + |b|), a product by
-///      little more than 2^-103 |a b|.
+/// Law: a difference of doubles is exact; the error of a sum is at most 2^-103 (|a| + |b|), that of
+///      a product little more than 2^-103 |a b|.
 class DoubleDouble {
  public:
   static DoubleDouble difference(double a, double b) { return internal::two_sum(a, -b); }
@@ -89,8 +89,8 @@ class DoubleDouble {
   internal::Rounded parts_;  // |tail| <= 2^-53 |head|
 };
 
-/// A real number held exactly, as a sum of doubles that do not overlap: each one is smaller than
-/// the lowest bit set in the next. Sums, differences and products are exact.
+/// An exact real number, a sum of doubles that do not overlap: each is smaller than the lowest set
+/// bit of the next. Sums, differences and products are exact.
 ///
 /// Law:    the sign is that of the largest component; zero has no components.
 /// @pre    no operation overflows, and no product of two components has a bit below 2^-1074.
@@ -105,7 +105,7 @@ class Expansion {
   Expansion(const Expansion& other) { *this = other; }
   Expansion& operator=(const Expansion& other);
 
-  /// a - b, which as a double might have been rounded.
+  /// a - b, exactly.
   static Expansion difference(double a, double b);
 
   Sign sign() const { return size_ == 0 ? Sign::Zero : sign_of(data()[size_ - 1]); }
@@ -123,9 +123,8 @@ class Expansion {
   const double* data() const { return size_ <= inline_capacity ? few_.data() : many_.data(); }
   double* data() { return size_ <= inline_capacity ? few_.data() : many_.data(); }
   void push(double component);
-  /// Adds factor * b, factor being a single double.
   void add_scaled(const Expansion& b, double factor);
-  /// Rewrites the sum with as few components as the method of the source finds.
+  /// Reduces the number of components.
   void compress();
 
   std::size_t size_ = 0;

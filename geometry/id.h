@@ -26,7 +26,7 @@ struct Id {
   friend constexpr auto operator<=>(Id, Id) = default;
 };
 
-using AtomId = Id<struct AtomTag>;          ///< a weighted point, by its position in the input
+using AtomId = Id<struct AtomTag>;          ///< a weighted point, by its index in the input
 using VertexId = Id<struct VertexTag>;      ///< a vertex of a surface mesh
 using TriangleId = Id<struct TriangleTag>;  ///< a triangle of a surface mesh
 using CellId = Id<struct CellTag>;  ///< a simplex of the regular triangulation = a mixed cell

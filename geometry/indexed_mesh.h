@@ -8,8 +8,8 @@
 
 namespace morskin::geometry {
 
-/// A triangle mesh as files hold it: positions and, per triangle, three places in that array,
-/// counter-clockwise seen from outside. Any connectivity, right or wrong, can be stored.
+/// A triangle mesh as in files: positions and, by triangle, three indices into them,
+/// counter-clockwise seen from outside. Any connectivity, valid or not.
 struct IndexedMesh {
   std::vector<Point> positions;                         ///< Angstrom
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< each < positions.size()

@@ -1,13 +1,13 @@
 #pragma once
 
-/// A kd-tree over points that do not change, in flat arrays: the nearest point within a radius, and
-/// all points within a radius.
+/// A static kd-tree in flat arrays: the nearest point within a radius, and all points within a
+/// radius.
 ///
-/// The tree has no pointers. A range of the array is cut at its median along the longest side of
-/// its box; the median's slot is the node, its two halves are the subtrees. Ranges of a few points
-/// are leaves, searched one by one.
+/// The tree has no pointers. Each range of the array is split at its median along the longest side
+/// of its box; the median is the node, the two halves are the subtrees. Ranges of a few points are
+/// leaves.
 ///
-/// Answers are those of a search through all points in the order of their ids, ties included.
+/// Results equal those of a linear search in the order of ids, ties included.
 /// Source: Friedman, Bentley & Finkel 1977.
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace morskin::geometry {
 
-/// @tparam Id  id of a point: its place in the span that the tree was built from.
+/// @tparam Id  of a point: its index in the span that the tree was built from
 template <class Id>
 class KdTree {
  public:
@@ -36,24 +36,24 @@ class KdTree {
   explicit KdTree(std::span<const Point> points) : ids_(points.size()), axis_(points.size()) {
     std::iota(ids_.begin(), ids_.end(), 0U);
     build(points, 0, ids_.size());
-    places_.reserve(points.size());
-    for (const std::uint32_t i : ids_) places_.push_back(points[i]);
+    points_.reserve(points.size());
+    for (const std::uint32_t i : ids_) points_.push_back(points[i]);
   }
 
   std::size_t size() const { return ids_.size(); }
 
   /// The nearest point no farther than `radius`; of several the one with the lowest id.
   ///
-  /// @param accept  bool accept(Id): points that are refused are passed over.
+  /// @param accept  accept(Id) -> bool, whether a point counts
   template <class Accept>
   std::optional<Neighbour> nearest(const Point& x, double radius, const Accept& accept) const {
     std::optional<Neighbour> best;
-    double reach = radius * radius;
-    search(x, 0, size(), reach, [&](std::uint32_t id, double squared_distance) {
+    double limit = radius * radius;
+    search(x, 0, size(), limit, [&](std::uint32_t id, double squared_distance) {
       if (!accept(Id{id})) return;
-      if (best && squared_distance == reach && best->id < Id{id}) return;
+      if (best && squared_distance == limit && best->id < Id{id}) return;
       best = Neighbour{Id{id}, squared_distance};
-      reach = squared_distance;
+      limit = squared_distance;
     });
     return best;
   }
@@ -61,18 +61,18 @@ class KdTree {
     return nearest(x, radius, [](Id) { return true; });
   }
 
-  /// Visits all points no farther than `radius`, in an order that is always the same.
+  /// Visits all points no farther than `radius`, in a fixed order.
   /// @param visit  visit(Neighbour)
   template <class Visit>
   void for_each_within(const Point& x, double radius, const Visit& visit) const {
-    double reach = radius * radius;
-    search(x, 0, size(), reach, [&](std::uint32_t id, double squared_distance) {
+    double limit = radius * radius;
+    search(x, 0, size(), limit, [&](std::uint32_t id, double squared_distance) {
       visit(Neighbour{Id{id}, squared_distance});
     });
   }
 
  private:
-  /// A range this long is searched through: about where a level of the tree stops paying.
+  /// Largest leaf: about where another level of the tree stops paying.
   static constexpr std::size_t leaf = 8;
 
   void build(std::span<const Point> points, std::size_t first, std::size_t last) {
@@ -94,34 +94,34 @@ class KdTree {
     build(points, middle + 1, last);
   }
 
-  /// Visits points within `reach` (squared), which the visitor may shorten. Depth: log2 of the
-  /// size.
+  /// Visits points within the squared distance `limit`, which the visitor may lower. Depth: log2 of
+  /// the size.
   template <class Visit>
-  void search(const Point& x, std::size_t first, std::size_t last, double& reach,
+  void search(const Point& x, std::size_t first, std::size_t last, double& limit,
               const Visit& visit) const {
-    const auto look = [&](std::size_t i) {
-      const double squared_distance = (places_[i] - x).squaredNorm();
-      if (squared_distance <= reach) visit(ids_[i], squared_distance);
+    const auto test = [&](std::size_t i) {
+      const double squared_distance = (points_[i] - x).squaredNorm();
+      if (squared_distance <= limit) visit(ids_[i], squared_distance);
     };
     if (last - first <= leaf) {
-      for (std::size_t i = first; i < last; ++i) look(i);
+      for (std::size_t i = first; i < last; ++i) test(i);
       return;
     }
     const std::size_t middle = first + (last - first) / 2;
-    const double beyond = x[axis_[middle]] - places_[middle][axis_[middle]];
-    look(middle);
+    const double beyond = x[axis_[middle]] - points_[middle][axis_[middle]];
+    test(middle);
     const bool right_first = beyond > 0;
-    right_first ? search(x, middle + 1, last, reach, visit)
-                : search(x, first, middle, reach, visit);
+    right_first ? search(x, middle + 1, last, limit, visit)
+                : search(x, first, middle, limit, visit);
     // Rounding is monotone, so no point beyond the plane has a computed distance below this.
-    if (beyond * beyond > reach) return;
-    right_first ? search(x, first, middle, reach, visit)
-                : search(x, middle + 1, last, reach, visit);
+    if (beyond * beyond > limit) return;
+    right_first ? search(x, first, middle, limit, visit)
+                : search(x, middle + 1, last, limit, visit);
   }
 
   std::vector<std::uint32_t> ids_;  ///< in the order of the tree
   std::vector<std::uint8_t> axis_;  ///< of the plane through a node, by slot
-  std::vector<Point> places_;       ///< by slot
+  std::vector<Point> points_;       ///< by slot
 };
 
 }  // namespace morskin::geometry

@@ -74,10 +74,10 @@ class MeshChecker {
   MeshCheck result_;
   UnionFind triangles_;               ///< joined through edges
   UnionFind fans_;                    ///< corners, named like half-edges, joined at their vertex
-  std::vector<char> is_loose_;        ///< by triangle: at an edge that is not as it should be
-  std::vector<std::uint32_t> edges_;  ///< by triangle, how many edges were met first from it
-  std::vector<std::uint32_t> first_;  ///< by vertex, where its half-edges begin
-  std::vector<HalfEdge> half_edges_;  ///< by the smaller end, then as sorted
+  std::vector<char> is_loose_;        ///< by triangle: whether an edge has a defect
+  std::vector<std::uint32_t> edges_;  ///< by triangle: edges visited first from it
+  std::vector<std::uint32_t> first_;  ///< by vertex, its first half-edge in half_edges_
+  std::vector<HalfEdge> half_edges_;  ///< grouped by the smaller end, then sorted
 };
 
 void MeshChecker::check_triangles() {
@@ -136,10 +136,10 @@ void MeshChecker::check_edge(std::uint32_t a, std::span<HalfEdge> around) {
   ++edges_[first / 3];
   for (const HalfEdge& h : around.subspan(1)) {
     triangles_.join(first / 3, h.id / 3);
-    // The corner at a half-edge's origin bears its name; against it runs the twin's far end.
-    const bool is_same_way = corner(h.id) == corner(first);
-    fans_.join(first, is_same_way ? h.id : next(h.id));
-    fans_.join(next(first), is_same_way ? next(h.id) : h.id);
+    // A half-edge's id names the corner at its origin; there the opposite one names its far end.
+    const bool runs_alike = corner(h.id) == corner(first);
+    fans_.join(first, runs_alike ? h.id : next(h.id));
+    fans_.join(next(first), runs_alike ? next(h.id) : h.id);
   }
   const bool is_good = around.size() == 2 && corner(around[1].id) != corner(first);
   if (is_good) {
@@ -178,7 +178,7 @@ void MeshChecker::check_vertices() {
   for (std::uint32_t h = 0; h < 3 * mesh_.triangles.size(); ++h) {
     const std::uint32_t v = corner(h);
     is_used[v] = 1;
-    if (repeats_a_corner(h / 3)) continue;  // it has no place in a fan
+    if (repeats_a_corner(h / 3)) continue;  // in no fan
     const std::uint32_t root = fans_.root(h);
     if (fan[v] == no_index) fan[v] = root;
     is_split[v] = is_split[v] != 0 || fan[v] != root;

@@ -1,8 +1,7 @@
 #pragma once
 
-/// Whether a triangle list is a closed oriented 2-manifold, and if not, everything that breaks it:
-/// each kind of defect counted, its first element named. closed_mesh (surface_mesh.h) gives the
-/// half-edges of a good mesh and stops at the first defect of a bad one; this goes on.
+/// Whether a triangle list is a closed oriented 2-manifold, and if not, all its defects: each kind
+/// counted, its first element named. closed_mesh (surface_mesh.h) stops at the first defect.
 
 #include <array>
 #include <cstdint>
@@ -21,8 +20,8 @@ enum class MeshDefect {
   DuplicateTriangle,     ///< two triangles with the same three corners
   BoundaryEdge,          ///< an edge with one triangle
   CrowdedEdge,           ///< an edge with three triangles or more
-  DisagreeingTriangles,  ///< an edge that its two triangles run along the same way
-  SplitVertex,           ///< a vertex where two or more fans of triangles touch
+  DisagreeingTriangles,  ///< an edge that both its triangles traverse in the same direction
+  SplitVertex,           ///< a vertex where two or more fans of triangles meet
   UnusedVertex,          ///< a vertex without a triangle
 };
 
@@ -39,9 +38,9 @@ struct MeshComponent {
   std::uint32_t first_triangle = 0;
   bool is_closed_and_oriented = true;  ///< each edge has two triangles, which agree
   double area = 0;                     ///< Angstrom^2
-  double volume = 0;  ///< Angstrom^3, negative for a cavity; means nothing unless closed
+  double volume = 0;  ///< Angstrom^3, negative for a cavity; meaningless unless closed
 
-  /// Of the component with its split vertices taken apart.
+  /// Of the component with its split vertices separated.
   long euler_characteristic() const {
     return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(triangles);
   }
@@ -59,7 +58,7 @@ struct MeshCheck {
   const DefectCount* find(MeshDefect kind) const;
 };
 
-/// O(n), but for sorting the edges at each vertex.
+/// O(n), apart from sorting the edges at each vertex.
 ///
 /// @pre every position is finite; fewer than 2^32 / 3 triangles.
 MeshCheck check_mesh(const IndexedMesh& mesh);

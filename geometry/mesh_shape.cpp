@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// The cosines of the angles at p, q and r; not a number where a side has no length.
+/// The cosines of the angles at p, q and r; NaN where a side has length zero.
 std::array<double, 3> cosines(const Vector& pq, const Vector& qr, const Vector& rp) {
   const double x = pq.norm(), y = qr.norm(), z = rp.norm();
   return {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)};
@@ -24,14 +24,14 @@ std::array<double, 3> cosines(const Vector& pq, const Vector& qr, const Vector& 
 struct CosineRange {
   double largest = -1, smallest = 1;
 
-  /// Whether a triangle surely has no cosine beyond: told without a root, as for nearly all.
-  bool surely_holds(const Vector& pq, const Vector& qr, const Vector& rp) const {
+  /// Whether a triangle certainly has no cosine beyond, without a root; true for nearly all.
+  bool certainly_holds(const Vector& pq, const Vector& qr, const Vector& rp) const {
     if (!(largest > 0 && smallest < 0)) return false;
-    constexpr double room = 1 - 1e-12;  // far more than rounding takes
-    const double most = room * largest * largest, least = room * smallest * smallest;
+    constexpr double margin = 1 - 1e-12;  // far above rounding
+    const double above = margin * largest * largest, below = margin * smallest * smallest;
     const double x = pq.squaredNorm(), y = qr.squaredNorm(), z = rp.squaredNorm();
     const auto is_within = [&](double dot, double squares) {
-      return dot * dot < (dot < 0 ? most : least) * squares;
+      return dot * dot < (dot < 0 ? above : below) * squares;
     };
     return is_within(pq.dot(rp), x * z) && is_within(pq.dot(qr), x * y) &&
            is_within(qr.dot(rp), y * z);
@@ -68,7 +68,7 @@ MeshShape measure_shape(const IndexedMesh& mesh) {
     const Vector pq = q - p, rp = p - r, doubled = rp.cross(pq);
     shape.area += doubled.norm() / 2;
     shape.volume += (p - mesh.positions[0]).dot(doubled) / 6;
-    if (!cosines.surely_holds(pq, r - q, rp)) {
+    if (!cosines.certainly_holds(pq, r - q, rp)) {
       cosines.add(triangle_shape(p, q, r, mesh.positions[0]));
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Angles, area and volume of a mesh: what needs its coordinates and not its connectivity.
+/// Angles, area and volume of a mesh, which need no connectivity.
 
 #include <array>
 #include <cstddef>
@@ -9,24 +9,24 @@
 
 namespace morskin::geometry {
 
-/// The extreme cosines of a triangle's angles, its area, and the signed volume of the tetrahedron
-/// under it. A side of length zero counts as an angle of 0 and one of 180 degrees.
+/// The extreme cosines of a triangle's angles, its area, and the signed volume of its tetrahedron
+/// with an apex. A side of length zero counts as an angle of 0 and one of 180 degrees.
 struct TriangleShape {
   double largest_cosine, smallest_cosine;
   double area;    ///< Angstrom^2
   double volume;  ///< Angstrom^3, of the tetrahedron with `apex`
 };
-/// @param apex  one for a whole mesh; near it, for little is lost to cancellation then
+/// @param apex  the same for a whole mesh; near it, to avoid cancellation
 TriangleShape triangle_shape(const Point& p, const Point& q, const Point& r, const Point& apex);
 
 struct MeshShape {
   double min_angle_deg = 180, max_angle_deg = 0;
   double area = 0;    ///< Angstrom^2
-  double volume = 0;  ///< Angstrom^3 that a closed mesh encloses; voids are taken off
+  double volume = 0;  ///< Angstrom^3 inside a closed mesh, without voids
 };
 MeshShape measure_shape(const IndexedMesh& mesh);
 
-/// How many angles lie in [10 k, 10 k + 10) degrees, k from 0 to 17; 180 counts in the last.
+/// By k from 0 to 17, the number of angles in [10 k, 10 k + 10) degrees; 180 counts in the last.
 using AngleHistogram = std::array<std::size_t, 18>;
 AngleHistogram angle_histogram(const IndexedMesh& mesh);
 

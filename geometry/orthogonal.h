@@ -6,10 +6,10 @@
 
 namespace morskin::geometry {
 
-/// The direction of v's part orthogonal to n; where v has none, any direction orthogonal to n.
+/// The unit vector along the part of v orthogonal to n; where that is zero, any orthogonal to n.
 ///
-/// Where v runs nearly along n its part v - (n . v) n is mostly rounding, which has a part along n
-/// as large as any. Taken a second time it leaves a direction orthogonal to n to the last bits.
+/// Where v is nearly parallel to n, v - (n . v) n is mostly rounding and need not be orthogonal to
+/// n. A second projection makes it so to the last bits.
 /// @param n  unit
 inline Vector unit_orthogonal_part(const Vector& v, const Vector& n) {
   const Vector once = v - n.dot(v) * n;

@@ -9,8 +9,8 @@
 namespace morskin::geometry {
 namespace {
 
-/// A double that knows how far it may be from the true number. The factor in `sign` covers the
-/// rounding of the error itself, a few u in each of at most twenty steps.
+/// A double with a bound on its error. The factor in `sign` covers the rounding of the bound
+/// itself, a few u in each of at most twenty steps.
 struct Bounded {
   double value = 0;
   double error = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Work in threads where the answer does not depend on how many there are.
+/// Parallel loops whose result does not depend on the number of threads.
 
 #include <algorithm>
 #include <atomic>
@@ -10,28 +10,27 @@
 
 namespace morskin::geometry {
 
-/// Elements that are worth taking another block for.
+/// Elements in a block, enough to outweigh its overhead.
 inline constexpr std::size_t usual_block = 4096;
 
-/// Does both, at once when two threads are allowed. An exception of either comes out here, when
-/// both have ended.
+/// Runs both, at the same time if `threads` > 1. Throws what either throws, after both have ended.
 template <class First, class Second>
 void do_both(unsigned threads, First first, Second second) {
-  // The future waits for its thread when it goes out of scope, whatever is thrown here.
+  // The future's destructor waits for its thread, also if first() throws.
   std::future<void> other =
       std::async(threads > 1 ? std::launch::async : std::launch::deferred, second);
   first();
   other.get();
 }
 
-/// How many blocks for_each_block() makes of a count: consecutive ones of `size`, the last shorter,
-/// and at least one.
+/// The number of blocks of `size` elements, the last shorter, that for_each_block() makes: at least
+/// one.
 inline std::size_t block_count(std::size_t count, std::size_t size = usual_block) {
   return std::max<std::size_t>((count + size - 1) / size, 1);
 }
 
-/// Calls task(i) for each i below a count. Threads take the next when they are done with one, so
-/// none waits long for another. After an exception, which comes out here, no new one is begun.
+/// Calls task(i) for each i below `count`; each thread takes the next i when it is done with one.
+/// After an exception, which comes out here, no other i is begun.
 template <class Task>
 void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
@@ -51,8 +50,8 @@ void for_each_task(unsigned threads, std::size_t count, Task task) {
   for (std::future<void>& other : others) other.get();
 }
 
-/// Calls work(begin, end, block) for consecutive parts of [0, count), as tasks. The blocks are the
-/// same for any number of threads.
+/// Calls work(begin, end, block) for consecutive blocks of [0, count), which do not depend on the
+/// number of threads.
 template <class Work>
 void for_each_block(unsigned threads, std::size_t count, Work work,
                     std::size_t size = usual_block) {
@@ -61,7 +60,7 @@ void for_each_block(unsigned threads, std::size_t count, Work work,
   });
 }
 
-/// The same beside a piece of work, which one thread begins with.
+/// The same, with first() as an additional task, the first.
 template <class First, class Work>
 void for_each_block_beside(unsigned threads, First first, std::size_t count, Work work,
                            std::size_t size = usual_block) {

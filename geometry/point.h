@@ -6,7 +6,7 @@ namespace morskin::geometry {
 
 /// A position in space, Angstrom.
 using Point = Eigen::Vector3d;
-/// A difference of positions, or a direction.
+/// A difference of positions or a direction.
 using Vector = Eigen::Vector3d;
 
 /// A ball of squared radius `weight` (Angstrom^2, may be negative) about `position`.

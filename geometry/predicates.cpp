@@ -11,14 +11,14 @@ namespace {
 // The extension mark keeps -Wpedantic content.
 __extension__ typedef __int128 Int128;
 
-/// p - e in exact units of 2^-k, for the k that gives the largest of them `bits` bits.
+/// p - e in units of 2^-k, exactly, for the k that gives the largest of them `bits` bits.
 template <std::size_t Count>
 struct ScaledDifferences {
   std::array<std::array<std::int64_t, 3>, Count> rows;
   double scale;  ///< 2^k
 };
 
-/// Nothing if a difference is not a whole number of those units, or was already rounded.
+/// Nothing if a difference is no whole number of units or has been rounded.
 template <std::size_t Count>
 std::optional<ScaledDifferences<Count>> scaled_differences(
     const std::array<const Point*, Count>& points, const Point& e, int bits) {
@@ -116,9 +116,9 @@ std::optional<Sign> integer_orthosphere(const WeightedPoint& a, const WeightedPo
   return sign_of(determinant(m));
 }
 
-/// As in `filtered_orthosphere`, but the differences are exact, and each of the at most 12
-/// roundings left (4 in the height, 2 and 2 in the minors, 1 product, 3 sums) is about 2^-103: 24 *
-/// 12 * 2^-103 < 2^-94, and another bit for good measure.
+/// As in `filtered_orthosphere`, but with exact differences, and each of the remaining 12 roundings
+/// at most (4 in the height, 2 and 2 in the minors, 1 product, 3 sums) is about 2^-103: 24 * 12 *
+/// 2^-103 < 2^-94, with one more bit as a margin.
 std::optional<Sign> refined_orthosphere(const WeightedPoint& a, const WeightedPoint& b,
                                         const WeightedPoint& c, const WeightedPoint& d,
                                         const WeightedPoint& e) {
@@ -137,9 +137,9 @@ Sign expanded_orthosphere(const WeightedPoint& a, const WeightedPoint& b, const 
   return determinant(orthosphere_matrix<Expansion>(a, b, c, d, e)).sign();
 }
 
-/// Weight i grows by e_i > 0, e_i far above e_j for ids i < j. The determinant is linear in the
-/// heights, so the first point in the order of ids whose height has a cofactor other than zero
-/// decides; the cofactor is the orientation of the other four. That of e is never zero.
+/// Weight i grows by e_i > 0, with e_i far above e_j for ids i < j. The determinant is linear in
+/// the heights, so the first point by id whose height has a nonzero cofactor decides. The cofactor
+/// is the orientation of the other four points; that of e is never zero.
 Sign symbolic_orthosphere(const std::array<const Point*, 5>& points,
                           const std::array<AtomId, 5>& ids) {
   std::array<std::size_t, 5> by_id{0, 1, 2, 3, 4};
@@ -168,11 +168,11 @@ Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d)
   return internal::expanded_orientation(a, b, c, d);
 }
 
-/// On one line if the shadows on all three coordinate planes are.
+/// Collinear if the projections onto all three coordinate planes are.
 bool are_collinear(const Point& a, const Point& b, const Point& c) {
   const auto is_shadow_flat = [&](int i, int j) {
     const double px = a[i] - c[i], py = a[j] - c[j], qx = b[i] - c[i], qy = b[j] - c[j];
-    // 2 products, 5 roundings each: 2 differences, 1 product, 1 sum, and one in hand.
+    // 2 products with 5 roundings each: 2 differences, 1 product, 1 sum, and one as a margin.
     const double bound = 10 * 0x1p-53 * (std::fabs(px * qy) + std::fabs(py * qx));
     if (std::fabs(px * qy - py * qx) > bound) return false;
     const auto exact = [&](const Point& p, int k) { return Expansion::difference(p[k], c[k]); };

@@ -7,11 +7,11 @@
 #include "geometry/id.h"
 #include "geometry/point.h"
 
-/// Exact answers to the two questions of a regular triangulation (section 2.1): how four points are
-/// oriented, and on which side of an orthosphere a fifth lies.
+/// The two exact predicates of a regular triangulation (section 2.1): the orientation of four
+/// points, and the side of an orthosphere on which a fifth lies.
 ///
 /// Range: every coordinate and weight is a multiple of 2^-64 and at most 2^30 in magnitude, so that
-/// polynomials of degree 8 neither overflow nor underflow (`on_exact_grid`). Inside it the answers
+/// polynomials of degree 8 neither overflow nor underflow (`on_exact_grid`). In this range results
 /// are those of real arithmetic on the stored doubles. Each predicate is a chain of tiers, cheapest
 /// first; predicates_internal.h names them.
 namespace morskin::geometry {
@@ -29,15 +29,15 @@ Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d)
 /// Whether three points lie on one line; two equal points always do.
 bool are_collinear(const Point& a, const Point& b, const Point& c);
 
-/// Inside: nearer, in power, to the sphere's centre than the points that define the sphere.
+/// Inside: of less power at the sphere's centre than the points that define the sphere.
 enum class Side : std::int8_t { Inside, Outside };
 
-/// On which side of the sphere orthogonal to a, b, c, d the weighted point e lies.
+/// The side of the sphere orthogonal to a, b, c, d on which the weighted point e lies.
 ///
-/// Never "on": ties fall as if each weight held a vanishing extra share, positive and larger the
-/// smaller the id, so that all answers together describe one set of points. Between two points of
-/// equal position and weight the smaller id wins.
-/// @param ids  of a, b, c, d, e; consulted in a tie only.
+/// Never "on": symbolic perturbation breaks ties. Each weight grows by an infinitesimal, larger for
+/// smaller ids, so that all answers together are consistent. Of two points of equal position and
+/// weight the smaller id wins.
+/// @param ids  of a, b, c, d, e; used in ties only
 /// Law:    an even permutation of a, b, c, d with their ids does not change the answer.
 /// @pre    orientation(a, b, c, d) == Sign::Positive, and the five ids differ.
 /// Source: Devillers & Teillaud 2011, Perturbations for Delaunay and weighted Delaunay 3D

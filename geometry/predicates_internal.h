@@ -7,11 +7,11 @@
 
 #include "geometry/predicates.h"
 
-/// The tiers of the exact predicates, for tests, benchmarks and inlined hot paths. In an answer
-/// nullopt means "this tier cannot tell", never zero. u = 2^-53 is the unit of rounding.
+/// The tiers of the exact predicates, for tests, benchmarks and inlined hot paths. nullopt means
+/// "undecided in this tier", never zero. u = 2^-53 is the unit roundoff.
 namespace morskin::geometry::internal {
 
-/// Determinants of any kind of number that has +, - and *. Rows first.
+/// Determinants over any type with +, - and *, row-major.
 template <class Number>
 Number determinant(const std::array<std::array<Number, 1>, 1>& m) {
   return m[0][0];
@@ -53,7 +53,7 @@ inline double largest(double a, double b, double c) {
   return std::max(std::max(std::fabs(a), std::fabs(b)), std::fabs(c));
 }
 
-/// Two doubles that are computed with at once, and their shuffles (GCC and Clang).
+/// A vector of two doubles, and its shuffles (GCC and Clang).
 typedef double Pair __attribute__((vector_size(16)));
 typedef std::int64_t PairBits __attribute__((vector_size(16)));
 
@@ -88,7 +88,7 @@ inline Sign fast_orientation(const Point& a, const Point& b, const Point& c, con
   return orientation(a, b, c, d);
 }
 
-/// Tier 2: 128-bit integers, where the exact differences share a scale that leaves them 40 bits.
+/// Tier 2: 128-bit integers, if the exact differences fit 40 bits at a common scale.
 std::optional<Sign> integer_orientation(const Point& a, const Point& b, const Point& c,
                                         const Point& d);
 /// Tier 3, always exact.
@@ -103,8 +103,8 @@ Sign expanded_orientation(const Point& a, const Point& b, const Point& c, const 
 inline std::optional<Sign> filtered_orthosphere(const WeightedPoint& a, const WeightedPoint& b,
                                                 const WeightedPoint& c, const WeightedPoint& d,
                                                 const WeightedPoint& e) {
-  // Two doubles at a time, in registers; the template takes twice as long. Suffixes: ab holds the
-  // values of rows a and b; p1 is (x, y) of a row and p2 its (z, w).
+  // Two doubles at a time, in half the time of the template. Suffixes: ab has the values of rows a
+  // and b; p1 is (x, y) of a row and p2 its (z, w).
   const Pair e1{e.position.x(), e.position.y()}, e2{e.position.z(), e.weight};
   const Pair a1 = Pair{a.position.x(), a.position.y()} - e1;
   const Pair b1 = Pair{b.position.x(), b.position.y()} - e1;
@@ -134,18 +134,18 @@ inline std::optional<Sign> filtered_orthosphere(const WeightedPoint& a, const We
   return sign_beyond(determinant_halves[0] + determinant_halves[1], bound);
 }
 
-/// Tier 2: 128-bit integers, where the exact differences share a scale that leaves them 24 bits.
+/// Tier 2: 128-bit integers, if the exact differences fit 24 bits at a common scale.
 std::optional<Sign> integer_orthosphere(const WeightedPoint& a, const WeightedPoint& b,
                                         const WeightedPoint& c, const WeightedPoint& d,
                                         const WeightedPoint& e);
-/// Tier 3: numbers of 106 bits, for near ties of coordinates that fill their doubles.
+/// Tier 3: 106-bit numbers, for near ties of coordinates with all 53 bits in use.
 std::optional<Sign> refined_orthosphere(const WeightedPoint& a, const WeightedPoint& b,
                                         const WeightedPoint& c, const WeightedPoint& d,
                                         const WeightedPoint& e);
 /// Tier 4, always exact; Zero is a tie.
 Sign expanded_orthosphere(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
                           const WeightedPoint& d, const WeightedPoint& e);
-/// Tier 5: the sign that a tie takes; never Zero.
+/// Tier 5: the sign of a tie under symbolic perturbation; never Zero.
 ///
 /// @pre expanded_orthosphere gave Zero; orientation(a, b, c, d) == Sign::Positive.
 Sign symbolic_orthosphere(const std::array<const Point*, 5>& points,

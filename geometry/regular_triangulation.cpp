@@ -12,7 +12,7 @@ namespace {
 template <std::size_t Size>
 using Simplices = std::vector<std::array<AtomId, Size>>;
 
-/// For each atom, where the simplices that begin with it start; one more entry for the end.
+/// By atom, the index of the first simplex that begins with it; then the end.
 template <std::size_t Size>
 std::vector<std::uint32_t> starts_by_first(const Simplices<Size>& simplices,
                                            std::size_t atom_count) {
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> starts_by_first(const Simplices<Size>& simplices,
   return starts;
 }
 
-/// The second corner, and the third if there is one, as one number that orders like them.
+/// The second corner, and the third if any, as one number with the same order.
 template <std::size_t Size>
 std::uint64_t middle(const std::array<AtomId, Size>& simplex) {
   if constexpr (Size == 2) return simplex[1].value;
@@ -60,30 +60,30 @@ std::array<AtomId, Size - 1> without(const std::array<AtomId, Size>& simplex, st
   return rest;
 }
 
-/// For each simplex, the places of its facets, entry k opposite corner k. The binary search halves
-/// by a conditional move: which half cannot be predicted.
+/// By simplex, the indices of its facets, entry k opposite corner k. The binary search uses a
+/// conditional move, since its branches are unpredictable.
 template <std::size_t Size>
-std::vector<std::array<std::uint32_t, Size>> facet_places(const Simplices<Size>& simplices,
-                                                          const Simplices<Size - 1>& facets,
-                                                          std::size_t atom_count) {
+std::vector<std::array<std::uint32_t, Size>> facet_indices(const Simplices<Size>& simplices,
+                                                           const Simplices<Size - 1>& facets,
+                                                           std::size_t atom_count) {
   static_assert(Size <= 4, "middle() must tell apart all facets with one first corner");
   const std::vector<std::uint32_t> starts = starts_by_first(facets, atom_count);
-  std::vector<std::array<std::uint32_t, Size>> places(simplices.size());
+  std::vector<std::array<std::uint32_t, Size>> indices(simplices.size());
   for (std::size_t i = 0; i < simplices.size(); ++i) {
     for (std::size_t k = 0; k < Size; ++k) {
       const auto facet = without(simplices[i], k);
       const std::uint64_t wanted = middle(facet);
-      std::uint32_t place = starts[facet[0].index()];
-      std::uint32_t candidates = starts[facet[0].index() + 1] - place;
+      std::uint32_t index = starts[facet[0].index()];
+      std::uint32_t candidates = starts[facet[0].index() + 1] - index;
       while (candidates > 1) {
         const std::uint32_t half = candidates / 2;
-        place += middle(facets[place + half]) <= wanted ? half : 0;
+        index += middle(facets[index + half]) <= wanted ? half : 0;
         candidates -= half;
       }
-      places[i][k] = place;
+      indices[i][k] = index;
     }
   }
-  return places;
+  return indices;
 }
 
 /// The edges of sorted triangles, most of them several times.
@@ -98,7 +98,7 @@ Simplices<2> edges_of(const Simplices<3>& triangles) {
   return edges;
 }
 
-/// The simplices with Size atoms as corners, the others being apexes; infinity rules one out.
+/// The simplices with Size atoms as corners and apexes as the others, none at infinity.
 template <std::size_t Size>
 Simplices<Size> top_simplices(const Triangulator& triangulator) {
   Simplices<Size> simplices;
@@ -165,8 +165,8 @@ RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points
   sort_unique(result.triangles, points.size());
   if (result.dimension >= 2) result.edges = edges_of(result.triangles);
   sort_unique(result.edges, points.size());
-  result.tetrahedron_triangles = facet_places(result.tetrahedra, result.triangles, points.size());
-  result.triangle_edges = facet_places(result.triangles, result.edges, points.size());
+  result.tetrahedron_triangles = facet_indices(result.tetrahedra, result.triangles, points.size());
+  result.triangle_edges = facet_indices(result.triangles, result.edges, points.size());
   for (const auto& [a, b] : result.edges) is_vertex[a.index()] = is_vertex[b.index()] = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     (is_vertex[i] ? result.vertices : result.hidden).push_back(AtomId(i));

@@ -12,8 +12,8 @@
 namespace morskin::geometry {
 
 /// A regular (weighted Delaunay) triangulation as a simplicial complex: every simplex once, with
-/// its corners ascending, in lexicographic order. Ties between cospherical points are broken as
-/// `orthosphere_side` does, by id, so it is always a triangulation and never has a flat simplex.
+/// ascending corners, in lexicographic order. `orthosphere_side` breaks ties between cospherical
+/// points by id, so it is always a triangulation, without flat simplices.
 ///
 /// Law: vertices - edges + triangles - tetrahedra = 1, if there is any point at all.
 struct RegularTriangulation {
@@ -22,18 +22,18 @@ struct RegularTriangulation {
   std::vector<std::array<AtomId, 2>> edges;
   std::vector<std::array<AtomId, 3>> triangles;
   std::vector<std::array<AtomId, 4>> tetrahedra;
-  /// Entry k: the place in `edges` of the edge opposite corner k.
+  /// Entry k: the index in `edges` of the edge opposite corner k.
   std::vector<std::array<std::uint32_t, 3>> triangle_edges;
-  /// Entry k: the place in `triangles` of the facet opposite corner k.
+  /// Entry k: the index in `triangles` of the facet opposite corner k.
   std::vector<std::array<std::uint32_t, 4>> tetrahedron_triangles;
-  /// Ascending: the points that are no vertex, because their power is nowhere the least. Of points
-  /// at one position all but the heaviest (the smallest id if equal) are here.
+  /// Ascending: the redundant points, whose power is nowhere the smallest. They include all points
+  /// at one position but the heaviest, and of equal ones all but the smallest id.
   std::vector<AtomId> hidden;
 };
 
-/// The regular triangulation of weighted points: any number, in any position.
+/// The regular triangulation of any number of weighted points in any position.
 ///
-/// @param run  is told the share of points that are in
+/// @param run  receives the share of points inserted
 /// @pre    in the range of predicates.h
 /// @throws LimitReached  for 2^27 points or more than 2^30 tetrahedra
 /// Source: Edelsbrunner & Shah 1996, Incremental topological flipping works for regular

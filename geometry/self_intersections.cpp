@@ -43,7 +43,7 @@ struct FloatBox {
   }
 };
 
-/// The triangles that have an inside, along a Hilbert curve through their centroids.
+/// The triangles that are not degenerate, along a Hilbert curve through their centroids.
 std::vector<std::uint32_t> ordered_triangles(const IndexedMesh& mesh, const ExactPositions& at) {
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Point& p : at.all()) {
@@ -73,8 +73,8 @@ std::vector<std::uint32_t> ordered_triangles(const IndexedMesh& mesh, const Exac
   return result;
 }
 
-/// A binary tree of boxes over triangles in spatial order: leaves of a few consecutive ones, above
-/// them level by level the pairs. Node i of a level covers nodes 2 i and 2 i + 1 of the one below.
+/// A binary tree of boxes over triangles in spatial order, with a few consecutive ones in each
+/// leaf. Node i of a level covers nodes 2 i and 2 i + 1 of the one below.
 class BoxTree {
  public:
   static constexpr std::size_t leaf_size = 4;
@@ -136,7 +136,7 @@ class BoxTree {
   }
 
   std::vector<std::uint32_t> triangles_;
-  std::vector<FloatBox> boxes_;  ///< by place in triangles_
+  std::vector<FloatBox> boxes_;  ///< by index in triangles_
   std::vector<std::vector<FloatBox>> levels_;
 };
 
@@ -146,22 +146,22 @@ SelfIntersections self_intersections(const IndexedMesh& mesh,
                                      const SelfIntersectionLimits& limits) {
   SelfIntersections result;
   const ExactPositions positions(mesh.positions);
-  // The pairs listed are the smallest of those found: a heap with the largest on top.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>& least = result.pairs;
+  // Lists the smallest pairs found: a heap with the largest on top.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>& smallest = result.pairs;
   const BoxTree tree(mesh, positions);
   tree.for_each_pair([&](std::uint32_t s, std::uint32_t t) {
     if (!is_improper_contact(positions, mesh.triangles[s], mesh.triangles[t])) return true;
     if (result.count == limits.counted) return result.is_complete = false;
     ++result.count;
-    least.emplace_back(std::min(s, t), std::max(s, t));
-    std::push_heap(least.begin(), least.end());
-    if (least.size() > limits.listed) {
-      std::pop_heap(least.begin(), least.end());
-      least.pop_back();
+    smallest.emplace_back(std::min(s, t), std::max(s, t));
+    std::push_heap(smallest.begin(), smallest.end());
+    if (smallest.size() > limits.listed) {
+      std::pop_heap(smallest.begin(), smallest.end());
+      smallest.pop_back();
     }
     return true;
   });
-  std::sort_heap(least.begin(), least.end());
+  std::sort_heap(smallest.begin(), smallest.end());
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int bits_per_axis = 20;
 constexpr std::size_t first_round_size = 64;
 
-/// A hash whose bits all look random (the finaliser known as splitmix64).
+/// A hash: the finaliser of splitmix64.
 std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -42,15 +42,15 @@ struct Grid {
   }
 };
 
-/// One step down the curve: which of the eight octants, in the curve's order, a cell is in, and how
-/// the curve lies in that octant.
+/// One step down the curve: the octant of a cell, in the curve's order, and the curve's state in
+/// that octant.
 struct Step {
   std::uint8_t digit;
   std::uint8_t state;
 };
 
-/// The curve's lie in a cube is a state 3 * entry + axis: the corner where it enters and the axis
-/// along which it leaves. A Gray code, turned and reflected into the state, visits the octants.
+/// The state of the curve in a cube is 3 * entry + axis: the corner where it enters and the axis
+/// along which it leaves. A Gray code, rotated and reflected into the state, visits the octants.
 constexpr std::array<std::array<Step, 8>, 24> make_steps() {
   const auto rotated_left = [](unsigned corner, unsigned places) {
     return (corner << places | corner >> (3 - places)) & 7u;

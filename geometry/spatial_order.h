@@ -9,16 +9,16 @@
 
 namespace morskin::geometry {
 
-/// An order of insertion that is random in the large and local in the small: rounds, each a random
-/// sample seven times as large as all before it together, and a Hilbert curve through each round.
+/// A biased randomized insertion order: rounds, each a random sample seven times as large as all
+/// earlier ones together, and a Hilbert curve through each round. Deterministic.
 ///
-/// @return every id once; the same order for the same points.
+/// @return every id once
 /// @pre    all positions are finite.
 /// Source: Amenta, Choi & Rote 2003, Incremental constructions con BRIO; Hamilton & Rau-Chaplin
 ///         2008, Compact Hilbert indices (the curve).
 std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points);
 
-/// How far along the Hilbert curve that fills the cube [0, 2^bits)^3 the cell (x, y, z) comes.
+/// The index of the cell (x, y, z) on the Hilbert curve of the cube [0, 2^bits)^3.
 ///
 /// Law: a bijection onto [0, 2^(3 bits)); consecutive cells share a face.
 /// @pre 1 <= bits <= 21 and x, y, z < 2^bits.

@@ -4,8 +4,7 @@
 
 namespace morskin::geometry {
 
-/// Runs a piece of work, adds its time, by the wall clock, to a stage's seconds, and gives on what
-/// it returns.
+/// Runs work() and adds its wall-clock time to `seconds`. @return what work() returns
 template <class Work>
 auto timed(double& seconds, Work work) {
   using Clock = std::chrono::steady_clock;

@@ -10,17 +10,17 @@ namespace morskin::geometry {
 
 namespace {
 
-/// The two coordinates that a shadow on a coordinate plane keeps.
+/// The two coordinates of a projection onto a coordinate plane.
 struct Shadow {
   int i, j;
 };
 
-/// Which way p, q, r turn in a shadow: the sign of (q - p) x (r - p).
+/// The orientation of p, q, r in a projection: the sign of (q - p) x (r - p).
 Sign turn(const Point& p, const Point& q, const Point& r, Shadow s) {
   const double ax = q[s.i] - p[s.i], ay = q[s.j] - p[s.j];
   const double bx = r[s.i] - p[s.i], by = r[s.j] - p[s.j];
   const double value = ax * by - ay * bx;
-  // Each product suffers 4 roundings (2 differences, itself, the sum); one in hand.
+  // Each product has 4 roundings (2 differences, itself, the sum), and one as a margin.
   if (std::fabs(value) > 5 * 0x1p-53 * (std::fabs(ax * by) + std::fabs(ay * bx))) {
     return sign_of(value);
   }
@@ -30,7 +30,7 @@ Sign turn(const Point& p, const Point& q, const Point& r, Shadow s) {
 
 using Triangle = std::array<const Point*, 3>;
 
-/// A shadow in which the triangle is not flat. @pre its corners are not on one line.
+/// A projection in which the triangle is not flat. @pre its corners are not on one line.
 Shadow full_shadow(const Triangle& t) {
   for (const Shadow s : {Shadow{0, 1}, Shadow{1, 2}}) {
     if (turn(*t[0], *t[1], *t[2], s) != Sign::Zero) return s;
@@ -42,7 +42,7 @@ bool are_strictly_opposite(Sign a, Sign b) { return a != Sign::Zero && b != Sign
 
 bool is_between(double x, double a, double b) { return std::min(a, b) <= x && x <= std::max(a, b); }
 
-/// Whether the closed segments pq and ab meet in the shadow.
+/// Whether the closed segments pq and ab meet in the projection.
 bool segments_meet(const Point& p, const Point& q, const Point& a, const Point& b, Shadow s) {
   const Sign pa = turn(p, q, a, s), pb = turn(p, q, b, s);
   const Sign ap = turn(a, b, p, s), aq = turn(a, b, q, s);
@@ -69,9 +69,9 @@ bool coplanar_segment_meets(const Point& p, const Point& q, const Triangle& t) {
          segments_meet(p, q, *t[1], *t[2], s) || segments_meet(p, q, *t[2], *t[0], s);
 }
 
-/// Whether the closed segment pq meets the closed triangle t, given on which sides of its plane p
-/// and q are. A line through the plane passes the triangle if it has no two edges on opposite
-/// sides.
+/// Whether the closed segment pq meets the closed triangle t, given the sides of its plane on which
+/// p and q lie. A line across the plane meets the triangle unless two edges are on opposite sides
+/// of it.
 bool segment_meets(const Point& p, const Point& q, Sign p_side, Sign q_side, const Triangle& t) {
   if (p_side == q_side) return p_side == Sign::Zero && coplanar_segment_meets(p, q, t);
   const Sign a = orientation(p, q, *t[0], *t[1]);
@@ -83,8 +83,8 @@ bool segment_meets(const Point& p, const Point& q, Sign p_side, Sign q_side, con
 
 Sign side(const Triangle& t, const Point& x) { return orientation(*t[0], *t[1], *t[2], x); }
 
-/// Without a common corner: any contact counts, and there is some exactly if an edge of one meets
-/// the other.
+/// Without a common corner: any contact counts, and exists exactly if an edge of one meets the
+/// other.
 bool meet_apart(const Triangle& s, const Triangle& t) {
   const std::array<Sign, 3> s_sides{side(t, *s[0]), side(t, *s[1]), side(t, *s[2])};
   const auto is_beside = [](const std::array<Sign, 3>& sides) {
@@ -98,12 +98,12 @@ bool meet_apart(const Triangle& s, const Triangle& t) {
     if (segment_meets(*s[k], *s[next], s_sides[k], s_sides[next], t)) return true;
     if (segment_meets(*t[k], *t[next], t_sides[k], t_sides[next], s)) return true;
   }
-  // Coplanar with t inside s: no edge of s meets t, but t's edges met s above.
+  // Coplanar with t inside s: t's edges met s above.
   return false;
 }
 
-/// With corner 0 in common. Where they meet elsewhere too, both being convex they share a segment
-/// from the corner, and it ends on the far edge of one of them.
+/// With corner 0 in common. If they meet elsewhere they share, being convex, a segment from the
+/// corner, which ends on the far edge of one of them.
 bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
   const Sign s1 = side(t, *s[1]), s2 = side(t, *s[2]);
   if (s1 != Sign::Zero && s1 == s2) return false;
@@ -112,8 +112,7 @@ bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
   return segment_meets(*s[1], *s[2], s1, s2, t) || segment_meets(*t[1], *t[2], t1, t2, s);
 }
 
-/// With edge 0-1 in common: folded flat onto each other, or not in one plane and meeting only
-/// there.
+/// With edge 0-1 in common: improper only if folded flat onto each other.
 bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
   if (side(s, *t[2]) != Sign::Zero) return false;
   const Shadow shadow = full_shadow(s);
@@ -138,9 +137,9 @@ bool is_improper_contact(const ExactPositions& positions, const Corners& s, cons
     a[shared] = b[shared] = &positions[v];
     ++shared;
   }
-  std::size_t place = shared;
+  std::size_t next = shared;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!is_taken[k]) b[place++] = &positions[t[k]];
+    if (!is_taken[k]) b[next++] = &positions[t[k]];
   }
   switch (shared) {
     case 0:

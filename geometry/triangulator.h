@@ -16,11 +16,11 @@ namespace morskin::geometry {
 
 /// The incremental construction behind `regular_triangulation`, in flat arrays: tetrahedra over
 /// numbered corners, closed to a 3-sphere by ghost tetrahedra, which join each facet of the convex
-/// hull to a corner at infinity. Use it directly to time insertion alone.
+/// hull to a corner at infinity.
 ///
-/// Points in fewer than three dimensions are lifted off: 3 - dimension apexes, off the points'
-/// span, are added as last corners. The span is then a face of the hull, and the triangulation's
-/// part in it is the lower-dimensional regular triangulation, wherever the apexes are.
+/// To points in fewer than three dimensions it adds 3 - dimension apexes, off the points' span, as
+/// last corners. The span is then a face of the hull, with the lower-dimensional regular
+/// triangulation in it, wherever the apexes are.
 ///
 /// Law:    every live tetrahedron is positively oriented, and no corner is inside its orthosphere
 ///         in the sense of `orthosphere_side` under the atoms' ids. Hence the triangulation depends
@@ -29,7 +29,7 @@ namespace morskin::geometry {
 class Triangulator {
  public:
   using Corner = std::uint32_t;
-  /// A tetrahedron's facet: 4 * tetrahedron + the place of the corner opposite.
+  /// A tetrahedron's facet: 4 * tetrahedron + the index of the opposite corner.
   using Facet = std::uint32_t;
 
   static constexpr std::uint32_t tetrahedron_of(Facet facet) { return facet >> 2; }
@@ -41,7 +41,7 @@ class Triangulator {
 
   struct alignas(32) Tetrahedron {
     std::array<Corner, 4> corners;
-    std::array<Facet, 4> neighbours;  ///< behind the facet opposite each corner, seen from there
+    std::array<Facet, 4> neighbours;  ///< opposite each corner, the same facet of the neighbour
   };
 
   /// Triangulates the points.
@@ -52,7 +52,7 @@ class Triangulator {
 
   /// Of the points' span: -1 (no points) to 3.
   int dimension() const { return dimension_; }
-  /// Some are not live: their place is free for reuse.
+  /// Some are not live: their slots are free for reuse.
   std::span<const Tetrahedron> tetrahedra() const { return tetrahedra_; }
   bool is_live(std::size_t tetrahedron) const { return states_[tetrahedron] == State::Live; }
   /// The point at a corner; nothing for an apex or infinity.

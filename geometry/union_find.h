@@ -7,7 +7,7 @@
 
 namespace morskin::geometry {
 
-/// Disjoint sets of the numbers 0 .. n-1. The smallest of a set stands for it.
+/// Disjoint sets of the numbers 0 .. n-1; the smallest of each is its root.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }

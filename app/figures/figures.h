@@ -1,6 +1,6 @@
 #pragma once
 
-/// The figures of the paper, drawn from what this code computes (papers/figures.md).
+/// The figures of the paper, from this program's own results (papers/figures.md).
 
 #include <span>
 #include <string_view>

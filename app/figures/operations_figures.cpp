@@ -136,8 +136,8 @@ const Event& chosen(const Stage& stage, Operation operation, double share, const
     if (e.operation == operation && suits(e)) events.push_back(&e);
   }
   if (events.empty()) throw std::logic_error("the sweep has no operation for this figure");
-  const double place = share * static_cast<double>(events.size() - 1);
-  return *events[static_cast<std::size_t>(place)];
+  const double position = share * static_cast<double>(events.size() - 1);
+  return *events[static_cast<std::size_t>(position)];
 }
 
 }  // namespace

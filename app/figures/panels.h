@@ -17,7 +17,7 @@ using pictures::MeshLayer;
 using pictures::Scene;
 using pictures::Vector2;
 
-// The colours of the paper's captions, chosen to be told apart on white and on the skin.
+// The colours of the paper's captions, distinguishable on white and on the skin.
 inline constexpr Colour skin_blue = Colour::of(0x9fc1dc), minimum_red = Colour::of(0xd62f2f),
                         saddle_blue = Colour::of(0x2456d6), maximum_green = Colour::of(0x1f9a4a),
                         front_red = Colour::of(0xe02d2d), fresh_orange = Colour::of(0xf5b041),
@@ -33,7 +33,7 @@ Image panel(const Scene& scene, const Camera& camera, double scale,
 Image captioned(std::span<const Image> panels, std::span<const std::string_view> captions,
                 double scale, int columns);
 
-/// Frames, in a picture taken with one camera, what another sees.
+/// Frames the view of one camera in the picture of another.
 void frame(Image& image, const Camera& camera, const Camera& detail, double scale);
 
 }  // namespace morskin::figures

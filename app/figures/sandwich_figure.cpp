@@ -24,7 +24,7 @@ struct Section {
     const Vector2 d = p - middle;
     return {width / 2.0 + scale * right.dot(d), height / 2.0 - scale * up.dot(d)};
   }
-  Point place(double x, double y) const {
+  Point point(double x, double y) const {
     const Vector2 p = middle + ((x - width / 2.0) * right - (y - height / 2.0) * up) / scale;
     return {p.x(), p.y(), 0};
   }
@@ -54,7 +54,7 @@ void draw_body(Image& image, const morskin::PreparedSkin& skin, const Section& s
     for (int x = 0; x < image.width(); ++x) {
       double inside = 0, on_line = 0;
       for (int k = 0; k < fine * fine; ++k) {
-        const Point p = section.place(x + (k % fine + 0.5) / fine, y + (k / fine + 0.5) / fine);
+        const Point p = section.point(x + (k % fine + 0.5) / fine, y + (k / fine + 0.5) / fine);
         cell = skin.surface.locate(p, cell);
         const skin::Patch& patch = skin.surface.complex().patch(cell);
         // |grad G| = 2 rho: G / (2 rho) is the distance to first order.

@@ -82,7 +82,7 @@ Camera principal_camera(std::span<const Point> points, int width, int height) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Point& p : points) spread += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  // The solver leaves the sign open: the axis that looks most along a coordinate looks forwards.
+  // Eigenvectors have no sign: make each axis' largest coordinate positive.
   const auto directed = [](Vector v) {
     Eigen::Index largest = 0;
     v.cwiseAbs().maxCoeff(&largest);

@@ -20,15 +20,15 @@ MeshLayer backdrop(const morskin::PreparedSkin& skin, const morse::MorseFunction
 morskin::MeshResult meshed(const morskin::PreparedSkin& skin, double C,
                            const std::optional<morse::MorseFunction>& function = {});
 
-/// A ball at each critical point in the colour of its kind, most of it out of the surface.
+/// A ball at each critical point in the colour of its kind, mostly outside the surface.
 void add_critical_points(Scene& scene, std::span<const morse::CriticalPoint> points, double radius);
 
-/// Where a function takes a value on a mesh, as segments.
+/// A level curve of a function on a mesh, as segments.
 /// @param lift  pictures::Line::lift
 void add_level_curve(Scene& scene, const MeshLayer& layer, const morse::MorseFunction& function,
                      double value, const Colour& colour, double width, double lift);
 
-/// A camera that looks along the shortest principal axis of some points, the longest upright.
+/// A camera along the shortest principal axis of some points, the longest upright.
 Camera principal_camera(std::span<const Point> points, int width, int height);
 
 }  // namespace morskin::figures

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A sweep taken down as it happens. Triangles are only ever added, so a state of the sweep is a
-/// number of triangles, and its front the edges that only one of them has.
+/// A recorded sweep. Triangles are only added, so a state of the sweep is a number of triangles,
+/// and its front the edges that only one of them has.
 
 #include "morse/guide.h"
 #include "morskin/pipeline.h"

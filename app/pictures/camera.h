@@ -1,6 +1,6 @@
 #pragma once
 
-/// A camera at infinity: parallel rays, so that lengths across the view are true everywhere.
+/// An orthographic camera.
 
 #include <span>
 
@@ -11,11 +11,11 @@ namespace morskin::pictures {
 using geometry::Point;
 using geometry::Vector;
 
-/// Seen space has the unit of a pixel in all three directions: x runs right and y down from the
+/// View space has the unit of a pixel in all three directions: x runs right and y down from the
 /// picture's top left corner, z towards the eye, 0 at the target.
 struct Camera {
   int width = 640, height = 640;  ///< pixels
-  Point target = Point::Zero();   ///< is seen in the middle of the picture
+  Point target = Point::Zero();   ///< in the middle of the picture
   Vector right = Vector::UnitX(), up = Vector::UnitY(), toward = Vector::UnitZ();
   double scale = 1;  ///< pixels per Angstrom
 
@@ -23,13 +23,13 @@ struct Camera {
     const Vector d = scale * (p - target);
     return {width / 2.0 + right.dot(d), height / 2.0 - up.dot(d), toward.dot(d)};
   }
-  /// A direction as seen; its length stays.
+  /// A direction in view space; keeps its length.
   Vector seen_direction(const Vector& v) const { return {right.dot(v), -up.dot(v), toward.dot(v)}; }
 
   /// The same with the target and the scale at which all points are in view.
   /// @param margin  share of the picture to leave empty on each side
   Camera fitted(std::span<const Point> points, double margin = 0.03) const;
-  /// The same of another size, showing as much.
+  /// The same view at another size.
   Camera resized(double factor) const;
 };
 

@@ -9,14 +9,14 @@ namespace {
 // How much of each pixel in a rectangle is covered, so that strokes that overlap count once.
 class Coverage {
  public:
-  Coverage(const Image& image, std::span<const Stroke> strokes, double reach) {
+  Coverage(const Image& image, std::span<const Stroke> strokes, double margin) {
     double left = image.width(), top = image.height(), right = 0, bottom = 0;
     for (const Stroke& stroke : strokes) {
       for (const Vector2& p : stroke) {
-        left = std::min(left, p.x() - reach);
-        right = std::max(right, p.x() + reach);
-        top = std::min(top, p.y() - reach);
-        bottom = std::max(bottom, p.y() + reach);
+        left = std::min(left, p.x() - margin);
+        right = std::max(right, p.x() + margin);
+        top = std::min(top, p.y() - margin);
+        bottom = std::max(bottom, p.y() + margin);
       }
     }
     x0_ = static_cast<int>(std::clamp(std::floor(left), 0.0, 1.0 * image.width()));
@@ -28,11 +28,11 @@ class Coverage {
 
   // Covers what is nearer to the segment than half the width.
   void add(const Vector2& a, const Vector2& b, double width) {
-    const double reach = width / 2 + 1;
-    const int left = std::max(x0_, floored(std::min(a.x(), b.x()) - reach));
-    const int right = std::min(x1_, floored(std::max(a.x(), b.x()) + reach) + 1);
-    const int top = std::max(y0_, floored(std::min(a.y(), b.y()) - reach));
-    const int bottom = std::min(y1_, floored(std::max(a.y(), b.y()) + reach) + 1);
+    const double margin = width / 2 + 1;
+    const int left = std::max(x0_, floored(std::min(a.x(), b.x()) - margin));
+    const int right = std::min(x1_, floored(std::max(a.x(), b.x()) + margin) + 1);
+    const int top = std::max(y0_, floored(std::min(a.y(), b.y()) - margin));
+    const int bottom = std::min(y1_, floored(std::max(a.y(), b.y()) + margin) + 1);
     const Vector2 d = b - a;
     const double squared = d.squaredNorm();
     for (int y = top; y < bottom; ++y) {

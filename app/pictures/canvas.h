@@ -21,7 +21,7 @@ void draw_line(Image& image, std::span<const Vector2> points, const Pen& pen);
 void draw_circle(Image& image, const Vector2& centre, double radius, const Pen& pen);
 void fill_disk(Image& image, const Vector2& centre, double radius, const Colour& colour);
 
-/// The places of a rectangle's sides, pixel rows and columns included in it.
+/// The sides of a rectangle, pixel rows and columns included in it.
 struct Box {
   double left, top, right, bottom;
 };

@@ -19,7 +19,7 @@ struct Colour {
   }
 };
 
-/// The colour `share` of the way from a to b.
+/// Linear interpolation from a to b.
 constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
   return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b)};
 }
@@ -27,7 +27,7 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
 inline constexpr Colour white{1, 1, 1};
 inline constexpr Colour ink = Colour::of(0x1b1f27);
 
-/// The light that a displayed value stands for, and back (sRGB's transfer curve).
+/// From displayed value to light and back (sRGB's transfer curve).
 double to_linear(double displayed);
 double to_displayed(double linear);
 
@@ -43,7 +43,7 @@ class Image {
   Colour& at(int x, int y) { return pixels_[index(x, y)]; }
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
-  /// Lays a colour over a pixel; `alpha` is how much of it is covered, 0 to 1.
+  /// Blends a colour over a pixel; `alpha` is the share covered, 0 to 1.
   void cover(int x, int y, const Colour& colour, double alpha) {
     if (contains(x, y)) at(x, y) = mixed(at(x, y), colour, alpha);
   }

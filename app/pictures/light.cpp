@@ -51,7 +51,7 @@ std::vector<Beam> all_beams() {
   return beams;
 }
 
-// What a beam meets first: the height above a plane across it, by place.
+// The depth map of a direction: the height of the first hit above a plane across it.
 class DepthMap {
  public:
   DepthMap(const Vector& toward, const std::vector<Spot>& spots, int resolution)
@@ -100,7 +100,7 @@ class DepthMap {
     }
   }
 
-  // The share of the four samples round a place that are not above it.
+  // The share of the four samples around a point that are not above it.
   double openness(const Vector& at) const {
     const double x = at.x() - 0.5, y = at.y() - 0.5;
     const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
@@ -125,8 +125,8 @@ class DepthMap {
   std::vector<float> heights_;
 };
 
-// How far a spot is lifted off its own surface before it looks for what hides it, in samples of the
-// map: along the normal, since a sample's height may be that of a place a sample away.
+// The bias of a spot along its normal, in samples of the map, since a sample's height may be that
+// of a point one sample away.
 constexpr double lift = 1.6;
 
 void add_light(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,

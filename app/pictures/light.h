@@ -1,7 +1,7 @@
 #pragma once
 
-/// Light from a sky and a lamp: many directions, each with a depth map that tells what its light
-/// does not reach. Soft shadows and darkness in hollows come of it.
+/// Light from a sky and a lamp: many directions, each with a depth map, which gives soft shadows
+/// and ambient occlusion.
 
 #include <array>
 #include <vector>
@@ -12,7 +12,7 @@ namespace morskin::pictures {
 
 using geometry::Vector;
 
-/// What casts shadows, in seen space (camera.h), in any unit.
+/// The things that cast shadows, in view space (camera.h), in any unit.
 struct Occluders {
   std::vector<Vector> corners;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -28,13 +28,13 @@ struct Occluders {
   std::vector<SeenStick> sticks;
 };
 
-/// A place that is lit. In single precision: there are millions.
+/// A point that is lit. In single precision: there are millions.
 struct Spot {
   Eigen::Vector3f position, normal;
 };
 
 struct Illumination {
-  std::vector<float> diffuse;  ///< by spot: about 1 where nothing stands in the way of the lamp
+  std::vector<float> diffuse;  ///< by spot: about 1 where nothing hides the lamp
   std::vector<float> lamp;     ///< by spot: the share of the lamp that is not hidden
 };
 
@@ -42,7 +42,7 @@ struct Illumination {
 Vector lamp_direction();
 
 /// @param resolution  of the depth maps, an axis
-/// @param shadows     without, everything is as if it stood alone
+/// @param shadows     whether things cast shadows
 Illumination illuminated(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,
                          bool shadows);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which samples of a grid a triangle, a ball or a stick covers, seen by parallel rays, and at what
-/// depth. Sample (x, y) lies at (x + 1/2, y + 1/2); z runs towards the eye.
+/// The samples of a grid that a triangle, a ball or a stick covers, with their depths, under
+/// parallel rays. Sample (x, y) lies at (x + 1/2, y + 1/2); z runs towards the eye.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Grid {
   int width, height;
 };
 
-/// First and one past the last sample between two places, within the grid.
+/// First and one past the last sample between two coordinates, within the grid.
 struct Range {
   int first, last;
 };

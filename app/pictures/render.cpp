@@ -10,7 +10,7 @@
 namespace morskin::pictures {
 namespace {
 
-// What is seen at one sample; later its colour takes the place of its normal.
+// The surface at one sample; later its colour replaces its normal.
 struct Sample {
   float depth = -std::numeric_limits<float>::infinity();
   std::array<float, 3> value{};        // the normal, then the colour as displayed
@@ -137,7 +137,7 @@ class Painter {
                              });
   }
 
-  // The places to light: one in each pixel for each surface that is seen in it.
+  // The points to light: one in each pixel for each surface visible in it.
   std::vector<Spot> spots() {
     std::vector<Spot> spots;
     const double step = 2.0 * fine_;  // farther from the plane of a spot is another surface
@@ -148,16 +148,16 @@ class Painter {
           for (int x = px; x < px + fine_; ++x) {
             Sample& sample = at(x, y);
             if (sample.is_empty()) continue;
-            const Eigen::Vector3f place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
-                                        sample.depth);
+            const Eigen::Vector3f position(static_cast<float>(x) + 0.5F,
+                                           static_cast<float>(y) + 0.5F, sample.depth);
             const Eigen::Vector3f normal(sample.value[0], sample.value[1], sample.value[2]);
             std::size_t s = first;
             while (s < spots.size() &&
                    !(spots[s].normal.dot(normal) > 0.9F &&
-                     std::abs(spots[s].normal.dot(place - spots[s].position)) < step / 4)) {
+                     std::abs(spots[s].normal.dot(position - spots[s].position)) < step / 4)) {
               ++s;
             }
-            if (s == spots.size()) spots.push_back({place, normal});
+            if (s == spots.size()) spots.push_back({position, normal});
             sample.spot = static_cast<std::uint32_t>(s);
           }
         }
@@ -179,13 +179,13 @@ class Painter {
       Sample& sample = samples_[i];
       if (sample.is_empty()) continue;
       constexpr double sharpness = 42, most = 0.55;  // of the highlight
-      constexpr double least_light = 0.06;           // where neither sky nor lamp is seen
+      constexpr double ambient = 0.06;               // where neither sky nor lamp is seen
       const Vector normal = sample.vector();
       const double shine = most * sample.gloss / 255.0 * light.lamp[sample.spot] *
                            std::pow(std::max(0.0, normal.dot(half)), sharpness);
       Vector colour;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double own = linear[sample.coat[k]] * (least_light + light.diffuse[sample.spot]);
+        const double own = linear[sample.coat[k]] * (ambient + light.diffuse[sample.spot]);
         colour[static_cast<Eigen::Index>(k)] =
             to_displayed(std::min(1.0, own + shine * (1 - std::min(1.0, own))));
       }
@@ -199,15 +199,16 @@ class Painter {
   void find_rims() {
     if (style_.outline <= 0) return;
     is_rim_.resize(samples_.size());
-    const int reach = std::max(1, static_cast<int>(std::lround(0.7 * fine_ * style_.unit)));
-    const double step = 4 * reach;
+    const int radius = std::max(1, static_cast<int>(std::lround(0.7 * fine_ * style_.unit)));
+    const double step = 4 * radius;
     for (int y = 0; y < grid_.height; ++y) {
       for (int x = 0; x < grid_.width; ++x) {
         const Sample& sample = at(x, y);
         if (sample.is_empty()) continue;
         constexpr double least = 0.05;  // of the normal's z: no surface is steeper for this purpose
         const Vector n = sample.vector() / std::max(sample.vector().z(), least);
-        for (const auto [dx, dy] : {std::array{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
+        for (const auto [dx, dy] :
+             {std::array{radius, 0}, {-radius, 0}, {0, radius}, {0, -radius}}) {
           const int i = x + dx, j = y + dy;
           if (i < 0 || j < 0 || i >= grid_.width || j >= grid_.height) continue;
           const Sample& other = at(i, j);

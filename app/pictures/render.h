@@ -1,8 +1,7 @@
 #pragma once
 
-/// A scene seen by a camera, as a picture: depth buffer, several samples a pixel, Phong shading,
-/// light from a sky and a lamp with soft shadows. No graphics card; the same scene gives the same
-/// picture on every run and for any number of processors.
+/// Renders a scene: depth buffer, several samples a pixel, Phong shading, light from a sky and a
+/// lamp with soft shadows. No graphics card; deterministic for any number of processors.
 
 #include "app/pictures/image.h"
 #include "app/pictures/scene.h"
@@ -10,10 +9,10 @@
 namespace morskin::pictures {
 
 struct Style {
-  int samples = 3;       ///< an axis and pixel
-  bool shadows = true;   ///< else things look as if each stood alone
-  double outline = 0.6;  ///< how dark the rim is where one thing stands before another, 0 to 1
-  double unit = 1;       ///< factor for what a scene gives in pixels: widths and sizes
+  int samples = 3;  ///< an axis and pixel
+  bool shadows = true;
+  double outline = 0.6;  ///< darkness of the rim where one thing is in front of another, 0 to 1
+  double unit = 1;       ///< factor for a scene's widths and sizes in pixels
   Colour background = white;
 };
 

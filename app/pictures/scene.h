@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a picture shows: meshes, balls, sticks, lines on surfaces, labels.
+/// The contents of a picture: meshes, balls, sticks, lines on surfaces, labels.
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct Line {
   std::vector<Point> points;
   Colour colour;
   double width = 2;        ///< pixels
-  double lift = 0;         ///< Angstrom by which it is nearer to the eye than it is
+  double lift = 0;         ///< offset towards the eye, Angstrom
   double dash = 0;         ///< pixels; 0 for none
   bool is_on_top = false;  ///< hidden by nothing
 };
@@ -64,7 +64,7 @@ struct Scene {
   std::vector<Point> extent() const;
 };
 
-/// Unit normals by vertex: the mean of its triangles', each weighted with its angle there.
+/// Unit normals by vertex: the mean of its triangles', weighted by their angles.
 std::vector<Vector> smooth_normals(const geometry::IndexedMesh& mesh);
 
 /// The edges that only one triangle has, as pairs of vertices.

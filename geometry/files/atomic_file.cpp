@@ -23,11 +23,11 @@ std::string reason(int error) { return std::generic_category().message(error); }
 }
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error) {
-  std::string advice = "choose another place";
-  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another place";
+  std::string advice = "choose another folder";
+  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another folder";
   if (error == ENOENT || error == ENOTDIR) advice = "create the folder first";
   if (error == EACCES || error == EPERM || error == EROFS) {
-    advice = "choose a place that you may write to";
+    advice = "choose a folder that you may write to";
   }
   if (error == EISDIR) advice = "name a file, not a folder";
   throw UnwritableOutput(path.string() + ": cannot write: " + reason(error) + "; " + advice);

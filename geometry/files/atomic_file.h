@@ -10,7 +10,7 @@
 
 namespace morskin::geometry {
 
-/// The bytes of a file, held until this object goes.
+/// The bytes of a file.
 class FileBytes {
  public:
   FileBytes(std::unique_ptr<char[]> bytes, std::size_t size)
@@ -24,9 +24,9 @@ class FileBytes {
 
 /// Reads all of a file; "-" is standard input.
 ///
-/// @param max_bytes  how much it may hold: a device or a pipe may never end.
-/// @throws UnreadableInput  if it is missing, a directory, not permitted, holds more, or fails
-/// while being read.
+/// @param max_bytes  limit, since a device or a pipe may never end
+/// @throws UnreadableInput  if it is missing, a directory, not permitted, longer, or fails while
+///                          being read
 FileBytes read_file(const std::filesystem::path& path,
                     std::size_t max_bytes = std::numeric_limits<std::size_t>::max() / 4);
 
@@ -35,12 +35,12 @@ FileBytes read_file(const std::filesystem::path& path,
 /// neither a regular file nor a folder (a pipe, /dev/null).
 bool is_written_directly(const std::filesystem::path& path);
 
-/// A file written under a temporary name beside its final one, which it gets when its worth is
-/// known. Unless it is committed nothing is left of it.
+/// A file under a temporary name beside its final one, which commit() gives it. Without commit()
+/// the destructor removes it.
 class PendingFile {
  public:
-  /// Creates the temporary file, empty. A symbolic link at `path` is followed; an existing file's
-  /// permissions are taken over.
+  /// Creates the temporary file, empty. Follows a symbolic link at `path` and copies an existing
+  /// file's permissions.
   ///
   /// @pre    !is_written_directly(path)
   /// @throws UnwritableOutput  "path: cannot write: reason; what to do"
@@ -54,14 +54,14 @@ class PendingFile {
   /// The name it gets from commit(suffix).
   std::filesystem::path final_name(std::string_view suffix = {}) const;
 
-  /// Makes `bytes` the contents, instead of any that were written before. @pre before commit.
+  /// Replaces the contents by `bytes`. @pre before commit().
   /// @throws UnwritableOutput  as above
   void write(std::string_view bytes);
 
-  /// Renames the file to its final name with `suffix` added, over an older file of that name. The
-  /// data are handed to the system, not forced onto the disk.
+  /// Renames the file to its final name with `suffix` added, replacing an older file of that name.
+  /// Does not force the data onto the disk.
   ///
-  /// @return the name it has now
+  /// @return the new name
   /// @throws UnwritableOutput  as above
   std::filesystem::path commit(std::string_view suffix = {});
 
@@ -75,7 +75,7 @@ class PendingFile {
 /// Makes `path` a file of exactly these bytes, whole or not at all: through a PendingFile, or
 /// directly where is_written_directly says so.
 ///
-/// @throws UnwritableOutput  as above; an older file at `path` is as it was.
+/// @throws UnwritableOutput  as above; an older file at `path` is unchanged
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace morskin::geometry

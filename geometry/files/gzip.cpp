@@ -12,7 +12,7 @@ namespace morskin::geometry {
 namespace {
 
 constexpr int gzip_window = 15 + 16;  // the largest window; gzip's own header and checksum
-constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max() / 2;
+constexpr std::size_t max_at_once = std::numeric_limits<uInt>::max() / 2;
 
 [[noreturn]] void fail(const std::string& source, const std::string& what) {
   throw UnreadableInput(source + ": " + what);
@@ -27,28 +27,28 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
   if (inflateInit2(&stream, gzip_window) != Z_OK) fail(source, "zlib does not start; try again");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
 
-  const std::size_t most = std::min(max_bytes, std::max(bomb_bytes, bomb_ratio * bytes.size()));
+  const std::size_t limit = std::min(max_bytes, std::max(bomb_bytes, bomb_ratio * bytes.size()));
   std::string text;
   std::size_t taken = 0;  // of bytes
-  std::size_t made = 0;   // of text, the rest is room
+  std::size_t made = 0;   // of text
   for (;;) {
     if (made == text.size()) {
-      if (made > most) {
+      if (made > limit) {
         fail(source, "unpacks from " + std::to_string(bytes.size()) + " to more than " +
-                         std::to_string(most) + " bytes; unpack it by hand if that is meant");
+                         std::to_string(limit) + " bytes; unpack it by hand if that is meant");
       }
-      text.resize(std::min(most + 1, std::max(2 * made, 4 * bytes.size() + 4096)));
+      text.resize(std::min(limit + 1, std::max(2 * made, 4 * bytes.size() + 4096)));
     }
-    const std::size_t input = std::min(most_at_once, bytes.size() - taken);
-    const std::size_t room = std::min(most_at_once, text.size() - made);
+    const std::size_t input = std::min(max_at_once, bytes.size() - taken);
+    const std::size_t space = std::min(max_at_once, text.size() - made);
     // zlib never writes to its input, but its type does not say so.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
     stream.avail_in = static_cast<uInt>(input);
     stream.next_out = reinterpret_cast<Bytef*>(text.data() + made);
-    stream.avail_out = static_cast<uInt>(room);
+    stream.avail_out = static_cast<uInt>(space);
     const int state = inflate(&stream, Z_NO_FLUSH);
     taken += input - stream.avail_in;
-    made += room - stream.avail_out;
+    made += space - stream.avail_out;
     if (state == Z_STREAM_END) {
       // A further part follows, or padding that gzip too passes over.
       if (!is_gzip(bytes.substr(taken))) {

@@ -6,21 +6,20 @@
 
 namespace morskin::geometry {
 
-/// Whether the bytes begin as gzip's do.
+/// Whether the bytes begin with gzip's magic number.
 bool is_gzip(std::string_view bytes);
 
-/// Beyond `bomb_bytes` a file that unpacks to more than `bomb_ratio` times its size is taken for a
-/// bomb. Tables of atoms unpack to 3 to 5 times their size, a lattice written out to 30; DEFLATE
-/// reaches 1032. Below it the ratio does not matter: a few hundred bytes of nothing are harmless.
+/// A file that unpacks to more than `bomb_bytes` and `bomb_ratio` times its size is refused as a
+/// bomb. Tables of atoms unpack to 3 to 5 times their size, the text of a lattice to 30; DEFLATE
+/// reaches 1032.
 constexpr std::size_t bomb_ratio = 100;
 constexpr std::size_t bomb_bytes = std::size_t{1} << 26;
 
-/// What gzip packed; several packed parts one after the other are joined.
+/// The unpacked bytes of one gzip member or several in a row.
 ///
-/// @param source      the file's name, for messages.
-/// @param max_bytes  how much the result may hold.
-/// @throws UnreadableInput  if the bytes are damaged or cut short, or hold more than `max_bytes`,
-///                          or are a bomb
+/// @param source     the file's name, for messages
+/// @param max_bytes  limit of the result
+/// @throws UnreadableInput  if the bytes are damaged, cut short, beyond the limit or a bomb
 std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t max_bytes);
 
 }  // namespace morskin::geometry

@@ -126,11 +126,11 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
 
 namespace {
 
-// Bytes as they are, or what gzip packed in them.
-std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& room) {
+// The bytes themselves, or unpacked into `buffer` if they are gzipped.
+std::string_view unpacked(std::string_view bytes, const std::string& source, std::string& buffer) {
   if (!is_gzip(bytes)) return bytes;
-  room = unpack_gzip(bytes, source, max_bytes);
-  return room;
+  buffer = unpack_gzip(bytes, source, max_bytes);
+  return buffer;
 }
 
 // The name without its .gz, if it has one.
@@ -163,9 +163,9 @@ std::filesystem::path msms_partner(const std::filesystem::path& path) {
 IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
   const std::filesystem::path partner = msms_partner(path);
   const FileBytes other = read_file(partner, max_bytes);
-  std::string room;
+  std::string buffer;
   const mesh_formats::MsmsFile named{bytes, path.string()};
-  const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), room),
+  const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), buffer),
                                      partner.string()};
   return is_msms(path, ".vert") ? mesh_formats::parse_msms(named, found)
                                 : mesh_formats::parse_msms(found, named);
@@ -178,13 +178,13 @@ IndexedMesh read_mesh(const std::filesystem::path& path) {
   if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
     return parse_mesh(file.view(), path.string());
   }
-  std::string room;
-  return read_msms(path, unpacked(file.view(), path.string(), room));
+  std::string buffer;
+  return read_msms(path, unpacked(file.view(), path.string(), buffer));
 }
 
 IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
-  std::string room;
-  bytes = unpacked(bytes, source, room);
+  std::string buffer;
+  bytes = unpacked(bytes, source, buffer);
   if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
   std::optional<MeshFormat> format = format_by_content(bytes);
   if (!format) format = mesh_format_of(unpacked_name(source));

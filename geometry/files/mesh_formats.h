@@ -1,6 +1,6 @@
 #pragma once
 
-// Inside mesh_files: one parser and one writer per format, and what they share.
+// Inside mesh_files: one parser and one writer per format, and their common parts.
 
 #include <cstdint>
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace morskin::geometry::mesh_formats {
 
-/// Each parser takes all bytes of a file and its name, and throws UnreadableInput.
+/// Each parses all bytes of a file; `source` is its name for messages. @throws UnreadableInput
 IndexedMesh parse_ply(std::string_view bytes, const std::string& source);
 IndexedMesh parse_off(std::string_view bytes, const std::string& source);
 IndexedMesh parse_obj(std::string_view bytes, const std::string& source);
@@ -37,12 +37,12 @@ void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);
 /// Appends "x y z\n" in shortest decimals.
 void append_position(std::string& text, const Point& position);
 
-/// The coordinates at the front of `fields`, which loses them.
-/// @param lines  where they are, for messages.
+/// Takes the three coordinates at the front of `fields`.
+/// @param lines  at their line, for messages
 /// @throws UnreadableInput  if there are not three finite numbers
 Point take_position(std::string_view& fields, const TextLines& lines);
 
-/// Whether the bytes start as a binary STL file must: a count that fits their number.
+/// Whether the count of triangles in a binary STL header fits the number of bytes.
 bool looks_like_binary_stl(std::string_view bytes);
 
 }  // namespace morskin::geometry::mesh_formats

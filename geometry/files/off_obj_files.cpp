@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t max_vertices = std::numeric_limits<std::uint32_t>::max();
 
-// Moves to the next OFF line that says something, without its comment; "" at the end.
+// Moves to the next OFF line with content and returns it without its comment; "" at the end.
 std::string_view next_off_line(TextLines& lines) {
   while (lines.advance()) {
     const std::string_view line = lines.line();
-    const std::string_view said = trimmed(line.substr(0, line.find('#')));
-    if (!said.empty()) return said;
+    const std::string_view content = trimmed(line.substr(0, line.find('#')));
+    if (!content.empty()) return content;
   }
   return {};
 }
@@ -45,7 +45,7 @@ std::uint32_t off_corner(std::string_view field, std::size_t vertices, const Tex
 }
 
 // One corner of an OBJ face, "v", "v/vt", "v//vn" or "v/vt/vn"; a negative v counts back from the
-// last vertex so far. Whether a positive one exists is known only at the end of the file.
+// last vertex so far. Positive ones are checked at the end of the file.
 std::uint32_t obj_corner(std::string_view field, std::size_t vertices, const TextLines& lines) {
   const std::optional<std::int64_t> number = parse_integer(field.substr(0, field.find('/')));
   const auto known = static_cast<std::int64_t>(vertices);
@@ -74,7 +74,7 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
   const std::size_t faces = take_count(fields, lines);
   if (vertices > max_vertices) lines.fail("too many vertices; at most 2^32 - 1 are read");
 
-  // A vertex needs six bytes of text ("0 0 0\n") and a face eight, whatever the counts say.
+  // A vertex needs six bytes of text ("0 0 0\n") and a face eight, which bounds the counts.
   IndexedMesh mesh;
   mesh.positions.reserve(std::min(vertices, bytes.size() / 6 + 1));
   mesh.triangles.reserve(std::min(faces, bytes.size() / 8 + 1));
@@ -103,9 +103,9 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
   IndexedMesh mesh;
   std::vector<std::uint32_t> polygon;
   std::uint32_t last_corner = 0;
-  std::string last_corner_place;  // of the face that names it
-  bool is_other = false;          // some line was neither vertex nor face nor comment
-  std::string joined;             // a line and its continuations
+  std::string last_corner_location;  // of the face that names it
+  bool is_other = false;             // some line was neither vertex nor face nor comment
+  std::string joined;                // a line and its continuations
   while (lines.advance()) {
     std::string_view fields = lines.line();
     if (fields.ends_with('\\')) {
@@ -128,9 +128,9 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
       }
       if (polygon.size() < 3) lines.fail("a face needs three corners; remove it");
       const std::uint32_t highest = *std::ranges::max_element(polygon);
-      if (highest > last_corner || last_corner_place.empty()) {
+      if (highest > last_corner || last_corner_location.empty()) {
         last_corner = highest;
-        last_corner_place = lines.location();
+        last_corner_location = lines.location();
       }
       append_fan(mesh, polygon);
     } else if (!word.empty()) {
@@ -138,7 +138,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
     }
   }
   if (!mesh.triangles.empty() && last_corner >= mesh.positions.size()) {
-    throw UnreadableInput(last_corner_place + ": corner " + std::to_string(last_corner + 1ULL) +
+    throw UnreadableInput(last_corner_location + ": corner " + std::to_string(last_corner + 1ULL) +
                           " does not exist, there are " + std::to_string(mesh.positions.size()) +
                           " vertices; write the mesh again");
   }

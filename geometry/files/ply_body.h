@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside mesh_files: the two ways to take numbers out of the body of a PLY file. Both know how many
-// bytes are left, so that no claim of the header is believed beyond them.
+// Inside mesh_files: numbers from the binary or ASCII body of a PLY file. Both readers know the
+// bytes left, so that counts in the header can be checked.
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +21,7 @@ namespace morskin::geometry::mesh_formats {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// The number at the front of `bytes`, which are in this machine's order or the other.
+/// The number at the front of `bytes`, in this machine's byte order or swapped.
 template <class Number>
 double number_at(const char* bytes, bool is_swapped) {
   char copy[sizeof(Number)];
@@ -44,13 +44,13 @@ class PlyBinaryBody {
   bool is_swapped() const { return is_swapped_; }
   std::string_view rest() const { return rest_; }
   std::size_t min_size(PlyScalar type) const { return size_of(type); }
-  std::string place() const {
+  std::string location() const {
     return source_ + ": byte " + std::to_string(whole_size_ - rest_.size()) + " of the body";
   }
 
   void skip(std::size_t size) {
     if (size > rest_.size())
-      throw UnreadableInput(place() + ": the file ends too early; write it again");
+      throw UnreadableInput(location() + ": the file ends too early; write it again");
     rest_.remove_prefix(size);
   }
 
@@ -93,7 +93,7 @@ class PlyAsciiBody {
 
   std::string_view rest() const { return lines_.rest(); }
   std::size_t min_size(PlyScalar) const { return 1; }
-  std::string place() const {
+  std::string location() const {
     return source_ + ":" + std::to_string(header_lines_ + lines_.number());
   }
 
@@ -101,13 +101,14 @@ class PlyAsciiBody {
     std::string_view field = take_field(fields_);
     while (field.empty()) {
       if (!lines_.advance())
-        throw UnreadableInput(place() + ": the file ends too early; write it again");
+        throw UnreadableInput(location() + ": the file ends too early; write it again");
       fields_ = lines_.line();
       field = take_field(fields_);
     }
     const std::optional<double> value = parse_double(field);
     if (!value)
-      throw UnreadableInput(place() + ": " + quoted(field) + " is no number; write the mesh again");
+      throw UnreadableInput(location() + ": " + quoted(field) +
+                            " is no number; write the mesh again");
     return *value;
   }
 

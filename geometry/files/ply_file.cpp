@@ -24,14 +24,14 @@ constexpr double max_vertices = std::numeric_limits<std::uint32_t>::max();
 
 static_assert(sizeof(Point) == 3 * sizeof(double));
 
-// Throws unless what is left of the file has room for as many elements as the header claims.
+// Throws if the rest of the file is too short for the count of elements in the header.
 template <class Body>
 void check_room(const Body& body, const PlyElement& element) {
-  std::size_t least = 0;
+  std::size_t min_size = 0;
   for (const PlyProperty& property : element.properties) {
-    least += body.min_size(property.count_type.value_or(property.type));
+    min_size += body.min_size(property.count_type.value_or(property.type));
   }
-  if (least > 0 && element.count > body.rest().size() / least) {
+  if (min_size > 0 && element.count > body.rest().size() / min_size) {
     throw UnreadableInput(body.location() + ": the file is too short for " +
                           std::to_string(element.count) + " elements " + quoted(element.name) +
                           "; write it again");
@@ -114,7 +114,7 @@ void read_plain_vertices(PlyBinaryBody& body, const PlyElement& element, Indexed
   body.skip(size);
 }
 
-// Reads triangles as long as they have the layout this program writes; how many there were.
+// Reads triangles as long as they have the layout that this program writes; returns their number.
 std::uint64_t read_plain_triangles(PlyBinaryBody& body, const PlyElement& element,
                                    IndexedMesh& mesh) {
   const PlyProperty& only = element.properties[0];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Inside mesh_files: what the header of a PLY file says.
+// Inside mesh_files: the header of a PLY file.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,27 +14,27 @@ namespace morskin::geometry::mesh_formats {
 enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 enum class PlyScalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 
-/// How many bytes a number takes in a binary body.
+/// Bytes of a number in a binary body.
 std::size_t size_of(PlyScalar type);
 
 struct PlyProperty {
   std::string name;
   PlyScalar type;
-  std::optional<PlyScalar> count_type;  ///< present in lists: of the number that leads the list
+  std::optional<PlyScalar> count_type;  ///< of a list's length; absent if this is no list
 
   bool is_list() const { return count_type.has_value(); }
 };
 
 struct PlyElement {
   std::string name;
-  std::uint64_t count;  ///< as claimed; not yet believed
+  std::uint64_t count;  ///< as claimed, unchecked
   std::vector<PlyProperty> properties;
 };
 
 struct PlyHeader {
   PlyEncoding encoding;
   std::vector<PlyElement> elements;
-  std::string_view body;   ///< what follows the header
+  std::string_view body;   ///< the bytes after the header
   std::size_t line_count;  ///< of the header
 };
 

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::size_t header_size = 84;  // 80 bytes of text, then the number of triangles
 constexpr std::size_t record_size = 50;  // a normal, three corners, two spare bytes
 
-// Gives equal bits equal vertices, numbered by first appearance: an open hash table of places.
+// Numbers vertices by first appearance, equal bits alike: an open-addressing hash table.
 class CornerMerger {
  public:
   explicit CornerMerger(IndexedMesh& mesh) : mesh_(mesh), slots_(1024, no_index) {}

@@ -62,10 +62,10 @@ bool TextLines::advance() {
   return true;
 }
 
-std::string TextLines::place() const { return source_ + ":" + std::to_string(number_); }
+std::string TextLines::location() const { return source_ + ":" + std::to_string(number_); }
 
 void TextLines::fail(std::string_view what) const {
-  throw UnreadableInput(place() + ": " + std::string(what));
+  throw UnreadableInput(location() + ": " + std::string(what));
 }
 
 std::string_view take_field(std::string_view& rest) {
@@ -104,7 +104,7 @@ std::string quoted(std::string_view field) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";
   for (const char c : field.substr(0, longest)) {
-    const bool is_printable = c >= 0x20 && c < 0x7f;  // nothing that a terminal obeys or chokes on
+    const bool is_printable = c >= 0x20 && c < 0x7f;
     result += is_printable ? c : '?';
   }
   result += field.size() > longest ? "...\"" : "\"";

@@ -1,7 +1,7 @@
 #pragma once
 
-// VTU: the XML form of VTK's unstructured grid, for ParaView. Cells of any kind over points, with
-// numbers on both.
+// VTU: VTK's unstructured grid in XML, for ParaView. Cells of any kind over points, with data on
+// both.
 
 #include <cstdint>
 #include <span>
@@ -13,14 +13,13 @@
 
 namespace morskin::geometry {
 
-/// VTK's numbers for kinds of cells. A line has two corners: polylines of more are in VTK, but not
-/// every reader knows them.
+/// VTK's cell types. Lines have two corners, as not every reader knows polylines.
 enum class VtuCell : unsigned char { Vertex = 1, Line = 3, Triangle = 5 };
 
 struct VtuGrid {
   std::span<const Point> points;
-  std::vector<std::int64_t> corners;  ///< of all cells, one after the other, into points
-  std::vector<std::int64_t> ends;     ///< by cell, where its corners end
+  std::vector<std::int64_t> corners;  ///< of all cells in a row, into points
+  std::vector<std::int64_t> ends;     ///< by cell, the end of its corners
   std::vector<VtuCell> kinds;         ///< by cell
 
   template <class Number>
@@ -31,7 +30,7 @@ struct VtuGrid {
 };
 
 /// The bytes of the file, every coordinate to the last bit.
-/// @pre the numbers are as many as points or cells, and names need no escaping in XML
+/// @pre one number for each point or cell, and names that need no escaping in XML
 std::string vtu(const VtuGrid& grid);
 
 }  // namespace morskin::geometry

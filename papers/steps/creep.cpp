@@ -1,7 +1,7 @@
 // Section 4.1, front/operations.cpp: one creep.
 //
-// A single ball's sweep is looked at after its first creep. The bowl takes 120 of the 360 degrees
-// about the departure vertex p_t, so n = 240 / 60 = 4 triangles are laid. The points q_i stand on
+// A single ball's sweep is stopped after its first creep. The bowl takes 120 of the 360 degrees
+// about the departure vertex p_t, so n = 240 / 60 = 4 triangles are laid. The points q_i lie on
 // the rim of the tangent disk, at the distance r_a (section 4.2); p_i is q_i projected to the skin.
 
 #include <Eigen/Geometry>

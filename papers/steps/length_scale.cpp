@@ -2,7 +2,7 @@
 //
 // rho(x) = 1 / kappa_max. On a sphere it is the radius; on every patch of a skin it is simply the
 // distance from the patch's centre. Here the curvature of a neck is measured with a compass: the
-// normal turns by an angle over a short way in each tangent direction.
+// normal turns by an angle over a short distance in each tangent direction.
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // Section 2.1, geometry/predicates.h: a predicate deciding a tie.
 //
 // Five corners of a cube lie on one sphere. Is the fifth inside the sphere of the other four?
-// Rounding must not decide, and no jitter may. The ids do: as if each weight held a vanishing extra
-// share, larger the smaller the id.
+// Neither rounding nor jitter may decide. The ids do, by symbolic perturbation: each weight grows
+// by an infinitesimal, larger for smaller ids.
 
 #include "geometry/predicates_internal.h"
 #include "papers/steps/step.h"
@@ -32,7 +32,7 @@ int main() {
   std::printf("e with the smallest id: %s\n", is_inside_when_first ? "inside" : "outside");
   std::printf("e with the largest id:  %s\n", is_inside_when_last ? "inside" : "outside");
 
-  // Asked in another order, the same points must get the same answer.
+  // The same points in another order must give the same answer.
   const std::array<AtomId, 5> turned{AtomId{11U}, AtomId{12U}, AtomId{10U}, AtomId{13U},
                                      AtomId{99U}};
   const bool is_same = orthosphere_side(q, c, p, d, e, turned) == side(99);

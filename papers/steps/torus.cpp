@@ -23,7 +23,7 @@ int main() {
                      5.12});
   }
   const skin::SkinSurface skin(balls);
-  // The balls' dual complex tells the same number without any height.
+  // The balls' dual complex gives the same number without any height.
   const skin::DualComplex dual = skin::dual_complex(skin);
   std::printf("dual complex: genus %zu, Euler characteristic %ld\n", dual.skin_genus(),
               dual.skin_euler_characteristic());
