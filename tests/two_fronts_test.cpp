@@ -40,7 +40,7 @@ TEST_CASE("two fronts leave a closed mesh of the same surface that one front lea
     if (!skin) continue;
     MeshingOptions one, two;
     one.fronts = 1;
-    const MeshResult a = mesh_skin(*skin, one), b = mesh_skin(*skin, two);
+    const MeshResult a = make_mesh(*skin, one), b = make_mesh(*skin, two);
     CHECK_MESSAGE(a.certificate.certified, a.certificate.reason);
     CHECK_MESSAGE(b.certificate.certified, b.certificate.reason);
     CHECK(std::abs(a.certificate.area - b.certificate.area) < 2e-3 * a.certificate.area);

@@ -10,6 +10,7 @@
 #include "app/figures/figures.h"
 #include "app/figures/skin_scene.h"
 #include "app/figures/sweep_events.h"
+#include "front/tangent_disk.h"
 
 namespace morskin::figures {
 namespace {
