@@ -71,11 +71,7 @@ TEST_CASE("small molecules are certified in all three models, every angle above 
 }
 
 TEST_CASE("random ball sets are certified or refused as singular") {
-  for (unsigned seed = 0; seed < 25; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) check_result(morskin::mesh_skin(*skin));
-  }
+  support::for_skins(25, [&](const PreparedSkin& skin) { check_result(morskin::mesh_skin(skin)); });
 }
 
 TEST_CASE("the same run twice gives the same bytes") {
