@@ -29,7 +29,7 @@ struct Mesh {
   const SurfacePoint& at(geometry::VertexId v) const { return points[v]; }
   const Point& position(geometry::VertexId v) const { return points[v].position; }
 
-  geometry::VertexId add_vertex(const SurfacePoint& p) {
+  geometry::VertexId add_vertex(SurfacePoint p) {  // a copy: it may be one of these points
     const geometry::VertexId v = surface.add_vertex();
     points[v] = p;
     return v;

@@ -7,16 +7,14 @@
 #include <optional>
 #include <set>
 
-#include "certify/certificate.h"
 #include "certify/deviations.h"
-#include "certify/located_vertices.h"
-#include "certify/restricted_delaunay.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/mesh_check.h"
 #include "geometry/self_intersections.h"
 #include "skin/skin_components.h"
+#include "tests/support/good_mesh.h"
 #include "tests/support/mesh_part.h"
-#include "tests/support/meshes.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using certify::Certificate;
@@ -24,44 +22,10 @@ using certify::Claim;
 using geometry::IndexedMesh;
 using geometry::Point;
 using support::ball;
-using support::Random;
+using support::Good;
+using support::vdw;
 
 namespace {
-
-/// A skin and a good mesh of it.
-struct Good {
-  explicit Good(const support::WeightedPoints& points)
-      : skin(morskin::prepare_skin(points)),
-        mesh(morskin::make_mesh(skin, support::uncertified()).mesh) {}
-
-  Certificate certify(const IndexedMesh& other) const {
-    return certify::certify(other, skin.surface, skin.topology);
-  }
-  certify::RestrictedDelaunay delaunay(const IndexedMesh& other, unsigned threads = 1) const {
-    const auto points = certify::locate_vertices(other, skin.surface);
-    return certify::restricted_delaunay(other, skin.surface, points, 10, geometry::Run(threads));
-  }
-
-  morskin::PreparedSkin skin;
-  IndexedMesh mesh;
-};
-
-/// The count that the certificate makes.
-std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
-                             const geometry::SurfaceMesh& surface) {
-  const auto points = certify::locate_vertices(mesh, good.skin.surface);
-  certify::DelaunayFilter sure(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.triangles[t];
-    const std::array p{&points[a], &points[b], &points[c]};
-    sure.note(geometry::TriangleId{t}, p,
-              certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
-              good.skin.surface.residual_bound(p[0]->length_scale));
-  }
-  return certify::local_delaunay_violations(mesh, surface, good.skin.surface, points, sure);
-}
-
-Good vdw(const char* file) { return Good(support::molecule(file, skin::Model::Vdw)); }
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -240,9 +204,8 @@ TEST_CASE("the deviations' extremes are the certificate's and lead their lists")
 }
 
 TEST_CASE("components of the mesh are found on the components of the skin, each on its own") {
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    CAPTURE(seed);
-    if (!support::prepared(support::ball_set(seed))) continue;
+  support::for_seeds(30, [&](unsigned seed) {
+    if (!support::prepared(support::ball_set(seed))) return;
     const Good good(support::ball_set(seed));
     const skin::SkinComponents parts(good.skin.surface);
     CHECK(parts.body_count() == good.skin.topology.betti[0]);
@@ -251,7 +214,7 @@ TEST_CASE("components of the mesh are found on the components of the skin, each 
     CHECK(sides.size() == good.skin.topology.skin_components());
     std::ranges::sort(sides);
     CHECK(std::ranges::adjacent_find(sides) == sides.end());
-  }
+  });
 }
 
 TEST_CASE("every vertex of a component lies on the same component of the skin") {
@@ -295,93 +258,4 @@ TEST_CASE("a missing inner void and a doubled component are told by the skin's c
   CHECK(good.certify(doubled).broken_by(Claim::Counts).find("components") == std::string::npos);
   CHECK(contains(good.certify(doubled).broken_by(Claim::Degree), "could not be shown to cover"));
   CHECK(geometry::self_intersections(doubled).count > 0);
-}
-
-TEST_CASE("restricted Delaunay violations are those that asking all vertices finds") {
-  std::size_t seen = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    const auto points = support::ball_set(seed);
-    if (points.size() > 8 || !support::prepared(points)) continue;
-    const Good good(points);
-    // Flipped edges and displaced vertices make violations, also far from the triangles flipped.
-    auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
-    Random random(seed);
-    for (int flips = 0; flips < 30; ++flips) {
-      const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
-      const auto c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
-      if (c != d && !mesh.has_edge(c, d)) mesh.flip(h);
-    }
-    const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
-    const auto located = certify::locate_vertices(bad, good.skin.surface);
-    std::size_t expected = 0;
-    for (const auto& t : bad.triangles) {
-      const auto ball = certify::exact_surface_ball(good.skin.surface, located[t[0]],
-                                                    bad.positions[t[1]], bad.positions[t[2]]);
-      if (!ball.is_exact) continue;
-      expected += std::ranges::any_of(bad.positions, [&](const Point& p) {
-        return ball.intrusion(p) > 1e-8 * ball.squared_radius;
-      });
-    }
-    const certify::RestrictedDelaunay found = good.delaunay(bad);
-    CHECK(found.violations == expected);
-    CHECK(found.violations > 0);
-    CHECK(found.deepest[0].depth > 0);
-    CHECK(good.delaunay(bad, 3).violations == expected);
-    CHECK(good.delaunay(bad, 3).deepest[0].triangle == found.deepest[0].triangle);
-    std::size_t local = 0;
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-      const auto [a, b, c] = bad.triangles[t];
-      const auto ball = certify::exact_surface_ball(good.skin.surface, located[a], bad.positions[b],
-                                                    bad.positions[c]);
-      bool is_entered = false;
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const auto h = geometry::SurfaceMesh::half_edge(geometry::TriangleId{t}, k);
-        const Point& apex = bad.positions[mesh.apex(mesh.twin(h)).index()];
-        is_entered = is_entered || ball.intrusion(apex) > 1e-8 * ball.squared_radius;
-      }
-      local += ball.is_exact && is_entered;
-    }
-    CHECK(local_violations(good, bad, mesh) == local);
-    CHECK(good.certify(good.mesh).restricted_delaunay_violations == 0);
-    CHECK(local > 0);
-    CHECK(local <= expected);
-    ++seen;
-  }
-  CHECK(seen >= 3);
-}
-
-TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both counts") {
-  const Good good = vdw("caffeine.xyz");
-  const auto located = certify::locate_vertices(good.mesh, good.skin.surface);
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
-    const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
-    if (mesh.has_edge(mesh.apex(h), mesh.apex(mesh.twin(h)))) continue;
-    mesh.flip(h);
-    const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
-    CHECK(local_violations(good, bad, mesh) == 2);
-    CHECK(good.delaunay(bad).violations == 2);
-  }
-}
-
-TEST_CASE("a vertex of another sheet in a surface ball counts, though no neighbour is") {
-  const Good good({ball(0, 0, 0, 1), ball(9, 0, 0, 1.2)});
-  IndexedMesh bad = good.mesh;
-  // A lone vertex right over the middle of triangle 0, that no triangle knows.
-  const auto& [a, b, c] = bad.triangles[0];
-  bad.positions.push_back((bad.positions[a] + bad.positions[b] + bad.positions[c]) / 3);
-  const certify::RestrictedDelaunay found = good.delaunay(bad);
-  CHECK(found.violations >= 1);
-  CHECK(std::ranges::any_of(found.deepest, [](const auto& v) { return v.triangle == 0; }));
-  CHECK(found.deepest[0].vertex == bad.positions.size() - 1);
-}
-
-TEST_CASE("hardly any triangle needs its surface ball computed") {
-  const Good good = vdw("caffeine.xyz");
-  const certify::RestrictedDelaunay found = good.delaunay(good.mesh);
-  CHECK(found.violations == 0);
-  CHECK(found.exact_balls < good.mesh.triangles.size() / 10);
 }

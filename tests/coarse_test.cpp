@@ -102,16 +102,13 @@ TEST_CASE("a length longer than C gives anywhere changes nothing") {
 }
 
 TEST_CASE("random ball sets are certified with edges of any length, by C and by length") {
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(30, [&](const PreparedSkin& skin) {
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
       for (const Sizing& sizing : {Sizing{C, Sizing::quality_for(C)}, by_length(C, 0.4)}) {
-        const morskin::MeshResult result = morskin::make_mesh(*skin, support::with(sizing));
+        const morskin::MeshResult result = morskin::make_mesh(skin, support::with(sizing));
         CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
       }
     }
-  }
+  });
 }

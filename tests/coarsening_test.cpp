@@ -43,11 +43,9 @@ Mesh fine_mesh(const morskin::PreparedSkin& skin, const Sizing& laid) {
 /// Each ball set whose skin is not singular, with a mesh that has more triangles than it needs.
 template <class Check>
 void for_each_fine_mesh(unsigned count, Check check) {
-  for (unsigned seed = 0; seed < count; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) check(*skin, fine_mesh(*skin, sizing_for(0.2).laid()));
-  }
+  support::for_skins(count, [&](const PreparedSkin& skin) {
+    check(skin, fine_mesh(skin, sizing_for(0.2).laid()));
+  });
 }
 
 std::size_t short_edges(const Mesh& mesh, const Sizing& sizing) {
@@ -156,11 +154,8 @@ TEST_CASE("vertices outside the subdomain and next to those wait, and are taken 
 
 TEST_CASE("a mesh coarsened behind the front is certified, and never there as a whole before") {
   const Sizing sizing = sizing_for(0.3), laid = sizing.laid();
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    const morse::Guide guide = guide_for(*skin, laid);
+  support::for_skins(30, [&](const PreparedSkin& skin) {
+    const morse::Guide guide = guide_for(skin, laid);
     std::size_t most = 0;
     const auto look = [&](const front::Snapshot& now) {
       most = std::max(most, now.mesh.surface.triangle_count());
@@ -173,9 +168,9 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
       }
     };
     front::Snapshots snapshots(guide, {}, 50, look);
-    const auto whole = front::sweep_once(skin->surface, guide, {.sizing = laid});
+    const auto whole = front::sweep_once(skin.surface, guide, {.sizing = laid});
     auto coarse = front::sweep_once(
-        skin->surface, guide, {.sizing = laid},
+        skin.surface, guide, {.sizing = laid},
         front::CoarseningOptions{.sizing = sizing, .min_triangles = 300}, {&snapshots});
     REQUIRE(coarse.open_edges == 0);
     CHECK(whole.mesh.surface.triangle_count() ==
@@ -183,33 +178,30 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     if (whole.mesh.surface.triangle_count() > 4000) {
       CHECK(3 * most < 2 * whole.mesh.surface.triangle_count());
     }
-    refine::Refinement(skin->surface, sizing, coarse.mesh).run();
+    refine::Refinement(skin.surface, sizing, coarse.mesh).run();
     const auto certificate =
-        certify::certify(indexed_mesh(coarse.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(coarse.mesh), skin.surface, skin.topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
-  }
+  });
 }
 
 TEST_CASE("two fronts that are coarsened on their way give one mesh for any number of threads") {
   const Sizing sizing = sizing_for(0.35), laid = sizing.laid();
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    const morse::Guide guide = guide_for(*skin, laid);
+  support::for_skins(20, [&](const PreparedSkin& skin) {
+    const morse::Guide guide = guide_for(skin, laid);
     const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
-    auto one = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, coarsening,
+    auto one = front::sweep_from_both_ends(skin.surface, guide, {.sizing = laid}, coarsening,
                                            geometry::Run(1));
-    const auto two = front::sweep_from_both_ends(skin->surface, guide, {.sizing = laid}, coarsening,
+    const auto two = front::sweep_from_both_ends(skin.surface, guide, {.sizing = laid}, coarsening,
                                                  geometry::Run(2));
     REQUIRE(one.open_edges == 0);
     CHECK(indexed_mesh(one.mesh).positions == indexed_mesh(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
-    refine::Refinement(skin->surface, sizing, one.mesh).run();
+    refine::Refinement(skin.surface, sizing, one.mesh).run();
     const auto certificate =
-        certify::certify(indexed_mesh(one.mesh), skin->surface, skin->topology, sizing);
+        certify::certify(indexed_mesh(one.mesh), skin.surface, skin.topology, sizing);
     CHECK_MESSAGE(certificate.certified, certificate.reason);
-  }
+  });
 }
 
 TEST_CASE(

@@ -9,6 +9,7 @@
 
 #include "front/neighbourhood.h"
 #include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::front;
@@ -47,9 +48,7 @@ void lay_anywhere(Front& front, Random& random) {
 TEST_CASE("a new vertex is clear if and only if it meets all five conditions of the guard") {
   std::size_t clear = 0;
   std::array<std::size_t, 5> broken_alone{};
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(300, [&](Random& random) {
     surface::Mesh mesh;
     Front front(mesh);
     lay_anywhere(front, random);
@@ -71,7 +70,7 @@ TEST_CASE("a new vertex is clear if and only if it meets all five conditions of 
       clear += broken == 0;
       for (std::size_t k = 0; k < 5; ++k) broken_alone[k] += broken == 1 && !holds[k];
     }
-  }
+  });
   CHECK(clear > 1000);
   for (const std::size_t alone : broken_alone) CHECK(alone > 20);
 }

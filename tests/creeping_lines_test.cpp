@@ -11,6 +11,7 @@
 #include "morse/integral_lines.h"
 #include "morse/validate_complex.h"
 #include "tests/support/morse_lines.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -76,9 +77,7 @@ Vector on_patch(const GradientFlow& flow, Vector u) {
 }  // namespace
 
 TEST_CASE("the derivative of the flow is that of its differences") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
     skin::Patch patch{Vector::Zero(), Vector::Zero()};
     patch.sign = random.uniform() < 0.5 ? 1 : -1;
     if (random.uniform() < 0.8) patch.axis = random.direction();
@@ -94,14 +93,12 @@ TEST_CASE("the derivative of the flow is that of its differences") {
       const Vector difference = (flow(u + step) - flow(u - step)) / 2e-5;
       CHECK((difference - derivative.col(i)).norm() < 1e-7 * (1 + derivative.norm()));
     }
-  }
+  });
 }
 
 TEST_CASE("an implicit step is of order 5: half the time divides its error by more than 2^5") {
   std::size_t better = 0, tried = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](support::Random& random) {
     const skin::Patch patch{Vector::Zero(), random.direction(), 1, 1};
     const GradientFlow flow(patch, MorseFunction::height(random.direction()), Direction::Up);
     const Vector u = on_patch(flow, 1.5 * random.direction());
@@ -114,10 +111,10 @@ TEST_CASE("an implicit step is of order 5: half the time divides its error by mo
     };
     const double whole = error(0.4), half = error(0.2);
     CHECK(whole < 1e-3);
-    if (whole < 1e-9) continue;  // too near to rounding
+    if (whole < 1e-9) return;  // too near to rounding
     ++tried;
     better += whole > 32 * half;
-  }
+  });
   CHECK(tried > 100);
   CHECK(better > tried * 9 / 10);
 }

@@ -8,6 +8,7 @@
 #include "certify/sizing.h"
 #include "morse/skin_spheres.h"
 #include "tests/support/molecules.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -40,9 +41,7 @@ struct Case {
 }  // namespace
 
 TEST_CASE("every critical point lies on the skin with its normal along the direction") {
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
-    const Case test(seed);
+  support::for_seeds<Case>(500, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
       const SurfacePoint& x = p.point;
       const skin::CellId cell = test.skin.locate(x.position, x.cell);
@@ -56,14 +55,12 @@ TEST_CASE("every critical point lies on the skin with its normal along the direc
       CHECK(std::abs(std::abs(x.normal.dot(test.height.direction)) - 1) < 1e-12);
       CHECK(p.value == test.height(x.position));
     }
-  }
+  });
 }
 
 TEST_CASE("the index counts the descending directions of differences of the height") {
   std::array<std::size_t, 3> met{};
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
-    const Case test(seed);
+  support::for_seeds<Case>(500, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
       const skin::Patch& patch = test.skin.complex().patch(p.point.cell);
       const double h = 1e-3 * p.point.length_scale;
@@ -100,14 +97,12 @@ TEST_CASE("the index counts the descending directions of differences of the heig
         CHECK(p.descending == Vector::Zero());
       }
     }
-  }
+  });
   for (const std::size_t count : met) CHECK(count > 100);
 }
 
 TEST_CASE("one ball has one minimum and one maximum, at its poles") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(100, [&](support::Random& random) {
     const MorseFunction height{random.direction()};
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
@@ -121,15 +116,13 @@ TEST_CASE("one ball has one minimum and one maximum, at its poles") {
             1e-12 * radius + 1e-14);
     }
     CHECK(critical.count(0) == 1);
-  }
+  });
 }
 
 TEST_CASE(
     "no point of the skin is lower than the lowest minimum or higher than the highest maximum") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    Case test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<Case>(200, [&](Case& test) {
+    if (test.is_degenerate()) return;
     double lowest = INFINITY, highest = -INFINITY;
     for (const CriticalPoint& p : test.critical.points) {
       if (p.index == 0) lowest = std::min(lowest, p.value);
@@ -143,7 +136,7 @@ TEST_CASE(
       CHECK(test.height(p->position) >= lowest - rounding);
       CHECK(test.height(p->position) <= highest + rounding);
     }
-  }
+  });
 }
 
 TEST_CASE(
@@ -195,10 +188,8 @@ TEST_CASE(
 
 TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their own centres") {
   const double share = certify::Sizing{}.tangent_disk_share();
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    const Case test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<Case>(300, [&](const Case& test) {
+    if (test.is_degenerate()) return;
     const auto& points = test.critical.points;
     const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -217,16 +208,14 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
         CHECK(r + spheres.radius(CriticalId{j}) <= apart * (1 + 1e-15));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("the sphere that holds a point of the skin is the one that a look at all spheres finds") {
   const double share = certify::Sizing{}.tangent_disk_share();
   std::size_t held = 0;
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    Case test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<Case>(300, [&](Case& test) {
+    if (test.is_degenerate()) return;
     const auto& points = test.critical.points;
     const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -244,6 +233,6 @@ TEST_CASE("the sphere that holds a point of the skin is the one that a look at a
       held += expected.has_value();
       CHECK(spheres.containing(*x) == expected);
     }
-  }
+  });
   CHECK(held > 1000);
 }

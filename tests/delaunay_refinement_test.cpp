@@ -67,16 +67,14 @@ std::vector<Point> centres(const skin::SkinSurface& skin, const Point& a, const 
 }  // namespace
 
 TEST_CASE("the mesh is the triples of samples with an empty ball about a point of the skin") {
-  for (unsigned seed = 0; seed < 12; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(12, [&](unsigned seed, Random& random) {
     std::vector<geometry::WeightedPoint> balls;
     for (unsigned i = 0; i <= seed % 4; ++i) {
       balls.push_back(support::ball(random.between(0, 3), random.between(0, 3),
                                     random.between(0, 3), random.between(0.8, 1.6)));
     }
     const auto skin = support::prepared(balls);
-    if (!skin) continue;
+    if (!skin) return;
     const Sizing coarse{.C = 0.125, .Q = 1.69};  // CQ = 0.21
     DelaunayRefinement refinement(skin->surface, coarse, seeds_of(*skin, coarse));
     refinement.run();
@@ -123,30 +121,27 @@ TEST_CASE("the mesh is the triples of samples with an empty ball about a point o
     }
     CHECK(wrong == 0);
     CHECK(doubtful < points.size() / 10);
-  }
+  });
 }
 
 TEST_CASE("every point of the skin has a sample within 0.153 of its length scale") {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    DelaunayRefinement refinement(skin->surface, {}, seeds_of(*skin));
+  support::for_skins(20, [&](unsigned seed, const PreparedSkin& skin) {
+    DelaunayRefinement refinement(skin.surface, {}, seeds_of(skin));
     refinement.run();
     const surface::Mesh mesh = refinement.mesh();
     const geometry::KdTree<VertexId> tree(positions(mesh));
     Random random(seed);
-    const support::Box box = support::box_of(skin->surface.points());
+    const support::Box box = support::box_of(skin.surface.points());
     int found = 0;
     for (int i = 0; i < 2000; ++i) {
       const Point x = box.sample(random);
-      const auto p = skin->surface.project(x, skin->surface.locate(x, geometry::CellId{0U}));
+      const auto p = skin.surface.project(x, skin.surface.locate(x, geometry::CellId{0U}));
       if (!p) continue;
       ++found;
       CHECK(tree.nearest(p->position, 0.153 * p->length_scale));
     }
     CHECK(found > 100);
-  }
+  });
 }
 
 TEST_CASE("a component without seeds is found where dual points lie in it") {
@@ -165,12 +160,9 @@ TEST_CASE("a component without seeds is found where dual points lie in it") {
 
 TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no border") {
   std::size_t most = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(40, [&](unsigned seed, const PreparedSkin& skin) {
     const Sizing coarse{.C = 0.3 + 0.01 * seed, .Q = 1.9};
-    DelaunayRefinement refinement(skin->surface, coarse, seeds_of(*skin, coarse));
+    DelaunayRefinement refinement(skin.surface, coarse, seeds_of(skin, coarse));
     refinement.run();
     const auto triangles = refinement.mesh().surface.triangle_list();
     most = std::max(most, triangles.size());
@@ -183,7 +175,7 @@ TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no bor
       }
     }
     CHECK(std::ranges::all_of(passes, [](const auto& p) { return p.second == 0; }));
-  }
+  });
   CHECK(most > 1000);
 }
 
@@ -198,11 +190,10 @@ TEST_CASE("seeds in one plane give no mesh") {
 }
 
 TEST_CASE("seeds keep apart, and every component of the skin has a triangle of them") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const auto skin =
         support::prepared(seed % 2 == 0 ? support::ball_set(seed) : support::nasty_set(seed));
-    if (!skin) continue;
+    if (!skin) return;
     const Sizing sizing;
     const std::vector<SurfacePoint> seeds = seeds_of(*skin);
     std::vector<Point> places;
@@ -221,14 +212,13 @@ TEST_CASE("seeds keep apart, and every component of the skin has a triangle of t
     CHECK(is_apart);
     CHECK(count.size() == skin->topology.skin_components());
     CHECK(std::ranges::all_of(count, [](const auto& c) { return c.second >= 3; }));
-  }
+  });
 }
 
 TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(10, [&](unsigned seed) {
     const auto skin = support::prepared(support::nasty_set(seed));
-    if (!skin) continue;
+    if (!skin) return;
     const Sizing sizing{.C = 0.08, .Q = 1.584};  // the smallest Q with a proof
     DelaunayRefinement refinement(skin->surface, sizing, seeds_of(*skin, sizing));
     refinement.run();
@@ -244,5 +234,5 @@ TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
     CHECK(too_short == 0);
     CHECK(refinement.counts().topological == 0);
     CHECK(refinement.counts().refused == 0);
-  }
+  });
 }

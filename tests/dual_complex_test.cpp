@@ -9,6 +9,7 @@
 #include "morse/critical_points.h"
 #include "skin/singular_skin.h"
 #include "tests/support/molecules.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::skin;
@@ -77,8 +78,7 @@ TEST_CASE("the cube of eight is a frame, a cage or whole, as its half diagonals 
 }
 
 TEST_CASE("components, tunnels and voids make up the Euler characteristic of the complex") {
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(500, [&](unsigned seed) {
     const DualComplex complex = dual_complex(SkinSurface(support::ball_set(seed)));
     const auto [b0, b1, b2] = complex.betti;
     CHECK(static_cast<long>(b0 + b2) - static_cast<long>(b1) == complex.euler_characteristic());
@@ -87,13 +87,12 @@ TEST_CASE("components, tunnels and voids make up the Euler characteristic of the
           complex.skin_euler_characteristic());
     CHECK(b0 >= 1);
     CHECK(b1 < 1000);  // no difference below zero
-  }
+  });
 }
 
 TEST_CASE("minima - saddles + maxima is the Euler characteristic of the skin in every direction") {
   std::size_t asked = 0, degenerate = 0;
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const SkinSurface skin(support::ball_set(seed));
     const long expected = dual_complex(skin).skin_euler_characteristic();
     support::Random random(seed);
@@ -106,7 +105,7 @@ TEST_CASE("minima - saddles + maxima is the Euler characteristic of the skin in 
       }
       CHECK(critical.euler_characteristic() == expected);
     }
-  }
+  });
   CHECK(100 * degenerate < asked);
 }
 
@@ -173,11 +172,10 @@ TEST_CASE("a singular place that other balls cover is not singular") {
 }
 
 TEST_CASE("doubled balls and shuffled balls have the same Betti numbers") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(200, [&](unsigned seed) {
     const WeightedPoints points = support::ball_set(seed);
     const Betti plain = betti(points);
     CHECK(betti(support::doubled(points)) == plain);
     CHECK(betti(support::shuffled(points, seed)) == plain);
-  }
+  });
 }

@@ -70,11 +70,7 @@ TEST_CASE("small molecules are certified in all three models, every angle above 
 }
 
 TEST_CASE("random ball sets are certified or refused as singular") {
-  for (unsigned seed = 0; seed < 25; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) check_result(morskin::make_mesh(*skin));
-  }
+  support::for_skins(25, [&](const PreparedSkin& skin) { check_result(morskin::make_mesh(skin)); });
 }
 
 TEST_CASE("the same run twice gives the same bytes") {

@@ -78,7 +78,7 @@ Grown grown(const morskin::PreparedSkin& skin) {
     ++out.compared;
   };
   morskin::MeshingOptions meshing;
-  meshing.method = morskin::Method::Dynamic;
+  meshing.has_safety_net = false;
   meshing.mesher = dynamic_mesher(options, &out.counts);
   out.result = morskin::make_mesh(skin, meshing);
   CHECK(out.counts.failed == 0);
@@ -128,18 +128,12 @@ TEST_CASE("the eight corners of a cube join, close six tunnels, and then the voi
 
 TEST_CASE("random sets of balls grow to certified meshes") {
   std::size_t compared = 0;
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (skin) compared += grown(*skin).compared;
-  }
+  support::for_skins(6, [&](const PreparedSkin& skin) { compared += grown(skin).compared; });
   CHECK(compared > 50);
 }
 
 TEST_CASE("looks come out by time, whatever is put in meanwhile") {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(20, [&](support::Random& random) {
     LookQueue queue;
     std::vector<std::pair<double, std::uint32_t>> expected;
     double now = -10;
@@ -161,7 +155,7 @@ TEST_CASE("looks come out by time, whatever is put in meanwhile") {
       now = least;
       REQUIRE(queue.size() == expected.size());
     }
-  }
+  });
 }
 
 TEST_CASE("a growth stopped early is the growth of smaller balls") {

@@ -23,26 +23,20 @@ Guide guide_of(const morskin::PreparedSkin& skin, unsigned threads = 1) {
 
 TEST_CASE("what survives for the front still adds up to the skin's Euler characteristic") {
   std::size_t cancelled = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    const Guide guide = guide_of(*skin);
+  support::for_skins(60, [&](const PreparedSkin& skin) {
+    const Guide guide = guide_of(skin);
     const auto n = [&](int index) { return static_cast<long>(guide.count(index)); };
-    CHECK(n(0) - n(1) + n(2) == skin->topology.skin_euler_characteristic());
-    CHECK(guide.count(0) >= skin->topology.skin_components());
-    CHECK(guide.count(2) >= skin->topology.skin_components());
+    CHECK(n(0) - n(1) + n(2) == skin.topology.skin_euler_characteristic());
+    CHECK(guide.count(0) >= skin.topology.skin_components());
+    CHECK(guide.count(2) >= skin.topology.skin_components());
     cancelled += guide.found[0] + guide.found[1] + guide.found[2] - guide.points.size();
-  }
+  });
   CHECK(cancelled > 20);
 }
 
 TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than asked") {
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    const Guide guide = guide_of(*skin);
+  support::for_skins(60, [&](const PreparedSkin& skin) {
+    const Guide guide = guide_of(skin);
     for (std::size_t i = 0; i < guide.points.size(); ++i) {
       const double r = guide.spheres.radius(CriticalId{i});
       CHECK(r > 0);
@@ -53,7 +47,7 @@ TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than
         CHECK(r + guide.spheres.radius(CriticalId{j}) <= apart * (1 + 1e-12));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a guide is the same made by one thread as by two, and its reverse's reverse") {

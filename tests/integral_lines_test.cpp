@@ -8,6 +8,7 @@
 
 #include "geometry/orthogonal.h"
 #include "tests/support/morse_lines.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -85,10 +86,8 @@ void check_lines(const MorseCase& test) {
 
 TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls") {
   std::size_t count = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(200, [&](const MorseCase& test) {
+    if (test.is_degenerate()) return;
     const IntegralLines lines(test.skin, test.f, test.critical.points);
     for (const TracedLine& line : support::traced_lines(lines)) {
       ++count;
@@ -98,16 +97,14 @@ TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls
       CHECK(line.points.front() == test.critical.points[line.saddle.index()].point.position);
       CHECK(line.points.back() == end.point.position);
     }
-  }
+  });
   CHECK(count > 3000);
 }
 
 TEST_CASE("f rises or falls strictly along every line, and every node lies on the skin") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
+  support::for_seeds<MorseCase>(100, [&](const MorseCase& test) {
     if (!test.is_degenerate()) check_lines(test);
-  }
+  });
 }
 
 TEST_CASE(
@@ -162,10 +159,8 @@ TEST_CASE("the frame of a gradient flow is orthonormal for any angle of gradient
 }
 
 TEST_CASE("the chord between two nodes is parallel to the gradient midway") {
-  for (unsigned seed = 0; seed < 15; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(15, [&](const MorseCase& test) {
+    if (test.is_degenerate()) return;
     constexpr double step = 0.02;
     const IntegralLines lines(test.skin, test.f, test.critical.points, step);
     for (const TracedLine& line : support::traced_lines(lines)) {
@@ -188,7 +183,7 @@ TEST_CASE("the chord between two nodes is parallel to the gradient midway") {
       // share where the flow is slow.
       CHECK(worst < 0.01);
     }
-  }
+  });
 }
 
 TEST_CASE("halving the step divides the error by more than 2^7, across cell walls as well") {
@@ -215,9 +210,7 @@ TEST_CASE("with the usual step all but one place in 500 is as accurate as said")
 }
 
 TEST_CASE("on one ball every line is half a great circle to the pole, of heights and distances") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
     const MorseFunction f =
@@ -242,7 +235,7 @@ TEST_CASE("on one ball every line is half a great circle to the pole, of heights
         CHECK(std::abs((p - centre).norm() - radius) < 1e-13 * (radius + 10));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("the lines of a neck along its axis stay in the plane of axis and direction") {
@@ -261,10 +254,8 @@ TEST_CASE("the lines of a neck along its axis stay in the plane of axis and dire
 
 TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
   std::size_t discs = 0, starts = 0;
-  for (unsigned seed = 0; seed < 600; ++seed) {
-    CAPTURE(seed);
-    MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(600, [&](MorseCase& test) {
+    if (test.is_degenerate()) return;
     const IntegralLines lines(test.skin, test.f, test.critical.points, 0.05);
     for (std::size_t i = 0; i < test.critical.points.size(); ++i) {
       const CaptureDisc& disc = lines.disc(CriticalId{i});
@@ -306,7 +297,7 @@ TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
                            (1 - 1e-6));
       }
     }
-  }
+  });
   CHECK(discs > 500);
   CHECK(starts > 10000);
 }
@@ -339,10 +330,8 @@ TEST_CASE("lines find an extremum a millionth of its length scale from a cell wa
 }
 
 TEST_CASE("a line passes each level between its ends once, at its node if it has one there") {
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(60, [&](const MorseCase& test) {
+    if (test.is_degenerate()) return;
     const IntegralLines lines(test.skin, test.f, test.critical.points);
     for (const TracedLine& line : support::traced_lines(lines)) {
       for (std::size_t i = 2; i + 2 < line.points.size(); i += 5) {
@@ -354,5 +343,5 @@ TEST_CASE("a line passes each level between its ends once, at its node if it has
       const double beyond = test.f(line.points.front()) - sign_of(line);
       CHECK_FALSE(lines.passage(line.nodes(), beyond));
     }
-  }
+  });
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::Point;
@@ -39,9 +40,7 @@ Point question(const std::vector<Point>& points, support::Random& random) {
 
 TEST_CASE("the nearest point within a radius is the one that a look at all points finds first") {
   std::size_t found = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(400, [&](unsigned seed, support::Random& random) {
     const std::vector<Point> points = point_set(seed);
     const Tree tree(points);
     CHECK(tree.size() == points.size());
@@ -64,15 +63,13 @@ TEST_CASE("the nearest point within a radius is the one that a look at all point
       CHECK(nearest->id == expected->id);
       CHECK(nearest->squared_distance == expected->squared_distance);
     }
-  }
+  });
   CHECK(found > 1000);
 }
 
 TEST_CASE("the points within a radius are visited once each, and no others") {
   std::size_t found = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(400, [&](unsigned seed, support::Random& random) {
     const std::vector<Point> points = point_set(seed);
     const Tree tree(points);
     for (int i = 0; i < 10; ++i) {
@@ -90,7 +87,7 @@ TEST_CASE("the points within a radius are visited once each, and no others") {
       });
       CHECK(visits == expected);
     }
-  }
+  });
   CHECK(found > 1000);
 }
 

@@ -6,6 +6,7 @@
 
 #include "tests/support/molecules.h"
 #include "tests/support/nasty_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::skin;
@@ -28,8 +29,7 @@ struct Segment {
 }  // namespace
 
 TEST_CASE("between two crossings that follow each other a line stays on one side of the skin") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     const SkinSurface skin(seed % 2 == 0 ? support::ball_set(seed) : support::nasty_set(seed));
     const support::Box box = support::box_of(skin.points());
     const double span = support::span_of(box);
@@ -58,13 +58,12 @@ TEST_CASE("between two crossings that follow each other a line stays on one side
       }
       CHECK(is_right);
     }
-  }
+  });
 }
 
 TEST_CASE("a segment that is surely clear of the skin does not cross it") {
   std::size_t clear = 0, all = 0;
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     const SkinSurface skin(support::ball_set(seed));
     const support::Box box = support::box_of(skin.points());
     Random random(seed);
@@ -80,7 +79,7 @@ TEST_CASE("a segment that is surely clear of the skin does not cross it") {
       ++clear;
       CHECK(line_crossings(skin, segment.p, segment.q, CellId{0U}).all.empty());
     }
-  }
+  });
   CHECK(clear > all / 4);  // the test is worth asking
 }
 

@@ -10,6 +10,7 @@
 
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::check_mesh;
@@ -202,9 +203,7 @@ TEST_CASE(
 
 TEST_CASE("a spoiled mesh has a defect exactly when closed_mesh finds one") {
   std::size_t good = 0;
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
     IndexedMesh mesh = sphere(static_cast<int>(seed % 3));
     for (std::size_t step = random.below(3); step > 0; --step) {
       auto& t = mesh.triangles[random.below(mesh.triangles.size())];
@@ -227,11 +226,11 @@ TEST_CASE("a spoiled mesh has a defect exactly when closed_mesh finds one") {
     const auto built = geometry::closed_mesh(mesh.positions.size(), mesh.triangles);
     const MeshCheck check = check_mesh(mesh);
     CHECK(check.is_closed_oriented_manifold() == !built.defect);
-    if (built.defect) continue;
+    if (built.defect) return;
     ++good;
     CHECK(check.components.size() == geometry::components(built.mesh).count);
     CHECK(check.component_of_triangle == geometry::components(built.mesh).of_triangle);
-  }
+  });
   CHECK(good > 300);
   CHECK(good < 900);
 }
@@ -253,9 +252,7 @@ TEST_CASE("the shape of a mesh is the sum of its triangles and does not change w
 }
 
 TEST_CASE("the extreme angles of a mesh are exactly those of its triangles one by one") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(300, [&](unsigned seed, support::Random& random) {
     IndexedMesh mesh = sphere(2);
     // From all but regular triangles to flat ones, and some with a side of length zero.
     const double off = std::exp2(-static_cast<double>(seed % 30));
@@ -276,7 +273,7 @@ TEST_CASE("the extreme angles of a mesh are exactly those of its triangles one b
     CHECK(shape.max_angle_deg == std::acos(std::max(smallest, -1.0)) * (180 / std::numbers::pi));
     CHECK(shape.area == area);
     CHECK(shape.volume == volume);
-  }
+  });
 }
 
 TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees") {

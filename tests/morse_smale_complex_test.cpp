@@ -8,6 +8,7 @@
 
 #include "skin/dual_complex.h"
 #include "tests/support/morse_lines.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -131,13 +132,11 @@ support::WeightedPoints two_apart() {
 
 TEST_CASE("random sets of balls have a complex of quadrangles, for heights and distances") {
   std::size_t sound = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(200, [&](const MorseCase& test) {
+    if (test.is_degenerate()) return;
     CHECK(broken_law(test) == "");
     ++sound;
-  }
+  });
   CHECK(sound > 195);
 }
 
@@ -156,9 +155,7 @@ TEST_CASE("the bundled molecules have a complex of quadrangles in all three mode
 }
 
 TEST_CASE("components without saddles are counted: a lone ball, two apart, one in another") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(50, [&](unsigned seed, support::Random& random) {
     const MorseFunction f = seed % 2 == 0
                                 ? MorseFunction::height(random.direction())
                                 : MorseFunction::squared_distance(30 * random.direction());
@@ -172,7 +169,7 @@ TEST_CASE("components without saddles are counted: a lone ball, two apart, one i
     CHECK(components({support::ball(0, 0, 0, 3), support::ball(0.5, 0, 0, 1)}) == 1);
     CHECK(components({support::ball(0, 0, 0, 1), support::ball(1.5, 0, 0, 1),
                       support::ball(20, 0, 0, 1)}) == 2);
-  }
+  });
 }
 
 TEST_CASE("a shell has an inner and an outer component, a ring one of genus one") {
@@ -187,10 +184,8 @@ TEST_CASE("a shell has an inner and an outer component, a ring one of genus one"
 
 TEST_CASE("with any two neighbouring arcs swapped at an extremum a face is no quadrangle") {
   std::size_t swaps = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    const MorseCase test(seed);
-    if (test.is_degenerate()) continue;
+  support::for_seeds<MorseCase>(40, [&](const MorseCase& test) {
+    if (test.is_degenerate()) return;
     const MorseSmaleComplex complex = morse_smale_complex(test.skin, test.f, test.critical);
     const auto order = order_of(complex);
     REQUIRE(are_quadrangles(complex, faces(complex, order)));
@@ -203,7 +198,7 @@ TEST_CASE("with any two neighbouring arcs swapped at an extremum a face is no qu
         CHECK_FALSE(are_quadrangles(complex, faces(complex, swapped)));
       }
     }
-  }
+  });
   CHECK(swaps > 1000);
 }
 

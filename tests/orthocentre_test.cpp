@@ -9,6 +9,7 @@
 
 #include "geometry/orthosphere.h"
 #include "tests/support/nasty_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::Point;
@@ -48,10 +49,9 @@ bool is_independent(const std::vector<WeightedPoint>& s) {
 }  // namespace
 
 TEST_CASE("the orthocentre does not depend on the order of the simplex, however flat or thin") {
-  for (unsigned seed = 0; seed < 6000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(6000, [&](unsigned seed) {
     std::vector<WeightedPoint> simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) continue;
+    if (!is_independent(simplex)) return;
     const skin::Orthocentre z = skin::orthocentre(simplex);
     std::rotate(simplex.begin(), simplex.begin() + 1, simplex.end());
     std::swap(simplex[0], simplex[1]);
@@ -62,27 +62,25 @@ TEST_CASE("the orthocentre does not depend on the order of the simplex, however 
     }
     CHECK((z.position - again.position).norm() <= 2 * promised * reach);
     CHECK(std::abs(z.weight - again.weight) <= 2 * promised * std::abs(z.weight));
-  }
+  });
 }
 
 TEST_CASE("the sign of an orthocentre's weight is the exact one") {
   std::size_t thin = 0;
-  for (unsigned seed = 0; seed < 6000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(6000, [&](unsigned seed) {
     const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) continue;
+    if (!is_independent(simplex)) return;
     const skin::Orthocentre z = skin::orthocentre(simplex);
     thin += std::abs(z.weight) < 1e-12L * simplex[0].weight;
     CHECK(geometry::sign_of(z.weight) == geometry::orthosphere_weight_sign(simplex));
-  }
+  });
   CHECK(thin > 10);  // the test is of some use
 }
 
 TEST_CASE("the orthocentre has equal power to all weighted points, as near as they can tell") {
-  for (unsigned seed = 0; seed < 3000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(3000, [&](unsigned seed) {
     const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) continue;
+    if (!is_independent(simplex)) return;
     const skin::Orthocentre z = skin::orthocentre(simplex);
     const double distance =
         static_cast<double>((z.position - simplex[0].position.cast<long double>()).norm());
@@ -90,14 +88,13 @@ TEST_CASE("the orthocentre has equal power to all weighted points, as near as th
       const double scale = distance * distance + p.weight + p.position.squaredNorm();
       CHECK(std::abs(power(p, z.position) - power(simplex[0], z.position)) <= promised * scale);
     }
-  }
+  });
 }
 
 TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards the other vertex") {
-  for (unsigned seed = 0; seed < 6000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(6000, [&](unsigned seed) {
     const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) continue;
+    if (!is_independent(simplex)) return;
     std::vector<Point> points;
     for (const WeightedPoint& p : simplex) points.push_back(p.position);
     const geometry::Vector d = skin::direction_off_facet(points);
@@ -106,24 +103,23 @@ TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards 
       const geometry::Vector along = points[i] - points[0];
       CHECK(std::abs(d.dot(along)) <= promised * along.norm());
     }
-    if (points.size() < 4) continue;
+    if (points.size() < 4) return;
     const auto side = geometry::orientation(points[0], points[1], points[2], points[3]);
     const Point far = points[0] + d;
     CHECK(geometry::orientation(points[0], points[1], points[2], far) == side);
-  }
+  });
 }
 
 TEST_CASE("the rough weight of a tetrahedron is its orthocentre's to 2^-20 of its first point's") {
   constexpr double promised_share = 0x1p-20;
   std::size_t tested = 0;
-  for (unsigned seed = 0; seed < 6000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(6000, [&](unsigned seed) {
     const std::vector<WeightedPoint> simplex = some_simplex(seed, 4);
-    if (!is_independent(simplex)) continue;
+    if (!is_independent(simplex)) return;
     ++tested;
     const double exact = static_cast<double>(skin::orthocentre(simplex).weight);
     const double rough = skin::rough_weight({simplex[0], simplex[1], simplex[2], simplex[3]});
     CHECK(std::abs(rough - exact) <= promised_share * std::abs(simplex[0].weight));
-  }
+  });
   CHECK(tested > 3000);  // the law was put to the test
 }

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/seeds.h"
+
 namespace morskin::geometry {
 namespace {
 
@@ -53,27 +55,25 @@ long double power(const Orthosphere& sphere, const WeightedPoint& v) {
 }  // namespace
 
 TEST_CASE("the sign of an orthocentre's weight agrees with long doubles on random simplices") {
-  for (unsigned seed = 0; seed < 2000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(2000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     const auto simplex = random_balls(random, 1 + seed % 4);
     const long double weight = approximate_orthosphere(simplex).weight;
-    if (std::fabs(weight) < 1e-6L) continue;
+    if (std::fabs(weight) < 1e-6L) return;
     CHECK(orthosphere_weight_sign(simplex) == sign_of(weight));
-  }
+  });
 }
 
 TEST_CASE("the sign of a power over the orthocentre agrees with long doubles") {
-  for (unsigned seed = 0; seed < 2000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(2000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     const auto simplex = random_balls(random, 1 + seed % 3);
     const WeightedPoint v = random_balls(random, 1)[0];
     const Orthosphere sphere = approximate_orthosphere(simplex);
     const long double difference = power(sphere, v) + sphere.weight;
-    if (std::fabs(difference) < 1e-6L) continue;
+    if (std::fabs(difference) < 1e-6L) return;
     CHECK(orthosphere_power_sign(simplex, v) == sign_of(difference));
-  }
+  });
 }
 
 TEST_CASE("two balls that touch have an edge of weight exactly zero") {
@@ -123,8 +123,7 @@ TEST_CASE("a single ball is attached to another that holds its centre more deepl
 }
 
 TEST_CASE("the order of a simplex's points does not change its signs") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> small(-2, 2);
     std::vector<WeightedPoint> simplex(4);
@@ -134,7 +133,7 @@ TEST_CASE("the order of a simplex's points does not change its signs") {
     }
     if (orientation(simplex[0].position, simplex[1].position, simplex[2].position,
                     simplex[3].position) == Sign::Zero) {
-      continue;
+      return;
     }
     const Sign weight = orthosphere_weight_sign(simplex);
     const Sign power = orthosphere_power_sign(std::span(simplex).first(3), simplex[3]);
@@ -142,7 +141,7 @@ TEST_CASE("the order of a simplex's points does not change its signs") {
     CHECK(orthosphere_power_sign(std::span(simplex).first(3), simplex[3]) == power);
     std::shuffle(simplex.begin(), simplex.end(), random);
     CHECK(orthosphere_weight_sign(simplex) == weight);
-  }
+  });
 }
 
 }  // namespace morskin::geometry

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using app::PagePool;
@@ -77,10 +78,7 @@ long long resident() {
 TEST_CASE(
     "arrays of the pool lie apart and keep what is written in them, whatever comes and goes") {
   const auto pool = std::make_unique<PagePool>();
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    use(*pool, seed, 120);
-  }
+  support::for_seeds(40, [&](unsigned seed) { use(*pool, seed, 120); });
 }
 
 TEST_CASE("two threads may take from the pool at once") {

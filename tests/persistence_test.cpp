@@ -13,6 +13,7 @@
 #include "morse/simplification.h"
 #include "morse/validate_complex.h"
 #include "tests/support/plain_complex.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -44,21 +45,19 @@ std::array<CriticalId, 4> turned(const std::array<CriticalId, 4>& region) {
 
 TEST_CASE("complexes made from random embedded graphs break no law") {
   std::array<std::size_t, 3> met{};  // one sphere, several components, handles
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(500, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     CHECK(validate(complex).value_or("") == "");
     const std::vector<bool> all(complex.points.size(), true);
     const long genus =
         static_cast<long>(complex.components) - euler_characteristic(complex, all) / 2;
     ++met[genus > 0 ? 2 : complex.components > 1 ? 1 : 0];
-  }
+  });
   for (const std::size_t count : met) CHECK(count > 50);
 }
 
 TEST_CASE("a damaged complex breaks a law") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(200, [&](unsigned seed) {
     const MorseSmaleComplex good = random_complex(seed);
     support::Random random(seed);
     MorseSmaleComplex bad = good;
@@ -86,18 +85,17 @@ TEST_CASE("a damaged complex breaks a law") {
     }
     // An arc that ends at another minimum than it should.
     const std::vector<CriticalId> minima = points_of(good, 0);
-    if (minima.size() < 2) continue;
+    if (minima.size() < 2) return;
     bad = good;
     Arc& arc = bad.arcs[4 * random.below(bad.arcs.size() / 4)];
     const CriticalId old = arc.extremum;
     while (arc.extremum == old) arc.extremum = minima[random.below(minima.size())];
     CHECK(validate(bad));
-  }
+  });
 }
 
 TEST_CASE("every cancellation keeps the Euler characteristic, the components and all quadrangles") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     Quadrangles quadrangles(complex);
     std::vector<bool> survives(complex.points.size(), true);
@@ -111,12 +109,11 @@ TEST_CASE("every cancellation keeps the Euler characteristic, the components and
       CHECK(left.regions.size() == left.arcs.size() / 2);
       CHECK(euler_characteristic(left, survives) == chi);
     }
-  }
+  });
 }
 
 TEST_CASE("cancelling in any order, wherever two ends differ, keeps a surface of quadrangles") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     // Values play no part: all minima lie below all saddles, and these below all maxima.
     MorseSmaleComplex complex = random_complex(seed);
     for (CriticalPoint& p : complex.points) p.value = p.index;
@@ -138,15 +135,14 @@ TEST_CASE("cancelling in any order, wherever two ends differ, keeps a surface of
       CHECK(validate(left, survives).value_or("") == "");
       CHECK(euler_characteristic(left, survives) == chi);
     }
-  }
+  });
 }
 
 TEST_CASE("Figure 3: after contracting ab each region is still a quadrangle, about c") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(200, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     const std::vector<PersistencePair> pairs = persistence_pairs(complex);
-    if (pairs.empty()) continue;
+    if (pairs.empty()) return;
     const auto [a, b, elder, persistence] = pairs.front();
     Quadrangles quadrangles(complex);
     const CriticalId c = *quadrangles.other_end(a, b);
@@ -169,12 +165,11 @@ TEST_CASE("Figure 3: after contracting ab each region is still a quadrangle, abo
     }
     CHECK(expected.empty());
     CHECK(merged <= 2);
-  }
+  });
 }
 
 TEST_CASE("pairs are those of the components of sublevel sets and superlevel sets, filled anew") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     std::set<std::pair<CriticalId, CriticalId>> expected, found;
     for (const int side : {0, 1}) {
@@ -210,13 +205,12 @@ TEST_CASE("pairs are those of the components of sublevel sets and superlevel set
             std::abs(value(complex, pair.saddle) - value(complex, pair.extremum)));
     }
     CHECK(found == expected);
-  }
+  });
 }
 
 TEST_CASE("the hierarchy is what cancelling the least persistent arc again and again gives") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    if (seed % 4 == 3) continue;  // equal values: the order is open
+  support::for_seeds(300, [&](unsigned seed) {
+    if (seed % 4 == 3) return;  // equal values: the order is open
     const MorseSmaleComplex complex = random_complex(seed, 25);
     PlainComplex plain(complex);
     const std::vector<Cancellation> all = cancel_up_to(complex, infinite, 0).cancelled;
@@ -229,12 +223,11 @@ TEST_CASE("the hierarchy is what cancelling the least persistent arc again and a
       plain.cancel(c.saddle, c.extremum);
     }
     CHECK_FALSE(plain.least([](CriticalId, CriticalId) { return true; }).has_value());
-  }
+  });
 }
 
 TEST_CASE("each cancellation meets the persistence condition when its turn comes, ties or not") {
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(400, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     PlainComplex plain(complex);
     double last = 0;
@@ -244,5 +237,5 @@ TEST_CASE("each cancellation meets the persistence condition when its turn comes
       last = c.persistence;
       plain.cancel(c.saddle, c.extremum);
     }
-  }
+  });
 }

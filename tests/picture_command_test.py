@@ -1,16 +1,9 @@
 #!/usr/bin/env python3
 """render and figure from outside. Usage: picture_command_test.py path/to/morskin"""
 
-import os
 import struct
-import subprocess
-import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-MOLECULES = Path(__file__).resolve().parent.parent / "bench" / "molecules"
-MORSKIN = "build/morskin"
+from support.command import MOLECULES, CommandTest, main
 
 
 def size_of(png):
@@ -18,18 +11,7 @@ def size_of(png):
     return struct.unpack(">II", png[16:24])
 
 
-class PictureCommandTest(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
-
-    def run_morskin(self, *words, code=0):
-        done = subprocess.run([MORSKIN, *map(str, words)], capture_output=True, cwd=self.folder,
-                              timeout=120)
-        self.assertEqual(done.returncode, code, repr(done.stderr))
-        return done
-
+class PictureCommand(CommandTest):
     def picture(self, *words):
         self.run_morskin(*words, "-o", "x.png")
         return (self.folder / "x.png").read_bytes()
@@ -108,6 +90,4 @@ class PictureCommandTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        MORSKIN = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    main()

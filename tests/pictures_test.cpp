@@ -11,6 +11,7 @@
 #include "app/pictures/render.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/png_reading.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::pictures;
@@ -58,22 +59,18 @@ Scene triangle_scene(const Vector& a, const Vector& b, const Vector& c, const Co
 }  // namespace
 
 TEST_CASE("a ball's silhouette has the area pi r^2, but for its rim") {
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(40, [&](Random& random) {
     const double radius = random.between(5, 40);
     Scene scene;
     scene.balls.push_back({random_vector(random, -8, 8), radius, red});
     const Image image = render(scene, front_camera(100), {.samples = 1, .shadows = false});
     // Pixels whose centres are inside: off by less than the length of the rim (Gauss's circle).
     CHECK(std::abs(static_cast<double>(covered(image)) - M_PI * radius * radius) < M_PI * radius);
-  }
+  });
 }
 
 TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(300, [&](Random& random) {
     const Vector a = random_vector(random, -10, 50), b = random_vector(random, -10, 50),
                  c = random_vector(random, -10, 50);
     const Grid grid{40, 40};
@@ -95,13 +92,11 @@ TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") 
         CHECK(visits[static_cast<std::size_t>(40 * y + x)] == (is_inside ? 1 : 0));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(200, [&](Random& random) {
     const Vector from = random_vector(random, 5, 35), to = random_vector(random, 5, 35);
     const double radius = random.between(0.5, 6);
     const Vector e = (to - from).normalized();
@@ -122,13 +117,11 @@ TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") 
     if (is_all_in_view && flat > 2 * radius) {
       CHECK(std::abs(static_cast<double>(count) - area) < 2 * (2 * radius + flat));
     }
-  }
+  });
 }
 
 TEST_CASE("what is nearer is seen, in whatever order things are drawn") {
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(60, [&](Random& random) {
     // Two triangles that both cover the middle, red at height `z` there and blue at 0.
     const double z = (random.uniform() < 0.5 ? -1 : 1) * random.between(0.5, 10);
     const auto over_middle = [&](double height) {
@@ -147,7 +140,7 @@ TEST_CASE("what is nearer is seen, in whatever order things are drawn") {
     const Image image = render(scene, camera, {.samples = 1});
     CHECK((image.at(20, 20).r > image.at(20, 20).b) == (z > 0));
     CHECK(png(image) == png(render(other, camera, {.samples = 1})));
-  }
+  });
 }
 
 TEST_CASE("the same scene gives the same bytes") {
@@ -205,9 +198,7 @@ TEST_CASE("a place under a roof is darker the lower the roof is") {
 }
 
 TEST_CASE("a fitted camera sees all points, and lengths across the view are true") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(100, [&](Random& random) {
     std::vector<Point> points;
     for (int i = 0; i < 20; ++i) points.push_back(random_vector(random, -7, 9));
     const Camera camera =
@@ -221,13 +212,11 @@ TEST_CASE("a fitted camera sees all points, and lengths across the view are true
       CHECK((at - camera.seen(points[0])).norm() ==
             doctest::Approx(camera.scale * (p - points[0]).norm()));
     }
-  }
+  });
 }
 
 TEST_CASE("a line of a width and a length covers its area and two half disks") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
+  support::for_seeds<Random>(100, [&](Random& random) {
     const Vector2 a(random.between(20, 80), random.between(20, 80)),
         b(random.between(20, 80), random.between(20, 80));
     const double width = random.between(1, 12);
@@ -235,7 +224,7 @@ TEST_CASE("a line of a width and a length covers its area and two half disks") {
     draw_line(image, std::array{a, b}, {{0, 0, 0}, width});
     const double area = width * (b - a).norm() + M_PI * width * width / 4;
     CHECK(blackness(image) == doctest::Approx(area).epsilon(0.08));
-  }
+  });
 }
 
 TEST_CASE("letters keep to their line, and all that figures use have a glyph of their own") {

@@ -10,6 +10,7 @@
 
 #include "geometry/predicates_internal.h"
 #include "geometry/spatial_order.h"
+#include "tests/support/seeds.h"
 
 namespace morskin::geometry {
 namespace {
@@ -105,8 +106,7 @@ bool orient_positively(Balls& p) {
 }  // namespace
 
 TEST_CASE("every tier that answers agrees with elimination over the integers") {
-  for (unsigned seed = 0; seed < 3000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(3000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     const int range = seed % 3 == 0 ? 2 : seed % 3 == 1 ? 30 : 4000;
     const Balls p = five([&] { return whole_ball(random, range); });
@@ -121,12 +121,11 @@ TEST_CASE("every tier that answers agrees with elimination over the integers") {
     CHECK(internal::integer_orthosphere(a, b, c, d, e) == power);
     CHECK(internal::filtered_orthosphere(a, b, c, d, e).value_or(power) == power);
     CHECK(internal::refined_orthosphere(a, b, c, d, e).value_or(power) == power);
-  }
+  });
 }
 
 TEST_CASE("the tiers agree one last bit away from a tie") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     Balls p = five([&] { return whole_ball(random, 3); });
     for (WeightedPoint& q : p) q.position = (q.position * 0.1).eval();
@@ -141,7 +140,7 @@ TEST_CASE("the tiers agree one last bit away from a tie") {
         internal::expanded_orientation(a.position, b.position, c.position, e.position);
     CHECK(internal::filtered_orientation(a.position, b.position, c.position, e.position)
               .value_or(volume) == volume);
-  }
+  });
 }
 
 TEST_CASE("the filters settle 99 percent of ordinary cases") {
@@ -203,23 +202,21 @@ TEST_CASE("each later tier is reached") {
 }
 
 TEST_CASE("exchanging two points changes the sign of the orientation") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 2 : 100); });
     const Sign sign = orientation_of(p);
     const std::size_t i = seed % 4;
     std::swap(p[i], p[(i + 1 + seed / 4 % 3) % 4]);
     CHECK(orientation_of(p) == -sign);
-  }
+  });
 }
 
 TEST_CASE("an even permutation with its ids does not move a point across the orthosphere") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(1000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 1 : 100); });
-    if (!orient_positively(p)) continue;
+    if (!orient_positively(p)) return;
     std::array<AtomId, 5> ids = in_order;
     std::shuffle(ids.begin(), ids.end(), random);
     const Side side = side_of(p, ids);
@@ -227,23 +224,22 @@ TEST_CASE("an even permutation with its ids does not move a point across the ort
     CHECK(side_of(turned, {ids[1], ids[2], ids[0], ids[3], ids[4]}) == side);
     const Balls crossed{p[1], p[0], p[3], p[2], p[4]};
     CHECK(side_of(crossed, {ids[1], ids[0], ids[3], ids[2], ids[4]}) == side);
-  }
+  });
 }
 
 TEST_CASE("a tie falls as a slightly larger weight of the smallest id makes it fall") {
   int ties = 0;
-  for (unsigned seed = 0; seed < 4000; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(4000, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     Balls p = five([&] { return whole_ball(random, 1); });
-    if (!orient_positively(p) || oracle_orthosphere(p) != Sign::Zero) continue;
+    if (!orient_positively(p) || oracle_orthosphere(p) != Sign::Zero) return;
     ++ties;
     std::array<AtomId, 5> ids = in_order;
     std::shuffle(ids.begin(), ids.end(), random);
     const Side side = side_of(p, ids);
     for (std::size_t i = 0; i < 5; ++i) p[i].weight += std::exp2(-12.0 * (1 + ids[i].value));
     CHECK(side_of(p, ids) == side);
-  }
+  });
   CHECK(ties > 50);
 }
 
@@ -257,8 +253,7 @@ TEST_CASE("of two equal points the smaller id is inside every orthosphere throug
 }
 
 TEST_CASE("points on a line are collinear and their neighbours by one bit are not") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     std::mt19937_64 random(seed);
     const Point a = whole_ball(random, 50).position;
     const Point step = whole_ball(random, 50).position;
@@ -267,7 +262,7 @@ TEST_CASE("points on a line are collinear and their neighbours by one bit are no
     Point off = a - 3 * step;
     off.x() = std::nextafter(off.x(), 1e9);
     CHECK(are_collinear(a, a + step, off) == (step.y() == 0 && step.z() == 0));
-  }
+  });
 }
 
 TEST_CASE("rounding to the exact grid moves tiny numbers only") {
@@ -281,8 +276,7 @@ TEST_CASE("rounding to the exact grid moves tiny numbers only") {
 
 TEST_CASE("the predicates are exact at both ends of their range") {
   for (const double unit : {0x1p-64, 0x1p29}) {
-    for (unsigned seed = 0; seed < 300; ++seed) {
-      CAPTURE(seed);
+    support::for_seeds(300, [&](unsigned seed) {
       std::mt19937_64 random(seed);
       Balls p = five([&] { return whole_ball(random, 2); });
       for (WeightedPoint& q : p) q.weight = 0;
@@ -297,7 +291,7 @@ TEST_CASE("the predicates are exact at both ends of their range") {
       CHECK(internal::integer_orthosphere(a, b, c, d, e).value_or(power) == power);
       CHECK(internal::filtered_orthosphere(a, b, c, d, e).value_or(power) == power);
       CHECK(internal::refined_orthosphere(a, b, c, d, e).value_or(power) == power);
-    }
+    });
   }
 }
 

@@ -6,6 +6,7 @@
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 
@@ -21,29 +22,24 @@ void check_promise(const std::vector<geometry::WeightedPoint>& points,
 
 TEST_SUITE("slow") {
   TEST_CASE("2,000 random ball sets are certified or refused as singular") {
-    for (unsigned seed = 0; seed < 2000; ++seed) {
-      CAPTURE(seed);
-      check_promise(support::ball_set(seed));
-    }
+    support::for_seeds(2000, [&](unsigned seed) { check_promise(support::ball_set(seed)); });
   }
 
   TEST_CASE("1,200 nasty ball sets of all kinds are certified or refused as singular") {
-    for (unsigned seed = 0; seed < 1200; ++seed) {
-      CAPTURE(seed);
+    support::for_seeds(1200, [&](unsigned seed) {
       CAPTURE(std::string(support::nasty_names[seed % support::nasty_kinds]));
       check_promise(support::nasty_set(seed));
-    }
+    });
   }
 
   TEST_CASE("100 random ball sets are certified in five random directions each") {
-    for (unsigned seed = 0; seed < 100; ++seed) {
-      CAPTURE(seed);
+    support::for_seeds(100, [&](unsigned seed) {
       const auto points = support::ball_set(seed);
       support::Random random(seed + 5000);
       for (int i = 0; i < 5; ++i) {
         CAPTURE(i);
         check_promise(points, support::along(random.direction()));
       }
-    }
+    });
   }
 }

@@ -9,6 +9,7 @@
 #include "geometry/predicates.h"
 #include "geometry/triangle_contact.h"
 #include "tests/support/meshes.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::IndexedMesh;
@@ -64,10 +65,7 @@ IndexedMesh soup(unsigned seed) {
 }  // namespace
 
 TEST_CASE("the tree finds the pairs that asking all pairs finds, degenerate triangles among them") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    check_against_all_pairs(soup(seed));
-  }
+  support::for_seeds(300, [&](unsigned seed) { check_against_all_pairs(soup(seed)); });
 }
 
 TEST_CASE("meshes of a few triangles or none are searched") {

@@ -13,6 +13,7 @@
 #include "skin/dual_complex.h"
 #include "skin/singular_skin.h"
 #include "tests/support/plain_complex.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -55,8 +56,7 @@ std::size_t for_each_traced(unsigned seeds, bool is_distance, Visit visit) {
 
 TEST_CASE("all cancelled, each component keeps a minimum and a maximum, each handle two saddles") {
   std::size_t handles = 0;
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(500, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     const Simplification left = cancel_up_to(complex, infinite, 0.2);
     std::array<std::size_t, 3> count{};
@@ -77,16 +77,15 @@ TEST_CASE("all cancelled, each component keeps a minimum and a maximum, each han
     }
     CHECK(left.survives[lowest.index()]);
     CHECK(left.survives[highest.index()]);
-  }
+  });
   CHECK(handles > 100);
 }
 
 TEST_CASE("simplified to a persistence, the pairs up to it are gone and no others") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     const std::vector<PersistencePair> pairs = persistence_pairs(complex);
-    if (pairs.empty()) continue;
+    if (pairs.empty()) return;
     support::Random random(seed);
     const double limit = pairs[random.below(pairs.size())].persistence;
     const Simplification left = cancel_up_to(complex, limit, 0.2);
@@ -100,13 +99,12 @@ TEST_CASE("simplified to a persistence, the pairs up to it are gone and no other
     CHECK(left.cancelled.size() == gone);
     CHECK(validate(left.complex, left.survives).value_or("") == "");
     CHECK(cancel_up_to(complex, -1, 0.2).cancelled.empty());
-  }
+  });
 }
 
 TEST_CASE("the lines of what is left are paths along old lines from the saddle to its extremum") {
   std::size_t longer = 0;
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed);
     const auto key = [](const Point& p, const Point& q) {
       return std::array{p.x(), p.y(), p.z(), q.x(), q.y(), q.z()};
@@ -137,15 +135,14 @@ TEST_CASE("the lines of what is left are paths along old lines from the saddle t
       }
       longer += line.size() > 3;
     }
-  }
+  });
   CHECK(longer > 1000);
 }
 
 TEST_CASE("contracting short arcs is what doing the least allowed one again and again gives") {
   constexpr double share = 0.6;  // so that many pairs overlap
   std::size_t contracted = 0, refused = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(400, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed, 30);
     const Simplification left = contract_short_arcs(complex, share);
     const auto overlap = [&](CriticalId a, CriticalId b) {
@@ -174,14 +171,13 @@ TEST_CASE("contracting short arcs is what doing the least allowed one again and 
       const auto& two = kinds[complex.points[arc.extremum.index()].index == 0 ? 0 : 1];
       CHECK(std::find(two.begin(), two.end(), arc.extremum) != two.end());
     }
-  }
+  });
   CHECK(contracted > 500);
   CHECK(refused > 500);
 }
 
 TEST_CASE("after simplification no two spheres overlap, and those that overlapped none are whole") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(300, [&](unsigned seed) {
     const double share = 0.1 + 0.001 * seed;
     const MorseSmaleComplex complex = random_complex(seed);
     for (const Simplification& left :
@@ -204,13 +200,11 @@ TEST_CASE("after simplification no two spheres overlap, and those that overlappe
       }
       CHECK(left.shrunk == shrunk);
     }
-  }
+  });
 }
 
 TEST_CASE("overlapping spheres are those that a look at all pairs finds, whatever their sizes") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(300, [&](support::Random& random) {
     std::vector<CriticalPoint> points(2 + random.below(60));
     std::vector<double> radii;
     for (CriticalPoint& p : points) {
@@ -227,7 +221,7 @@ TEST_CASE("overlapping spheres are those that a look at all pairs finds, whateve
       }
     }
     CHECK(overlapping_spheres(points, radii) == expected);
-  }
+  });
 }
 
 TEST_CASE("a sphere without saddles, and nothing at all, have nothing to cancel") {
@@ -253,9 +247,8 @@ TEST_CASE("a sphere without saddles, and nothing at all, have nothing to cancel"
 }
 
 TEST_CASE("turned upside down, the same pairs are cancelled and the same points survive") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    if (seed % 4 == 3) continue;  // equal values fall by id, which does not turn
+  support::for_seeds(300, [&](unsigned seed) {
+    if (seed % 4 == 3) return;  // equal values fall by id, which does not turn
     const MorseSmaleComplex complex = random_complex(seed);
     const Simplification one = contract_short_arcs(complex, 0.25);
     const Simplification two = contract_short_arcs(upside_down(complex), 0.25);
@@ -265,7 +258,7 @@ TEST_CASE("turned upside down, the same pairs are cancelled and the same points 
     for (std::size_t i = 0; i < one.cancelled.size(); ++i) {
       CHECK(one.cancelled[i].heir == two.cancelled[i].heir);
     }
-  }
+  });
 }
 
 TEST_CASE("on skins of random ball sets a simplified complex is sound, about the same surface") {

@@ -4,6 +4,7 @@
 
 #include "certify/triangle_geometry.h"
 #include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using certify::Sizing;
@@ -39,16 +40,14 @@ TEST_CASE("erratum E3: the tangent disk's share is 0.208, twice what the printed
 }
 
 TEST_CASE("a rim point dropped on the sandwich ball is as far as [U] lets an edge be") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
     const Sizing sizing = random_sizing(random);
     const double r = sizing.tangent_disk_share();
     // The ball of radius 1 under the disk: the rim lies 1 - sqrt(1 - r^2) above it.
     const double half_edge = std::hypot(r, 1 - std::sqrt(1 - r * r)) / 2;
     // [U] with the length scale fallen as fast as it can along the edge, with equality.
     CHECK(std::abs(half_edge - sizing.C * sizing.Q * (1 - 2 * half_edge)) < rounding);
-  }
+  });
 }
 
 TEST_CASE("the least angle is 21.54 degrees with the default constants") {
@@ -64,9 +63,7 @@ TEST_CASE("insertion with the default constants cannot make a short edge") {
 
 TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") {
   std::size_t kept = 0;
-  for (unsigned seed = 0; seed < 20000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(20000, [&](support::Random& random) {
     const Sizing sizing = random_sizing(random);
     const auto near = [&]() -> geometry::Vector {
       return 0.35 * random.uniform() * random.direction();
@@ -75,23 +72,21 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
     for (surface::SurfacePoint& x : p) x = corner(near(), random.between(0.8, 1.2));
     const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
     const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
-    if (sizing.triangle_ratio(circle.radius, rho) >= 1) continue;
+    if (sizing.triangle_ratio(circle.radius, rho) >= 1) return;
     bool keeps_L = true;
     for (std::size_t k = 0; k < 3; ++k) {
       keeps_L = keeps_L && sizing.edge_ratio(p[k], p[(k + 1) % 3]) > 1;
     }
-    if (!keeps_L) continue;
+    if (!keeps_L) return;
     ++kept;
     const auto angles = certify::angle_range(p[0].position, p[1].position, p[2].position);
     CHECK(angles.smallest_deg > sizing.angle_bound_deg());
-  }
+  });
   CHECK(kept > 20);  // the law was put to the test
 }
 
 TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
     const Sizing sizing = random_sizing(random);
     const geometry::Point a = random.direction(), b = random.direction();
     const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
@@ -99,14 +94,12 @@ TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
     CHECK(ratio == sizing.edge_ratio(corner(b, rho_b), corner(a, rho_a)));
     CHECK(ratio == sizing.edge_ratio(corner(2 * a, 2 * rho_a), corner(2 * b, 2 * rho_b)));
     CHECK(sizing.triangle_ratio(rho_a, rho_b) == sizing.triangle_ratio(2 * rho_a, 2 * rho_b));
-  }
+  });
 }
 
 TEST_CASE("an edge is too short exactly where its ratio to [L] is 1 or less") {
   std::size_t too_short = 0, cases = 0;
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
     const Sizing sizing = random_sizing(random);
     const auto p = corner(random.direction(), random.between(0.1, 3));
     const auto q = corner(random.direction(), random.between(0.1, 3));
@@ -121,7 +114,7 @@ TEST_CASE("an edge is too short exactly where its ratio to [L] is 1 or less") {
         ++cases;
       }
     }
-  }
+  });
   CHECK(4 * too_short > cases);
   CHECK(4 * too_short < 3 * cases);
 }
@@ -146,9 +139,7 @@ TEST_CASE("for every C the Q that goes with it lets refinement end") {
 }
 
 TEST_CASE("with a largest length scale the ratios are those of the smaller of it and rho") {
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
     const Sizing plain = random_sizing(random);
     Sizing capped = plain;
     capped.largest_length_scale = random.between(0.1, 2);
@@ -158,5 +149,5 @@ TEST_CASE("with a largest length scale the ratios are those of the smaller of it
     CHECK(capped.edge_ratio(corner(a, rho_a), corner(b, rho_b)) ==
           plain.edge_ratio(corner(a, scale(rho_a)), corner(b, scale(rho_b))));
     CHECK(capped.triangle_ratio(rho_a, rho_b) == plain.triangle_ratio(rho_a, scale(rho_b)));
-  }
+  });
 }

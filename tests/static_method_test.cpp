@@ -71,18 +71,15 @@ TEST_CASE("the static method meshes inner voids") {
 TEST_CASE("the static method breaks what the certificate could not prove of a coarse mesh") {
   // Beyond C = 0.2 [U] alone lets triangles be too big for their length scale. With C = 0.35 two
   // sets of three had some.
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(20, [&](const PreparedSkin& skin) {
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
       MeshingOptions options = by_static_method();
       options.sizing = {C, certify::Sizing::quality_for(C)};
-      const morskin::MeshResult result = morskin::make_mesh(*skin, options);
+      const morskin::MeshResult result = morskin::make_mesh(skin, options);
       CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
     }
-  }
+  });
 }
 
 TEST_CASE("samples too near to others, which the topology took, do not stay in a coarse mesh") {
@@ -133,13 +130,7 @@ TEST_SUITE("slow") {
     }
   }
   TEST_CASE("the static method certifies 600 nasty and 200 random ball sets") {
-    for (unsigned seed = 0; seed < 600; ++seed) {
-      CAPTURE(seed);
-      check_static(support::nasty_set(seed));
-    }
-    for (unsigned seed = 0; seed < 200; ++seed) {
-      CAPTURE(seed);
-      check_static(support::ball_set(seed));
-    }
+    support::for_seeds(600, [&](unsigned seed) { check_static(support::nasty_set(seed)); });
+    support::for_seeds(200, [&](unsigned seed) { check_static(support::ball_set(seed)); });
   }
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/error.h"
 #include "tests/support/meshes.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
@@ -71,19 +72,10 @@ SurfaceMesh random_mesh(unsigned seed) {
   return mesh;
 }
 
-bool names_edge(const std::string& text, std::uint32_t a, std::uint32_t b) {
-  const auto edge = [](std::uint32_t p, std::uint32_t q) {
-    return "edge " + std::to_string(p) + "-" + std::to_string(q);
-  };
-  return text.starts_with(edge(a, b)) || text.starts_with(edge(b, a));
-}
-
 }  // namespace
 
 TEST_CASE("flips, splits and unsplits keep a closed mesh a sphere, step by step") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](support::Random& random) {
     SurfaceMesh mesh = octahedron_mesh();
     for (int step = 0; step < 60; ++step) {
       CAPTURE(step);
@@ -96,17 +88,15 @@ TEST_CASE("flips, splits and unsplits keep a closed mesh a sphere, step by step"
       REQUIRE(mesh.triangle_list().size() + 4 == 2 * vertices);
     }
     CHECK(components(mesh).count == 1);
-  }
+  });
 }
 
 TEST_CASE("a half-edge flipped twice runs the other way between the same triangles as at first") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
     SurfaceMesh mesh = random_mesh(seed);
     const TriangleList before = support::canonical(mesh.triangle_list());
     const HalfEdgeId h = random_half_edge(mesh, random);
-    if (!can_flip(mesh, h)) continue;
+    if (!can_flip(mesh, h)) return;
     const VertexId a = mesh.origin(h), b = mesh.target(h);
     const VertexId c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
     mesh.flip(h);
@@ -118,7 +108,7 @@ TEST_CASE("a half-edge flipped twice runs the other way between the same triangl
     CHECK(mesh.origin(h) == b);
     CHECK(mesh.target(h) == a);
     CHECK(support::canonical(mesh.triangle_list()) == before);
-  }
+  });
 }
 
 TEST_CASE("triangles taken out leave a boundary that new ones can be glued to") {
@@ -158,9 +148,7 @@ TEST_CASE("triangles taken out leave a boundary that new ones can be glued to") 
 }
 
 TEST_CASE("an unsplit undoes a split") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
     SurfaceMesh mesh = random_mesh(seed);
     const TriangleList before = support::canonical(mesh.triangle_list());
     const TriangleId t = SurfaceMesh::triangle(random_half_edge(mesh, random));
@@ -171,13 +159,11 @@ TEST_CASE("an unsplit undoes a split") {
     mesh.unsplit(v);
     CHECK_FALSE(mesh.outgoing(v));
     CHECK(support::canonical(mesh.triangle_list()) == before);
-  }
+  });
 }
 
 TEST_CASE("what an unsplit leaves has room for a split, which adds no element") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
     SurfaceMesh mesh = random_mesh(seed);
     const SurfaceMesh::Room fresh = mesh.add_room();
     CHECK(mesh.is_removed(fresh.second));
@@ -194,12 +180,11 @@ TEST_CASE("what an unsplit leaves has room for a split, which adds no element") 
     CHECK(mesh.vertex_count() == vertices);
     CHECK(mesh.triangle_count() == places);
     CHECK(mesh.triangle_list().size() == triangles + 2);
-  }
+  });
 }
 
 TEST_CASE("degree and has_edge agree with a count over all triangles") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(50, [&](unsigned seed) {
     const SurfaceMesh mesh = random_mesh(seed);
     const std::size_t n = mesh.vertex_count();
     std::vector<std::vector<char>> joined(n, std::vector<char>(n, 0));
@@ -218,15 +203,14 @@ TEST_CASE("degree and has_edge agree with a count over all triangles") {
         CHECK(mesh.has_edge(VertexId{a}, VertexId{b}) == (joined[a][b] == 1));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("compact drops what is removed and renames the rest in order") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(200, [&](unsigned seed) {
     SurfaceMesh mesh = random_mesh(seed);
     TriangleList before = mesh.triangle_list();
-    const auto renamed = mesh.compact().vertices;
+    const auto renamed = mesh.surface.compact().vertices;
     REQUIRE(validate(mesh).value_or("") == "");
     std::uint32_t next = 0;
     for (const auto& name : renamed) {
@@ -238,7 +222,7 @@ TEST_CASE("compact drops what is removed and renames the rest in order") {
       for (std::uint32_t& v : t) v = renamed[VertexId{v}]->value;
     }
     CHECK(mesh.triangle_list() == before);
-  }
+  });
 }
 
 TEST_CASE("append keeps both meshes, one behind the other, with all their edges") {
@@ -257,189 +241,15 @@ TEST_CASE("append keeps both meshes, one behind the other, with all their edges"
   CHECK(components(mesh).count == 3);
 }
 
-TEST_CASE("a disk is a valid mesh but not a closed one") {
-  SurfaceMesh mesh;
-  const VertexId a = mesh.add_vertex(), b = mesh.add_vertex(), c = mesh.add_vertex();
-  const VertexId d = mesh.add_vertex();
-  const TriangleId s = mesh.add_triangle(a, b, c), t = mesh.add_triangle(c, b, d);
-  mesh.glue(SurfaceMesh::half_edge(s, 1), SurfaceMesh::half_edge(t, 0));
-  CHECK(validate(mesh, Expect::Any).value_or("") == "");
-  CHECK(names_edge(validate(mesh).value_or(""), 0, 1));
-}
-
-TEST_CASE("validate sees two triangles that share an edge without being glued twice over") {
-  // Two triangles back to back over one edge, and a third from it to elsewhere, unglued.
-  SurfaceMesh mesh;
-  for (int i = 0; i < 5; ++i) mesh.add_vertex();
-  mesh.add_triangle(VertexId{0U}, VertexId{1U}, VertexId{2U});
-  mesh.add_triangle(VertexId{0U}, VertexId{1U}, VertexId{3U});
-  CHECK(validate(mesh, Expect::Any).has_value());
-}
-
 TEST_CASE("closed_mesh accepts a closed mesh, keeps its triangles and glues all its edges") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(50, [&](unsigned seed) {
     SurfaceMesh mesh = random_mesh(seed);
-    mesh.compact();
+    mesh.surface.compact();
     const MeshOrDefect built = closed_mesh(mesh.vertex_count(), mesh.triangle_list());
     REQUIRE(built.defect.value_or("") == "");
     CHECK(validate(built.mesh).value_or("") == "");
     CHECK(built.mesh.triangle_list() == mesh.triangle_list());
-  }
-}
-
-TEST_CASE("closed_mesh takes no longer where two vertices are in all triangles, whichever ids") {
-  constexpr std::uint32_t rim = 200'000;  // a search through all edges for each would take minutes
-  for (const std::uint32_t first : {0U, rim}) {
-    CAPTURE(first);
-    const std::uint32_t top = first, bottom = first + 1, offset = first == 0 ? 2 : 0;
-    TriangleList list;
-    for (std::uint32_t i = 0; i < rim; ++i) {
-      const std::uint32_t p = offset + i, q = offset + (i + 1) % rim;
-      list.push_back({p, q, top});
-      list.push_back({q, p, bottom});
-    }
-    support::Random random(3);
-    for (std::size_t t = list.size(); t > 1; --t) std::swap(list[t - 1], list[random.below(t)]);
-    const MeshOrDefect built = closed_mesh(rim + 2, list);
-    REQUIRE(built.defect.value_or("") == "");
-    CHECK(built.mesh.degree(VertexId{top}) == rim);
-    CHECK(built.mesh.triangle_list() == list);
-    list.back() = {top, bottom, list.back()[0]};
-    CHECK(closed_mesh(rim + 2, list).defect.has_value());
-  }
-}
-
-TEST_CASE("what is wrong at the first bad vertex is told the same by any number of threads") {
-  // Spheres side by side, so many that threads share them, some with a vertex in common.
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
-    TriangleList list;
-    std::uint32_t count = 0;
-    for (int sphere = 0; sphere < 3000; ++sphere) {
-      const bool is_shared = count > 0 && random.below(1000) == 0;
-      const std::uint32_t first = is_shared ? count - 1 : count;
-      for (auto t : support::octahedron()) {
-        for (std::uint32_t& v : t) v += first;
-        list.push_back(t);
-      }
-      count = first + 6;
-    }
-    const MeshOrDefect glued = glued_mesh(count, list);
-    REQUIRE(glued.defect.value_or("") == "");
-    const std::optional<std::string> alone = fan_defect(glued.mesh, 1);
-    CHECK(fan_defect(glued.mesh, 3) == alone);
-    CHECK(alone.has_value() == (count < 3000 * 6));
-    if (alone) CHECK(alone->ends_with(" is where two sheets touch"));
-  }
-}
-
-TEST_CASE("closed_mesh names an edge of a hole") {
-  for (std::size_t missing = 0; missing < 8; ++missing) {
-    CAPTURE(missing);
-    TriangleList list = support::octahedron();
-    const auto [a, b, c] = list[missing];
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(missing));
-    const std::string defect = closed_mesh(6, list).defect.value_or("");
-    CAPTURE(defect);
-    CHECK((names_edge(defect, a, b) || names_edge(defect, b, c) || names_edge(defect, c, a)));
-    CHECK(defect.ends_with("has only one triangle"));
-  }
-}
-
-TEST_CASE("closed_mesh names an edge of a triangle that faces the wrong way") {
-  for (std::size_t turned = 0; turned < 8; ++turned) {
-    CAPTURE(turned);
-    TriangleList list = support::octahedron();
-    const auto [a, b, c] = list[turned];
-    list[turned] = {b, a, c};
-    const std::string defect = closed_mesh(6, list).defect.value_or("");
-    CAPTURE(defect);
-    CHECK((names_edge(defect, a, b) || names_edge(defect, b, c) || names_edge(defect, c, a)));
-    CHECK(defect.ends_with("disagree on orientation"));
-  }
-}
-
-TEST_CASE("closed_mesh names an edge with three triangles") {
-  TriangleList list = support::tetrahedron(0, 1, 2, 3);
-  list.push_back({0, 1, 4});
-  const std::string defect = closed_mesh(5, list).defect.value_or("");
-  CAPTURE(defect);
-  // The third triangle's other edges are defects too.
-  CHECK((names_edge(defect, 0, 1) || names_edge(defect, 1, 4) || names_edge(defect, 4, 0)));
-}
-
-TEST_CASE("closed_mesh refuses an edge with four triangles, however they are paired") {
-  // Two tetrahedra that share an edge: as two sheets they touch along it.
-  TriangleList list = support::tetrahedron(0, 1, 2, 3);
-  for (const auto& t : support::tetrahedron(0, 1, 4, 5)) list.push_back(t);
-  const std::string defect = closed_mesh(6, list).defect.value_or("");
-  CAPTURE(defect);
-  CHECK((names_edge(defect, 0, 1) || defect.starts_with("vertex 0 ") ||
-         defect.starts_with("vertex 1 ")));
-  // A sphere with two edges between the same two vertices: one sheet, but the edge stands twice.
-  list = {{0, 1, 2}, {1, 0, 3}, {1, 0, 2}, {0, 1, 3}};
-  CHECK(closed_mesh(4, list).defect.has_value());
-  for (const std::uint32_t inner :
-       {4U, 6U}) {  // the same with more triangles between the two edges
-    const std::uint32_t c = inner, d = inner + 1;
-    const TriangleList half{{0, 1, c}, {1, 0, d}, {0, c, d}, {1, d, c}};
-    list = half;
-    for (auto t : half) {
-      for (std::uint32_t& v : t) v = v < 2 ? 1 - v : v - (inner - 2);
-      list.push_back(t);
-    }
-    CHECK(closed_mesh(inner + 2, list).defect.has_value());
-  }
-}
-
-TEST_CASE("closed_mesh names the vertex where two sheets touch") {
-  TriangleList list = support::tetrahedron(3, 1, 2, 0);
-  for (const auto& t : support::tetrahedron(3, 4, 5, 6)) list.push_back(t);
-  CHECK(closed_mesh(7, list).defect.value_or("") == "vertex 3 is where two sheets touch");
-}
-
-TEST_CASE("closed_mesh names a triangle that repeats a corner and a vertex that is not used") {
-  TriangleList list = support::octahedron();
-  list.push_back({4, 4, 5});
-  CHECK(closed_mesh(6, list).defect.value_or("") == "triangle 8 repeats a corner");
-  CHECK(closed_mesh(7, support::octahedron()).defect.value_or("") ==
-        "vertex 6 belongs to no triangle");
-}
-
-// Found by mesh_fuzz: asking ahead for the first triangle looked for it among none.
-TEST_CASE("closed_mesh names the first vertex of a mesh without triangles") {
-  CHECK(closed_mesh(4, {}).defect.value_or("") == "vertex 0 belongs to no triangle");
-  CHECK_FALSE(closed_mesh(0, {}).defect);
-}
-
-TEST_CASE("components are those that a search from triangle to triangle finds") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
-    const std::size_t parts = 1 + random.below(6);
-    TriangleList list;
-    for (std::uint32_t p = 0; p < parts; ++p) {
-      for (auto t : support::octahedron()) {
-        for (std::uint32_t& v : t) v += 6 * p;
-        list.push_back(t);
-      }
-    }
-    for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random.below(i)]);
-    const MeshOrDefect built = closed_mesh(6 * parts, list);
-    REQUIRE(built.defect.value_or("") == "");
-    const Components found = components(built.mesh);
-    CHECK(found.count == parts);
-    std::uint32_t seen = 0;
-    for (std::size_t t = 0; t < list.size(); ++t) {
-      CHECK(found.of_triangle[t] <= seen);  // numbered by their first triangle
-      seen = std::max(seen, found.of_triangle[t] + 1);
-      for (std::size_t s = 0; s < t; ++s) {
-        CHECK((found.of_triangle[s] == found.of_triangle[t]) == (list[s][0] / 6 == list[t][0] / 6));
-      }
-    }
-  }
+  });
 }
 
 TEST_CASE("as many triangles may be added as have half-edges with 32-bit ids, and no more") {

@@ -50,83 +50,73 @@ Point followed_numerically(const SkinSurface& skin, Start start, double end) {
 
 TEST_CASE("a trajectory is the numerical solution of its equation, over cell walls too") {
   std::size_t followed = 0, crossings = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(60, [&](unsigned seed, const PreparedSkin& skin) {
     support::Random random(seed);
     for (int i = 0; i < 3; ++i) {
-      const auto start = random_start(skin->surface, random);
+      const auto start = random_start(skin.surface, random);
       if (!start) continue;
-      const double rho = skin->surface.patch(start->cell).length_scale(start->x);
+      const double rho = skin.surface.patch(start->cell).length_scale(start->x);
       const double end = start->time + random.between(0.1, 1.5) * rho * rho;
-      const Trajectory path(skin->surface, start->x, start->cell, start->time);
-      const Trajectory last = path.followed_to(skin->surface, end);
-      const SurfacePoint there = last.at(skin->surface, end);
+      const Trajectory path(skin.surface, start->x, start->cell, start->time);
+      const Trajectory last = path.followed_to(skin.surface, end);
+      const SurfacePoint there = last.at(skin.surface, end);
       if (there.length_scale < 0.1 * rho) continue;
-      const Point expected = followed_numerically(skin->surface, *start, end);
+      const Point expected = followed_numerically(skin.surface, *start, end);
       CHECK((there.position - expected).norm() < 1e-5 * rho);
       ++followed;
       crossings += last.cell() != path.cell();
     }
-  }
+  });
   CHECK(followed > 100);
   CHECK(crossings > 30);
 }
 
 TEST_CASE("a trajectory stays on the growing skin, in the cell it names") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(200, [&](unsigned seed, const PreparedSkin& skin) {
     support::Random random(seed + 1000);
-    const auto start = random_start(skin->surface, random);
-    if (!start) continue;
-    Trajectory path(skin->surface, start->x, start->cell, start->time);
+    const auto start = random_start(skin.surface, random);
+    if (!start) return;
+    Trajectory path(skin.surface, start->x, start->cell, start->time);
     double t = start->time;
     for (int i = 0; i < 10; ++i) {
-      const double rho = path.at(skin->surface, t).length_scale;
+      const double rho = path.at(skin.surface, t).length_scale;
       t += 0.4 * rho * rho;
-      path = path.followed_to(skin->surface, t);
-      const SurfacePoint p = path.at(skin->surface, t);
-      const LevelSet level(skin->surface, t);
+      path = path.followed_to(skin.surface, t);
+      const SurfacePoint p = path.at(skin.surface, t);
+      const LevelSet level(skin.surface, t);
       CHECK(std::abs(level.patch(p.cell).value(p.position)) <=
             10 * level.residual_bound(p.length_scale));
-      for (const skin::Wall& wall : skin->surface.complex().walls(p.cell)) {
+      for (const skin::Wall& wall : skin.surface.complex().walls(p.cell)) {
         CHECK(wall.normal.dot(p.position) - wall.offset <= 1e-9);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("the length scale changes by at most half the time, squared") {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(100, [&](unsigned seed, const PreparedSkin& skin) {
     support::Random random(seed + 2000);
-    const auto start = random_start(skin->surface, random);
-    if (!start) continue;
-    const Trajectory path(skin->surface, start->x, start->cell, start->time);
-    const double before = path.at(skin->surface, start->time).length_scale;
+    const auto start = random_start(skin.surface, random);
+    if (!start) return;
+    const Trajectory path(skin.surface, start->x, start->cell, start->time);
+    const double before = path.at(skin.surface, start->time).length_scale;
     const double dt = random.uniform() * before * before;
-    const double after = path.followed_to(skin->surface, start->time + dt)
-                             .at(skin->surface, start->time + dt)
+    const double after = path.followed_to(skin.surface, start->time + dt)
+                             .at(skin.surface, start->time + dt)
                              .length_scale;
     CHECK(std::abs(after * after - before * before) <= dt / 2 + 1e-9);
-  }
+  });
 }
 
 TEST_CASE("the skin at a time is the skin of balls with that much more weight") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(50, [&](unsigned seed) {
     const auto points = support::ball_set(seed);
     const auto skin = support::prepared(points);
-    if (!skin) continue;
+    if (!skin) return;
     auto grown = points;
     for (auto& p : grown) p.weight += 0.25;
     const auto later = support::prepared(grown);
-    if (!later) continue;
+    if (!later) return;
     support::Random random(seed);
     const LevelSet level(skin->surface, 0.25);
     for (int i = 0; i < 20; ++i) {
@@ -139,5 +129,5 @@ TEST_CASE("the skin at a time is the skin of balls with that much more weight") 
       CHECK((one->position - other->position).norm() < 1e-7);
       CHECK(one->length_scale == doctest::Approx(other->length_scale).epsilon(1e-6));
     }
-  }
+  });
 }

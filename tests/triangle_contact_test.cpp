@@ -8,6 +8,7 @@
 
 #include "geometry/predicates.h"
 #include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::Corners;
@@ -121,9 +122,7 @@ TEST_CASE("improper contact of triangles on a small lattice is what parting dire
 }
 
 TEST_CASE("contact does not depend on the order of triangles, corners, or on the unit of length") {
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  support::for_seeds<support::Random>(500, [&](support::Random& random) {
     Wholes at;
     for (int i = 0; i < 6; ++i) {
       at.emplace_back(random.below(5), random.below(5), random.below(5));
@@ -144,7 +143,7 @@ TEST_CASE("contact does not depend on the order of triangles, corners, or on the
         CHECK(is_improper_contact(ExactPositions(scaled), first, t) == expected);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("triangles nearer than a rounding are told apart from triangles that touch") {

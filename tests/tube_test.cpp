@@ -57,13 +57,10 @@ TEST_CASE("a triangle that is upside down is never proved upright") {
 
 TEST_CASE("a proof for a triangle holds at each of its points, and so does its longest path") {
   std::size_t held = 0, coarse = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(60, [&](unsigned seed, const PreparedSkin& skin) {
     morskin::MeshingOptions options = support::uncertified();
     options.sizing = {0.2, certify::Sizing::quality_for(0.2)};
-    const auto mesh = support::skin_mesh(skin->surface, morskin::make_mesh(*skin, options));
+    const auto mesh = support::skin_mesh(skin.surface, morskin::make_mesh(skin, options));
     support::Random random(seed);
     for (int i = 0; i < 200; ++i) {
       // A vertex and two points of the skin about it, up to a length scale off.
@@ -72,14 +69,14 @@ TEST_CASE("a proof for a triangle holds at each of its points, and so does its l
       const double size = a.length_scale * random.between(0.1, 1), turn = random.between(0.5, 2);
       const double angle = random.between(0, 6);
       const auto around = [&](double at) {
-        return skin->surface.project(a.position + size * (std::cos(at) * e + std::sin(at) * f),
-                                     a.cell);
+        return skin.surface.project(a.position + size * (std::cos(at) * e + std::sin(at) * f),
+                                    a.cell);
       };
       const auto b = around(angle), c = around(angle + turn);
       if (!b || !c) continue;
       const std::array p{a, *b, *c};
       const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
-      const TubeProof found = proof(skin->surface, p);
+      const TubeProof found = proof(skin.surface, p);
       if (!found.holds()) continue;
       ++held;
       coarse += circle.radius > 0.5 * std::min({a.length_scale, b->length_scale, c->length_scale});
@@ -89,16 +86,16 @@ TEST_CASE("a proof for a triangle holds at each of its points, and so does its l
         if (s + t > 1) s = 1 - s, t = 1 - t;
         const Point x =
             a.position + s * (b->position - a.position) + t * (c->position - a.position);
-        const skin::Patch patch = skin->surface.patch(skin->surface.locate(x, a.cell));
+        const skin::Patch patch = skin.surface.patch(skin.surface.locate(x, a.cell));
         const geometry::Vector N = patch.half_gradient(x);
         CHECK(N.dot(n) > 0);
         CHECK(std::abs(patch.value(x)) < N.squaredNorm());
-        const auto end = skin->surface.project(x, a.cell);
+        const auto end = skin.surface.project(x, a.cell);
         REQUIRE(end);
         CHECK((end->position - x).norm() <= found.max_path * (1 + 1e-9));
       }
     }
-  }
+  });
   CHECK(held > 2000);  // the law was put to the test
   CHECK(coarse > 20);  // beyond what the corners alone can show
 }

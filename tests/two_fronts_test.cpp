@@ -34,36 +34,31 @@ struct Swept {
 }  // namespace
 
 TEST_CASE("two fronts leave a closed mesh of the same surface that one front leaves") {
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
+  support::for_skins(30, [&](const PreparedSkin& skin) {
     MeshingOptions one, two;
     one.fronts = 1;
-    const MeshResult a = make_mesh(*skin, one), b = make_mesh(*skin, two);
+    const MeshResult a = make_mesh(skin, one), b = make_mesh(skin, two);
     CHECK_MESSAGE(a.certificate.certified, a.certificate.reason);
     CHECK_MESSAGE(b.certificate.certified, b.certificate.reason);
     CHECK(std::abs(a.certificate.area - b.certificate.area) < 2e-3 * a.certificate.area);
-  }
+  });
 }
 
 TEST_CASE("two fronts lay the same triangles in one thread as in two") {
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(10, [&](unsigned seed) {
     const Swept swept(seed);
-    if (!swept.skin) continue;
+    if (!swept.skin) return;
     const SweepResult a = swept.sweep(1), b = swept.sweep(2);
     CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
     CHECK(a.open_edges == 0);
-  }
+  });
 }
 
 TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
   std::size_t closed = 0, runs = 0;
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(30, [&](unsigned seed) {
     const Swept swept(seed);
-    if (!swept.skin) continue;
+    if (!swept.skin) return;
     const skin::SkinSurface& surface = swept.skin->surface;
     const morse::Guide &guide = swept.guide, reversed = guide.reversed();
     std::vector<double> values;
@@ -94,15 +89,14 @@ TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
     CHECK(a.operations.creep == b.operations.creep);
     ++runs;
     closed += a.open_edges == 0;
-  }
+  });
   CHECK(closed == runs);
 }
 
 TEST_CASE("the middle level keeps out of the interval between a close minimum and maximum") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(200, [&](unsigned seed) {
     const Swept swept(seed);
-    if (!swept.skin) continue;
+    if (!swept.skin) return;
     const double level = middle_level(swept.skin->surface, swept.guide);
     for (const auto& p : swept.guide.points) {
       for (const auto& q : swept.guide.points) {
@@ -112,14 +106,13 @@ TEST_CASE("the middle level keeps out of the interval between a close minimum an
         CHECK_FALSE((p.value <= level && level <= q.value));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a reversed Morse function has the same critical points with minima and maxima swapped") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    CAPTURE(seed);
+  support::for_seeds(50, [&](unsigned seed) {
     const Swept swept(seed);
-    if (!swept.skin) continue;
+    if (!swept.skin) return;
     const auto reversed =
         morse::critical_points(swept.skin->surface, swept.guide.function.reversed()).points;
     for (const auto& p : swept.guide.points) {
@@ -132,7 +125,7 @@ TEST_CASE("a reversed Morse function has the same critical points with minima an
       CHECK(std::abs(same->descending.dot(p.reversed().descending)) ==
             doctest::Approx(p.index == 1 ? 1 : 0));
     }
-  }
+  });
 }
 
 TEST_CASE("no value within a distance differs by more than a Morse function's most change") {

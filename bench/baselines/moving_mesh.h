@@ -111,7 +111,7 @@ class MovingMesh {
  private:
   /// A vertex, in one piece of memory.
   struct Moving {
-    SurfacePoint point{};
+    SurfacePoint point{Point::Zero(), Vector::Zero(), 0, CellId{}};
     double clock = 0;  ///< the time at which it was at `point`
     Trajectory path;
   };

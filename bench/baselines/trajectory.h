@@ -47,9 +47,9 @@ class Trajectory {
   CellId cell_;
   CellId beyond_;  ///< the cell after this one
   double begins_ = 0, leaves_ = 0;
-  double exit_stretch_ = 1;  ///< E where the cell ends
-  Vector across_;            ///< u_n at the beginning
-  Vector along_;             ///< u_s
+  double exit_stretch_ = 1;         ///< E where the cell ends
+  Vector across_ = Vector::Zero();  ///< u_n at the beginning
+  Vector along_ = Vector::Zero();   ///< u_s
   double across_squared_ = 0, along_squared_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "skin/singular_skin.h"
 #include "surface/mesh.h"
 #include "tests/support/molecules.h"
+#include "tests/support/seeds.h"
 
 namespace morskin::support {
 
@@ -78,6 +79,21 @@ inline std::optional<morskin::PreparedSkin> prepared(const WeightedPoints& point
   } catch (const skin::SingularSkin&) {
     return std::nullopt;
   }
+}
+
+/// Tries a law for the skins of random ball sets that are not singular. The law takes the skin, or
+/// its seed and the skin.
+template <class Law>
+void for_skins(unsigned count, Law law) {
+  for_seeds(count, [&](unsigned seed) {
+    const auto skin = prepared(ball_set(seed));
+    if (!skin) return;
+    if constexpr (std::is_invocable_v<Law, unsigned, const morskin::PreparedSkin&>) {
+      law(seed, *skin);
+    } else {
+      law(*skin);
+    }
+  });
 }
 
 inline morskin::MeshingOptions along(const geometry::Vector& height) {

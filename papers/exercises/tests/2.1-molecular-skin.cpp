@@ -27,7 +27,7 @@ TEST_CASE("2.1-molecular-skin, run: the counts are those of the cube's dual comp
 
 TEST_CASE("2.1-molecular-skin, explain: the formula is the curvature along the meridian" *
           until(smaller_curvature)) {
-  for_skins(20, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(20, [](const morskin::PreparedSkin& skin) {
     const skin::MixedComplex& complex = skin.surface.complex();
     support::Random random(1);
     for (std::size_t i = 0; i < complex.size(); ++i) {

@@ -26,7 +26,7 @@ TEST_CASE("3.1-morse-functions, run: caffeine has as many saddles" * until(caffe
 
 TEST_CASE("3.1-morse-functions, explain: lambda is the length scale at every critical point" *
           until(squared_lambda)) {
-  for_skins(30, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(30, [](const morskin::PreparedSkin& skin) {
     const morse::MorseFunction f;
     for (const auto& p : morse::critical_points(skin.surface, f).points) {
       const skin::Patch& patch = skin.surface.complex().patch(p.point.cell);

@@ -30,7 +30,7 @@ TEST_CASE("3.2-morse-smale-complex, run: so many arcs are traced on 9DNA" * unti
 
 TEST_CASE("3.2-morse-smale-complex, explain: the rise from an extremum is exact on its patch" *
           until(rise)) {
-  for_skins(30, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(30, [](const morskin::PreparedSkin& skin) {
     support::Random random(1);
     for (const auto& f :
          {morse::MorseFunction{}, morse::MorseFunction::squared_distance({0.3, -7, 0.4})}) {

@@ -32,13 +32,4 @@ inline morskin::MeshResult meshed(std::string_view file,
   return support::meshed(support::molecule(file, model), options);
 }
 
-/// Skins of random ball sets.
-template <class Body>
-void for_skins(unsigned count, Body body) {
-  for (unsigned seed = 0; seed < count; ++seed) {
-    CAPTURE(seed);
-    if (const auto skin = support::prepared(support::ball_set(seed))) body(*skin);
-  }
-}
-
 }  // namespace morskin::course

@@ -1,0 +1,130 @@
+// Molecule files that are turned down, and how.
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "geometry/error.h"
+#include "geometry/files/gzip.h"
+#include "tests/support/molecule_texts.h"
+#include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace morskin;
+using namespace morskin::geometry;
+using namespace morskin::skin;
+using namespace morskin::support;
+
+TEST_CASE("a gzipped file that is cut short, damaged or too large is turned down") {
+  const std::string packed = gzipped(small_pdb());
+  for (std::size_t size = 2; size < packed.size(); ++size) {
+    CAPTURE(size);
+    CHECK_THROWS_AS(parse_molecule(packed.substr(0, size), "a.pdb"), UnreadableInput);
+  }
+  std::string damaged = packed;
+  damaged[packed.size() / 2] ^= 0x10;
+  CHECK_THROWS_AS(parse_molecule(damaged, "a.pdb"), UnreadableInput);
+  ReadOptions small;
+  small.max_bytes = 1000;
+  CHECK_THROWS_WITH_AS(parse_molecule(gzipped(std::string(100000, ' ')), "a.pdb", small),
+                       doctest::Contains("more than 1000 bytes"), UnreadableInput);
+  small.max_bytes = small_pdb().size();
+  CHECK(parse_molecule(packed, "a.pdb", small).atoms.size() == 3);
+}
+
+TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {
+  const std::string ball = "0 0 0 1\n";
+  const auto packed = [&](std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes) text += ball;
+    return gzipped(text);
+  };
+  CHECK_THROWS_WITH_AS(parse_molecule(packed(bomb_bytes + 4096), "a.xyzr"),
+                       doctest::Contains("unpacks from"), UnreadableInput);
+  CHECK(parse_molecule(packed(1 << 16), "a.xyzr").atoms.size() == (1 << 16) / ball.size());
+}
+
+TEST_CASE("a file that holds more than it may is turned down before all of it is read") {
+  const TemporaryFolder folder;
+  ReadOptions options;
+  options.max_bytes = 15;
+  const auto path = folder.file("a.xyzr", "0 0 0 1\n1 0 0 1\n");
+  CHECK_THROWS_WITH_AS(read_molecule(path, options), doctest::Contains("more than 15 bytes"),
+                       UnreadableInput);
+  CHECK_THROWS_AS(read_molecule("/dev/zero", options), UnreadableInput);
+  options.max_bytes = 16;
+  CHECK(read_molecule(path, options).atoms.size() == 2);
+}
+
+TEST_CASE("bad input is turned down with its line, the atom and what to do") {
+  const auto refused = [](const std::string& text, const char* name, const char* part) {
+    CHECK_THROWS_WITH_AS(parse_molecule(text, name), doctest::Contains(part), RefusedInput);
+  };
+  const auto unreadable = [](const std::string& text, const char* name, const char* part) {
+    CHECK_THROWS_WITH_AS(parse_molecule(text, name), doctest::Contains(part), UnreadableInput);
+  };
+  refused("0 0 0 1\nnan 0 0 1\n", "a.xyzr", "a.xyzr:2: ball (line 2) has a coordinate that is not");
+  refused("0 0 0 -1\n", "a.xyzr", "a.xyzr:1: ball (line 1) has a radius");
+  refused("0 0 2e6 1\n", "a.xyzr", "10^6 Angstrom from the origin");
+  refused("0 0 0 0\n", "a.xyzr", "no atom with a radius above 0");
+  refused("# nothing\n", "a.xyzr", "no atom");
+  refused(pdb_line("HETATM", "PM  ", ' ', " PM", 5, 0, ""), "a.pdb",
+          "a.pdb:1: atom PM of PM 5 chain A (line 1) has element \"Pm\"");
+  refused(pdb_line("HETATM", " Q1 ", ' ', "LIG", 5, 0, ""), "a.pdb", "no known element");
+  unreadable("0 0 0\n", "a.xyzr", "a.xyzr:1: expected x y z r");
+  unreadable("1\n\nXx 0 0 0\n", "a.xyz", "a.xyz:3: \"Xx\" is no element");
+  unreadable("2\n\nC 0 0 0\n", "a.xyz", "1 atoms where 2 were announced");
+  unreadable("1\n\nC 0 0 0\nC 0 0 0\n", "a.xyz", "a.xyz:4: expected the number of atoms");
+  unreadable("9000000000000000000\n\nC 0 0 0\n", "a.xyz", "announced");
+  unreadable("ATOM 1 N ALA 1 0 0 0 1\n", "a.pqr", "a.pqr:1: expected 10 or 11 fields");
+  unreadable("ATOM      1  CA  ALA A   1      1.000\n", "a.pdb",
+             "a.pdb:1: no coordinate in columns");
+  unreadable("data_x\n_cell.length_a 1\n", "a.cif", "no table _atom_site");
+  unreadable("data_x\nloop_\n_a.b\n'unclosed\n", "a.cif", "a.cif:");
+  unreadable("garbage", "a.pdb", "no ATOM or HETATM");
+  unreadable("garbage", "-", "recognised");
+  unreadable("  \n\n", "a.pdb", "is empty");
+  unreadable("", "-", "is empty");
+}
+
+TEST_CASE("a missing file and a folder are turned down") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(read_molecule(folder / "none.pdb"), doctest::Contains("cannot be opened"),
+                       UnreadableInput);
+  CHECK_THROWS_WITH_AS(read_molecule(folder / ""), doctest::Contains("is a folder"),
+                       UnreadableInput);
+}
+
+TEST_CASE("a file cut short or with flipped bits is read or turned down, never worse") {
+  const std::vector<std::pair<const char*, std::string>> files = {
+      {"a.pdb", small_pdb()}, {"a.cif", small_cif},   {"a.pqr", small_pqr},
+      {"a.xyz", small_xyz},   {"a.xyzr", small_xyzr}, {"a.pdb", gzipped(small_pdb())},
+      {"-", small_pdb()},     {"-", small_cif}};
+  const auto survives = [](const std::string& bytes, const char* name) {
+    try {
+      for (const Atom& atom : parse_molecule(bytes, name).atoms) {
+        REQUIRE(atom.position.allFinite());
+        REQUIRE(atom.radius > 0);
+      }
+    } catch (const UnreadableInput&) {
+    } catch (const RefusedInput&) {
+    }
+  };
+  for (const auto& [name, bytes] : files) {
+    CAPTURE(name);
+    for (std::size_t size = 0; size < bytes.size(); ++size) survives(bytes.substr(0, size), name);
+    support::for_seeds(1000, [&](unsigned seed) {
+      std::mt19937 random(seed);
+      std::string damaged = bytes;
+      for (unsigned flip = 0; flip <= seed % 4; ++flip) {
+        damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+      }
+      survives(damaged, name);
+    });
+  }
+  survives(std::string(1000, '\0'), "a.pdb");
+  std::string atom_line = "ATOM";
+  atom_line.resize(80);
+  survives(atom_line, "a.pdb");
+  survives("ATOM\t1\tCA\tALA\t1\t0\t0\t0\n", "a.pdb");
+}

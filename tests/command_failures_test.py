@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Exit codes and messages. Usage: command_failures_test.py path/to/morskin"""
+
+import json
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from support.command import MOLECULES, CommandTest, main, morskin
+
+
+class Failures(CommandTest):
+    def test_marching_cubes_are_told_for_what_they_are(self):
+        words = (self.ring, "--method", "marching-cubes")
+        report = self.mesh_json(*words, "-o", "ring.ply", code=5)
+        self.assertEqual(self.names(), ["ring.ply.unverified"])
+        self.assertEqual(report["method"], "marching-cubes")
+        self.assertFalse(report["certified"])
+        self.assertLess(report["min_angle_deg"], 10)
+        self.assertEqual(report["smoothing"]["moved"], 0)
+        wide = self.mesh_json(*words, "-o", "wide.ply", "--grid", "0.6", code=5)
+        self.assertEqual(wide["grid_step"], 0.6)
+        self.assertLess(report["grid_step"], 0.6)
+        self.assertLess(wide["triangles"], report["triangles"])
+
+    def test_a_grid_of_too_many_cells_gives_6(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "marching-cubes",
+                         "--grid", "1e-9", code=6)
+        self.assertEqual(self.names(), [])
+
+    def test_the_angle_goal_is_met_and_0_leaves_the_mesh_as_refined(self):
+        smooth, rough, more = (self.mesh_json(self.ring, "-o", "ring.ply", *words) for words in
+                               ((), ("--angle-goal", "0"), ("--angle-goal", "33")))
+        self.assertGreater(smooth["min_angle_deg"], 30 - 1e-9)
+        self.assertEqual(rough["smoothing"]["moved"], 0)
+        self.assertLess(rough["min_angle_deg"], smooth["min_angle_deg"])
+        self.assertGreater(more["min_angle_deg"], 33 - 1e-9)
+
+    def test_wrong_arguments_give_2(self):
+        good = ("mesh", self.ring, "-o", "ring.ply")
+        for words in [(), ("melt",), ("mesh",), ("mesh", self.ring), (*good, "--probe", "-1"),
+                      (*good, "--probe", "nan"), (*good, "-C", "0"), (*good, "-C", "x"),
+                      (*good, "-C", "inf"), (*good, "-Q", "1"), (*good, "-C", "1", "-Q", "1.65"),
+                      (*good, "--height", "0,0,0"), (*good, "--height", "1,2"),
+                      (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
+                      (*good, "--method", "melt"), (*good, "--progress", "often"),
+                      (*good, "--size", "0"), (*good, "--size", "nan"),
+                      (*good, "-C", "1e-22"), (*good, "--size", "1e-22"),
+                      (*good, "--method", "static", "--snapshots", "3"),
+                      (*good, "--method", "static", "--fronts", "1"),
+                      (*good, "--method", "dynamic", "--guard", "spheres"),
+                      (*good, "--method", "dynamic", "--angle-goal", "25"),
+                      (*good, "--report", "ring.ply.unverified"),
+                      ("mesh", self.ring, "-o", "snapshot-1.ply", "--snapshots", "2"),
+                      ("mesh", self.ring, "-o", "ring.ply", "--snapshots", "2",
+                       "--snapshot-dir", "no", "--report", "./no/../no/snapshot-2.vtu"),
+                      (*good, "--method", "dynamic", "--size", "1"),
+                      (*good, "--grid", "0.3"), (*good, "--angle-goal", "61"),
+                      (*good, "--method", "marching-cubes", "--grid", "0"),
+                      (*good, "--method", "marching-cubes", "--grid", "nan"),
+                      (*good, "-o", "ring.ply"), (*good, "-o", "./ring.ply"),
+                      (*good, "-o", "ring.txt"), (*good, "--threads"),
+                      ("mesh", self.ring, "-o", "-", "--json"),
+                      (*good, "--function", "height"), (*good, "--function", "height:1,2"),
+                      (*good, "--function", "height:0,0,0"), (*good, "--function", "depth:1,2,3"),
+                      (*good, "--function", "distance:1,2,x"),
+                      (*good, "--function", "distance:1,2,1e300"),
+                      (*good, "--function", "height:0,1,0", "--height", "0,1,0"),
+                      ("morse", self.ring), ("morse", self.ring, "-o", "ring.ply"),
+                      ("morse", self.ring, "-o", "a.json", "--function", "distance:1,2"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "-1"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "nan"),
+                      ("morse", self.ring, "-o", "a.json", "--persistence", "1", "--raw"),
+                      ("morse", self.ring, "-o", self.ring),
+                      ("balls", self.ring, "-o", self.ring)]:
+            with self.subTest(words=words):
+                done = self.run_morskin(*words, code=2)
+                self.assertTrue(done.stderr.startswith(b"morskin: "))
+                self.assertEqual(done.stdout, b"")
+        self.assertEqual(self.names(), [])
+
+    def test_help_and_version_are_no_failure(self):
+        self.assertIn(b"Exit codes", self.run_morskin("--help").stdout)
+        for command in ("mesh", "morse", "balls", "info", "check"):
+            self.assertIn(b"Usage", self.run_morskin(command, "--help").stdout)
+        self.assertTrue(self.run_morskin("--version").stdout.startswith(b"morskin "))
+
+    def test_an_unreadable_input_gives_3(self):
+        self.input("empty.pdb", "")
+        self.input("words.xyzr", "0 0 zero 1\n")
+        for name in ("missing.pdb", "empty.pdb", "words.xyzr", "."):
+            with self.subTest(name=name):
+                self.run_morskin("mesh", name, "-o", "out.ply", code=3)
+                self.run_morskin("info", name, code=3)
+        self.run_morskin("check", "missing.ply", code=3)
+        self.assertEqual(self.names(), ["empty.pdb", "words.xyzr"])
+
+    def test_a_singular_skin_gives_4_and_names_the_atoms(self):
+        # W = 2 r^2 is 8 and 32; spheres of these squared radii touch when the squared distance is
+        # (sqrt 8 + sqrt 32)^2 = 72, and (6, 6, 0) is that long.
+        self.input("touching.xyzr", "0 0 0 2\n90 90 90 1\n6 6 0 4\n")
+        done = self.run_morskin("mesh", "touching.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
+        self.assertIn(b"line 1", done.stderr)
+        self.assertIn(b"line 3", done.stderr)
+        self.assertEqual(self.names(), ["touching.xyzr"])
+
+    def test_an_input_without_usable_atoms_gives_4(self):
+        self.input("zero.pqr", "ATOM 1 C ALA 1 0.0 0.0 0.0 0.0 0.0\n")
+        self.run_morskin("mesh", "zero.pqr", "-o", "out.ply", code=4)
+        self.input("huge.xyzr", "0 0 0 900000\n")
+        self.run_morskin("mesh", "huge.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
+
+    def test_a_report_on_standard_output_is_all_that_is_there(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--report", "-")
+        self.assertTrue(json.loads(done.stdout)["certified"])
+        self.assertIn(b"certified", done.stderr)
+
+    def test_an_uncertified_mesh_needs_its_place_as_well(self):
+        (self.folder / "b.ply.unverified").mkdir()
+        done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "-o", "b.ply", code=7)
+        self.assertIn(b"b.ply.unverified", done.stderr)
+        self.assertEqual(self.names(), ["b.ply.unverified"])
+
+    def test_an_unwritable_output_gives_7(self):
+        (self.folder / "folder.ply").mkdir()
+        for name in ("no/such/folder/out.ply", "folder.ply"):
+            with self.subTest(name=name):
+                self.run_morskin("mesh", self.ring, "-o", name, code=7)
+        self.run_morskin("mesh", self.ring, "-o", "a.ply", "--report", "no/report.json", code=7)
+        self.run_morskin("balls", self.ring, "-o", "no/out.xyzr", code=7)
+        self.run_morskin("morse", self.ring, "-o", "no/out.json", code=7)
+        self.assertEqual(self.names(), ["folder.ply"])
+
+    @unittest.skipUnless(Path("/dev/full").exists(), "needs /dev/full")
+    def test_a_full_disk_gives_7(self):
+        self.run_morskin("mesh", self.ring, "-o", "/dev/full", code=7)
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([morskin(), "info", self.ring], stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, 7)
+
+    def test_an_interrupted_run_leaves_nothing(self):
+        molecule = MOLECULES / "1crn.pdb"
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([morskin(), "mesh", str(molecule), "-o", "crambin.ply", "-q",
+                                        "-C", "0.02"], cwd=self.folder)
+            deadline = time.monotonic() + 30
+            while not self.names() and time.monotonic() < deadline:
+                time.sleep(0.01)
+            process.send_signal(number)
+            self.assertEqual(process.wait(30), -number)
+            self.assertEqual(self.names(), [])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,124 @@
+// Which atoms of a file are read, and as which element.
+
+#include <doctest/doctest.h>
+
+#include "tests/support/molecule_texts.h"
+
+using namespace morskin;
+using namespace morskin::geometry;
+using namespace morskin::skin;
+using namespace morskin::support;
+
+TEST_CASE("an old PDB file gives its elements by the columns of the names") {
+  const Molecule molecule = parse_molecule(
+      pdb_line("ATOM", " CA ", ' ', "ALA", 1, 0, "  1.00  0.00      1GRM 123") +
+          pdb_line("HETATM", "CA  ", ' ', " CA", 2, 0, "  1.00  0.00      1GRM 124") +
+          pdb_line("ATOM", " HG ", ' ', "SER", 3, 0, "  1.00  0.00      1GRM 125") +
+          pdb_line("HETATM", "HG  ", ' ', " HG", 4, 0, "  1.00  0.00      1GRM 126") +
+          pdb_line("ATOM", "HG11", ' ', "VAL", 5, 0, "") +
+          pdb_line("ATOM", "1HB ", ' ', "ALA", 6, 0, "") +
+          pdb_line("ATOM", "CD1 ", ' ', "LEU", 7, 0, "") +
+          pdb_line("ATOM", "NE2 ", ' ', "GLN", 8, 0, "") +
+          pdb_line("HETATM", "FE  ", ' ', "HEM", 9, 0, "") +
+          pdb_line("HETATM", "CL12", ' ', "LIG", 10, 0, "") +
+          pdb_line("HETATM", "CAAB", ' ', "LIG", 11, 0, "") +
+          pdb_line("HETATM", "HO5'", ' ', "LIG", 12, 0, "") +
+          pdb_line("ATOM", " O5*", ' ', "  C", 13, 0, "") +
+          pdb_line("ATOM", " D  ", ' ', "ALA", 14, 0, "") +
+          pdb_line("HETATM", " S1 ", ' ', "478", 15, 0, ""),
+      "old.pdb");
+  CHECK(elements_of(molecule) == "C Ca H Hg H H C N Fe Cl C H O D S");
+}
+
+TEST_CASE("the element columns win where the residue can have that element") {
+  const Molecule molecule =
+      parse_molecule(pdb_line("HETATM", " X1 ", ' ', "LIG", 1, 0, "  1.00  0.00          BR") +
+                         pdb_line("ATOM", " CA ", ' ', "ALA", 2, 0, "  1.00  0.00          CA") +
+                         pdb_line("HETATM", "SE  ", ' ', "MSE", 3, 0, "  1.00  0.00          SE"),
+                     "new.pdb");
+  CHECK(elements_of(molecule) == "Br C Se");
+  CHECK(molecule.atoms[0].radius == 1.85);
+}
+
+TEST_CASE("of alternate places the likeliest stays, of equals the first letter") {
+  const auto place = [](const char* name, char letter, const char* residue, const char* tail) {
+    return pdb_line("ATOM", name, letter, residue, 7, letter, tail);
+  };
+  const Molecule molecule =
+      parse_molecule(place(" N  ", ' ', "SER", "  1.00") + place(" CA ", 'A', "SER", "  0.30") +
+                         place(" CA ", 'B', "SER", "  0.70") + place(" OG ", 'B', "SER", "  0.50") +
+                         place(" OG ", 'A', "SER", "  0.50") + place(" CB ", 'C', "SER", "  0.20"),
+                     "a.pdb");
+  CHECK(names_of(molecule) == "N CA OG CB");
+  CHECK(molecule.atoms[1].position.x() == 'B');
+  CHECK(molecule.atoms[2].position.x() == 'A');
+  CHECK(molecule.counts.alternates == 2);
+}
+
+TEST_CASE("a residue with two identities keeps the atoms of one") {
+  const auto place = [](const char* name, char letter, const char* residue, const char* tail) {
+    return pdb_line("ATOM", name, letter, residue, 22, letter, tail);
+  };
+  const Molecule molecule =
+      parse_molecule(place(" CB ", 'A', "PRO", "  0.60") + place(" CG ", 'A', "PRO", "  0.60") +
+                         place(" CB ", 'B', "SER", "  0.40") + place(" OG ", 'B', "SER", "  0.40"),
+                     "a.pdb");
+  CHECK(names_of(molecule) == "CB CG");
+}
+
+TEST_CASE("hydrogen and deuterium at one site are one atom") {
+  const Molecule molecule =
+      parse_molecule(pdb_line("ATOM", " H  ", 'A', "ALA", 1, 0, "  0.20  0.00           H") +
+                         pdb_line("ATOM", " D  ", 'B', "ALA", 1, 0, "  0.80  0.00           D"),
+                     "a.pdb");
+  CHECK(elements_of(molecule) == "D");
+}
+
+TEST_CASE("copies made by symmetry that share chain, number and letter all stay") {
+  const std::string atom = pdb_line("ATOM", " CA ", 'A', "ALA", 1, 0, "  0.50") +
+                           pdb_line("ATOM", " CA ", 'B', "ALA", 1, 1, "  0.50");
+  const Molecule molecule = parse_molecule(atom + atom, "a.pdb");
+  CHECK(molecule.atoms.size() == 2);
+  CHECK(molecule.counts.duplicates == 1);
+}
+
+TEST_CASE("water is left out unless asked for or alone") {
+  const std::string water = pdb_line("HETATM", " O  ", ' ', "HOH", 9, 9, "");
+  CHECK(parse_molecule(small_pdb(), "a.pdb").atoms.size() == 3);
+  CHECK(parse_molecule(water + small_pdb(), "a.pdb").atoms.size() == 3);
+  CHECK(parse_molecule(water + small_pdb(), "a.pdb").counts.waters == 1);
+  ReadOptions with_waters;
+  with_waters.waters = true;
+  CHECK(parse_molecule(water + small_pdb(), "a.pdb", with_waters).atoms.size() == 4);
+  CHECK(parse_molecule(water, "a.pdb").atoms.size() == 1);
+  // Alone among what can be used: the others have no radius, or no element.
+  const std::string pqr = "HETATM 1 O HOH 1 0 0 0 0.0 1.5\nATOM 2 H ALA 2 3 0 0 0.0 0.0\n";
+  CHECK(parse_molecule(pqr, "a.pqr").atoms.size() == 1);
+  CHECK(parse_molecule(pqr, "a.pqr").counts.waters == 0);
+  CHECK(parse_molecule(pqr, "a.pqr").counts.zero_radii == 1);
+}
+
+TEST_CASE("only the first model is read") {
+  const std::string atom = pdb_line("ATOM", " CA ", ' ', "ALA", 1, 0, "");
+  const Molecule numbered =
+      parse_molecule("MODEL        1\n" + atom + "ENDMDL\nMODEL        2\n" + atom + atom +
+                         "ENDMDL\nMODEL        3\n" + atom + "ENDMDL\nEND\n",
+                     "a.pdb");
+  CHECK(numbered.atoms.size() == 1);
+  CHECK(numbered.counts.other_models == 2);
+  CHECK(parse_molecule(atom + "END\n" + atom + "END\n", "a.pdb").counts.other_models == 1);
+  const Molecule frames = parse_molecule(small_xyz + small_xyz + "\n", "a.xyz");
+  CHECK(frames.atoms.size() == 3);
+  CHECK(frames.counts.other_models == 1);
+}
+
+TEST_CASE("an atom whose element the file calls unknown is left out and counted") {
+  const Molecule molecule = parse_molecule(
+      small_pdb() + pdb_line("HETATM", " UNK", ' ', "UNX", 9, 0, "  1.00  0.00           X"),
+      "a.pdb");
+  CHECK(molecule.counts.unknown == 0);  // after END
+  CHECK(parse_molecule(
+            pdb_line("HETATM", " UNK", ' ', "UNX", 9, 0, "  1.00  0.00           X") + small_pdb(),
+            "a.pdb")
+            .counts.unknown == 1);
+}

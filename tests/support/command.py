@@ -1,0 +1,50 @@
+"""The command, run from outside in an empty folder. A test's first argument is the path to it."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+MOLECULES = Path(__file__).resolve().parent.parent.parent / "bench" / "molecules"
+PROGRAM = ["build/morskin"]
+
+
+def morskin():
+    return PROGRAM[0]
+
+
+def main():
+    if len(sys.argv) > 1:
+        PROGRAM[0] = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
+
+
+class CommandTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.ring = self.input("ring.xyzr", (MOLECULES / "ring12.xyzr").read_bytes())
+
+    def input(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def run_morskin(self, *words, code=0, **options):
+        done = subprocess.run([morskin(), *map(str, words)], capture_output=True, cwd=self.folder,
+                              timeout=120, **options)
+        self.assertEqual(done.returncode, code, repr(done.stderr + done.stdout[-2000:]))
+        return done
+
+    def names(self):
+        return sorted(p.name for p in self.folder.iterdir() if p.name != "ring.xyzr")
+
+    def check(self, *words, code=0):
+        return json.loads(self.run_morskin("check", *words, "--json", code=code).stdout)
+
+    def mesh_json(self, *words, code=0):
+        return json.loads(self.run_morskin("mesh", *words, "--json", code=code).stdout)

@@ -1,0 +1,59 @@
+// Surface balls: exact ones, and the bounds that mostly decide in their place.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/support/refined_meshes.h"
+
+using namespace morskin;
+using namespace morskin::refine;
+using namespace morskin::support;
+
+TEST_CASE("a surface ball is centred on the skin and passes through its triangle's corners") {
+  for (const auto& points : small_skins()) {
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh mesh = refined_mesh(skin);
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+      const SurfaceBall around =
+          exact_surface_ball(skin.surface, mesh.at(a), mesh.position(b), mesh.position(c));
+      const double rho = mesh.at(a).length_scale;
+      // What rounding leaves of a length of the order of rho, and twice G over its slope.
+      const double off = 1e-10 * rho;
+      CHECK(std::abs(skin.surface.value(around.centre, mesh.at(a).cell)) <= 2 * rho * off);
+      for (const VertexId v : {a, b, c}) {
+        CHECK(std::abs(around.intrusion(mesh.position(v))) <= 2 * off * rho);
+      }
+    }
+  }
+}
+
+TEST_CASE("a surface ball found to rounding is as deep as its bounds say, and they mostly decide") {
+  for (const auto& points : small_skins()) {
+    const PreparedSkin skin = morskin::prepare_skin(points);
+    const Mesh mesh = swept_mesh(skin);  // worse triangles than a refined one has
+    std::size_t asked = 0, decided = 0;
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+      const SurfaceBall exact =
+          exact_surface_ball(skin.surface, mesh.at(a), mesh.position(b), mesh.position(c));
+      if (!exact.is_exact) continue;
+      LazySurfaceBall ball(skin.surface, {&mesh.at(a), &mesh.at(b), &mesh.at(c)},
+                           circumcircle(mesh.position(a), mesh.position(b), mesh.position(c)));
+      const double rounding = 1e-8 * exact.squared_radius;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const HalfEdgeId h = SurfaceMesh::half_edge(TriangleId{t}, k);
+        const Point& p = mesh.position(mesh.surface.apex(mesh.surface.twin(h)));
+        const double depth = exact.intrusion(p);
+        const Depth bounds = ball.depth(p), intrusion = ball.intrusion(p);
+        CHECK(bounds.min <= depth + rounding);
+        CHECK(bounds.max >= depth - rounding);
+        if (std::abs(depth) > rounding) CHECK((intrusion.max > 0) == (depth > 0));
+        ++asked;
+        decided += bounds.max <= 0 || bounds.min > 0;
+      }
+    }
+    CHECK(10 * decided > 9 * asked);
+  }
+}
