@@ -43,7 +43,7 @@ void write_snapshot(const std::filesystem::path& folder, std::size_t number,
                     const surface::Mesh& mesh) {
   geometry::write_file_atomically(
       folder / ("snapshot-" + std::to_string(number) + ".ply"),
-      geometry::serialized(indexed(mesh), geometry::MeshFormat::PlyBinary));
+      geometry::serialized(surface::indexed_mesh(mesh), geometry::MeshFormat::PlyBinary));
 }
 
 std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,

@@ -107,7 +107,7 @@ TEST_CASE("data stay with their vertices and triangles through edits, compaction
       CHECK(changed <= 3);
       if (step % 20 == 19) {
         const auto whole = one.content();
-        one.mesh.surface.compact();
+        one.mesh.compact();
         one.rooms.clear();
         CHECK(one.content() == whole);
         CHECK(one.vertex.size() == one.mesh.vertex_count());
@@ -124,7 +124,7 @@ TEST_CASE("data stay with their vertices and triangles through edits, compaction
     one.mesh.append(std::move(other.mesh), 1 + seed % 2);
     CHECK(one.content() == both);
     CHECK(other.vertex.size() == 0);
-    one.mesh.surface.compact();
+    one.mesh.compact();
     CHECK(one.content() == both);
   }
 }

@@ -210,7 +210,7 @@ TEST_CASE("compact drops what is removed and renames the rest in order") {
   support::for_seeds(200, [&](unsigned seed) {
     SurfaceMesh mesh = random_mesh(seed);
     TriangleList before = mesh.triangle_list();
-    const auto renamed = mesh.surface.compact().vertices;
+    const auto renamed = mesh.compact().vertices;
     REQUIRE(validate(mesh).value_or("") == "");
     std::uint32_t next = 0;
     for (const auto& name : renamed) {
@@ -244,7 +244,7 @@ TEST_CASE("append keeps both meshes, one behind the other, with all their edges"
 TEST_CASE("closed_mesh accepts a closed mesh, keeps its triangles and glues all its edges") {
   support::for_seeds(50, [&](unsigned seed) {
     SurfaceMesh mesh = random_mesh(seed);
-    mesh.surface.compact();
+    mesh.compact();
     const MeshOrDefect built = closed_mesh(mesh.vertex_count(), mesh.triangle_list());
     REQUIRE(built.defect.value_or("") == "");
     CHECK(validate(built.mesh).value_or("") == "");
