@@ -13,6 +13,7 @@
 #include "app/figures/free_form.h"
 #include "app/figures/sweep_events.h"
 #include "app/pictures/png.h"
+#include "front/two_fronts.h"
 #include "tests/support/png_reading.h"
 
 using namespace morskin;

@@ -42,8 +42,9 @@ int main() {
     ++vertices_of[p.atom];
     saddle_like += p.curvatures[0] * p.curvatures[1] < 0;
   }
-  std::printf("%zu vertices where the skin is saddle-shaped; atom 0 shapes it at %zu\n",
-              saddle_like, vertices_of[0]);
+  const auto busiest = std::ranges::max_element(vertices_of);
+  std::printf("%zu vertices where the skin is saddle-shaped; atom %td has most vertices, %zu\n",
+              saddle_like, busiest - vertices_of.begin(), *busiest);
   // [/excerpt]
 
   // [excerpt: library-errors]

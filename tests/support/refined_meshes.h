@@ -85,7 +85,8 @@ inline std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       if (VertexId{v} == a || VertexId{v} == b || VertexId{v} == c) continue;
       // Twice, since the flips compare with the smaller of two balls, which may round apart.
-      if (around.intrusion(mesh.points[v].position) > 2 * min_intrusion * around.squared_radius) {
+      if (around.intrusion(mesh.position(VertexId{v})) >
+          2 * min_intrusion * around.squared_radius) {
         ++entered;
         break;
       }
