@@ -76,6 +76,7 @@ class Triangulator {
   enum class State : std::uint8_t { Live, InCavity, Free };
   struct alignas(32) StoredPoint : WeightedPoint {};  // never across two cache lines
   static constexpr Corner infinity = 0xffffffff;
+  static constexpr Facet unlinked = 0xffffffff;
 
   void find_first_tetrahedron(std::span<const WeightedPoint> points, std::vector<AtomId>& order);
   void add_apexes(std::span<const WeightedPoint> points);
