@@ -13,11 +13,6 @@
 
 using namespace morskin;
 using geometry::VertexId;
-using morskin::Mesher;
-using morskin::MeshOptions;
-using morskin::MeshResult;
-using morskin::MethodResult;
-using morskin::PreparedSkin;
 using support::WeightedPoints;
 
 namespace {
