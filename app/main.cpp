@@ -26,6 +26,33 @@ struct Run {
   ExitCode operator()(const FigureArguments& arguments) const { return figure_command(arguments); }
 };
 
+template <class Error>
+bool is(const std::exception& error) {
+  return dynamic_cast<const Error*>(&error) != nullptr;
+}
+
+/// A thread needs memory of its own, and so do other services of the system.
+bool is_lack_of_memory(const std::exception& error) {
+  if (is<std::bad_alloc>(error)) return true;
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  return system != nullptr && (system->code() == std::errc::resource_unavailable_try_again ||
+                               system->code() == std::errc::not_enough_memory);
+}
+
+struct ErrorClass {
+  bool (*has)(const std::exception&);
+  ExitCode code;
+};
+
+/// The exit code of each class of errors. Whatever else is thrown is a fault of the program.
+constexpr ErrorClass error_classes[] = {
+    {is<UsageError>, ExitCode::Usage},
+    {is<geometry::UnreadableInput>, ExitCode::UnreadableInput},
+    {is<geometry::RefusedInput>, ExitCode::RefusedInput},
+    {is<geometry::LimitReached>, ExitCode::LimitReached},
+    {is<geometry::UnwritableOutput>, ExitCode::UnwritableOutput},
+};
+
 ExitCode fail(ExitCode code, const char* what) {
   std::cerr << "morskin: " << what << "\n";
   return code;
@@ -36,37 +63,25 @@ ExitCode fail_inside(const char* what) {
   return ExitCode::InternalError;
 }
 
+ExitCode fail(const std::exception& error) {
+  if (is_lack_of_memory(error)) return fail(ExitCode::LimitReached, out_of_memory_text());
+  for (const ErrorClass& one : error_classes) {
+    if (one.has(error)) return fail(one.code, error.what());
+  }
+  return fail_inside(error.what());
+}
+
 ExitCode run(int count, const char* const* words) {
   try {
     const Arguments arguments = parse_arguments(count, words);
     const auto* mesh = std::get_if<MeshArguments>(&arguments);
     limit_memory(mesh != nullptr ? mesh->max_memory : std::nullopt);
     const ExitCode code = std::visit(Run{}, arguments);
-    if (!std::cout.flush()) {
-      return fail(ExitCode::UnwritableOutput,
-                  "standard output: cannot write; the report was not printed");
-    }
-    return code;
-  } catch (const UsageError& error) {
-    return fail(ExitCode::Usage, error.what());
-  } catch (const geometry::UnreadableInput& error) {
-    return fail(ExitCode::UnreadableInput, error.what());
-  } catch (const geometry::RefusedInput& error) {
-    return fail(ExitCode::RefusedInput, error.what());
-  } catch (const geometry::UnwritableOutput& error) {
-    return fail(ExitCode::UnwritableOutput, error.what());
-  } catch (const geometry::LimitReached& error) {
-    return fail(ExitCode::LimitReached, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitCode::LimitReached, out_of_memory_text());
-  } catch (const std::system_error& error) {
-    // A thread needs memory of its own, and so do other services of the system.
-    const bool is_lack = error.code() == std::errc::resource_unavailable_try_again ||
-                         error.code() == std::errc::not_enough_memory;
-    if (is_lack) return fail(ExitCode::LimitReached, out_of_memory_text());
-    return fail_inside(error.what());
+    if (std::cout.flush()) return code;
+    return fail(ExitCode::UnwritableOutput,
+                "standard output: cannot write; the report was not printed");
   } catch (const std::exception& error) {
-    return fail_inside(error.what());
+    return fail(error);
   }
 }
 
@@ -77,10 +92,8 @@ ExitCode run(int count, const char* const* words) {
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
     fail_inside("terminated");
-  } catch (const std::bad_alloc&) {
-    code = fail(ExitCode::LimitReached, out_of_memory_text());
   } catch (const std::exception& error) {
-    fail_inside(error.what());
+    code = fail(error);
   } catch (...) {
     fail_inside("terminated");
   }

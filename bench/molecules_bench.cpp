@@ -126,6 +126,19 @@ std::string_view name_of(morskin::Method method) {
   return method == morskin::Method::Sweep ? "sweep" : "static";
 }
 
+/// Writes binary PLY and reads it back, in memory.
+class AsFile : public morskin::Observer {
+ public:
+  Delivery deliver(geometry::IndexedMesh mesh) override {
+    const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
+    return {geometry::parse_mesh(bytes, "memory"), {}};
+  }
+};
+
+std::string_view name_of(morskin::Method method) {
+  return method == morskin::Method::Sweep ? "sweep" : "static";
+}
+
 /// The whole run: file in, mesh written in binary PLY form, read back and certified.
 void whole_run(benchmark::State& state, const std::string& file, skin::Model model,
                morskin::Method method) {

@@ -8,27 +8,27 @@
 namespace morskin::geometry {
 
 /// Bad input, found at the boundary: a file that cannot be understood. The text reads
-/// `file:line: what is wrong; what to do`. The command's exit code is 3.
+/// `file:line: what is wrong; what to do`.
 class UnreadableInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// Input that was understood but cannot be meshed: NaN, no atoms, a singular skin. The text names
-/// the atoms. The command's exit code is 4.
+/// the atoms.
 class RefusedInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file that could not be written; nothing half-written is left. The command's exit code is 7.
+/// A file that could not be written; nothing half-written is left.
 class UnwritableOutput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// A limit was reached: of memory, of time, of what 32-bit ids can tell apart. The text names it
-/// and tells what to do. The command's exit code is 6.
+/// and tells what to do.
 class LimitReached : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -16,7 +16,6 @@
 using namespace morskin;
 using certify::Sizing;
 using geometry::VertexId;
-using morskin::PreparedSkin;
 using refine::DelaunayRefinement;
 using skin::Point;
 using skin::Vector;

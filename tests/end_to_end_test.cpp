@@ -8,9 +8,6 @@
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using morskin::MeshingOptions;
-using morskin::MeshResult;
-using morskin::PreparedSkin;
 using support::WeightedPoints;
 
 namespace {

@@ -13,11 +13,7 @@
 #include "tests/support/seeds.h"
 
 using namespace morskin;
-using geometry::check_mesh;
-using geometry::IndexedMesh;
-using geometry::MeshCheck;
-using geometry::MeshDefect;
-using geometry::Point;
+using namespace morskin::geometry;
 using support::Random;
 
 namespace {

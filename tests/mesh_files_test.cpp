@@ -13,18 +13,9 @@
 #include "geometry/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
-using morskin::geometry::IndexedMesh;
-using morskin::geometry::MeshFormat;
-using morskin::geometry::parse_mesh;
-using morskin::geometry::Point;
-using morskin::geometry::read_mesh;
-using morskin::geometry::serialized;
-using morskin::geometry::UnreadableInput;
-using morskin::geometry::UnwritableOutput;
-using morskin::geometry::write_file_atomically;
-using morskin::geometry::write_mesh;
-using morskin::support::bytes_of;
-using morskin::support::TemporaryFolder;
+using namespace morskin;
+using namespace morskin::geometry;
+using namespace morskin::support;
 
 namespace {
 

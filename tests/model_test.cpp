@@ -7,16 +7,9 @@
 
 #include "skin/molecule_files.h"
 
-using morskin::geometry::WeightedPoint;
-using morskin::skin::Model;
-using morskin::skin::Molecule;
-using morskin::skin::name_of;
-using morskin::skin::parse_model;
-using morskin::skin::parse_molecule;
-using morskin::skin::patch_radius;
-using morskin::skin::weight;
-using morskin::skin::weighted_points;
-using morskin::skin::xyzr_text;
+using namespace morskin;
+using namespace morskin::geometry;
+using namespace morskin::skin;
 
 namespace {
 

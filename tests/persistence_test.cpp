@@ -17,12 +17,7 @@
 
 using namespace morskin;
 using namespace morskin::morse;
-using support::euler_characteristic;
-using support::infinite;
-using support::PlainComplex;
-using support::points_of;
-using support::random_complex;
-using support::value;
+using namespace morskin::support;
 
 namespace {
 

@@ -13,11 +13,6 @@
 
 using namespace morskin;
 using geometry::VertexId;
-using morskin::Mesher;
-using morskin::MeshingOptions;
-using morskin::MeshResult;
-using morskin::MethodResult;
-using morskin::PreparedSkin;
 using support::WeightedPoints;
 
 namespace {
@@ -91,9 +86,9 @@ TEST_CASE("a component that the sweep spoils is swept in another direction") {
                                     }));
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 1);
-  CHECK(mended.fallbacks[0].from == "sweep");
-  CHECK(mended.fallbacks[0].to.starts_with("sweep along"));
-  CHECK(mended.fallbacks[0].why.find("manifold") != std::string::npos);
+  REQUIRE(mended.fallbacks[0].replacement);
+  CHECK(mended.fallbacks[0].replacement->method == Method::Sweep);
+  CHECK(mended.fallbacks[0].reason.find("manifold") != std::string::npos);
   // Only that component was replaced.
   CHECK(far_out(mended, -1) == far_out(plain, -1));
   CHECK(far_out(mended, 1) != far_out(plain, 1));
@@ -105,7 +100,10 @@ TEST_CASE("a component that every sweep spoils is meshed by the static method") 
               sweep_without([](const auto& p, int) { return p.norm() < 20 && p.z() > 0.1; }));
   CHECK(mended.certificate.certified);
   REQUIRE(mended.fallbacks.size() == 2);  // both sides of the shell
-  for (const morskin::Fallback& fallback : mended.fallbacks) CHECK(fallback.to == "static");
+  for (const morskin::Fallback& fallback : mended.fallbacks) {
+    REQUIRE(fallback.replacement);
+    CHECK(fallback.replacement->method == Method::Static);
+  }
   CHECK(mended.fallbacks[0].component != mended.fallbacks[1].component);
 }
 

@@ -17,11 +17,7 @@
 
 using namespace morskin;
 using namespace morskin::morse;
-using support::euler_characteristic;
-using support::infinite;
-using support::PlainComplex;
-using support::random_complex;
-using support::upside_down;
+using namespace morskin::support;
 
 namespace {
 

@@ -10,7 +10,6 @@
 using namespace morskin;
 using namespace morskin::certify;
 using namespace morskin::refine;
-using morskin::PreparedSkin;
 using support::ball;
 
 namespace {

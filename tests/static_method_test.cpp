@@ -12,8 +12,6 @@
 #include "tests/support/outcome.h"
 
 using namespace morskin;
-using morskin::MeshingOptions;
-using morskin::Method;
 using support::Outcome;
 
 namespace {

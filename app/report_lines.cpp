@@ -1,0 +1,42 @@
+#include "app/report_lines.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace morskin::app {
+
+std::string line(std::string_view label, const std::string& text) {
+  std::string result = "  " + std::string(label);
+  result.resize(std::max<std::size_t>(result.size() + 1, 14), ' ');
+  return result + text + "\n";
+}
+
+std::string grouped(long long number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const bool starts_group = (digits.size() - i) % 3 == 0;
+    if (starts_group && i > 0 && digits[i - 1] != '-') text.push_back(',');
+    text.push_back(digits[i]);
+  }
+  return text;
+}
+
+std::string grouped(std::size_t number) { return grouped(static_cast<long long>(number)); }
+
+std::string counted(std::size_t count, const std::string& one, const std::string& more) {
+  return grouped(count) + " " + (count == 1 ? one : more);
+}
+
+std::string brief(double number, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, number);
+  return text;
+}
+
+double rounded(double number, int digits) {
+  return std::strtod(brief(number, digits).c_str(), nullptr);
+}
+
+}  // namespace morskin::app

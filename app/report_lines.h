@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace morskin::app {
+
+/// A line of a report: two spaces, the label in a column, the text.
+std::string line(std::string_view label, const std::string& text);
+/// An integer with commas between thousands.
+std::string grouped(long long number);
+std::string grouped(std::size_t number);
+/// "1 triangle", "2 triangles".
+std::string counted(std::size_t count, const std::string& one, const std::string& more);
+/// At most `digits` significant digits.
+std::string brief(double number, int digits = 4);
+/// The double nearest to `number` with so many significant digits, for JSON that people read.
+double rounded(double number, int digits = 6);
+
+}  // namespace morskin::app
