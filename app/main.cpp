@@ -60,7 +60,7 @@ ExitCode run(int count, const char* const* words) {
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::LimitReached, out_of_memory_text());
   } catch (const std::system_error& error) {
-    // A thread needs memory of its own, and so do other services of the system.
+    // Threads and other services of the system need memory too.
     const bool is_lack = error.code() == std::errc::resource_unavailable_try_again ||
                          error.code() == std::errc::not_enough_memory;
     if (is_lack) return fail(ExitCode::LimitReached, out_of_memory_text());
@@ -70,7 +70,7 @@ ExitCode run(int count, const char* const* words) {
   }
 }
 
-// An exception that leaves a thread ends up here; nothing may be allocated.
+// For exceptions that leave a thread; must not allocate.
 [[noreturn]] void end_without_traces() {
   remove_watched_files();
   ExitCode code = ExitCode::InternalError;

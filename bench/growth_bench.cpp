@@ -1,6 +1,6 @@
-// Growth alone, growth with the samples' Delaunay triangulation kept, and growth with one made
-// anew at each metamorphosis and none between: what a tetrahedrization costs it
-// (papers/5-dynamic.md). Run from the project's root.
+// The cost of a tetrahedrization: growth alone, growth with the samples' Delaunay triangulation
+// kept, and growth with one made anew at each metamorphosis (papers/5-dynamic.md). Run from the
+// project's root.
 
 #include <benchmark/benchmark.h>
 
