@@ -36,7 +36,7 @@ std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   return std::nullopt;
 }
 
-// "1500000", "200K", "1.5G": K, M, G and T stand for powers of 1024.
+// "1500000", "200K", "1.5G": K, M, G and T are powers of 1024.
 std::uint64_t parsed_bytes(std::string_view text) {
   constexpr std::string_view units = "KMGT";
   constexpr double most = 0x1p62;  // far beyond any machine, far from overflow

@@ -22,8 +22,8 @@ using skin::SkinComponents;
 
 constexpr std::size_t max_triangles = geometry::SurfaceMesh::max_triangles;
 
-// Which components of the mesh lie on which of the skin: by their first vertex, and by the sign of
-// their volume, which is negative in a void. Empty if rounding hides the skin's components.
+// The mesh's components on each of the skin's: by their first vertex, and by the sign of their
+// volume, which is negative in a void. Empty if rounding makes the skin's indistinguishable.
 std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
                                                  const morskin::PreparedSkin& skin,
                                                  const IndexedMesh& mesh,

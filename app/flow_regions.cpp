@@ -56,9 +56,9 @@ class Ascent {
     }
   }
 
-  // By triangle the vertex where the path from its middle ends: one that nothing near is above.
+  // By triangle the vertex where the path from its centroid ends: a local maximum.
   const std::vector<std::uint32_t>& tops() {
-    // From above, so that paths soon come to triangles whose own are known.
+    // From above, so that paths soon enter triangles with known ends.
     std::vector<std::pair<double, std::uint32_t>> order;
     order.reserve(top_of_triangle_.size());
     for (std::uint32_t t = 0; t < top_of_triangle_.size(); ++t) {
@@ -83,8 +83,8 @@ class Ascent {
     return value(a) > value(b) ? a : b;
   }
 
-  // Whether the paths from a triangle and its neighbours all end at one vertex: then so does any
-  // that comes through.
+  // Whether the paths from a triangle and its neighbours all end at one vertex: then so does every
+  // path through it.
   bool is_settled(TriangleId t) const {
     const std::uint32_t top = top_of_triangle_[t.index()];
     if (top == no_index) return false;
@@ -97,7 +97,7 @@ class Ascent {
 
   // From a point in t.
   VertexId follow(TriangleId t, Coordinates at) {
-    // Values grow along the path, but for rounding; a path longer than this goes round in it.
+    // Values grow along the path up to rounding; a path longer than this cycles in it.
     const std::size_t most = 1000 + 4 * mesh_.triangle_count();
     for (std::size_t i = 0; i < most; ++i) {
       const Coordinates& rates = rates_[t.index()];
@@ -132,7 +132,7 @@ class Ascent {
     std::vector<VertexId> path;
     while (top_[v.index()] == no_index) {
       path.push_back(v);
-      top_[v.index()] = v.value;  // until more is known
+      top_[v.index()] = v.value;  // until its end is known
       const std::optional<VertexId> up = step(v);
       if (!up) break;
       v = *up;
@@ -142,8 +142,8 @@ class Ascent {
     return VertexId{end};
   }
 
-  // One step from a vertex, along the steepest of its edges and triangles; nothing from a top. A
-  // path through a triangle is followed to its end.
+  // One step from a vertex, along the steepest of its edges and triangles; nothing at a top.
+  // Follows a path through a triangle to its end.
   std::optional<VertexId> step(VertexId v) {
     double steepest = 0;
     HalfEdgeId best;
@@ -194,7 +194,7 @@ std::uint32_t nearest_of(const std::vector<morse::CriticalPoint>& points, int in
   return nearest;
 }
 
-// By triangle the extremum of an index that its path leads to.
+// By triangle the extremum of an index at the end of its path.
 std::vector<std::uint32_t> extrema(const SurfaceMesh& mesh, const geometry::IndexedMesh& indexed,
                                    const morse::MorseFunction& function, int index,
                                    const std::vector<morse::CriticalPoint>& points) {
@@ -224,8 +224,8 @@ void add_whole_spheres(const morse::MorseSmaleComplex& complex, std::set<FlowReg
   }
 }
 
-// Triangles with a pair that no region has take the pair of the nearest triangle, over edges, that
-// has one of a region's.
+// Triangles whose pair belongs to no region take that of the nearest triangle, across edges, whose
+// pair does.
 void keep_to_regions(const SurfaceMesh& mesh, const std::set<FlowRegion>& regions,
                      std::vector<FlowRegion>& pairs) {
   std::vector<std::uint32_t> queue;

@@ -142,7 +142,7 @@ class Encoder {
     for (std::size_t k = 0; k < 3; ++k) link(e[k], e[(k + 1) % 3]);
   }
 
-  // An open front edge that starts at a vertex, if the latest that did is still there.
+  // The latest front edge that starts at a vertex, if it is still open.
   std::optional<std::uint32_t> open_edge_at(std::uint32_t v) const {
     const std::uint32_t e = leaving_[code_.vertices[v]];
     if (e == no_index || !edges_[e].is_open) return std::nullopt;

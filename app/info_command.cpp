@@ -52,7 +52,7 @@ double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& 
   return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
 }
 
-// The most that a run holds at a time (papers/4.3-large-molecules.md).
+// The peak memory of a run (papers/4.3-large-molecules.md).
 double estimated_bytes(const skin::Molecule& molecule, double triangles) {
   constexpr double per_atom = 1500, per_triangle = 150;
   return per_atom * static_cast<double>(molecule.atoms.size()) + per_triangle * triangles;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 constexpr int time_limit_signal = SIGALRM;  // app/limits.cpp handles it
 
-// What the handler removes; a lock-free atomic is all that it may read.
+// The files that the handler removes: it may read lock-free atomics only.
 std::atomic<const char* const*> watched = nullptr;
 static_assert(std::atomic<const char* const*>::is_always_lock_free);
 
@@ -40,7 +40,7 @@ void remove_watched_files() {
 }
 
 RemovedOnInterrupt::RemovedOnInterrupt() {
-  // A full file or a closed pipe then is an error of the write, with its own message and exit code.
+  // Makes a full file or a closed pipe an error of the write, with its own message and exit code.
   ::signal(SIGXFSZ, SIG_IGN);
   ::signal(SIGPIPE, SIG_IGN);
   struct sigaction action {};

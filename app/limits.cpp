@@ -19,14 +19,14 @@
 namespace morskin::app {
 namespace {
 
-// Texts for when nothing may be allocated.
+// Messages without allocation.
 char memory_text[256] =
     "out of memory: the mesh is too big for this machine; a larger -C makes it smaller";
 char time_text[512];
 
 extern "C" void end_for_lack_of_time(int) {
   remove_watched_files();
-  // Nothing can be done about an error of the message itself.
+  // An error of the message itself is ignored.
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, time_text, std::strlen(time_text));
   ::_exit(static_cast<int>(ExitCode::LimitReached));
@@ -51,7 +51,7 @@ std::uint64_t machine_bytes() {
   return bytes;
 }
 
-// What the program holds before it starts to work; with a sanitizer that is terabytes.
+// The program's size before its work; terabytes with a sanitizer.
 std::uint64_t held_bytes() {
   constexpr int data_field = 5;  // proc(5), statm: data and stack, in pages
   return number_in("/proc/self/statm", data_field).value_or(0) * page_bytes();

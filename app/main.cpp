@@ -85,7 +85,7 @@ ExitCode run(int count, const char* const* words) {
   }
 }
 
-// An exception that leaves a thread ends up here; nothing may be allocated.
+// For exceptions that leave a thread; must not allocate.
 [[noreturn]] void end_without_traces() {
   remove_watched_files();
   ExitCode code = ExitCode::InternalError;

@@ -19,8 +19,8 @@ struct Traced {
   morse::MorseSmaleComplex complex;
 };
 
-// What speaks against a complex: what the tracing itself found, a number of components that is not
-// the skin's, or a broken law.
+// The objections to a complex: its own degeneracies, a number of components that is not the skin's,
+// or a broken law.
 std::optional<std::string> objection_to(const morse::MorseSmaleComplex& complex,
                                         const skin::DualComplex& topology) {
   if (!complex.degeneracies.empty()) return complex.degeneracies.front();
@@ -46,7 +46,7 @@ Traced trace(const morskin::PreparedSkin& skin, const MorseArguments& arguments,
                                });
     traced.function = choice.function;
   } catch (const morse::DegenerateFunction& error) {
-    // Which exit code depends on whose choice the function was.
+    // The exit code depends on whether the user chose the function.
     if (arguments.function) throw UsageError(error.what());
     throw;
   }

@@ -20,7 +20,7 @@ std::filesystem::path one_name(const std::filesystem::path& path) {
   return failed ? absolute.lexically_normal() : name;
 }
 
-// Names that the run gives to files by itself: a mesh that is not certified, a snapshot.
+// Names that the run chooses itself: of uncertified meshes and snapshots.
 void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
   for (const std::filesystem::path& output : mesh.outputs) {
     if (one_name(name) == one_name(output.string() + ".unverified")) {

@@ -15,7 +15,7 @@
 namespace morskin::app {
 namespace {
 
-// The page is read by machines of either byte order; what it holds is little endian.
+// Page data are little endian, whatever the machine.
 static_assert(std::endian::native == std::endian::little);
 
 std::string packed(const std::string& bytes) {
@@ -25,7 +25,7 @@ std::string packed(const std::string& bytes) {
       Z_OK) {
     throw std::bad_alloc();
   }
-  // zlib counts in 32 bits; a page as big as that no browser opens.
+  // zlib counts in 32 bits, and no browser opens a larger page.
   if (bytes.size() > std::numeric_limits<uInt>::max() / 2) {
     deflateEnd(&stream);
     throw geometry::LimitReached(

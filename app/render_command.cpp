@@ -39,7 +39,7 @@ std::vector<Colour> colours_by_angle(const geometry::IndexedMesh& mesh) {
   return colours;
 }
 
-// Components by shared vertices, the first to come in the first colour.
+// Components by shared vertices, the first one in the first colour.
 std::vector<Colour> colours_by_component(const geometry::IndexedMesh& mesh) {
   constexpr std::array palette{Colour::of(0x8db7d9), Colour::of(0xe8a87c), Colour::of(0x93c48b),
                                Colour::of(0xc9a0d6), Colour::of(0xe6d27a), Colour::of(0xe39aa7),
@@ -75,7 +75,7 @@ pictures::Scene scene_of(geometry::IndexedMesh mesh, const RenderArguments& argu
   return scene;
 }
 
-// About the side of a triangle as seen, in pixels: the root of the mean of those in view.
+// The typical side of a visible triangle, pixels: the root of the mean of their areas.
 double mean_side(const geometry::IndexedMesh& mesh, const Camera& camera) {
   double sum = 0;
   std::size_t count = 0;
@@ -96,7 +96,7 @@ Image panel(pictures::Scene& scene, const Camera& camera, const RenderArguments&
       arguments.edges == DrawEdges::Always ||
       (arguments.edges == DrawEdges::Auto && mean_side(layer.mesh, camera) > min_side);
   layer.coat.edge_width = is_edged ? 1.1 : 0;
-  // As much as keeps a line before the triangles it bounds.
+  // Enough to keep a line in front of the triangles it bounds.
   for (pictures::Line& line : scene.lines) line.lift = line.width / camera.scale;
   return pictures::render(scene, camera, {.shadows = arguments.shadows});
 }
@@ -112,7 +112,7 @@ Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
           .fitted(points);
   if (arguments.at) camera.target = *arguments.at;
   camera.scale *= arguments.zoom;
-  // Beyond these, squares and cubes of what is seen leave the range of doubles.
+  // Beyond these, squares and cubes of coordinates leave the range of doubles.
   constexpr double farthest = 1e50, finest = 1e60;
   if (!(camera.target.cwiseAbs().maxCoeff() < farthest) ||
       !(camera.scale > 1 / finest && camera.scale < finest)) {
@@ -140,7 +140,7 @@ Camera inset_camera(const Camera& camera, const Inset& inset, Image& first) {
 constexpr int gap = 16;  // between panels, pixels
 
 void check_sheet(const RenderArguments& arguments) {
-  constexpr double longest = 1e6;  // libpng writes no longer rows, and no more of them
+  constexpr double longest = 1e6;  // libpng's limit of rows and columns
   const std::size_t panels = arguments.meshes.size() + (arguments.inset ? 1 : 0);
   const std::size_t columns = std::min(panels, static_cast<std::size_t>(arguments.columns));
   const std::size_t rows = (panels + columns - 1) / columns;

@@ -55,8 +55,7 @@ double distance_from_line(const Point& p, const Point& a, const Point& b) {
   return (p - a - t * along).norm();
 }
 
-// Appends the points of a polyline that it is off without, by more than a tolerance (Douglas and
-// Peucker), but for the first.
+// Appends a polyline simplified to a tolerance, without its first point (Douglas and Peucker).
 void thin(std::span<const Point> line, double tolerance, std::vector<Point>& result) {
   if (line.size() < 2) return;
   double farthest = 0;
@@ -76,7 +75,7 @@ void thin(std::span<const Point> line, double tolerance, std::vector<Point>& res
   }
 }
 
-// Lines drawn on screens: half a hundredth of an Angstrom is less than a pixel.
+// Half a hundredth of an Angstrom is less than a pixel on screens.
 constexpr double line_tolerance = 0.005;
 
 void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleComplex& complex) {

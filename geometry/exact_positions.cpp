@@ -9,7 +9,7 @@ namespace {
 
 constexpr double largest_coordinate = 0x1p30;
 constexpr double grid = 0x1p-300;
-constexpr double certainly_on_grid = 0x1p-248;  // 52 bits below it is the grid
+constexpr double certainly_on_grid = 0x1p-248;  // 52 bits above the grid
 
 bool is_in_range(const Point& p) {
   return std::ranges::all_of(p, [](double x) {

@@ -8,7 +8,7 @@ namespace morskin::geometry {
 namespace internal {
 namespace {
 
-// The extension mark keeps -Wpedantic content.
+// __extension__ silences -Wpedantic.
 __extension__ typedef __int128 Int128;
 
 /// p - e in units of 2^-k, exactly, for the k that gives the largest of them `bits` bits.

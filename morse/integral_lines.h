@@ -125,7 +125,7 @@ class IntegralLines {
   void build_disc(CriticalId id);
   /// The critical points in a cell.
   std::span<const CriticalId> within(skin::CellId cell) const {
-    if (cell.index() + 1 >= first_.size()) return {};  // on a wall, but for rounding
+    if (cell.index() + 1 >= first_.size()) return {};  // on a wall, up to rounding
     return {by_cell_.data() + first_[cell.index()],
             first_[cell.index() + 1] - first_[cell.index()]};
   }

@@ -19,7 +19,7 @@ ProtectingSpheres::ProtectingSpheres(std::span<const CriticalPoint> points,
 }
 
 std::optional<CriticalId> ProtectingSpheres::containing(const surface::SurfacePoint& p) const {
-  if (p.cell.index() + 1 >= first_.size()) return std::nullopt;  // on a wall, but for rounding
+  if (p.cell.index() + 1 >= first_.size()) return std::nullopt;  // on a wall, up to rounding
   for (std::uint32_t i = first_[p.cell.index()]; i < first_[p.cell.index() + 1]; ++i) {
     const CriticalId id = spheres_[i];
     const double r = radius_[id.index()];

@@ -43,7 +43,7 @@ Complaint check_arcs(const MorseSmaleComplex& complex, const std::vector<bool>& 
   return std::nullopt;
 }
 
-/// Each arc stands once, with its extremum.
+/// Each arc is listed once, at its extremum.
 Complaint check_orders(const MorseSmaleComplex& complex) {
   if (complex.first_end.size() != complex.points.size() + 1 ||
       complex.first_end.back() != complex.arcs.size() ||

@@ -9,12 +9,12 @@
 namespace morskin::morse {
 
 /// The first law that a Morse-Smale complex breaks, in words, or nothing: section 3.2's "each
-/// region is surrounded by two saddle points, a minimum and a maximum", and what that stands on.
-/// Time of sorting the regions; for tests and for the app before it writes.
+/// region is surrounded by two saddle points, a minimum and a maximum", and its premises. Takes the
+/// time of sorting the regions; for tests and for the app before it writes.
 ///
 /// 1. Arcs come in fours, from one saddle to a minimum, a maximum, a minimum and a maximum. Each
 ///    saddle has four. Values rise from minimum to saddle to maximum.
-/// 2. Each arc stands once in `ends`, in a circle about its extremum. Minima and maxima order their
+/// 2. Each arc is once in `ends`, in cyclic order about its extremum. Minima and maxima order their
 ///    arcs so that the quadrangles between them are the same.
 /// 3. The regions are these quadrangles, two for each saddle.
 /// 4. Extrema without arcs are a minimum and a maximum for each sphere without saddles; with those
@@ -22,7 +22,8 @@ namespace morskin::morse {
 ///    the ascending ones.
 /// 5. minima - saddles + maxima is 2 components - 2 genus with a genus of at least 0.
 ///
-/// @param survives  by point, which ones the complex is of; empty for all. The others have no arcs.
+/// @param survives  by point, whether it belongs to the complex; empty for all. Others have no
+/// arcs.
 std::optional<std::string> validate(const MorseSmaleComplex& complex,
                                     const std::vector<bool>& survives = {});
 

@@ -108,8 +108,8 @@ class AtomTable {
     return loop_->find_tag("_atom_site." + std::string(tag));
   }
 
-  // gemmi does not keep the lines of values. Where, as usual, each row has a line of its own, the
-  // first row's line gives the others; otherwise they stay unknown.
+  // gemmi does not keep the lines of values. If, as usual, each row has its own line, the first
+  // row's line gives the others; otherwise they stay unknown.
   void find_lines(std::string_view text, int loop_line) {
     geometry::TextLines lines(text, {});
     std::size_t row = 0;

@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 60> standard_residues = {
     "I",   "T",   "U",   "DA",  "DC",  "DG",  "DI",  "DT",  "DU",  "ADE", "CYT", "GUA",
     "THY", "URA", "RA",  "RC",  "RG",  "RU",  "DA5", "DC5", "DG5", "DA3", "DC3", "DG3"};
 
-// What standard residues are made of.
+// The elements of standard residues.
 constexpr std::string_view residue_elements = "HDCNOPS";
 
 // Names of four characters leave no column for the blank before an element of one letter; of those
@@ -46,8 +46,7 @@ std::string_view symbol_or_empty(std::string_view element) {
   return element_symbol(element).value_or(std::string_view());
 }
 
-// Columns 77-78, if there is an element in them that the residue can have; "X" if they declare it
-// unknown.
+// Columns 77-78, if they have an element that the residue can have; "X" for an unknown one.
 std::string_view element_from_columns(std::string_view line, std::string_view residue) {
   const std::string_view field = trimmed(columns(line, 77, 78));
   if (field.empty() || !is_letter(field[0])) return {};

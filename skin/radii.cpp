@@ -16,7 +16,7 @@ struct Element {
 
 constexpr std::size_t element_count = 118;
 
-// By atomic number. 0 where the source is silent or an earlier column has spoken.
+// By atomic number. 0 where the source has no value or an earlier column has one.
 // clang-format off
 constexpr std::array<Element, element_count> elements = {{
     {"H", 1.20}, {"He", 1.40},

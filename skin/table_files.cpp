@@ -66,7 +66,7 @@ AtomRecord pqr_atom(const TextLines& lines) {
   return record;
 }
 
-// "C", "cl", "17"; a number behind the letters ("C12") only tells atoms of an element apart.
+// "C", "cl", "17"; a number behind the letters ("C12") only distinguishes atoms of an element.
 Label xyz_element(std::string_view field, const TextLines& lines) {
   std::optional<std::string_view> element;
   if (const auto atomic_number = parse_integer(field)) {

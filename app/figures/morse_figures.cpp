@@ -1,4 +1,4 @@
-// Figures 2, 4 and 10(a): critical points, the sweep that goes by them, the lines between them.
+// Figures 2, 4 and 10(a): critical points, the sweep along them, the lines between them.
 
 #include <algorithm>
 #include <array>

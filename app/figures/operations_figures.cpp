@@ -64,7 +64,7 @@ std::optional<Fan> fan_of(const Stage& stage, const Event& event) {
   return std::nullopt;
 }
 
-// The state after so many triangles, those from `fresh` on in their own colour, the front in red.
+// The state after a number of triangles, those from `fresh` on highlighted, the front in red.
 Scene state(const Stage& stage, std::size_t triangles, std::size_t fresh) {
   Scene scene;
   scene.meshes.push_back(stage.bare);
@@ -115,7 +115,7 @@ void add_vertex(Scene& scene, const Point& p, const std::string& text, const Vec
   scene.labels.push_back({p, text, shift, 14});
 }
 
-// Where a label stands out from a centre, as the camera sees it.
+// The position of a label away from a centre in the view.
 Vector2 outward(const Camera& camera, const Point& centre, const Point& p, double pixels) {
   const Vector d = camera.seen(p) - camera.seen(centre);
   const Vector2 flat = d.head<2>();

@@ -6,7 +6,7 @@
 namespace morskin::pictures {
 namespace {
 
-// How much of each pixel in a rectangle is covered, so that strokes that overlap count once.
+// The covered share of each pixel in a rectangle; overlapping strokes count once.
 class Coverage {
  public:
   Coverage(const Image& image, std::span<const Stroke> strokes, double margin) {
@@ -26,7 +26,7 @@ class Coverage {
     share_.resize(static_cast<std::size_t>(x1_ - x0_) * static_cast<std::size_t>(y1_ - y0_));
   }
 
-  // Covers what is nearer to the segment than half the width.
+  // Covers the points nearer to the segment than half the width.
   void add(const Vector2& a, const Vector2& b, double width) {
     const double margin = width / 2 + 1;
     const int left = std::max(x0_, floored(std::min(a.x(), b.x()) - margin));

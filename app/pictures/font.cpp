@@ -147,7 +147,7 @@ std::vector<Stroke> strokes_of(std::string_view text) {
   return strokes;
 }
 
-// How many bytes the UTF-8 character takes that begins with this one.
+// The length in bytes of the UTF-8 character that begins with this byte.
 std::size_t length_of(char first) {
   const auto byte = static_cast<unsigned char>(first);
   if (byte >= 0xF0) return 4;

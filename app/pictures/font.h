@@ -17,7 +17,7 @@ struct Lettering {
   double width = 0;
 };
 
-/// @param text  UTF-8. "_" sets the next character, or what stands in the braces after it, as a
+/// @param text  UTF-8. "_" sets the next character, or the text in braces after it, as a
 ///              subscript: "p_0", "R_{ab}". A character without a glyph becomes a box.
 Lettering lettering(std::string_view text);
 

@@ -80,7 +80,7 @@ void for_each_sample_of_stick(const Grid& grid, const Vector& from, const Vector
   if (length == 0) return;
   const Vector e = axis / length;
   const double steepness = 1 - e.z() * e.z();  // squared sine of the angle to the rays
-  if (steepness <= 0) return;                  // seen from its end: nothing but its lids
+  if (steepness <= 0) return;                  // parallel to the rays: only its lids are visible
   const Range rows = samples_between(std::min(from.y(), to.y()) - radius,
                                      std::max(from.y(), to.y()) + radius, grid.height);
   const Range columns = samples_between(std::min(from.x(), to.x()) - radius,

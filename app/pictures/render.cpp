@@ -36,7 +36,7 @@ double smooth_step(double x) {
   return t * t * (3 - 2 * t);
 }
 
-// The work on one picture. Seen space here has the unit of a sample.
+// Renders one picture. View space has the unit of a sample here.
 class Painter {
  public:
   Painter(const Scene& scene, const Camera& camera, const Style& style)
@@ -88,7 +88,7 @@ class Painter {
       const double side = is_front ? 1 : -1;
       const Colour& own = layer.triangle_colours.empty() ? coat.colour : layer.triangle_colours[i];
       const Colour& colour = is_front ? own : coat.back;
-      // y runs down, so the seen triangle is a mirror image, and so is its normal.
+      // y runs down, so view space mirrors the triangle and its normal.
       const Vector face = -side * (b - a).cross(c - a).normalized();
       const double area = std::abs(seen_area(a, b, c));
       const double to_a = area / (b - c).head<2>().norm(), to_b = area / (c - a).head<2>().norm(),
@@ -98,7 +98,8 @@ class Painter {
             Vector normal = face;
             if (!normals.empty()) {
               normal = side * (u * normals[t[0]] + v * normals[t[1]] + (1 - u - v) * normals[t[2]]);
-              // Where smooth normals turn away though the triangle does not, it is seen edge on.
+              // Where a smooth normal faces away though the triangle does not, use a normal across
+              // the view.
               if (normal.z() < 0) normal.z() = 0;
               normal.normalize();
             }
@@ -195,7 +196,7 @@ class Painter {
   }
 
   // Samples just behind the rim of something nearer, or at a rim against the background: where a
-  // neighbour is nearer than the surface itself, going on straight, would be.
+  // neighbour is nearer than the linear continuation of the surface.
   void find_rims() {
     if (style_.outline <= 0) return;
     is_rim_.resize(samples_.size());
@@ -205,7 +206,7 @@ class Painter {
       for (int x = 0; x < grid_.width; ++x) {
         const Sample& sample = at(x, y);
         if (sample.is_empty()) continue;
-        constexpr double least = 0.05;  // of the normal's z: no surface is steeper for this purpose
+        constexpr double least = 0.05;  // lower bound of the normal's z
         const Vector n = sample.vector() / std::max(sample.vector().z(), least);
         for (const auto [dx, dy] :
              {std::array{radius, 0}, {-radius, 0}, {0, radius}, {0, -radius}}) {

@@ -67,7 +67,7 @@ class PendingFile {
 
  private:
   std::filesystem::path path_;    ///< as the user named it
-  std::filesystem::path target_;  ///< what it links to, or the same
+  std::filesystem::path target_;  ///< the target of its link, or the same
   std::string temporary_;         ///< empty once the file has its name
   int number_ = -1;               ///< descriptor, while open
 };

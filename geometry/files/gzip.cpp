@@ -41,7 +41,7 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
     }
     const std::size_t input = std::min(max_at_once, bytes.size() - taken);
     const std::size_t space = std::min(max_at_once, text.size() - made);
-    // zlib never writes to its input, but its type does not say so.
+    // zlib never writes to its input, though its type is not const.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
     stream.avail_in = static_cast<uInt>(input);
     stream.next_out = reinterpret_cast<Bytef*>(text.data() + made);
@@ -50,7 +50,7 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
     taken += input - stream.avail_in;
     made += space - stream.avail_out;
     if (state == Z_STREAM_END) {
-      // A further part follows, or padding that gzip too passes over.
+      // Another member follows, or padding, which gzip ignores too.
       if (!is_gzip(bytes.substr(taken))) {
         text.resize(made);
         return text;

@@ -227,7 +227,7 @@ std::string header_text(const IndexedMesh& mesh, std::string_view encoding) {
   append_number(text, std::uint64_t{mesh.positions.size()});
   text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
   append_number(text, std::uint64_t{mesh.triangles.size()});
-  // "int" rather than "uint": some readers know no other type for corners.
+  // "int" rather than "uint", the only type of corners that some readers know.
   text += "\nproperty list uchar int vertex_indices\nend_header\n";
   return text;
 }

@@ -1,4 +1,4 @@
-// Arrays stand inline as base64 of a 64-bit byte count followed by the little-endian numbers.
+// Arrays are inline base64 of a 64-bit byte count followed by the little-endian numbers.
 
 #include "geometry/files/vtu_grid.h"
 
