@@ -249,11 +249,11 @@ void keep_to_regions(const SurfaceMesh& mesh, const std::set<FlowRegion>& region
 }  // namespace
 
 FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFunction& function,
-                         const morse::MorseSmaleComplex& complex, unsigned threads) {
+                         const morse::MorseSmaleComplex& complex, const geometry::Run& run) {
   const SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<std::uint32_t> up, down;
   geometry::do_both(
-      threads, [&] { up = extrema(surface, mesh, function, 2, complex.points); },
+      run.threads(), [&] { up = extrema(surface, mesh, function, 2, complex.points); },
       [&] { down = extrema(surface, mesh, function.reversed(), 0, complex.points); });
   std::vector<FlowRegion> pairs;
   pairs.reserve(up.size());

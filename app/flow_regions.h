@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/indexed_mesh.h"
+#include "geometry/run.h"
 #include "morse/morse_smale_complex.h"
 
 namespace morskin::app {
@@ -27,9 +28,8 @@ struct FlowRegions {
 };
 
 /// @param complex  without regions every pair is accepted
-/// @param threads  at most; the result is the same for any number
 /// @pre  the mesh is a closed 2-manifold; there are a minimum and a maximum.
 FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFunction& function,
-                         const morse::MorseSmaleComplex& complex, unsigned threads);
+                         const morse::MorseSmaleComplex& complex, const geometry::Run& run);
 
 }  // namespace morskin::app

@@ -120,8 +120,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
   add_cells(page, code, context.skin.surface.complex(), result.cells);
   add_sweep(page, code, recorded);
   if (result.open_edges == 0 && has_both_extrema(context.complex.points)) {
-    add_regions(page, code,
-                flow_regions(result.mesh, context.function, context.complex, arguments.threads));
+    add_regions(page, code, flow_regions(result.mesh, context.function, context.complex, run));
   }
   add_context(page, context);
   return {std::move(result.mesh), result.certificate};
@@ -154,8 +153,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&
       !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {
-    add_regions(page, code,
-                flow_regions(mesh, context.function, context.complex, arguments.threads));
+    add_regions(page, code, flow_regions(mesh, context.function, context.complex, run));
   }
   add_context(page, context);
   return viewed;

@@ -39,13 +39,6 @@ void check_molecule(const char* file) {
 
 }  // namespace
 
-TEST_CASE("a method's name says which it is") {
-  for (const Method method : {Method::Sweep, Method::Static, Method::Dynamic}) {
-    CHECK(morskin::parse_method(morskin::name_of(method)) == method);
-  }
-  CHECK_FALSE(morskin::parse_method("fast"));
-}
-
 TEST_CASE("the static method meshes one ball, two with and without a neck, and nearly touching") {
   check_static({support::ball(0, 0, 0, 1)});
   const double touching = 2 * std::sqrt(2.0);  // patches of radius 1 meet where spheres touch
