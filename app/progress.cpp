@@ -14,11 +14,13 @@ ProgressLine::ProgressLine(ShowProgress when)
 
 void ProgressLine::show(std::string_view stage, double share) {
   const auto now = std::chrono::steady_clock::now();
-  const bool is_new = stage != stage_;
+  // A stage begins before anybody can tell its share.
+  const bool is_new = stage != stage_ || (share >= 0 && !has_share_);
   if (!is_shown_ || (has_text_ && !is_new && now - last_ < std::chrono::milliseconds(100))) return;
   last_ = now;
   has_text_ = true;
   stage_ = stage;
+  has_share_ = share >= 0;
   if (share < 0) {
     std::fprintf(stderr, "\r%-26s", stage_.c_str());
   } else {

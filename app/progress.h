@@ -9,8 +9,8 @@
 
 namespace morskin::app {
 
-/// One line on standard error, "sweep 43 %", written over itself for a new stage, else at most ten
-/// times a second, and wiped at the end.
+/// One line on standard error, "sweep 43 %", written over itself for a new stage and its first
+/// share, else at most ten times a second, and wiped at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(ShowProgress when);
@@ -29,6 +29,7 @@ class ProgressLine {
  private:
   bool is_shown_;
   bool has_text_ = false;
+  bool has_share_ = false;  ///< of the stage
   std::string stage_;
   std::chrono::steady_clock::time_point last_{};
 };

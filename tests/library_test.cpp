@@ -21,7 +21,7 @@ namespace {
 constexpr morskin::SkinOptions balls{.model = morskin::Model::Vdw};
 
 /// Two balls that make one piece, and one by itself.
-const std::vector<Atom> three_atoms{{{0, 0, 0}, 1.5}, {{2, 0.3, 0}, 1.2}, {{9, 0, 0}, 2}};
+const std::vector<Atom> three_atoms{{{0, 0, 0}, 1.5}, {{2, 0.3, 0}, 1.2}, {{40, 0, 0}, 2}};
 
 Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 double dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
@@ -116,19 +116,23 @@ TEST_CASE("the Gaussian curvature adds up to 2 pi times the Euler characteristic
           characteristic);
     const SkinMesh mesh = skin.mesh({.C = 0.05});
     const std::vector<SkinPoint> points = mesh.points();
-    double sum = 0;
+    double sum = 0, total = 0;  // of the curvature, and of its magnitude
     for (const auto& corners : mesh.triangles().triangles) {
       const auto& [a, b, c] = corners;
       const auto& x = mesh.triangles().vertices;
       const Point area = cross(x[b] - x[a], x[c] - x[a]);
       for (const std::uint32_t v : corners) {
-        sum += std::sqrt(dot(area, area)) / 6 * points[v].curvatures[0] * points[v].curvatures[1];
+        const double part =
+            std::sqrt(dot(area, area)) / 6 * points[v].curvatures[0] * points[v].curvatures[1];
+        sum += part;
+        total += std::abs(part);
         CHECK(std::abs(points[v].curvatures[0]) >= std::abs(points[v].curvatures[1]) * (1 - 1e-12));
         CHECK(std::abs(points[v].curvatures[0]) ==
               doctest::Approx(1 / points[v].length_scale).epsilon(1e-9));
       }
     }
-    CHECK(sum == doctest::Approx(2 * M_PI * characteristic).epsilon(0.02).scale(2 * M_PI));
+    // Curvature jumps where patches meet, and a triangle there has some of both.
+    CHECK(std::abs(sum - 2 * M_PI * characteristic) < 0.02 * total);
   }
 }
 
