@@ -27,9 +27,12 @@ class MeshData : public IdVector<Index, T>, public MeshFollower {
   MeshData& operator=(MeshData&&) = default;
 
  protected:
-  MeshData(SurfaceMesh& mesh, std::size_t size, const T& fill)
-      : Table(size, fill), MeshFollower(mesh), fill_(fill) {}
-  void resize_filled(std::size_t size) { this->resize(size, fill_); }
+  MeshData(SurfaceMesh& mesh, std::size_t size, const T& fill, bool has_triangles)
+      : Table(size, fill), MeshFollower(mesh, has_triangles), fill_(fill) {}
+  void resize_filled(std::size_t size) {
+    if (size == this->size() + 1) return this->push_back(fill_);  // by far the usual case
+    if (size != this->size()) this->resize(size, fill_);
+  }
   void reset(Index i) { (*this)[i] = fill_; }
   void append(MeshFollower* other, std::size_t size) {
     if (auto* data = dynamic_cast<MeshData*>(other)) {
@@ -49,13 +52,11 @@ class VertexData : public MeshData<VertexId, T> {
  public:
   /// @param fill  the value of each vertex, now and when it comes to be
   explicit VertexData(SurfaceMesh& mesh, const T& fill = T())
-      : MeshData<VertexId, T>(mesh, mesh.vertex_count(), fill) {}
+      : MeshData<VertexId, T>(mesh, mesh.vertex_count(), fill, false) {}
   using MeshData<VertexId, T>::operator=;
 
  private:
-  void resized(std::size_t vertices, std::size_t) override {
-    if (vertices != this->size()) this->resize_filled(vertices);
-  }
+  void vertices_resized(std::size_t vertices) override { this->resize_filled(vertices); }
   void vertex_removed(VertexId v) override { this->reset(v); }
   void compacted(const Renaming& renaming) override {
     for (std::size_t v = 0; v < this->size(); ++v) {
@@ -74,13 +75,11 @@ class TriangleData : public MeshData<TriangleId, T> {
  public:
   /// @param fill  the value of each triangle, now and when it comes to be
   explicit TriangleData(SurfaceMesh& mesh, const T& fill = T())
-      : MeshData<TriangleId, T>(mesh, mesh.triangle_count(), fill) {}
+      : MeshData<TriangleId, T>(mesh, mesh.triangle_count(), fill, true) {}
   using MeshData<TriangleId, T>::operator=;
 
  protected:
-  void resized(std::size_t, std::size_t triangles) override {
-    if (triangles != this->size()) this->resize_filled(triangles);
-  }
+  void triangles_resized(std::size_t triangles) override { this->resize_filled(triangles); }
   void triangle_split(TriangleId, TriangleId second, TriangleId third) override {
     this->reset(second);
     this->reset(third);
@@ -109,9 +108,9 @@ class TriangleBirths : public TriangleData<std::uint32_t> {
   using TriangleData<std::uint32_t>::TriangleData;
 
  private:
-  void resized(std::size_t vertices, std::size_t triangles) override {
+  void triangles_resized(std::size_t triangles) override {
     while (size() < triangles) push_back(laid_++);
-    TriangleData<std::uint32_t>::resized(vertices, triangles);
+    TriangleData<std::uint32_t>::triangles_resized(triangles);
   }
   void triangle_split(TriangleId first, TriangleId second, TriangleId third) override;
   void appended(MeshFollower* other, std::size_t vertices, std::size_t triangles) override {

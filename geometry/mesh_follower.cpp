@@ -6,12 +6,15 @@
 
 namespace morskin::geometry {
 
-MeshFollower::MeshFollower(SurfaceMesh& mesh) : mesh_(&mesh) {
+MeshFollower::MeshFollower(SurfaceMesh& mesh, bool has_triangles) : mesh_(&mesh) {
   mesh.followers_.all.push_back(this);
+  if (has_triangles) mesh.followers_.with_triangles.push_back(this);
 }
 
 MeshFollower::~MeshFollower() {
-  if (mesh_ != nullptr) std::erase(mesh_->followers_.all, this);
+  if (mesh_ == nullptr) return;
+  std::erase(mesh_->followers_.all, this);
+  std::erase(mesh_->followers_.with_triangles, this);
 }
 
 SurfaceMesh::Followers::~Followers() {

@@ -52,15 +52,18 @@ class MeshFollower {
   MeshFollower& operator=(const MeshFollower&) { return *this; }  // follows what it followed
 
  protected:
-  explicit MeshFollower(SurfaceMesh& mesh);
+  /// @param has_triangles  whether it is to be told of every new triangle
+  explicit MeshFollower(SurfaceMesh& mesh, bool has_triangles = false);
   virtual ~MeshFollower();
   /// @pre the mesh lives.
   const SurfaceMesh& followed() const { return *mesh_; }
 
  private:
   friend class SurfaceMesh;
-  /// The mesh has so many vertices and triangles now. New ones have the highest ids.
-  virtual void resized(std::size_t, std::size_t) {}
+  /// The mesh has so many vertices now. New ones have the highest ids.
+  virtual void vertices_resized(std::size_t) {}
+  /// The same of triangles.
+  virtual void triangles_resized(std::size_t) {}
   /// A vertex has gone. Its id may come back for another.
   virtual void vertex_removed(VertexId) {}
   /// A triangle was split at a new vertex and keeps its id; two more came to be. Called by several
@@ -73,7 +76,8 @@ class MeshFollower {
   ///                   is not needed afterwards.
   /// @param vertices, triangles  of both together
   virtual void appended(MeshFollower* /*other*/, std::size_t vertices, std::size_t triangles) {
-    resized(vertices, triangles);
+    vertices_resized(vertices);
+    triangles_resized(triangles);
   }
 
   SurfaceMesh* mesh_;  ///< nullptr when it is gone

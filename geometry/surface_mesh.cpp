@@ -65,7 +65,8 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
 SurfaceMesh& SurfaceMesh::operator=(SurfaceMesh other) {
   std::swap(half_edges_, other.half_edges_);
   std::swap(outgoing_, other.outgoing_);
-  tell_size();
+  tell_vertex_count();
+  tell_triangle_count();
   return *this;
 }
 
@@ -81,7 +82,7 @@ std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
 
 VertexId SurfaceMesh::add_vertex() {
   outgoing_.push_back(HalfEdgeId::none());
-  tell_size();
+  tell_vertex_count();
   return VertexId{outgoing_.size() - 1};
 }
 
@@ -95,7 +96,7 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   outgoing_[a] = first;
   outgoing_[b] = HalfEdgeId{first.value + 1};
   outgoing_[c] = HalfEdgeId{first.value + 2};
-  tell_size();
+  tell_triangle_count();
   return triangle(first);
 }
 
@@ -103,7 +104,7 @@ SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
   const TriangleId second{triangle_count()}, third{triangle_count() + 1};
   require_capacity(third.index(), max_triangles, "triangles");
   half_edges_.resize(half_edges_.size() + 6);
-  tell_size();
+  tell_triangle_count();
   return {v, second, third};
 }
 
@@ -139,7 +140,8 @@ void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
     }
   };
   do_both(vertices < big ? threads : 1, append_elements, append_data);
-  other.tell_size();
+  other.tell_vertex_count();
+  other.tell_triangle_count();
 }
 
 void SurfaceMesh::flip(HalfEdgeId h) {

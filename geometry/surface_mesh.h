@@ -164,6 +164,7 @@ class SurfaceMesh {
   /// Those of one mesh object: a copy has none.
   struct Followers {
     std::vector<MeshFollower*> all;
+    std::vector<MeshFollower*> with_triangles;  ///< those to be told of every new triangle
     Followers() = default;
     Followers(const Followers&) {}
     Followers& operator=(const Followers&) = delete;
@@ -173,9 +174,12 @@ class SurfaceMesh {
   Room room_for(VertexId v);
   Renaming renaming() const;
   void move_elements(const Renaming& renaming);
-  void tell_size() const {
-    for (MeshFollower* follower : followers_.all) {
-      follower->resized(vertex_count(), triangle_count());
+  void tell_vertex_count() const {
+    for (MeshFollower* follower : followers_.all) follower->vertices_resized(vertex_count());
+  }
+  void tell_triangle_count() const {
+    for (MeshFollower* follower : followers_.with_triangles) {
+      follower->triangles_resized(triangle_count());
     }
   }
   void tell_removed(VertexId v) const {
