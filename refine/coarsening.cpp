@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "certify/tube.h"
@@ -18,8 +17,6 @@ constexpr std::array crowded_limits{0.6, 0.8, 1.0};
 
 /// A polygon with more corners has hardly ever good ears only.
 constexpr std::size_t most_neighbours = 12;
-
-constexpr double no_ear = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -87,64 +84,21 @@ bool Coarsening::is_crowded_after(VertexId v, double limit, const Subdomain& sub
   return true;
 }
 
-void Coarsening::ring_of(VertexId v, std::vector<VertexId>& ring) const {
-  ring.clear();
-  mesh_.surface.for_each_outgoing(v,
-                                  [&](HalfEdgeId h) { ring.push_back(mesh_.surface.target(h)); });
-}
-
 /// Takes a vertex out if its neighbours can be joined by good triangles.
 /// @pre the subdomain contains v and its neighbours.
 bool Coarsening::remove(VertexId v, double limit) {
   SurfaceMesh& surface = mesh_.surface;
-  ring_of(v, ring_);
-  if (ring_.size() > most_neighbours || !find_ears(limit)) return false;
-  for (const VertexId tip : tips_) {
-    std::optional<HalfEdgeId> to_tip;
-    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-      if (surface.target(h) == tip) to_tip = h;
-    });
-    surface.flip(*to_tip);
+  const auto size = [&](VertexId a, VertexId b, VertexId c) { return ear(a, b, c, limit); };
+  const auto is_provable = [&](VertexId a, VertexId b, VertexId c) {
+    return can_be_proved(a, b, c);
+  };
+  if (surface.has_degree_above(v, most_neighbours) ||
+      !removal_.plan(surface, v, size, is_provable)) {
+    return false;
   }
-  surface.unsplit(v);
+  removal_.carry_out(surface, [](HalfEdgeId) {});
   ++removed_;
   return true;
-}
-
-/// Cuts the polygon of neighbours into triangles, the smallest ear first, as Delaunay triangles
-/// have small circles. The last three are what is left in the end.
-/// @return whether all are good
-bool Coarsening::find_ears(double limit) {
-  const SurfaceMesh& surface = mesh_.surface;
-  tips_.clear();
-  polygon_ = ring_;
-  ears_.resize(polygon_.size());
-  const auto before = [&](std::size_t i) { return i == 0 ? polygon_.size() - 1 : i - 1; };
-  const auto after = [&](std::size_t i) { return i + 1 == polygon_.size() ? 0 : i + 1; };
-  const auto look = [&](std::size_t i) {
-    ears_[i] = ear(polygon_[before(i)], polygon_[i], polygon_[after(i)], limit);
-  };
-  for (std::size_t i = 0; i < polygon_.size(); ++i) look(i);
-  while (polygon_.size() > 3) {
-    const auto best = static_cast<std::size_t>(std::ranges::min_element(ears_) - ears_.begin());
-    if (ears_[best] == no_ear) return false;
-    const VertexId a = polygon_[before(best)], tip = polygon_[best], b = polygon_[after(best)];
-    if (surface.has_edge(a, b)) {
-      ears_[best] = no_ear;
-      continue;
-    }
-    if (!surface.has_degree_above(tip, 3) || !can_be_proved(a, tip, b)) return false;
-    tips_.push_back(tip);
-    polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(best));
-    ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(best));
-    const std::size_t next = best == polygon_.size() ? 0 : best;
-    look(before(next));
-    look(next);
-  }
-  const auto [a, b, c] = std::array{polygon_[0], polygon_[1], polygon_[2]};
-  return std::ranges::all_of(polygon_,
-                             [&](VertexId x) { return surface.has_degree_above(x, 3); }) &&
-         ear(a, b, c, limit) != no_ear && can_be_proved(a, b, c);
 }
 
 /// The circumradius over the length scale of a triangle that could cut off the middle corner, if it
@@ -155,7 +109,7 @@ double Coarsening::ear(VertexId a, VertexId b, VertexId c, double limit) const {
   const double rho = std::min({p.length_scale, q.length_scale, r.length_scale});
   const bool is_good = sizing_.triangle_ratio(circle.radius, rho) < limit &&
                        is_upright(circle.doubled_area, p, q, r);
-  return is_good ? circle.radius / rho : no_ear;
+  return is_good ? circle.radius / rho : VertexRemoval::never;
 }
 
 bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {

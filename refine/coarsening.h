@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "refine/names.h"
+#include "refine/mesh_operations.h"
 
 namespace morskin::refine {
 
@@ -39,10 +39,8 @@ class Coarsening {
   void ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const;
   bool is_crowded_after(VertexId v, double limit, const Subdomain& subdomain);
   bool remove(VertexId v, double limit);
-  bool find_ears(double limit);
   double ear(VertexId a, VertexId b, VertexId c, double limit) const;
   bool can_be_proved(VertexId a, VertexId b, VertexId c) const;
-  void ring_of(VertexId v, std::vector<VertexId>& ring) const;
 
   const surface::Surface& skin_;
   const Sizing sizing_;
@@ -50,11 +48,8 @@ class Coarsening {
   /// Vertices that a run has tried. Not those that are new or were had to wait.
   geometry::VertexData<char> is_tried_;
   std::size_t removed_ = 0;
-  std::vector<VertexId> crowd_;    ///< neighbours of a vertex that are too near
-  std::vector<VertexId> ring_;     ///< neighbours of the vertex in question, counter-clockwise
-  std::vector<VertexId> polygon_;  ///< what is left of them
-  std::vector<double> ears_;       ///< by corner, the size of the triangle that would cut it off
-  std::vector<VertexId> tips_;     ///< of the corners cut off, in turn
+  std::vector<VertexId> crowd_;  ///< neighbours of a vertex that are too near
+  VertexRemoval removal_;
 };
 
 }  // namespace morskin::refine

@@ -1,7 +1,6 @@
 #include "refine/local_operations.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "certify/delaunay_filter.h"
@@ -84,25 +83,10 @@ void LocalOperations::look_again(TriangleId t, std::initializer_list<HalfEdgeId>
   work_.to_flip.insert(work_.to_flip.end(), edges);
 }
 
-bool LocalOperations::faces_outward(VertexId a, VertexId b, VertexId c) const {
-  const Vector n =
-      (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
-  return is_upright(n, mesh_.at(a), mesh_.at(b), mesh_.at(c));
-}
-
-bool LocalOperations::can_flip(HalfEdgeId h) const {
-  const SurfaceMesh& surface = mesh_.surface;
-  const HalfEdgeId g = surface.twin(h);
-  const VertexId a = surface.origin(h), b = surface.origin(g);
-  const VertexId c = surface.apex(h), d = surface.apex(g);
-  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface.has_edge(c, d);
-}
-
-void LocalOperations::flip(HalfEdgeId h) {
-  const HalfEdgeId g = mesh_.surface.twin(h);
-  mesh_.surface.flip(h);
+/// Looks again at both triangles of a flipped edge.
+void LocalOperations::note_flip(HalfEdgeId h) {
   ++counts_.flip;
-  for (const HalfEdgeId side : {h, g}) {
+  for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
     look_again(SurfaceMesh::triangle(side), {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
   }
 }
@@ -131,7 +115,7 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
     leave(h);
     return false;
   }
-  if (!can_flip(h)) return false;
+  if (!can_flip(surface, points(), h)) return false;
   LazySurfaceBall upper = ball(a, d, c), lower = ball(b, c, d);
   const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
   if (then.min >= now.max) return false;
@@ -140,7 +124,8 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
     const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
     if (exactly_then.min >= exactly_now.min) return false;
   }
-  flip(h);
+  mesh_.surface.flip(h);
+  note_flip(h);
   return true;
 }
 // [/excerpt]
@@ -193,61 +178,20 @@ bool LocalOperations::contract(HalfEdgeId h) {
   return is_removed;
 }
 
-/// Of a vertex with four neighbours, the edge to flip so that v leaves two good triangles behind,
-/// whatever its own look like meanwhile: v may lie outside of what its last three neighbours span.
-std::optional<HalfEdgeId> LocalOperations::last_flip(VertexId v) const {
-  const SurfaceMesh& surface = mesh_.surface;
-  std::optional<HalfEdgeId> best;
-  double least = std::numeric_limits<double>::infinity();
-  surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-    const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(surface.twin(h));
-    const VertexId beyond =
-        surface.target(surface.twin(SurfaceMesh::previous(surface.twin(SurfaceMesh::previous(h)))));
-    if (c == d || surface.has_edge(c, d) || !surface.has_degree_above(beyond, 3) ||
-        !faces_outward(x, c, d) || !faces_outward(beyond, d, c)) {
-      return;
-    }
-    const double size =
-        std::max(circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius,
-                 circumcircle(mesh_.position(beyond), mesh_.position(d), mesh_.position(c)).radius);
-    if (size >= least) return;
-    least = size;
-    best = h;
-  });
-  return best;
-}
-
-/// Takes a vertex out: flips its edges away, the Delaunay ear first, until three are left.
+/// Takes a vertex out, if what it leaves can be covered by triangles that face outward.
 bool LocalOperations::remove(VertexId v) {
   SurfaceMesh& surface = mesh_.surface;
-  while (surface.has_degree_above(v, 3)) {
-    std::optional<HalfEdgeId> best;
-    double least = std::numeric_limits<double>::infinity();
-    surface.for_each_outgoing(v, [&](HalfEdgeId h) {
-      const HalfEdgeId g = surface.twin(h);
-      const VertexId x = surface.target(h), c = surface.apex(h), d = surface.apex(g);
-      if (!can_flip(h)) return;
-      const double size =
-          circumcircle(mesh_.position(x), mesh_.position(c), mesh_.position(d)).radius;
-      if (size < least) {
-        least = size;
-        best = h;
-      }
-    });
-    if (!best && surface.degree(v) == 4) best = last_flip(v);
-    if (!best) return false;
-    flip(*best);
-    work_.to_flip.push_back(*best);  // no Delaunay flip: if v stays after all, it may go back
-  }
-  const HalfEdgeId first = *surface.outgoing(v);
-  const VertexId a = surface.target(first), b = surface.apex(first);
-  const VertexId c = surface.apex(surface.twin(first));
-  const auto keeps_three = [&](VertexId x) { return surface.has_degree_above(x, 3); };
-  if (a == b || b == c || c == a || !keeps_three(a) || !keeps_three(b) || !keeps_three(c)) {
-    return false;
-  }
-  rooms_.push_back(surface.unsplit(v));
-  const TriangleId left = SurfaceMesh::triangle(first);
+  const auto size = [&](VertexId a, VertexId b, VertexId c) {
+    const Circumcircle circle =
+        circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
+    return is_upright(circle.doubled_area, mesh_.at(a), mesh_.at(b), mesh_.at(c))
+               ? circle.radius
+               : VertexRemoval::never;
+  };
+  const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
+  if (!removal_.plan(surface, v, size, is_any_allowed)) return false;
+  rooms_.push_back(removal_.carry_out(surface, [&](HalfEdgeId h) { note_flip(h); }));
+  const TriangleId left = removal_.triangle_left();
   look_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
                     SurfaceMesh::half_edge(left, 2)});
   return true;
@@ -280,32 +224,27 @@ bool LocalOperations::insert(TriangleId t) {
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
   if (!subdomain_.is_whole() && rooms_.empty()) return false;
-  const SurfaceBall ball =
-      exact_surface_ball(skin_, mesh_.at(a), mesh_.position(b), mesh_.position(c));
-  const auto x = skin_.project(ball.centre, mesh_.at(a).cell);
-  if (!x) return false;
-  const auto place = [&](VertexId v) -> const Point& { return mesh_.position(v); };
   const auto may_cross = [&](HalfEdgeId h) {
     return subdomain_.contains(surface.origin(h)) || subdomain_.contains(surface.target(h));
   };
-  const auto under = triangle_under(surface, place, t, *x, may_cross);
-  if (!under || !subdomain_.contains(surface, *under)) return false;
-  for (const VertexId v : surface.corners(*under)) {
-    if (sizing_.is_too_short(mesh_.at(v), *x)) return false;
+  const auto where = find_insertion(skin_, surface, points(), t, may_cross);
+  if (!where || !subdomain_.contains(surface, where->under)) return false;
+  for (const VertexId v : surface.corners(where->under)) {
+    if (sizing_.is_too_short(mesh_.at(v), where->point)) return false;
   }
-  put_in(*under, *x);
+  insert(*where);
   ++counts_.insert;
   flip_where_needed();
   return true;
 }
 
-void LocalOperations::put_in(TriangleId under, const SurfacePoint& x) {
+void LocalOperations::insert(const Insertion& where) {
   if (rooms_.empty()) rooms_.push_back(mesh_.surface.add_room());
   const SurfaceMesh::Room room = rooms_.back();
   rooms_.pop_back();
-  mesh_.points[room.vertex] = x;
-  mesh_.surface.split(under, room);
-  for (const TriangleId changed : {under, room.second, room.third}) {
+  mesh_.points[room.vertex] = where.point;
+  mesh_.surface.split(where.under, room);
+  for (const TriangleId changed : {where.under, room.second, room.third}) {
     look_again(changed, {SurfaceMesh::half_edge(changed, 0)});
   }
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/run.h"
-#include "refine/names.h"
+#include "refine/mesh_operations.h"
 
 namespace morskin::refine {
 
@@ -66,19 +66,19 @@ class LocalOperations {
  private:
   void look_again(TriangleId t, std::initializer_list<HalfEdgeId> edges);
   bool flip_if_better(HalfEdgeId h);
-  void flip(HalfEdgeId h);
   void leave(HalfEdgeId h);
   bool contract(HalfEdgeId h);
   bool remove(VertexId v);
-  std::optional<HalfEdgeId> last_flip(VertexId v) const;
   bool insert(TriangleId t);
-  void put_in(TriangleId under, const SurfacePoint& x);
+  void insert(const Insertion& where);
   void tell(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
   bool is_big(TriangleId t, const Circumcircle& circle) const;
-  bool faces_outward(VertexId a, VertexId b, VertexId c) const;
-  bool can_flip(HalfEdgeId h) const;
+  auto points() const {
+    return [this](VertexId v) -> const SurfacePoint& { return mesh_.at(v); };
+  }
+  void note_flip(HalfEdgeId h);
 
   const surface::Surface& skin_;
   const Sizing sizing_;
@@ -87,6 +87,7 @@ class LocalOperations {
   Subdomain subdomain_;
   std::vector<SurfaceMesh::Room> rooms_;
   RefinementCounts counts_;
+  VertexRemoval removal_;
   std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;
 };

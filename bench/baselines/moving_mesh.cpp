@@ -1,7 +1,6 @@
 #include "bench/baselines/moving_mesh.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace morskin::baselines {
@@ -78,26 +77,10 @@ surface::Mesh MovingMesh::snapshot() {
   return copy;
 }
 
-/// Whether the triangle's normal agrees with the skin's at all its corners.
-bool MovingMesh::faces_outward(VertexId a, VertexId b, VertexId c) {
-  const Vector n = (position(b) - position(a)).cross(position(c) - position(a));
-  const double least = 0.3 * n.norm();
-  return n.dot(at(a).normal) > least && n.dot(at(b).normal) > least && n.dot(at(c).normal) > least;
-}
-
-bool MovingMesh::can_flip(HalfEdgeId h) {
-  const HalfEdgeId g = surface_.twin(h);
-  const VertexId a = surface_.origin(h), b = surface_.origin(g);
-  const VertexId c = surface_.apex(h), d = surface_.apex(g);
-  return c != d && faces_outward(a, d, c) && faces_outward(b, c, d) && !surface_.has_edge(c, d);
-}
-
-void MovingMesh::flip(HalfEdgeId h) {
-  const HalfEdgeId g = surface_.twin(h);
-  surface_.flip(h);
+void MovingMesh::note_flip(HalfEdgeId h) {
   ++counts.flip;
   add_changed(SurfaceMesh::triangle(h));
-  add_changed(SurfaceMesh::triangle(g));
+  add_changed(SurfaceMesh::triangle(surface_.twin(h)));
 }
 
 bool MovingMesh::flip_if_better(HalfEdgeId h) {
@@ -109,11 +92,12 @@ bool MovingMesh::flip_if_better(HalfEdgeId h) {
   // A share that rounding and motion do not turn at once.
   constexpr double least_gain = 1e-3;
   const double gain = least_gain * std::min(left.squared_radius, right.squared_radius);
-  if (now <= gain || !can_flip(h)) return false;
+  if (now <= gain || !refine::can_flip(surface_, points(), h)) return false;
   const double then = std::max(exact_ball(a, d, c).intrusion(position(b)),
                                exact_ball(b, c, d).intrusion(position(a)));
   if (then >= now - gain) return false;
-  flip(h);
+  surface_.flip(h);
+  note_flip(h);
   return true;
 }
 
@@ -126,59 +110,28 @@ bool MovingMesh::contract(HalfEdgeId h) {
   return is_removed;
 }
 
-/// Takes a vertex out. The polygon of its neighbours is cut into ears first, the smallest first,
-/// and only if that succeeds the edges are flipped away in this order: what is refused changes
-/// nothing.
 bool MovingMesh::remove(VertexId v) {
-  link_.clear();
-  surface_.for_each_outgoing(v, [&](HalfEdgeId h) { link_.push_back(surface_.target(h)); });
-  cuts_.clear();
-  while (link_.size() > 3) {
-    std::size_t best = link_.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < link_.size(); ++i) {
-      const VertexId d = link_[(i + link_.size() - 1) % link_.size()], x = link_[i];
-      const VertexId c = link_[(i + 1) % link_.size()];
-      const double size = circumcircle(position(d), position(x), position(c)).radius;
-      if (size >= least || surface_.degree(x) <= 3 || !faces_outward(d, x, c) ||
-          surface_.has_edge(c, d)) {
-        continue;
-      }
-      least = size;
-      best = i;
-    }
-    if (best == link_.size()) return false;
-    cuts_.push_back(link_[best]);
-    link_.erase(link_.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  if (!faces_outward(link_[0], link_[1], link_[2])) return false;
-  for (const VertexId corner : link_) {
-    if (surface_.degree(corner) <= 3) return false;
-  }
-  for (const VertexId x : cuts_) {
-    surface_.for_each_outgoing(v, [&](HalfEdgeId h) {
-      if (surface_.target(h) == x) to_cut_ = h;
-    });
-    flip(to_cut_);
-  }
-  const HalfEdgeId first = *surface_.outgoing(v);
-  surface_.unsplit(v);
+  const auto size = [&](VertexId a, VertexId b, VertexId c) {
+    return refine::faces_outward(points(), a, b, c)
+               ? circumcircle(position(a), position(b), position(c)).radius
+               : refine::VertexRemoval::never;
+  };
+  const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
+  if (!removal_.plan(surface_, v, size, is_any_allowed)) return false;
+  removal_.carry_out(surface_, [&](HalfEdgeId h) { note_flip(h); });
   ++dead_;
-  add_changed(SurfaceMesh::triangle(first));
+  add_changed(removal_.triangle_left());
   return true;
 }
 
 bool MovingMesh::insert(TriangleId t, double least_L) {
-  const auto [a, b, c] = surface_.corners(t);
-  const auto x = level_.project(exact_ball(a, b, c).centre, at(a).cell);
-  if (!x) return false;
-  const auto place = [&](VertexId v) -> const Point& { return position(v); };
-  const auto found =
-      certify::triangle_under(surface_, place, t, *x, [](HalfEdgeId) { return true; });
-  if (!found) return false;
-  const TriangleId under = *found;
+  const auto where =
+      refine::find_insertion(level_, surface_, points(), t, [](HalfEdgeId) { return true; });
+  if (!where) return false;
+  const SurfacePoint& x = where->point;
+  const TriangleId under = where->under;
   for (const VertexId v : surface_.corners(under)) {
-    if (sizing_.edge_ratio(at(v), *x) < least_L) return false;
+    if (sizing_.edge_ratio(at(v), x) < least_L) return false;
   }
   // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
   constexpr double beside = 0.1;  // of the edge's length
@@ -188,13 +141,13 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
     const HalfEdgeId h = SurfaceMesh::half_edge(under, k);
     const Point& p = position(surface_.origin(h));
     const Vector edge = position(surface_.target(h)) - p;
-    const double height = edge.cross(x->position - p).dot(x->normal) / edge.squaredNorm();
+    const double height = edge.cross(x.position - p).dot(x.normal) / edge.squaredNorm();
     if (height >= least) continue;
     least = height;
     nearest = k;
   }
   const std::size_t before = surface_.triangle_count();
-  const VertexId v = add_vertex(*x);
+  const VertexId v = add_vertex(x);
   surface_.split(under, v);
   const std::array<TriangleId, 3> around{under, TriangleId{before}, TriangleId{before + 1}};
   for (const TriangleId one : around) add_changed(one);
@@ -202,7 +155,10 @@ bool MovingMesh::insert(TriangleId t, double least_L) {
   // The k-th of the three has the k-th edge of the triangle that was split as its first.
   if (nearest) {
     const HalfEdgeId h = SurfaceMesh::half_edge(around[*nearest], 0);
-    if (can_flip(h)) flip(h);
+    if (refine::can_flip(surface_, points(), h)) {
+      surface_.flip(h);
+      note_flip(h);
+    }
   }
   ++counts.insert;
   return true;

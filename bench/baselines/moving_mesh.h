@@ -12,6 +12,7 @@
 #include "certify/sizing.h"
 #include "geometry/mesh_data.h"
 #include "geometry/surface_mesh.h"
+#include "refine/mesh_operations.h"
 #include "refine/refinement.h"
 
 namespace morskin::baselines {
@@ -121,9 +122,10 @@ class MovingMesh {
     const std::uint32_t w = watch_[cell];
     if (w != no_index) visitors_[w].push_back(v);
   }
-  bool faces_outward(VertexId a, VertexId b, VertexId c);
-  bool can_flip(HalfEdgeId h);
-  void flip(HalfEdgeId h);
+  auto points() {
+    return [this](VertexId v) -> const SurfacePoint& { return at(v); };
+  }
+  void note_flip(HalfEdgeId h);
   bool remove(VertexId v);
   certify::SurfaceBall exact_ball(VertexId a, VertexId b, VertexId c) {
     return certify::exact_surface_ball(level_, at(a), position(b), position(c));
@@ -139,10 +141,7 @@ class MovingMesh {
   geometry::TriangleData<char> is_changed_{surface_, 0};
   std::size_t dead_ = 0;
 
-  // Of a removal: the neighbours left, those cut off, and the edge to the next of these.
-  std::vector<VertexId> link_, cuts_;
-  HalfEdgeId to_cut_;
-
+  refine::VertexRemoval removal_;
   geometry::IdVector<CellId, std::uint32_t> watch_;
   std::vector<std::vector<VertexId>> visitors_;
 };

@@ -1,0 +1,136 @@
+#pragma once
+
+/// The operations of section 4.3 for whatever keeps a mesh: refinement, coarsening, the growing
+/// mesh. Each asks for vertices by a callback at(v), a SurfacePoint, so these may also move.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "refine/names.h"
+
+namespace morskin::refine {
+
+/// Whether the triangle's normal agrees with the surface's at all corners.
+template <class At>
+bool faces_outward(const At& at, VertexId a, VertexId b, VertexId c) {
+  const SurfacePoint &p = at(a), &q = at(b), &r = at(c);
+  const Vector n = (q.position - p.position).cross(r.position - p.position);
+  return is_upright(n, p, q, r);
+}
+
+/// Whether an edge's flip leaves two triangles that face outward, and no edge twice.
+template <class At>
+bool can_flip(const SurfaceMesh& mesh, const At& at, HalfEdgeId h) {
+  const HalfEdgeId g = mesh.twin(h);
+  const VertexId a = mesh.origin(h), b = mesh.origin(g), c = mesh.apex(h), d = mesh.apex(g);
+  return c != d && faces_outward(at, a, d, c) && faces_outward(at, b, c, d) && !mesh.has_edge(c, d);
+}
+
+/// Where a triangle is broken: at the centre of its surface ball, in the triangle that this lies
+/// over.
+struct Insertion {
+  SurfacePoint point;
+  TriangleId under;
+};
+/// @param may_cross  whether the search for that triangle may cross an edge
+template <class At, class MayCross>
+std::optional<Insertion> find_insertion(const surface::Surface& surface, const SurfaceMesh& mesh,
+                                        const At& at, TriangleId t, const MayCross& may_cross) {
+  const auto [a, b, c] = mesh.corners(t);
+  const SurfaceBall ball = exact_surface_ball(surface, at(a), at(b).position, at(c).position);
+  const auto x = surface.project(ball.centre, at(a).cell);
+  if (!x) return std::nullopt;
+  const auto position = [&](VertexId v) -> const Point& { return at(v).position; };
+  const auto under = triangle_under(mesh, position, t, *x, may_cross);
+  if (!under) return std::nullopt;
+  return Insertion{*x, *under};
+}
+
+/// Takes a vertex out of a mesh. The polygon of its neighbours is cut into triangles beforehand,
+/// the smallest ear first, as Delaunay triangles have small circles; edges are flipped away in that
+/// order only if all turn out well. So what is refused changes nothing, and no triangle that v
+/// still has on the way is asked to be good.
+class VertexRemoval {
+ public:
+  /// Size of what may not be cut off.
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  /// Cuts the polygon.
+  /// @param size        of the triangle (a, b, c) that would cut off b, or never
+  /// @param is_allowed  asked once more of the triangle chosen; if not, all ends
+  /// @return whether v can be taken out
+  /// @pre v has no boundary, nor have its neighbours
+  template <class Size, class IsAllowed>
+  bool plan(const SurfaceMesh& mesh, VertexId v, const Size& size, const IsAllowed& is_allowed);
+
+  /// Takes out the vertex of the last plan.
+  /// @param flipped  called with each half-edge flipped on the way
+  /// @return what is free now
+  template <class Flipped>
+  SurfaceMesh::Room carry_out(SurfaceMesh& mesh, const Flipped& flipped);
+  /// The last of the triangles that cover its place.
+  TriangleId triangle_left() const { return left_; }
+
+ private:
+  VertexId vertex_;
+  TriangleId left_;
+  std::vector<VertexId> polygon_;  ///< the neighbours left, counter-clockwise
+  std::vector<double> ears_;       ///< by corner, the size of the triangle that would cut it off
+  std::vector<VertexId> tips_;     ///< of the corners cut off, in turn
+};
+
+template <class Size, class IsAllowed>
+bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
+                         const IsAllowed& is_allowed) {
+  vertex_ = v;
+  tips_.clear();
+  polygon_.clear();
+  mesh.for_each_outgoing(v, [&](HalfEdgeId h) { polygon_.push_back(mesh.target(h)); });
+  ears_.resize(polygon_.size());
+  const auto before = [&](std::size_t i) { return i == 0 ? polygon_.size() - 1 : i - 1; };
+  const auto after = [&](std::size_t i) { return i + 1 == polygon_.size() ? 0 : i + 1; };
+  const auto measure = [&](std::size_t i) {
+    ears_[i] = size(polygon_[before(i)], polygon_[i], polygon_[after(i)]);
+  };
+  for (std::size_t i = 0; i < polygon_.size(); ++i) measure(i);
+  while (polygon_.size() > 3) {
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(ears_) - ears_.begin());
+    if (ears_[best] == never) return false;
+    const VertexId a = polygon_[before(best)], tip = polygon_[best], b = polygon_[after(best)];
+    if (mesh.has_edge(a, b) || !mesh.has_degree_above(tip, 3)) {
+      ears_[best] = never;
+      continue;
+    }
+    if (!is_allowed(a, tip, b)) return false;
+    tips_.push_back(tip);
+    polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(best));
+    ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(best));
+    const std::size_t next = best == polygon_.size() ? 0 : best;
+    measure(before(next));
+    measure(next);
+  }
+  const auto [a, b, c] = std::array{polygon_[0], polygon_[1], polygon_[2]};
+  return a != b && b != c && c != a &&
+         std::ranges::all_of(polygon_, [&](VertexId x) { return mesh.has_degree_above(x, 3); }) &&
+         size(a, b, c) != never && is_allowed(a, b, c);
+}
+
+template <class Flipped>
+SurfaceMesh::Room VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
+  for (const VertexId tip : tips_) {
+    HalfEdgeId to_tip;
+    mesh.for_each_outgoing(vertex_, [&](HalfEdgeId h) {
+      if (mesh.target(h) == tip) to_tip = h;
+    });
+    mesh.flip(to_tip);
+    flipped(to_tip);
+  }
+  left_ = SurfaceMesh::triangle(*mesh.outgoing(vertex_));  // keeps its id
+  return mesh.unsplit(vertex_);
+}
+
+}  // namespace morskin::refine
