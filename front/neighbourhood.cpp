@@ -9,11 +9,7 @@ namespace morskin::front {
 void Neighbourhood::move_to(const SurfacePoint& centre) {
   origin_ = centre.position;
   normal_ = centre.normal;
-  // The axis that is farthest from the normal, made orthogonal to it.
-  Eigen::Index least = 0;
-  normal_.cwiseAbs().minCoeff(&least);
-  first_axis_ = (Vector::Unit(least) - normal_[least] * normal_).normalized();
-  second_axis_ = normal_.cross(first_axis_);
+  tangent_ = geometry::TangentFrame(normal_);
   corners_.clear();
   if (index_.size() < front_.capacity()) index_.resize(2 * front_.capacity(), 0);
   radius_ = front_.grid().max_radius(centre.length_scale);

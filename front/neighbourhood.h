@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "front/front.h"
+#include "geometry/orthogonal.h"
 
 namespace morskin::front {
 
@@ -45,11 +46,11 @@ class Neighbourhood : public FrontMirror {
 
   LocalPoint local(const Point& x) const {
     const Vector d = x - origin_;
-    return {Vector2(first_axis_.dot(d), second_axis_.dot(d)), normal_.dot(d)};
+    return {Vector2(tangent_.first.dot(d), tangent_.second.dot(d)), normal_.dot(d)};
   }
   /// The vector of the tangent plane with these coordinates, and the point.
   Vector in_tangent_plane(const Vector2& v) const {
-    return v.x() * first_axis_ + v.y() * second_axis_;
+    return v.x() * tangent_.first + v.y() * tangent_.second;
   }
   Point in_space(const Vector2& v) const { return origin_ + in_tangent_plane(v); }
 
@@ -120,14 +121,15 @@ class Neighbourhood : public FrontMirror {
   void update(FrontEdgeId e, Corner& corner) const;
   Vector2 plane(const FrontEdge& edge) const {
     const Vector d = edge.position - origin_;
-    return {first_axis_.dot(d), second_axis_.dot(d)};
+    return {tangent_.first.dot(d), tangent_.second.dot(d)};
   }
 
   const Mesh& mesh_;
   const Front& front_;
   Point origin_ = Point::Zero();
   double radius_ = 0;
-  Vector normal_ = Vector::Zero(), first_axis_ = Vector::Zero(), second_axis_ = Vector::Zero();
+  Vector normal_ = Vector::UnitZ();
+  geometry::TangentFrame tangent_{normal_};
   std::vector<Corner> corners_;
   geometry::IdVector<FrontEdgeId, std::uint32_t> index_;  ///< in corners_, checked on use
 };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/kd_tree.h"
+#include "geometry/orthogonal.h"
 #include "geometry/predicates.h"
 
 namespace morskin::front {
@@ -38,17 +39,13 @@ std::size_t open_edges(const geometry::SurfaceMesh& surface) {
 std::optional<std::array<SurfacePoint, 3>> seed_triangle(const surface::Surface& skin,
                                                          const SurfacePoint& p,
                                                          const certify::Sizing& sizing) {
-  Eigen::Index axis = 0;
-  p.normal.cwiseAbs().minCoeff(&axis);
-  const Vector x = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
-  const Vector y = p.normal.cross(x);
+  const geometry::TangentFrame tangent(p.normal);
   const double edge =
       std::sqrt(3.0) * seed_radius * sizing.C * sizing.Q * sizing.scale(p.length_scale);
   std::array<SurfacePoint, 3> triangle{p, p, p};
   for (std::size_t k = 1; k < 3; ++k) {
     const double angle = static_cast<double>(k) * M_PI / 3;
-    const auto q =
-        skin.project(p.position + edge * (std::cos(angle) * x + std::sin(angle) * y), p.cell);
+    const auto q = skin.project(p.position + edge * tangent.direction(angle), p.cell);
     if (!q) return std::nullopt;
     triangle[k] = *q;
     triangle[k].position = q->position.unaryExpr(&geometry::on_exact_grid);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "geometry/point.h"
 
@@ -19,5 +20,22 @@ inline Vector unit_orthogonal_part(const Vector& v, const Vector& n) {
   const double left = twice.norm();
   return left > 0.5 ? Vector(twice / left) : n.unitOrthogonal();
 }
+
+/// Two unit vectors across a unit normal, right-handed: first x second = normal.
+struct TangentFrame {
+  Vector first, second;
+
+  explicit TangentFrame(const Vector& normal) {
+    // The axis that is farthest from the normal, made orthogonal to it.
+    Eigen::Index least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    first = (Vector::Unit(least) - normal[least] * normal).normalized();
+    second = normal.cross(first);
+  }
+  /// The unit vector at an angle from the first, towards the second, radians.
+  Vector direction(double angle) const {
+    return std::cos(angle) * first + std::sin(angle) * second;
+  }
+};
 
 }  // namespace morskin::geometry

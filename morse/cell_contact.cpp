@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/orthogonal.h"
+
 namespace morskin::morse {
 
 using skin::CellId;
@@ -23,16 +25,16 @@ Where side(const MixedComplex& complex, CellId cell, const Point& x, double doub
 // a wall cuts the circle. So it is enough to test these points and any one more.
 std::optional<Point> point_in_cell(const MixedComplex& complex, CellId cell, const Circle& circle,
                                    double doubt) {
-  const Vector e = circle.axis.unitOrthogonal(), f = circle.axis.cross(e);
+  const geometry::TangentFrame plane(circle.axis);
   const auto at = [&](double angle) -> Point {
-    return circle.centre + circle.radius * (std::cos(angle) * e + std::sin(angle) * f);
+    return circle.centre + circle.radius * plane.direction(angle);
   };
   const auto is_in = [&](const Point& x) {
     return side(complex, cell, x, doubt) != Where::Outside;
   };
   if (is_in(at(0))) return at(0);
   for (const skin::Wall& wall : complex.walls(cell)) {
-    const double x = wall.normal.dot(e), y = wall.normal.dot(f);
+    const double x = wall.normal.dot(plane.first), y = wall.normal.dot(plane.second);
     const double extent = circle.radius * std::hypot(x, y);  // along the wall's normal
     const double distance = wall.offset - wall.normal.dot(circle.centre);
     if (!(std::abs(distance) < extent)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/orthogonal.h"
 #include "morse/tracer.h"
 
 namespace morskin::morse {
@@ -57,8 +58,7 @@ Vector Tracer::step_end(double time) const {
 /// The rates at which the flow separates lines along its two principal directions on the skin, the
 /// lower one first. From the derivative alone: the direction of a slow flow is rounding.
 std::pair<double, double> Tracer::rates() const {
-  const Vector normal = flow_.normal(u_).normalized(), first = normal.unitOrthogonal(),
-               second = normal.cross(first);
+  const auto [first, second] = geometry::TangentFrame(flow_.normal(u_).normalized());
   const Eigen::Matrix3d derivative = flow_.derivative(u_);
   const Vector of_first = derivative * first, of_second = derivative * second;
   const double half = (first.dot(of_first) + second.dot(of_second)) / 2;

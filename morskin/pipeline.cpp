@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/orthogonal.h"
 #include "geometry/parallel.h"
 #include "geometry/stopwatch.h"
 #include "morskin/safety_net.h"
@@ -126,10 +127,7 @@ double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {
     // [excerpt: floor]
     for (std::size_t v = 0; v < count; ++v) {
       const surface::SurfacePoint p = skin.at(result.mesh.positions[v], result.cells[v]);
-      // Any tangent direction: the coordinate axis farthest from the normal, made orthogonal to it.
-      Eigen::Index axis = 0;
-      p.normal.cwiseAbs().minCoeff(&axis);
-      const Vector tangent = (Vector::Unit(axis) - p.normal[axis] * p.normal).normalized();
+      const Vector tangent = geometry::TangentFrame(p.normal).first;
       const auto moved = skin.project(p.position + share * p.length_scale * tangent, p.cell);
       if (moved) checksum += moved->length_scale;
     }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "certify/tube.h"
+#include "geometry/orthogonal.h"
 
 namespace morskin::refine {
 
@@ -107,12 +108,11 @@ bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
 std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const SurfacePoint& x,
                                                                       double step,
                                                                       double asked) const {
-  const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
+  const geometry::TangentFrame tangent(x.normal);
   std::vector<std::pair<double, SurfacePoint>> better;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * M_PI * k / directions;
-    const auto y =
-        skin_.project(x.position + step * (std::cos(angle) * e + std::sin(angle) * f), x.cell);
+    const auto y = skin_.project(x.position + step * tangent.direction(angle), x.cell);
     if (!y) continue;
     if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
   }

@@ -21,13 +21,10 @@ int steps_along(double length, double spacing) {
 
 }  // namespace
 
-Frame::Frame(const Patch& patch, double direction) : centre(patch.centre) {
-  axis = direction * (patch.axis.squaredNorm() > 0.5 ? patch.axis : Vector(Vector::UnitZ()));
-  Eigen::Index least = 0;
-  axis.cwiseAbs().minCoeff(&least);
-  e1 = Vector::Unit(least).cross(axis).normalized();
-  e2 = axis.cross(e1);
-}
+Frame::Frame(const Patch& patch, double direction)
+    : centre(patch.centre),
+      axis(direction * (patch.axis.squaredNorm() > 0.5 ? patch.axis : Vector(Vector::UnitZ()))),
+      across(axis) {}
 
 Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, double axial,
               double turn) {

@@ -11,6 +11,7 @@
 
 #include "bench/baselines/metamorphoses.h"
 #include "bench/baselines/moving_mesh.h"
+#include "geometry/orthogonal.h"
 
 namespace morskin::baselines {
 
@@ -20,7 +21,8 @@ using Ring = std::vector<VertexId>;
 /// The frame of a critical point's quadric: its axis and two directions across it.
 struct Frame {
   Point centre;
-  Vector axis, e1, e2;  ///< right-handed: e1 x e2 = axis
+  Vector axis;
+  geometry::TangentFrame across;
   explicit Frame(const Patch& patch, double direction = 1);
 
   double axial(const Point& x) const { return axis.dot(x - centre); }
@@ -29,7 +31,7 @@ struct Frame {
     return (u - axis.dot(u) * axis).norm();
   }
   Point point(double radial, double azimuth, double axial) const {
-    return centre + radial * (std::cos(azimuth) * e1 + std::sin(azimuth) * e2) + axial * axis;
+    return centre + radial * across.direction(azimuth) + axial * axis;
   }
 };
 
