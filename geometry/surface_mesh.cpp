@@ -100,7 +100,7 @@ TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   return triangle(first);
 }
 
-SurfaceMesh::Room SurfaceMesh::room_for(VertexId v) {
+SurfaceMesh::FreeSlots SurfaceMesh::slots_for(VertexId v) {
   const TriangleId second{triangle_count()}, third{triangle_count() + 1};
   require_capacity(third.index(), max_triangles, "triangles");
   half_edges_.resize(half_edges_.size() + 6);
@@ -162,10 +162,10 @@ void SurfaceMesh::flip(HalfEdgeId h) {
   set_twin(previous(g), beyond_bc);
 }
 
-void SurfaceMesh::split(TriangleId t, VertexId v) { split(t, room_for(v)); }
+void SurfaceMesh::split(TriangleId t, VertexId v) { split(t, slots_for(v)); }
 
-void SurfaceMesh::split(TriangleId t, const Room& room) {
-  const auto [v, second, third] = room;
+void SurfaceMesh::split(TriangleId t, const FreeSlots& slots) {
+  const auto [v, second, third] = slots;
   assert(is_removed(second) && is_removed(third));
   const auto [a, b, c] = corners(t);
   const HalfEdgeId ab = half_edge(t, 0);
@@ -189,7 +189,7 @@ void SurfaceMesh::split(TriangleId t, const Room& room) {
   for (MeshFollower* follower : followers_.all) follower->triangle_split(t, second, third);
 }
 
-SurfaceMesh::Room SurfaceMesh::unsplit(VertexId v) {
+SurfaceMesh::FreeSlots SurfaceMesh::unsplit(VertexId v) {
   assert(degree(v) == 3);
   const HalfEdgeId va = outgoing_[v];
   const HalfEdgeId vb = twin(previous(va));

@@ -71,13 +71,13 @@ class SurfaceMesh {
     const HalfEdge* first = &half_edges_[half_edge(t, 0)];
     return {first[0].origin, first[1].origin, first[2].origin};
   }
-  /// A removed triangle keeps its place until compact(); every other one is alive.
+  /// A removed triangle keeps its id until compact(); every other one is alive.
   bool is_removed(TriangleId t) const {
     return half_edges_[half_edge(t, 0)].origin == VertexId::none();
   }
 
-  /// What a new vertex in a triangle takes: a vertex and two triangles, all as if removed.
-  struct Room {
+  /// The ids that a new vertex in a triangle takes: a vertex and two triangles, all as if removed.
+  struct FreeSlots {
     VertexId vertex;
     TriangleId second, third;
   };
@@ -87,9 +87,9 @@ class SurfaceMesh {
   /// @throws LimitReached  when there are max_triangles already: half-edges have 32-bit ids, of
   ///                       which the last means "none".
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
-  /// Room for a vertex behind those there are.
+  /// Slots behind those there are.
   /// @throws LimitReached  as add_triangle()
-  Room add_room() { return room_for(add_vertex()); }
+  FreeSlots add_free_slots() { return slots_for(add_vertex()); }
   /// Makes two boundary half-edges each other's twin. @pre they run between the same vertices,
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
@@ -106,14 +106,14 @@ class SurfaceMesh {
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).
   /// @pre the edge is not on the boundary.
   void flip(HalfEdgeId h);
-  /// Replaces triangle t by three around a new vertex. The first keeps t's place, vertex and others
-  /// take the room, or come to the end.
-  void split(TriangleId t, const Room& room);
+  /// Replaces triangle t by three around a new vertex. The first keeps t's id, vertex and others
+  /// take the slots, or come to the end.
+  void split(TriangleId t, const FreeSlots& slots);
   void split(TriangleId t, VertexId v);
-  /// Removes a vertex of degree three: its three triangles become one, in the place of the first.
-  /// @return the room that this leaves
+  /// Removes a vertex of degree three: its three triangles become one, with the id of the first.
+  /// @return the slots that this frees
   /// @pre v has exactly three triangles around it and no boundary.
-  Room unsplit(VertexId v);
+  FreeSlots unsplit(VertexId v);
 
   /// Calls visit(h) for each half-edge that leaves v, counter-clockwise, for a vertex with
   /// triangles and without boundary.
@@ -132,12 +132,12 @@ class SurfaceMesh {
   void remove(std::span<const TriangleId> triangles);
 
   std::size_t degree(VertexId v) const;
-  /// Whether v has more neighbours than so many, told after one step more than that.
+  /// Whether v has more neighbours than a count, after one step more than that.
   /// @pre v has no boundary.
-  bool has_degree_above(VertexId v, std::size_t most) const {
+  bool has_degree_above(VertexId v, std::size_t count) const {
     const HalfEdgeId first = outgoing_[v];
     HalfEdgeId h = first;
-    for (std::size_t step = 0; step < most; ++step) {
+    for (std::size_t step = 0; step < count; ++step) {
       h = half_edges_[previous(h)].twin;
       if (h == first) return false;
     }
@@ -171,7 +171,7 @@ class SurfaceMesh {
     ~Followers();
   };
 
-  Room room_for(VertexId v);
+  FreeSlots slots_for(VertexId v);
   Renaming renaming() const;
   void move_elements(const Renaming& renaming);
   void tell_vertex_count() const {

@@ -16,12 +16,12 @@ namespace {
 constexpr std::array crowded_limits{0.6, 0.8, 1.0};
 
 /// A polygon with more corners has hardly ever good ears only.
-constexpr std::size_t most_neighbours = 12;
+constexpr std::size_t max_neighbours = 12;
 
 }  // namespace
 
-Coarsening::Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh)
-    : skin_(skin), sizing_(sizing), mesh_(mesh), is_tried_(mesh.surface, 0) {}
+Coarsening::Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh)
+    : surface_(surface), sizing_(sizing), mesh_(mesh), is_tried_(mesh.surface, 0) {}
 
 std::size_t Coarsening::run(const Subdomain& subdomain) {
   const std::size_t before = removed_;
@@ -30,20 +30,20 @@ std::size_t Coarsening::run(const Subdomain& subdomain) {
   for (const double limit : crowded_limits) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < crowded.size(); ++i) {
-      ask_ahead(crowded, i);
+      prefetch_next(crowded, i);
       if (is_crowded_after(crowded[i], limit, subdomain)) crowded[left++] = crowded[i];
     }
     crowded.resize(left);
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
-    ask_ahead(all, i);
+    prefetch_next(all, i);
     if (!is_removed(all[i])) remove(all[i], Sizing::spare_limit);
   }
   return removed_ - before;
 }
 
 /// Asks for vertices that a pass will come to, step by step.
-void Coarsening::ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const {
+void Coarsening::prefetch_next(const std::vector<VertexId>& pass, std::size_t i) const {
   const std::size_t last = pass.size() - 1;
   const VertexId far = pass[std::min(i + 16, last)], near = pass[std::min(i + 8, last)];
   mesh_.surface.prefetch_outgoing(far);
@@ -87,16 +87,16 @@ bool Coarsening::is_crowded_after(VertexId v, double limit, const Subdomain& sub
 /// Takes a vertex out if its neighbours can be joined by good triangles.
 /// @pre the subdomain contains v and its neighbours.
 bool Coarsening::remove(VertexId v, double limit) {
-  SurfaceMesh& surface = mesh_.surface;
+  SurfaceMesh& connectivity = mesh_.surface;
   const auto size = [&](VertexId a, VertexId b, VertexId c) { return ear(a, b, c, limit); };
   const auto is_provable = [&](VertexId a, VertexId b, VertexId c) {
     return can_be_proved(a, b, c);
   };
-  if (surface.has_degree_above(v, most_neighbours) ||
-      !removal_.plan(surface, v, size, is_provable)) {
+  if (connectivity.has_degree_above(v, max_neighbours) ||
+      !removal_.plan(connectivity, v, size, is_provable)) {
     return false;
   }
-  removal_.carry_out(surface, [](HalfEdgeId) {});
+  removal_.carry_out(connectivity, [](HalfEdgeId) {});
   ++removed_;
   return true;
 }
@@ -116,8 +116,8 @@ bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {
   if (sizing_.is_tube_proved()) return true;
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const double rho = min_length_scale(p);
-  return prove_tube(skin_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
-                    skin_.residual_bound(rho))
+  return prove_tube(surface_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                    surface_.residual_bound(rho))
       .holds();
 }
 

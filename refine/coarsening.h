@@ -19,15 +19,13 @@ namespace morskin::refine {
 class Coarsening {
  public:
   /// @param sizing  what the mesh is to meet
-  /// @param mesh    vertices are points of the skin; may have a boundary, and may grow, be
-  /// compacted
-  ///                or have another appended between runs
-  Coarsening(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh);
+  /// @param mesh    vertices are points of the surface; may have a boundary, and may grow, be
+  ///                compacted or have another appended between runs
+  Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh);
 
-  /// Looks at the vertices that are new since the last run, and at those that had to wait: of these
-  /// takes out what can be spared. First those nearer to a neighbour than [L] allows, then others
-  /// as long as all triangles stay well below [U]. Places in the mesh stay open until it is
-  /// compacted.
+  /// Tries the vertices that are new since the last run and those that had to wait, and takes out
+  /// what can be spared: first those nearer to a neighbour than [L] allows, then others as long as
+  /// all triangles stay well below [U]. Ids stay free until the mesh is compacted.
   /// @param subdomain  whose vertices it may take out, if it has their neighbours too; the others
   ///                   wait. The whole mesh if that is closed.
   /// @return how many it took out
@@ -36,13 +34,13 @@ class Coarsening {
  private:
   bool is_removed(VertexId v) const { return !mesh_.surface.outgoing(v); }
   std::vector<VertexId> candidates(const Subdomain& subdomain);
-  void ask_ahead(const std::vector<VertexId>& pass, std::size_t i) const;
+  void prefetch_next(const std::vector<VertexId>& pass, std::size_t i) const;
   bool is_crowded_after(VertexId v, double limit, const Subdomain& subdomain);
   bool remove(VertexId v, double limit);
   double ear(VertexId a, VertexId b, VertexId c, double limit) const;
   bool can_be_proved(VertexId a, VertexId b, VertexId c) const;
 
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
   /// Vertices that a run has tried. Not those that are new or were had to wait.

@@ -51,7 +51,7 @@ std::size_t DelaunayRefinement::follow(Facet f) {
   const Point p = facet.circle.centre + low * facet.normal;
   const Point q = facet.circle.centre + high * facet.normal;
   std::size_t found = 0;
-  for (const surface::LineCrossing& crossing : skin_.crossings(p, q, from.cell).all) {
+  for (const surface::LineCrossing& crossing : surface_.crossings(p, q, from.cell).all) {
     const Ball ball = ball_at(facet, low + crossing.at * (high - low), crossing.cell);
     if (ball.ratio < 1) continue;
     push(ball, f);
@@ -84,14 +84,14 @@ struct Numbered {
 };
 Numbered numbered(const std::vector<Triangle>& triangles, std::size_t corner_count) {
   Numbered result{triangles, {}};
-  std::vector<std::uint32_t> place(corner_count, geometry::no_index);
+  std::vector<std::uint32_t> number(corner_count, geometry::no_index);
   for (Triangle& t : result.triangles) {
     for (std::uint32_t& corner : t) {
-      if (place[corner] == geometry::no_index) {
-        place[corner] = static_cast<std::uint32_t>(result.corners.size());
+      if (number[corner] == geometry::no_index) {
+        number[corner] = static_cast<std::uint32_t>(result.corners.size());
         result.corners.push_back(corner);
       }
-      corner = place[corner];
+      corner = number[corner];
     }
   }
   return result;
@@ -203,15 +203,15 @@ Mesh DelaunayRefinement::mesh() const {
   for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
   Numbered compact = numbered(triangles, samples_.size());
   geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
-  SurfaceMesh surface(compact.corners.size(), compact.triangles);
+  SurfaceMesh connectivity(compact.corners.size(), compact.triangles);
   std::vector<std::uint32_t> corners = compact.corners;
   if (!built.defect) {
     compact = numbered(neighbours_together(built.mesh), corners.size());
-    surface = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
+    connectivity = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
     for (std::uint32_t& corner : compact.corners) corner = corners[corner];
     corners = std::move(compact.corners);
   }
-  Mesh mesh(std::move(surface));
+  Mesh mesh(std::move(connectivity));
   for (std::size_t v = 0; v < corners.size(); ++v) mesh.points[VertexId{v}] = samples_[corners[v]];
   return mesh;
 }

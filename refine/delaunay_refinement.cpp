@@ -25,11 +25,11 @@ WeightedPoint unweighted(const Point& p) { return {p, 0}; }
 
 }  // namespace
 
-DelaunayRefinement::DelaunayRefinement(const surface::Surface& skin, const Sizing& sizing,
+DelaunayRefinement::DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,
                                        std::span<const SurfacePoint> seeds)
-    : skin_(skin),
+    : surface_(surface),
       sizing_(sizing),
-      body_(skin.bounding_ball()),
+      body_(surface.bounding_ball()),
       delaunay_([&] {
         std::vector<WeightedPoint> points;
         for (const SurfacePoint& p : seeds) points.push_back(unweighted(p.position));
@@ -50,7 +50,7 @@ void DelaunayRefinement::run(const geometry::Run& run) {
     if (delaunay_.is_live(t)) all.push_back(t);
   }
   duals_.resize(delaunay_.tetrahedra().size());
-  look_at_new(all);
+  inspect_new(all);
   do {
     insert_all(run);
   } while (follow_dual_edges() || make_disks());
@@ -71,8 +71,8 @@ void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   dual.root = 0;
   if (!((dual.centre - body_.centre).squaredNorm() < far * far * body_.radius * body_.radius))
     return;
-  dual.cell = skin_.locate(dual.centre, start);
-  const double g = skin_.jet(dual.centre, dual.cell).value;
+  dual.cell = surface_.locate(dual.centre, start);
+  const double g = surface_.jet(dual.centre, dual.cell).value;
   dual.root = std::copysign(std::sqrt(std::abs(g)), g);
 }
 
@@ -86,19 +86,19 @@ geometry::CellId DelaunayRefinement::near_dual(std::uint32_t t) const {
   return samples_[tetrahedron.corners[0]].cell;
 }
 
-void DelaunayRefinement::look_at_new(std::span<const std::uint32_t> tetrahedra) {
+void DelaunayRefinement::inspect_new(std::span<const std::uint32_t> tetrahedra) {
   counts_.tetrahedra += tetrahedra.size();
   for (const std::uint32_t t : tetrahedra) find_dual(t, near_dual(t));
   for (const std::uint32_t t : tetrahedra) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
       if (duals_[other].born == now_ && other < t) continue;  // looked at from there
-      look_at(t << 2 | k);
+      inspect(t << 2 | k);
     }
   }
 }
 
-void DelaunayRefinement::look_at(Facet f) {
+void DelaunayRefinement::inspect(Facet f) {
   const Facet g = behind(f);
   const bool is_inner = is_inside(Triangulator::tetrahedron_of(f));
   if (is_inner == is_inside(Triangulator::tetrahedron_of(g))) return;
@@ -116,7 +116,7 @@ bool DelaunayRefinement::is_proved(Facet inner) const {
   const FacetGeometry facet = geometry_of(inner);
   const auto& [a, b, c] = facet.corners;
   const double rho = std::max({a->length_scale, b->length_scale, c->length_scale});
-  return prove_tube(skin_, facet.corners, facet.circle, skin_.residual_bound(rho)).holds();
+  return prove_tube(surface_, facet.corners, facet.circle, surface_.residual_bound(rho)).holds();
 }
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {
@@ -189,9 +189,9 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
   CellId cell = facet.corners[0]->cell;
   for (int step = 0; step < most_steps; ++step) {
     const Point x = facet.circle.centre + height * facet.normal;
-    cell = skin_.locate(x, cell);
-    const auto& [g, n] = skin_.jet(x, cell);
-    if (std::abs(g) <= skin_.residual_bound(n.norm())) return ball_at(facet, height, cell);
+    cell = surface_.locate(x, cell);
+    const auto& [g, n] = surface_.jet(x, cell);
+    if (std::abs(g) <= surface_.residual_bound(n.norm())) return ball_at(facet, height, cell);
     (g < 0 ? low : high) = height;
     const double slope = 2 * n.dot(facet.normal);
     double next = height - g / slope;
@@ -210,7 +210,7 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
 /// Makes a surface ball's centre a sample point.
 /// @return false where there is a sample already, or the centre is not found on the skin.
 bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
-  std::optional<SurfacePoint> x = skin_.project(ball.centre, ball.cell);
+  std::optional<SurfacePoint> x = surface_.project(ball.centre, ball.cell);
   if (!x) return false;
   if (ball.keeps_off) {
     for (const std::uint32_t corner : triangle(facet)) {
@@ -226,7 +226,7 @@ bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
   samples_.push_back(*x);
   ++now_;
   duals_.resize(delaunay_.tetrahedra().size());
-  look_at_new(delaunay_.added());
+  inspect_new(delaunay_.added());
   return true;
 }
 

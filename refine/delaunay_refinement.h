@@ -50,7 +50,7 @@ class DelaunayRefinement {
   ///               enough for [U]; should they lie in one plane, as only seeds without those can,
   ///               nothing is done and the mesh is empty
   /// @throws geometry::LimitReached
-  DelaunayRefinement(const surface::Surface& skin, const Sizing& sizing,
+  DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,
                      std::span<const SurfacePoint> seeds);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
@@ -112,8 +112,8 @@ class DelaunayRefinement {
   bool is_ghost(std::uint32_t t) const { return delaunay_.is_ghost(delaunay_.tetrahedra()[t]); }
   CellId near_dual(std::uint32_t t) const;
   void find_dual(std::uint32_t t, CellId start);
-  void look_at_new(std::span<const std::uint32_t> tetrahedra);
-  void look_at(Facet f);
+  void inspect_new(std::span<const std::uint32_t> tetrahedra);
+  void inspect(Facet f);
   std::optional<Ball> ball_of(Facet inner) const;
   bool is_proved(Facet inner) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
@@ -127,7 +127,7 @@ class DelaunayRefinement {
   std::vector<Facet> restricted_facets() const;
   Triangle triangle(Facet inner) const;
 
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   const surface::BoundingBall body_;
   std::vector<SurfacePoint> samples_;  ///< by corner

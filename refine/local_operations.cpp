@@ -23,32 +23,32 @@ void Work::append(const Work& other) {
   big.insert(big.end(), other.big.begin(), other.big.end());
 }
 
-LocalOperations::LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+LocalOperations::LocalOperations(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                                  Work work, const Subdomain& subdomain,
-                                 std::vector<SurfaceMesh::Room> rooms)
-    : skin_(skin),
+                                 std::vector<SurfaceMesh::FreeSlots> slots)
+    : surface_(surface),
       sizing_(sizing),
       mesh_(mesh),
       work_(std::move(work)),
       subdomain_(subdomain),
-      rooms_(std::move(rooms)) {}
+      free_slots_(std::move(slots)) {}
 
-void LocalOperations::take_over(const LocalOperations& other) {
+void LocalOperations::absorb(const LocalOperations& other) {
   work_.append(other.work_);
-  work_.append(other.left_);
+  work_.append(other.deferred_);
   counts_.flip += other.counts_.flip;
   counts_.contract += other.counts_.contract;
   counts_.insert += other.counts_.insert;
   steps_ += other.steps_;
-  rooms_.insert(rooms_.end(), other.rooms_.begin(), other.rooms_.end());
+  free_slots_.insert(free_slots_.end(), other.free_slots_.begin(), other.free_slots_.end());
 }
 
-double LocalOperations::most_residual(const std::array<const SurfacePoint*, 3>& p) const {
-  return skin_.residual_bound(max_length_scale(p));
+double LocalOperations::max_residual(const std::array<const SurfacePoint*, 3>& p) const {
+  return surface_.residual_bound(max_length_scale(p));
 }
 
 LazySurfaceBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const {
-  return {skin_,
+  return {surface_,
           {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)},
           circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
 }
@@ -60,11 +60,11 @@ bool LocalOperations::is_big(TriangleId t, const Circumcircle& circle) const {
   const double rho = min_length_scale(p);
   if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
   if (sizing_.is_tube_proved()) return false;
-  return !prove_tube(skin_, p, circle, skin_.residual_bound(rho)).holds();
+  return !prove_tube(surface_, p, circle, surface_.residual_bound(rho)).holds();
 }
 
 /// Finds whether a triangle breaks [L] or [U].
-Circumcircle LocalOperations::look_at(TriangleId t, Work& found) const {
+Circumcircle LocalOperations::inspect(TriangleId t, Work& found) const {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
@@ -77,17 +77,18 @@ Circumcircle LocalOperations::look_at(TriangleId t, Work& found) const {
   return circle;
 }
 
-/// Looks again at a triangle that changed, and at its edges but for those known to be Delaunay.
-void LocalOperations::look_again(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
-  look_at(t, work_);
+/// Inspects a triangle that changed, and those of its edges not known to be Delaunay.
+void LocalOperations::inspect_again(TriangleId t, std::initializer_list<HalfEdgeId> edges) {
+  inspect(t, work_);
   work_.to_flip.insert(work_.to_flip.end(), edges);
 }
 
-/// Looks again at both triangles of a flipped edge.
+/// Counts a flip and inspects both triangles.
 void LocalOperations::note_flip(HalfEdgeId h) {
   ++counts_.flip;
   for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
-    look_again(SurfaceMesh::triangle(side), {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
+    inspect_again(SurfaceMesh::triangle(side),
+                  {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
   }
 }
 
@@ -97,25 +98,26 @@ void LocalOperations::note_flip(HalfEdgeId h) {
 /// where they can. Where they cannot the balls are found to rounding, so that all answers together
 /// describe one restricted Voronoi diagram and flipping cannot go in circles.
 bool LocalOperations::flip_if_better(HalfEdgeId h) {
-  const SurfaceMesh& surface = mesh_.surface;
-  const HalfEdgeId g = surface.twin(h);
-  const VertexId a = surface.origin(h), b = surface.origin(g);
-  const VertexId c = surface.apex(h), d = surface.apex(g);
+  const SurfaceMesh& connectivity = mesh_.surface;
+  const HalfEdgeId g = connectivity.twin(h);
+  const VertexId a = connectivity.origin(h), b = connectivity.origin(g);
+  const VertexId c = connectivity.apex(h), d = connectivity.apex(g);
   const std::array here{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const SurfacePoint& beyond = mesh_.at(d);
-  const double residual = std::max(most_residual(here), skin_.residual_bound(beyond.length_scale));
+  const double residual =
+      std::max(max_residual(here), surface_.residual_bound(beyond.length_scale));
   if (is_certainly_delaunay(here, beyond, residual)) return false;
   const Point &at_a = mesh_.position(a), &at_b = mesh_.position(b);
   const Point &at_c = mesh_.position(c), &at_d = mesh_.position(d);
   LazySurfaceBall left = ball(a, b, c), right = ball(b, a, d);
   const Depth now = deeper(left.intrusion(at_d), right.intrusion(at_c));
   if (now.max <= 0) return false;
-  if (!subdomain_.contains(surface, SurfaceMesh::triangle(h)) ||
-      !subdomain_.contains(surface, SurfaceMesh::triangle(g))) {
-    leave(h);
+  if (!subdomain_.contains(connectivity, SurfaceMesh::triangle(h)) ||
+      !subdomain_.contains(connectivity, SurfaceMesh::triangle(g))) {
+    defer(h);
     return false;
   }
-  if (!can_flip(surface, points(), h)) return false;
+  if (!can_flip(connectivity, points(), h)) return false;
   LazySurfaceBall upper = ball(a, d, c), lower = ball(b, c, d);
   const Depth then = deeper(upper.depth(at_b), lower.depth(at_a));
   if (then.min >= now.max) return false;
@@ -130,9 +132,10 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
 }
 // [/excerpt]
 
-/// Leaves an edge that ought to be flipped to whom may, and all that lies round it.
-void LocalOperations::leave(HalfEdgeId h) {
-  left_.to_flip.push_back(h);
+/// Defers a flip to the subdomain that has both triangles, and gives up all that lies round the
+/// edge, so that nothing is built there before it is done.
+void LocalOperations::defer(HalfEdgeId h) {
+  deferred_.to_flip.push_back(h);
   for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
     for (const VertexId v : mesh_.surface.corners(SurfaceMesh::triangle(side))) {
       subdomain_.give_up(v);
@@ -180,7 +183,7 @@ bool LocalOperations::contract(HalfEdgeId h) {
 
 /// Takes a vertex out, if what it leaves can be covered by triangles that face outward.
 bool LocalOperations::remove(VertexId v) {
-  SurfaceMesh& surface = mesh_.surface;
+  SurfaceMesh& connectivity = mesh_.surface;
   const auto size = [&](VertexId a, VertexId b, VertexId c) {
     const Circumcircle circle =
         circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
@@ -189,11 +192,11 @@ bool LocalOperations::remove(VertexId v) {
                : VertexRemoval::never;
   };
   const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
-  if (!removal_.plan(surface, v, size, is_any_allowed)) return false;
-  rooms_.push_back(removal_.carry_out(surface, [&](HalfEdgeId h) { note_flip(h); }));
+  if (!removal_.plan(connectivity, v, size, is_any_allowed)) return false;
+  free_slots_.push_back(removal_.carry_out(connectivity, [&](HalfEdgeId h) { note_flip(h); }));
   const TriangleId left = removal_.triangle_left();
-  look_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
-                    SurfaceMesh::half_edge(left, 2)});
+  inspect_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
+                       SurfaceMesh::half_edge(left, 2)});
   return true;
 }
 
@@ -203,9 +206,9 @@ void LocalOperations::tell(std::size_t left) {
   run_->report(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
 }
 
-void LocalOperations::insert_into_big_triangles(std::size_t most) {
+void LocalOperations::insert_into_big_triangles(std::size_t max_insertions) {
   std::vector<TriangleId> refused;
-  while (!work_.big.empty() && counts_.insert < most) {
+  while (!work_.big.empty() && counts_.insert < max_insertions) {
     const TriangleId t = work_.big.back();
     work_.big.pop_back();
     tell(work_.big.size());
@@ -219,17 +222,18 @@ void LocalOperations::insert_into_big_triangles(std::size_t most) {
 /// Breaks a triangle that is too big with the centre of its surface ball; true when the triangle is
 /// small enough, or a vertex went in.
 bool LocalOperations::insert(TriangleId t) {
-  const SurfaceMesh& surface = mesh_.surface;
-  const auto [a, b, c] = surface.corners(t);
+  const SurfaceMesh& connectivity = mesh_.surface;
+  const auto [a, b, c] = connectivity.corners(t);
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
-  if (!subdomain_.is_whole() && rooms_.empty()) return false;
+  if (!subdomain_.is_whole() && free_slots_.empty()) return false;
   const auto may_cross = [&](HalfEdgeId h) {
-    return subdomain_.contains(surface.origin(h)) || subdomain_.contains(surface.target(h));
+    return subdomain_.contains(connectivity.origin(h)) ||
+           subdomain_.contains(connectivity.target(h));
   };
-  const auto where = find_insertion(skin_, surface, points(), t, may_cross);
-  if (!where || !subdomain_.contains(surface, where->under)) return false;
-  for (const VertexId v : surface.corners(where->under)) {
+  const auto where = find_insertion(surface_, connectivity, points(), t, may_cross);
+  if (!where || !subdomain_.contains(connectivity, where->under)) return false;
+  for (const VertexId v : connectivity.corners(where->under)) {
     if (sizing_.is_too_short(mesh_.at(v), where->point)) return false;
   }
   insert(*where);
@@ -239,13 +243,13 @@ bool LocalOperations::insert(TriangleId t) {
 }
 
 void LocalOperations::insert(const Insertion& where) {
-  if (rooms_.empty()) rooms_.push_back(mesh_.surface.add_room());
-  const SurfaceMesh::Room room = rooms_.back();
-  rooms_.pop_back();
-  mesh_.points[room.vertex] = where.point;
-  mesh_.surface.split(where.under, room);
-  for (const TriangleId changed : {where.under, room.second, room.third}) {
-    look_again(changed, {SurfaceMesh::half_edge(changed, 0)});
+  if (free_slots_.empty()) free_slots_.push_back(mesh_.surface.add_free_slots());
+  const SurfaceMesh::FreeSlots slots = free_slots_.back();
+  free_slots_.pop_back();
+  mesh_.points[slots.vertex] = where.point;
+  mesh_.surface.split(where.under, slots);
+  for (const TriangleId changed : {where.under, slots.second, slots.third}) {
+    inspect_again(changed, {SurfaceMesh::half_edge(changed, 0)});
   }
 }
 

@@ -35,38 +35,37 @@ class LocalOperations {
  public:
   /// Does what is to be done in a subdomain. What has to wait for its neighbours stays behind as
   /// work, and the subdomain gives up what lies there.
-  /// @param rooms  for vertices inserted, the last first. The whole mesh gets more when there is
+  /// @param slots  for vertices inserted, the last first. The whole mesh gets more when there is
   ///               none left.
   /// @pre the mesh is closed, its vertices are points of the skin.
-  LocalOperations(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, Work work = {},
-                  const Subdomain& subdomain = {}, std::vector<SurfaceMesh::Room> rooms = {});
+  LocalOperations(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, Work work = {},
+                  const Subdomain& subdomain = {}, std::vector<SurfaceMesh::FreeSlots> slots = {});
 
   /// Reports now and then what share of the work known so far is done; insertions may make more.
   void report_to(const geometry::Run& run) { run_ = run; }
 
   void flip_where_needed();
   void contract_short_edges();
-  /// @param most  insertions
-  void insert_into_big_triangles(std::size_t most);
+  void insert_into_big_triangles(std::size_t max_insertions);
 
-  /// Takes over what another has done, what it left, and its rooms.
-  void take_over(const LocalOperations& other);
+  /// Adds what another has done, what it deferred, and its free slots.
+  void absorb(const LocalOperations& other);
 
   /// Finds whether a triangle breaks [L] or [U].
-  Circumcircle look_at(TriangleId t, Work& found) const;
+  Circumcircle inspect(TriangleId t, Work& found) const;
   LazySurfaceBall ball(VertexId a, VertexId b, VertexId c) const;
   /// |G| at the corners of a triangle is at most this, Angstrom^2.
-  double most_residual(const std::array<const SurfacePoint*, 3>& corners) const;
+  double max_residual(const std::array<const SurfacePoint*, 3>& corners) const;
 
-  std::vector<SurfaceMesh::Room>& rooms() { return rooms_; }
+  std::vector<SurfaceMesh::FreeSlots>& free_slots() { return free_slots_; }
   Work& work() { return work_; }
   const Work& work() const { return work_; }
   const RefinementCounts& counts() const { return counts_; }
 
  private:
-  void look_again(TriangleId t, std::initializer_list<HalfEdgeId> edges);
+  void inspect_again(TriangleId t, std::initializer_list<HalfEdgeId> edges);
   bool flip_if_better(HalfEdgeId h);
-  void leave(HalfEdgeId h);
+  void defer(HalfEdgeId h);
   bool contract(HalfEdgeId h);
   bool remove(VertexId v);
   bool insert(TriangleId t);
@@ -80,12 +79,12 @@ class LocalOperations {
   }
   void note_flip(HalfEdgeId h);
 
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
-  Work work_, left_;  ///< to do; to be left to whom takes over
+  Work work_, deferred_;  ///< to do; for whoever absorbs this
   Subdomain subdomain_;
-  std::vector<SurfaceMesh::Room> rooms_;
+  std::vector<SurfaceMesh::FreeSlots> free_slots_;
   RefinementCounts counts_;
   VertexRemoval removal_;
   std::optional<geometry::Run> run_;  ///< to report to

@@ -71,8 +71,8 @@ class VertexRemoval {
   /// @param flipped  called with each half-edge flipped on the way
   /// @return what is free now
   template <class Flipped>
-  SurfaceMesh::Room carry_out(SurfaceMesh& mesh, const Flipped& flipped);
-  /// The last of the triangles that cover its place.
+  SurfaceMesh::FreeSlots carry_out(SurfaceMesh& mesh, const Flipped& flipped);
+  /// The last of the triangles that replaced it.
   TriangleId triangle_left() const { return left_; }
 
  private:
@@ -120,7 +120,7 @@ bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
 }
 
 template <class Flipped>
-SurfaceMesh::Room VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
+SurfaceMesh::FreeSlots VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
   for (const VertexId tip : tips_) {
     HalfEdgeId to_tip;
     mesh.for_each_outgoing(vertex_, [&](HalfEdgeId h) {

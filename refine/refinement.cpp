@@ -7,18 +7,18 @@
 
 namespace morskin::refine {
 
-Refinement::Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+Refinement::Refinement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                        const geometry::Run& run)
     : mesh_(mesh),
-      skin_(skin),
+      surface_(surface),
       sizing_(sizing),
       run_(run),
-      operations_(skin, sizing, mesh),
-      most_(1000 + mesh.surface.triangle_count()) {}
+      operations_(surface, sizing, mesh),
+      max_operations_(1000 + mesh.surface.triangle_count()) {}
 
 void Refinement::run() {
   run_.report(0);
-  look_everywhere();
+  inspect_all();
   operations_.flip_where_needed();
   operations_.contract_short_edges();
   insert_in_two_halves();
@@ -30,8 +30,8 @@ void Refinement::run() {
   do {
     before = changes();
     operations_.contract_short_edges();
-    operations_.insert_into_big_triangles(most_);
-  } while (changes() > before && changes() < most_);
+    operations_.insert_into_big_triangles(max_operations_);
+  } while (changes() > before && changes() < max_operations_);
   mesh_.surface.compact(run_.threads());
 }
 
@@ -41,8 +41,8 @@ RefinementCounts Refinement::counts() const {
   return counts;
 }
 
-/// Looks at every triangle and edge of the mesh. Each thread takes some of the triangles.
-void Refinement::look_everywhere() {
+/// Inspects every triangle and edge of the mesh. Each thread takes some of the triangles.
+void Refinement::inspect_all() {
   const std::size_t count = mesh_.surface.triangle_count();
   std::vector<Work> found(geometry::block_count(count));
   DelaunayFilter sure(count);
@@ -50,14 +50,14 @@ void Refinement::look_everywhere() {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
       for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
-      const Circumcircle circle = operations_.look_at(t, found[block]);
+      const Circumcircle circle = operations_.inspect(t, found[block]);
       const auto [a, b, c] = mesh_.surface.corners(t);
       const std::array corners{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-      sure.note(t, corners, circle, operations_.most_residual(corners));
+      sure.note(t, corners, circle, operations_.max_residual(corners));
     }
   });
   geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
-    look_for_flips(3 * begin, 3 * end, sure, found[block]);
+    find_flips(3 * begin, 3 * end, sure, found[block]);
   });
   Work& work = operations_.work();
   for (const Work& part : found) work.append(part);
@@ -65,8 +65,8 @@ void Refinement::look_everywhere() {
 }
 
 /// Notes the half-edges [begin, end), and their twins, over which a vertex lies in the ball.
-void Refinement::look_for_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
-                                Work& found) const {
+void Refinement::find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
+                            Work& found) const {
   for (std::size_t i = begin; i < end; ++i) {
     const HalfEdgeId h{i}, twin = mesh_.surface.twin(h);
     sure.prefetch(
@@ -91,47 +91,47 @@ void Refinement::insert_in_two_halves() {
   const std::size_t count = mesh_.surface.triangle_count(), middle = count / 2;
   std::array<Work, 2> todo;
   for (const TriangleId t : work.big) {
-    // The place of a removed one may be filled by either half.
+    // Either half may fill the slot of a removed one.
     if (!mesh_.surface.is_removed(t)) todo[t.index() >= middle].big.push_back(t);
   }
   work.big.clear();
 
   // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
-  const std::size_t most_big = std::max(todo[0].big.size(), todo[1].big.size());
+  const std::size_t max_big = std::max(todo[0].big.size(), todo[1].big.size());
   geometry::Parts parts = geometry::parts_by_blocks(mesh_.surface, middle);
-  const std::array<Rooms, 2> rooms = deal_rooms(most_big / 8 * 5);
+  const std::array<SlotList, 2> slots = deal_slots(max_big / 8 * 5);
   parts.resize(mesh_.surface.vertex_count(), geometry::no_part);
   for (geometry::Part half = 0; half < 2; ++half) {
-    for (const SurfaceMesh::Room& room : rooms[half]) parts[room.vertex] = half;
+    for (const SurfaceMesh::FreeSlots& free : slots[half]) parts[free.vertex] = half;
   }
   geometry::Parts parts_of_last = parts;  // each gives up vertices as it goes
 
-  LocalOperations first(skin_, sizing_, mesh_, std::move(todo[0]), {parts, 0}, rooms[0]);
-  LocalOperations last(skin_, sizing_, mesh_, std::move(todo[1]), {parts_of_last, 1}, rooms[1]);
+  LocalOperations first(surface_, sizing_, mesh_, std::move(todo[0]), {parts, 0}, slots[0]);
+  LocalOperations last(surface_, sizing_, mesh_, std::move(todo[1]), {parts_of_last, 1}, slots[1]);
   first.report_to(run_);
   geometry::do_both(
-      run_.threads(), [&] { first.insert_into_big_triangles(most_); },
-      [&] { last.insert_into_big_triangles(most_); });
-  operations_.take_over(first);
-  operations_.take_over(last);
-  std::sort(operations_.rooms().begin(), operations_.rooms().end(),
+      run_.threads(), [&] { first.insert_into_big_triangles(max_operations_); },
+      [&] { last.insert_into_big_triangles(max_operations_); });
+  operations_.absorb(first);
+  operations_.absorb(last);
+  std::sort(operations_.free_slots().begin(), operations_.free_slots().end(),
             [](const auto& a, const auto& b) { return a.vertex > b.vertex; });
 }
 
-/// Gives each half so many rooms, in turn, so that few gaps stay where they have not filled theirs;
-/// by blocks, so that two threads seldom write to one cache line.
-std::array<Refinement::Rooms, 2> Refinement::deal_rooms(std::size_t each) {
+/// Gives each half so many free slots, in turn, so that few gaps stay where they have not filled
+/// theirs; by blocks, so that two threads seldom write to one cache line.
+std::array<Refinement::SlotList, 2> Refinement::deal_slots(std::size_t each) {
   constexpr std::size_t block = 64;
-  std::array<Rooms, 2> rooms;
-  while (rooms[1].size() < each) {
-    for (Rooms& half : rooms) {
-      for (std::size_t k = 0; k < block; ++k) half.push_back(mesh_.surface.add_room());
+  std::array<SlotList, 2> slots;
+  while (slots[1].size() < each) {
+    for (SlotList& half : slots) {
+      for (std::size_t k = 0; k < block; ++k) half.push_back(mesh_.surface.add_free_slots());
     }
   }
-  for (Rooms& half : rooms) std::ranges::reverse(half);  // the last is filled first
-  const Rooms left = std::exchange(operations_.rooms(), {});
-  rooms[0].insert(rooms[0].end(), left.begin(), left.end());
-  return rooms;
+  for (SlotList& half : slots) std::ranges::reverse(half);  // the last is filled first
+  const SlotList left = std::exchange(operations_.free_slots(), {});
+  slots[0].insert(slots[0].end(), left.begin(), left.end());
+  return slots;
 }
 
 }  // namespace morskin::refine

@@ -14,7 +14,7 @@ class Refinement {
  public:
   /// @param run  is told the share of edges and triangles in breach so far that have been looked at
   /// @pre the mesh is closed, its vertices are points of the skin.
-  Refinement(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+  Refinement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
              const geometry::Run& run = geometry::Run());
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
@@ -23,22 +23,22 @@ class Refinement {
   RefinementCounts counts() const;
 
  private:
-  void look_everywhere();
-  void look_for_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
-                      Work& found) const;
+  void inspect_all();
+  void find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
+                  Work& found) const;
   void insert_in_two_halves();
-  using Rooms = std::vector<SurfaceMesh::Room>;
-  std::array<Rooms, 2> deal_rooms(std::size_t each);
+  using SlotList = std::vector<SurfaceMesh::FreeSlots>;
+  std::array<SlotList, 2> deal_slots(std::size_t each);
 
   Mesh& mesh_;
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   const geometry::Run run_;
   LocalOperations operations_;  ///< on the whole mesh
   /// A budget, for constants outside the range where termination is proved: of contractions and
   /// insertions together, one for every triangle of the front's mesh, of which a few in a hundred
   /// are usual.
-  const std::size_t most_;
+  const std::size_t max_operations_;
 };
 
 }  // namespace morskin::refine

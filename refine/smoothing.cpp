@@ -16,17 +16,17 @@ namespace {
 
 /// How often the triangles that are left are tried. After each round only those next to a moved
 /// vertex are tried again, so later rounds are short.
-constexpr int most_rounds = 8;
+constexpr int max_rounds = 8;
 
 class Smoothing {
  public:
-  Smoothing(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal_deg,
+  Smoothing(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal_deg,
             std::size_t least_block, const geometry::Run& run)
-      : skin_(skin),
+      : surface_(surface),
         sizing_(sizing),
         mesh_(mesh),
         goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)),
-        block_(std::max(least_block, mesh.surface.triangle_count() / most_blocks + 1)),
+        block_(std::max(least_block, mesh.surface.triangle_count() / max_blocks + 1)),
         run_(run) {}
 
   SmoothingCounts run() {
@@ -37,8 +37,7 @@ class Smoothing {
       parts_ = geometry::parts_by_blocks(mesh_.surface, block_);
     }
     std::vector<TriangleId> seen = waiting;
-    for (int round = 0; round < most_rounds && !waiting.empty(); ++round) {
-      run_.report(geometry::unknown_share);
+    for (int round = 0; round < max_rounds && !waiting.empty(); ++round) {
       Work work = improve_all(waiting);
       counts.moved += work.moved;
       std::vector<TriangleId>& next = work.changed;
@@ -52,7 +51,7 @@ class Smoothing {
   }
 
  private:
-  static constexpr std::size_t most_blocks = 16;
+  static constexpr std::size_t max_blocks = 16;
 
   bool is_below(TriangleId t) const { return VertexMover::is_below(mesh_, t, goal_); }
 
@@ -97,11 +96,11 @@ class Smoothing {
     if (parts_.empty()) return improve(triangles, {});
     std::vector<Work> found((mesh_.surface.triangle_count() - 1) / block_ + 1);
     geometry::for_each_task(run_.threads(), found.size(), [&](std::size_t block) {
-      const auto place = [&](std::size_t b) {
+      const auto first_of = [&](std::size_t b) {
         return std::ranges::lower_bound(triangles, TriangleId{b * block_});
       };
-      found[block] =
-          improve({place(block), place(block + 1)}, {parts_, static_cast<geometry::Part>(block)});
+      found[block] = improve({first_of(block), first_of(block + 1)},
+                             {parts_, static_cast<geometry::Part>(block)});
     });
     Work whole;
     std::vector<TriangleId> left;
@@ -115,7 +114,7 @@ class Smoothing {
 
   Work improve(std::span<const TriangleId> triangles, const Subdomain& subdomain) {
     Work work;
-    VertexMover mover(skin_, sizing_, mesh_, goal_, subdomain);
+    VertexMover mover(surface_, sizing_, mesh_, goal_, subdomain);
     for (const TriangleId t : triangles) improve(t, mover, work);
     return work;
   }
@@ -135,7 +134,7 @@ class Smoothing {
     if (is_left && is_below(t)) work.left.push_back(t);
   }
 
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
   const double goal_;  ///< squared sine
@@ -146,9 +145,9 @@ class Smoothing {
 
 }  // namespace
 
-SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                        double goal_deg, const geometry::Run& run, std::size_t least_block) {
-  return Smoothing(skin, sizing, mesh, goal_deg, least_block, run).run();
+  return Smoothing(surface, sizing, mesh, goal_deg, least_block, run).run();
 }
 
 }  // namespace morskin::refine

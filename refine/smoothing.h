@@ -29,7 +29,7 @@ struct SmoothingCounts {
 /// @param goal_deg     degrees, at most 60
 /// @param least_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
-SmoothingCounts smooth(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh,
+SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                        double goal_deg, const geometry::Run& run = geometry::Run(),
                        std::size_t least_block = std::size_t{1} << 19);
 

@@ -12,8 +12,8 @@ namespace morskin::refine {
 
 namespace {
 
-/// Tried from a place: so many directions, at steps from a quarter of the shortest edge down to a
-/// tenth of that.
+/// Tried from a position: so many directions, at steps from a quarter of the shortest edge down to
+/// a tenth of that.
 constexpr int directions = 8;
 constexpr double longest_step = 0.25, shortest_step = 0.025;
 
@@ -44,7 +44,7 @@ bool VertexMover::is_below(const Mesh& mesh, TriangleId t, double goal) {
 /// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.
 /// @return whether v may move, and none of these may be moved by another. Those around share a
 ///         triangle with v, so no other moves them.
-bool VertexMover::look_around(VertexId v) {
+bool VertexMover::gather_neighbours(VertexId v) {
   ring_.clear();
   beyond_.clear();
   mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) {
@@ -80,8 +80,8 @@ bool VertexMover::keeps_provable(const SurfacePoint& x) const {
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
     const Circumcircle circle = circumcircle(x.position, p.position, q.position);
-    const double residual = skin_.residual_bound(x.length_scale);
-    if (!prove_tube(skin_, {&x, &p, &q}, circle, residual).holds()) return false;
+    const double residual = surface_.residual_bound(x.length_scale);
+    if (!prove_tube(surface_, {&x, &p, &q}, circle, residual).holds()) return false;
   }
   return true;
 }
@@ -92,8 +92,8 @@ bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
   for (std::size_t i = 0; i < n; ++i) {
     const Point& p = mesh_.position(ring_[i]);
     const Point& q = mesh_.position(ring_[(i + 1) % n]);
-    const SurfaceBall inner = exact_surface_ball(skin_, x, p, q);
-    const SurfaceBall outer = exact_surface_ball(skin_, mesh_.at(beyond_[i]), q, p);
+    const SurfaceBall inner = exact_surface_ball(surface_, x, p, q);
+    const SurfaceBall outer = exact_surface_ball(surface_, mesh_.at(beyond_[i]), q, p);
     if (!inner.is_exact || !outer.is_exact || outer.intrusion(x.position) > 0 ||
         inner.intrusion(mesh_.position(beyond_[i])) > 0 ||
         inner.intrusion(mesh_.position(ring_[(i + n - 1) % n])) > 0 ||
@@ -104,7 +104,7 @@ bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
   return true;
 }
 
-/// The best place a step away from x; nothing if none is better than `asked`.
+/// The best position a step away from x; nothing if none is better than `asked`.
 std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const SurfacePoint& x,
                                                                       double step,
                                                                       double asked) const {
@@ -112,7 +112,7 @@ std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const Surf
   std::vector<std::pair<double, SurfacePoint>> better;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * M_PI * k / directions;
-    const auto y = skin_.project(x.position + step * tangent.direction(angle), x.cell);
+    const auto y = surface_.project(x.position + step * tangent.direction(angle), x.cell);
     if (!y) continue;
     if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
   }
@@ -125,7 +125,7 @@ std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const Surf
 }
 
 VertexMover::Moved VertexMover::move(VertexId v) {
-  if (!look_around(v)) return Moved::NotMine;
+  if (!gather_neighbours(v)) return Moved::NotMine;
   SurfacePoint& at = mesh_.points[v];
   double now = 1, shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring_.size(); ++i) {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Moves one vertex of a mesh along the skin to raise the smallest angle of the triangles around
-/// it: what smoothing does (smoothing.h), and all it asks of a place before a vertex goes there.
+/// it: what smoothing does (smoothing.h), and all it asks of a position before a vertex goes there.
 
 #include <cstdint>
 #include <optional>
@@ -17,9 +17,9 @@ class VertexMover {
  public:
   /// @param goal       squared sine of an angle, beyond which no angle is raised
   /// @param subdomain  whose vertices it may move
-  VertexMover(const surface::Surface& skin, const Sizing& sizing, Mesh& mesh, double goal,
+  VertexMover(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal,
               const Subdomain& subdomain)
-      : skin_(skin), sizing_(sizing), mesh_(mesh), goal_(goal), subdomain_(subdomain) {}
+      : surface_(surface), sizing_(sizing), mesh_(mesh), goal_(goal), subdomain_(subdomain) {}
 
   /// Whether a triangle has an angle below the goal.
   static bool is_below(const Mesh& mesh, TriangleId t, double goal);
@@ -30,19 +30,19 @@ class VertexMover {
   Moved move(VertexId v);
 
  private:
-  bool look_around(VertexId v);
+  bool gather_neighbours(VertexId v);
   std::optional<double> quality(const SurfacePoint& x, double asked) const;
   bool keeps_provable(const SurfacePoint& x) const;
   bool keeps_delaunay(const SurfacePoint& x) const;
   std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,
                                                            double asked) const;
 
-  const surface::Surface& skin_;
+  const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
   const double goal_;
   const Subdomain subdomain_;
-  std::vector<VertexId> ring_, beyond_;  ///< of look_around()
+  std::vector<VertexId> ring_, beyond_;  ///< of gather_neighbours()
 };
 
 }  // namespace morskin::refine

@@ -28,13 +28,13 @@ TEST_CASE("operations in a subdomain change no triangle with a vertex outside") 
     const std::size_t triangles = mesh.surface.triangle_count();
     geometry::Parts parts;
     for (const SurfacePoint& p : mesh.points) parts.push_back(p.position.x() > 0.3 ? 1 : 0);
-    std::vector<SurfaceMesh::Room> rooms;
-    for (int k = 0; k < 2000; ++k) rooms.push_back(mesh.surface.add_room());
+    std::vector<SurfaceMesh::FreeSlots> slots;
+    for (int k = 0; k < 2000; ++k) slots.push_back(mesh.surface.add_free_slots());
     parts.resize(mesh.surface.vertex_count(), 0);
     geometry::Parts changing = parts;
     const SurfaceMesh before = mesh.surface;
 
-    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {changing, 0}, rooms);
+    LocalOperations part(skin.surface, {}, mesh, all_big(mesh), {changing, 0}, slots);
     part.insert_into_big_triangles(100000);
     CHECK(part.counts().insert > 10);
     CHECK(geometry::validate(mesh.surface).value_or("") == "");
@@ -48,7 +48,7 @@ TEST_CASE("operations in a subdomain change no triangle with a vertex outside") 
     CHECK(changed > 10);
 
     LocalOperations whole(skin.surface, {}, mesh);
-    whole.take_over(part);
+    whole.absorb(part);
     CHECK(whole.counts().insert == part.counts().insert);
     whole.flip_where_needed();
     whole.contract_short_edges();

@@ -35,7 +35,7 @@ struct Labelled {
   SurfaceMesh mesh = closed_mesh(6, support::octahedron()).mesh;
   VertexData<int> vertex{mesh, unlabelled};
   TriangleData<int> triangle{mesh, unlabelled};
-  std::vector<SurfaceMesh::Room> rooms;
+  std::vector<SurfaceMesh::FreeSlots> slots;
   int last = 0;
 
   Labelled() {
@@ -62,18 +62,18 @@ struct Labelled {
       const VertexId c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
       if (c != d && !mesh.has_edge(c, d)) mesh.flip(h);
     } else if (kind < 0.7) {
-      if (rooms.empty() || random.uniform() < 0.3) rooms.push_back(mesh.add_room());
-      const SurfaceMesh::Room room = rooms.back();
-      rooms.pop_back();
-      CHECK(vertex[room.vertex] == unlabelled);
-      mesh.split(SurfaceMesh::triangle(h), room);
-      CHECK(triangle[room.second] == unlabelled);
-      CHECK(triangle[room.third] == unlabelled);
-      vertex[room.vertex] = ++last;
-      triangle[room.second] = ++last;
-      triangle[room.third] = ++last;
+      if (slots.empty() || random.uniform() < 0.3) slots.push_back(mesh.add_free_slots());
+      const SurfaceMesh::FreeSlots free = slots.back();
+      slots.pop_back();
+      CHECK(vertex[free.vertex] == unlabelled);
+      mesh.split(SurfaceMesh::triangle(h), free);
+      CHECK(triangle[free.second] == unlabelled);
+      CHECK(triangle[free.third] == unlabelled);
+      vertex[free.vertex] = ++last;
+      triangle[free.second] = ++last;
+      triangle[free.third] = ++last;
     } else if (can_unsplit(mesh.origin(h))) {
-      rooms.push_back(mesh.unsplit(mesh.origin(h)));
+      slots.push_back(mesh.unsplit(mesh.origin(h)));
     }
   }
   /// The labels of the triangles with those of their corners: true of a mesh whatever its ids.
@@ -108,7 +108,7 @@ TEST_CASE("data stay with their vertices and triangles through edits, compaction
       if (step % 20 == 19) {
         const auto whole = one.content();
         one.mesh.compact();
-        one.rooms.clear();
+        one.slots.clear();
         CHECK(one.content() == whole);
         CHECK(one.vertex.size() == one.mesh.vertex_count());
         CHECK(one.triangle.size() == one.mesh.triangle_count());

@@ -165,12 +165,12 @@ TEST_CASE("an unsplit undoes a split") {
 TEST_CASE("what an unsplit leaves has room for a split, which adds no element") {
   support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
     SurfaceMesh mesh = random_mesh(seed);
-    const SurfaceMesh::Room fresh = mesh.add_room();
+    const SurfaceMesh::FreeSlots fresh = mesh.add_free_slots();
     CHECK(mesh.is_removed(fresh.second));
     CHECK(mesh.is_removed(fresh.third));
     CHECK(validate(mesh).value_or("") == "");
     mesh.split(SurfaceMesh::triangle(random_half_edge(mesh, random)), fresh);
-    const SurfaceMesh::Room left = mesh.unsplit(fresh.vertex);
+    const SurfaceMesh::FreeSlots left = mesh.unsplit(fresh.vertex);
     CHECK(left.vertex == fresh.vertex);
     const std::size_t vertices = mesh.vertex_count(), places = mesh.triangle_count();
     const std::size_t triangles = mesh.triangle_list().size();

@@ -5,7 +5,8 @@ from functools import lru_cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-FOLDERS = ["geometry", "skin", "morse", "refine", "front", "app", "bench", "tests", "papers"]
+FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin", "app",
+           "bench", "tests", "papers"]
 
 MARK = re.compile(r"^\s*// \[excerpt: ([\w-]+)\]$")
 END_MARK = re.compile(r"^\s*// \[/excerpt\]$")
