@@ -63,8 +63,9 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   const morskin::PreparedSkin skin = prepare_skin(input, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
   AgainstSkin result;
+  const std::vector<surface::CellId> cells = certify::cells_of(points);
   result.certificate =
-      certify::certify(mesh, points, skin.surface, skin.topology, arguments.sizing, run);
+      certify::certify(mesh, {{}, cells}, skin.surface, skin.topology, arguments.sizing, run);
   result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);

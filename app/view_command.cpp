@@ -144,12 +144,10 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   describe(page, context, arguments, molecule);
   page.about["against"] = molecule.input.filename().string();
   const auto points = certify::locate_vertices(mesh, context.skin.surface);
-  viewed.certificate = certify::certify(mesh, points, context.skin.surface, context.skin.topology,
-                                        arguments.sizing, run);
+  const std::vector<geometry::CellId> cells = certify::cells_of(points);
+  viewed.certificate = certify::certify(mesh, {{}, cells}, context.skin.surface,
+                                        context.skin.topology, arguments.sizing, run);
   const FrontCode code = add_mesh(page, "mesh", mesh);
-  std::vector<geometry::CellId> cells;
-  cells.reserve(points.size());
-  for (const surface::SurfacePoint& p : points) cells.push_back(p.cell);
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&
       !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {

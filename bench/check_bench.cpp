@@ -67,8 +67,7 @@ int main(int count, char** words) {
   kernel("check/locate",
          [](const Million& m) { return certify::locate_vertices(m.mesh, m.skin.surface); });
   kernel("check/certificate", [](const Million& m) {
-    return certify::certify(m.mesh, m.points, m.skin.surface, m.skin.topology, sizing,
-                            geometry::Run());
+    return certify::certify(m.mesh, m.skin.surface, m.skin.topology, sizing);
   });
   kernel("check/deviations", [](const Million& m) {
     return certify::measure_deviations(m.mesh, m.skin.surface, m.points, sizing);

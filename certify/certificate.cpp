@@ -35,14 +35,9 @@ std::string number(double x) {
 /// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, std::span<const SurfacePoint> points, const Hints& hints,
-            const surface::Surface& surface, const Sizing& sizing, Certificate& certificate)
-      : mesh_(mesh),
-        surface_(surface),
-        sizing_(sizing),
-        out_(certificate),
-        hints_(hints),
-        points_(points) {}
+  Certifier(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
+            const Sizing& sizing, Certificate& certificate)
+      : mesh_(mesh), surface_(surface), sizing_(sizing), out_(certificate), hints_(hints) {}
 
   void run(const surface::Topology& expected, unsigned threads) {
     out_.vertices = mesh_.positions.size();
@@ -57,13 +52,12 @@ class Certifier {
   void prove(unsigned threads) {
     locate_and_glue(threads);
     DelaunayFilter filter(mesh_.triangles.size());
-    check_vertices(threads);
     check_triangles(threads, filter);
     check_fans(threads);
     if (built_.defect) {
-      measure_shape();
-      out_.reason.clear();  // the first claim is the first reason
       fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
+      fail(Claim::Degree, "not asked, for the mesh is no manifold");
+      measure_shape();
     } else {
       const auto check_covering = [&] {
         check_covering_degree();
@@ -76,26 +70,36 @@ class Certifier {
       };
       geometry::do_both(threads, check_covering, check_balls);
     }
-    out_.is_homeomorphic = out_.reason.empty();
-    if (out_.reason.empty() && out_.violations_L + out_.violations_U > 0) {
+    check_vertices(threads);
+    conclude();
+  }
+
+  void conclude() {
+    const auto holds = [&](Claim claim) { return out_.broken_by(claim).empty(); };
+    out_.is_homeomorphic = holds(Claim::Manifold) && holds(Claim::Upright) && holds(Claim::Tube) &&
+                           holds(Claim::Degree) && holds(Claim::Counts);
+    out_.certified =
+        out_.is_homeomorphic && holds(Claim::OnSkin) && out_.violations_L + out_.violations_U == 0;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(Claim::Counts); ++i) {
+      if (out_.reason.empty()) out_.reason = out_.broken[i];
+    }
+    if (out_.reason.empty() && !out_.certified) {
       out_.reason = std::to_string(out_.violations_L) + " edges break [L], " +
                     std::to_string(out_.violations_U) + " triangles break [U]";
     }
-    out_.certified = out_.reason.empty();
   }
 
   void fail(Claim claim, const std::string& reason) { fail(out_, claim, reason); }
   static void fail(Certificate& out, Claim claim, const std::string& reason) {
     std::string& first = out.broken[static_cast<std::size_t>(claim)];
     if (first.empty()) first = reason;
-    if (out.reason.empty()) out.reason = reason;
   }
   /// Records the first element that breaks [L] or [U], which is no reason against homeomorphy.
   static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
     out.broken[static_cast<std::size_t>(claim)] =
         element + " has " + number(ratio) + " times its bound";
   }
-  const Point& position(std::uint32_t v) const { return mesh_.positions[v]; }
+  LocatedMesh located() const { return {mesh_, points_, bounds_, surface_}; }
 
   /// Angles, area and volume.
   void measure_shape();
@@ -127,9 +131,8 @@ class Certifier {
   geometry::MeshOrDefect built_;
   bool is_built_by_hints_ = false;
   geometry::Components components_;
-  std::vector<SurfacePoint> located_;  ///< empty if they were given
-  std::span<const SurfacePoint> points_;
-  double max_residual_ratio_ = 0;  ///< |G| / rho^2 at a vertex
+  std::vector<SurfacePoint> points_;  ///< by vertex
+  std::vector<VertexBounds> bounds_;  ///< by vertex
   FlowBounds flow_;
 };
 
@@ -142,7 +145,6 @@ void Certifier::measure_shape() {
 }
 
 void Certifier::locate_and_glue(unsigned threads) {
-  if (!points_.empty()) return glue();
   const std::size_t count = mesh_.positions.size();
   const bool has_cells = hints_.cells.size() == count;
   VertexLocator locator(mesh_, surface_);
@@ -154,7 +156,8 @@ void Certifier::locate_and_glue(unsigned threads) {
       threads, [&] { glue(); }, count, locate,
       has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
   locator.locate_rest();
-  points_ = located_ = locator.take();
+  points_ = locator.take_points();
+  bounds_ = locator.take_bounds();
 }
 
 void Certifier::glue() {
@@ -180,11 +183,9 @@ void Certifier::check_fans(unsigned threads) {
 
 void Certifier::check_vertices(unsigned threads) {
   out_.is_single_precision = is_single_precision(mesh_.positions);
-  const Residuals found =
-      residuals(mesh_.positions, points_, surface_, out_.is_single_precision, threads);
+  const Residuals found = residuals(points_, bounds_, surface_, out_.is_single_precision, threads);
   out_.max_distance_to_skin = found.max_distance;
   out_.max_relative_distance_to_skin = found.max_relative_distance;
-  max_residual_ratio_ = found.max_ratio;
   if (!found.first_off_skin) return;
   const auto& [v, distance] = *found.first_off_skin;
   fail(Claim::OnSkin,
@@ -217,7 +218,6 @@ void Certifier::add(TriangleFindings found) {
   for (std::size_t claim = 0; claim < out_.broken.size(); ++claim) {
     if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
   }
-  if (out_.reason.empty()) out_.reason = found.out.reason;
   flow_.add(std::move(found.flow));
 }
 
@@ -242,9 +242,11 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
       note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
     }
   }
-  const double residual = max_residual(p, max_residual_ratio_);
-  filter.note(geometry::TriangleId{t}, p, circle, residual);
-  const TubeProof proof = prove_tube(surface_, p, circle, residual);
+  const LocatedMesh on = located();
+  const CornerBounds bounds = on.corner_bounds(corner);
+  filter.note(geometry::TriangleId{t}, p, circle, bounds.max_value);
+  const TriangleBounds shape = on.shape(corner);
+  const TubeProof proof = prove_tube(surface_, p, shape, bounds);
   if (!proof.is_upright) {
     fail(out, Claim::Upright,
          "triangle " + std::to_string(t) + " does not face the way the skin does");
@@ -254,13 +256,18 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
          "triangle " + std::to_string(t) +
              " is too big for its length scale to be proved near the skin");
   }
-  found.flow.add(static_cast<std::uint32_t>(t), circle.radius, proof.max_path, rho);
+  found.flow.add(static_cast<std::uint32_t>(t), shape.circumradius, proof.max_path,
+                 rho - bounds.max_error, bounds.max_error);
 }
 
 void Certifier::check_covering_degree() {
   out_.components = components_.count;
-  const LocatedMesh mesh{mesh_, built_.mesh, components_, points_, surface_, max_residual_ratio_};
-  const std::optional<std::size_t> unproved = CoveringDegree(mesh, flow_).first_unproved();
+  const auto holds = [&](Claim claim) { return out_.broken_by(claim).empty(); };
+  if (!holds(Claim::Upright) || !holds(Claim::Tube)) {
+    return fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
+  }
+  const std::optional<std::size_t> unproved =
+      CoveringDegree(located(), built_.mesh, components_, flow_).first_unproved();
   out_.covering_degree_ok = !unproved;
   if (!unproved) return;
   fail(Claim::Degree,
@@ -293,20 +300,11 @@ Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
   return certify(mesh, Hints(), surface, expected, sizing, run);
 }
 
-Certificate certify(const IndexedMesh& mesh, std::span<const SurfacePoint> points,
-                    const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, const geometry::Run& run) {
-  const Hints none;
-  Certificate certificate;
-  Certifier(mesh, points, none, surface, sizing, certificate).run(expected, run.threads());
-  return certificate;
-}
-
 Certificate certify(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing,
                     const geometry::Run& run) {
   Certificate certificate;
-  Certifier(mesh, {}, hints, surface, sizing, certificate).run(expected, run.threads());
+  Certifier(mesh, hints, surface, sizing, certificate).run(expected, run.threads());
   return certificate;
 }
 

@@ -3,14 +3,16 @@
 /// The certificate (papers/certificate.md): from the mesh alone, in O(n), a proof that it is
 /// homeomorphic (even isotopic) to the skin, and a measure of its quality.
 ///
-/// Proved when all of these hold:
+/// Proved when all of these hold, with the rounding of every step counted:
 ///   manifold    the triangles form a closed oriented 2-manifold without degenerate elements;
-///   on skin     every vertex lies on the skin to residual_bound(), and to the rounding to floats
-///               where all coordinates are floats, as in STL;
-///   tube        the flow along grad G carries every point of a triangle to the skin (c2), and
-///   upright     every triangle faces as the skin does (c1), so that the flow is a covering map;
+///   upright     every triangle faces as the skin does (c1), so that the flow along grad G is a
+///               covering map;
+///   tube        the flow carries every point of a triangle to the skin (c2);
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
 ///   counts      components, Euler characteristic and genus equal the dual complex's.
+///
+/// Vertices need not lie on the skin for that. Whether they do, to residual_bound(), and to the
+/// rounding to floats where all coordinates are floats, as in STL, is a claim of its own.
 
 #include <array>
 #include <optional>
@@ -27,7 +29,8 @@
 
 namespace morskin::certify {
 
-/// The claims of the proof, in order, then the size conditions.
+/// The claims, in the order in which the first broken one is the reason. The last two and OnSkin
+/// are no part of the proof.
 enum class Claim { Manifold, OnSkin, Upright, Tube, Degree, Counts, L, U };
 inline constexpr std::size_t claim_count = 8;
 
@@ -48,7 +51,8 @@ struct Certificate {
   double worst_U = 0;  ///< largest R_abc over its bound in [U]: below 1 is good
   std::size_t violations_L = 0;
   std::size_t violations_U = 0;
-  double max_distance_to_skin = 0;           ///< of a vertex, Angstrom
+  /// Bound on the distance of a vertex, Angstrom; infinite where there is none.
+  double max_distance_to_skin = 0;
   double max_relative_distance_to_skin = 0;  ///< the same over the length scale
   bool is_single_precision = false;          ///< every coordinate is a float
   double area = 0;                           ///< Angstrom^2
@@ -58,14 +62,14 @@ struct Certificate {
   /// closed. Not part of the proof (restricted_delaunay.h).
   std::size_t restricted_delaunay_violations = 0;
 
-  /// Every claim up to Counts holds.
+  /// Every claim of the proof holds. False also where nothing could be decided.
   bool is_homeomorphic = false;
-  /// Homeomorphic, and [L] and [U] hold everywhere.
+  /// Homeomorphic, all vertices on the skin, and [L] and [U] hold everywhere.
   bool certified = false;
   /// Why not, naming the first element that breaks a claim; empty when certified.
   std::string reason;
-  /// By Claim, the first element that breaks it, in words; empty where it holds. Degree and counts
-  /// stay empty where the mesh is no manifold.
+  /// By Claim, the first element that breaks it, in words; empty where it holds. Counts stay empty
+  /// where the mesh is no manifold.
   std::array<std::string, claim_count> broken;
 
   const std::string& broken_by(Claim claim) const {
@@ -85,11 +89,6 @@ struct Hints {
 Certificate certify(const geometry::IndexedMesh& mesh, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing = {},
                     const geometry::Run& run = geometry::Run());
-/// The same with vertices already located.
-/// @param points  locate_vertices() of the mesh
-Certificate certify(const geometry::IndexedMesh& mesh, std::span<const SurfacePoint> points,
-                    const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, const geometry::Run& run);
 /// The same with hints.
 Certificate certify(const geometry::IndexedMesh& mesh, const Hints& hints,
                     const surface::Surface& surface, const surface::Topology& expected,

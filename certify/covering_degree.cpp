@@ -6,17 +6,29 @@
 #include <limits>
 
 #include "certify/candidate_grid.h"
+#include "certify/distance_bounds.h"
 #include "geometry/kd_tree.h"
+#include "geometry/orthogonal.h"
 
 namespace morskin::certify {
 
-void FlowBounds::add(std::uint32_t triangle, double circumradius, double max_path, double rho) {
+namespace {
+
+/// Margins far above the rounding of the few operations that they follow.
+constexpr double up = 1 + 1e-6, down = 1 - 1e-6;
+
+/// No candidate lies farther from the skin, over its length scale.
+constexpr double max_own_path = 0x1p-4;
+
+}  // namespace
+
+void FlowBounds::add(std::uint32_t triangle, double circumradius, double max_path, double rho,
+                     double max_error) {
   // A point of the triangle lies within R of a corner.
-  const double ratio = (circumradius + max_path) / rho;
-  if (ratio > max_ratio) {
-    const double distance = std::min<double>(2 * circumradius + max_path, FLT_MAX);
+  const double ratio = up * (circumradius + max_path) / rho;
+  if (ratio > max_ratio || !(max_error < max_doubt * rho)) {
+    const double distance = std::min<double>(up * (2 * circumradius + max_path), FLT_MAX);
     far_.push_back({triangle, static_cast<float>(distance)});
-    unbounded_count_ += !std::isfinite(max_path);
   } else {
     ratio_ = std::max(ratio_, ratio);
   }
@@ -25,89 +37,103 @@ void FlowBounds::add(std::uint32_t triangle, double circumradius, double max_pat
 void FlowBounds::add(FlowBounds others) {
   ratio_ = std::max(ratio_, others.ratio_);
   far_.insert(far_.end(), others.far_.begin(), others.far_.end());
-  unbounded_count_ += others.unbounded_count_;
 }
 
-/// Whether the triangles at v, seen along its normal, all turn forward and make one full turn.
+bool CoveringDegree::is_candidate(VertexId v) const {
+  const double rho = min_length_scale(v);
+  return on_.bounds[v.index()].error < FlowBounds::max_doubt * rho &&
+         path_to_skin(v) < max_own_path * rho && own_triangles_do_not_return(v) && turns_once(v);
+}
+
+/// Whether the flow carries no other point of the triangles at v to where it carries v.
+///
+/// The two would lie on one path, along which G changes by no more than between v and a point of
+/// the triangle, so it would be no longer than `path`. But along so short a path from v N keeps a
+/// part along the triangle's normal, so that it never comes back to the triangle's plane.
+bool CoveringDegree::own_triangles_do_not_return(VertexId v) const {
+  const SurfacePoint& p = on_.points[v.index()];
+  const VertexBounds& bounds = on_.bounds[v.index()];
+  bool holds = true;
+  connectivity_.for_each_outgoing(v, [&](HalfEdgeId h) {
+    const std::array triangle{v.value, connectivity_.target(h).value, connectivity_.apex(h).value};
+    const TriangleBounds shape = on_.shape(triangle);
+    const double g = shape.circumradius * shape.circumradius +
+                     on_.corner_bounds(triangle).max_value + bounds.max_value();
+    const double path = max_flow_path(min_length_scale(v), up * g);
+    const double upright =
+        p.length_scale * (p.normal.dot(shape.normal) - shape.normal_error) - bounds.error;
+    holds = holds && up * path < down * upright;
+  });
+  return holds;
+}
+
+/// Whether the triangles at v go round it exactly once, seen along its normal. All turn forward, by
+/// (c1), so one turn has one edge where the side of a plane through the normal changes from back to
+/// front. An edge too near to the plane leaves that open; then another plane is tried.
+/// @pre own_triangles_do_not_return(v), so that other directions near the normal would do as well.
 bool CoveringDegree::turns_once(VertexId v) const {
   const SurfacePoint& p = on_.points[v.index()];
-  double sum = 0;
-  bool is_forward = true;
-  on_.connectivity.for_each_outgoing(v, [&](HalfEdgeId h) {
-    Vector e = position(on_.connectivity.target(h).value) - p.position;
-    Vector f = position(on_.connectivity.apex(h).value) - p.position;
-    e -= e.dot(p.normal) * p.normal;
-    f -= f.dot(p.normal) * p.normal;
-    const double angle = std::atan2(e.cross(f).dot(p.normal), e.dot(f));
-    is_forward = is_forward && angle > 0;
-    sum += angle;
-  });
-  return is_forward && std::abs(sum - 2 * M_PI) < 1;  // sum is a multiple of 2 pi
-}
-
-namespace {
-
-double squared_distance_to_triangle(const Point& x, const Point& a, const Point& b,
-                                    const Point& c) {
-  const Vector n = (b - a).cross(c - a);
-  const std::array corner{&a, &b, &c};
-  bool is_over = true;
-  double to_edges = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point &p = *corner[k], &q = *corner[(k + 1) % 3];
-    const Vector e = q - p, d = x - p;
-    is_over = is_over && e.cross(d).dot(n) >= 0;
-    const double s = std::clamp(e.dot(d) / e.squaredNorm(), 0.0, 1.0);
-    to_edges = std::min(to_edges, (d - s * e).squaredNorm());
+  const geometry::TangentFrame frame(p.normal);
+  constexpr int planes = 4;
+  for (int plane = 0; plane < planes; ++plane) {
+    const Vector across = frame.direction(plane);
+    int changes = 0;
+    bool is_sure = true;
+    std::optional<bool> first, last;
+    connectivity_.for_each_outgoing(v, [&](HalfEdgeId h) {
+      const Vector edge = on_.position(connectivity_.target(h).value) - p.position;
+      const double side = across.dot(edge);
+      constexpr double doubt = 0x1p-46;  // over the rounding of `side` and of the directions
+      is_sure = is_sure && std::abs(side) > doubt * edge.norm();
+      const bool is_front = side > 0;
+      changes += last && !*last && is_front;
+      if (!first) first = is_front;
+      last = is_front;
+    });
+    changes += !*last && *first;
+    if (is_sure) return changes == 1;
   }
-  const double height = n.dot(x - a);
-  return is_over ? height * height / n.squaredNorm() : to_edges;
+  return false;
 }
 
-}  // namespace
-
-/// Whether the flow may carry a point p of a triangle to the vertex v, not one of its corners.
-/// |G(p)| is at most R^2, and |N| is rho at v. On a path of length s from v N changes by at most s,
-/// so the path's direction differs from v's normal by a sine of at most s / rho: it ends within
-/// s^2 / (2 rho) of the line along that normal.
+/// Whether the flow may carry a point p of a triangle to where it carries the vertex v, not one of
+/// its corners.
+///
+/// Then one path joins p and v, along which G changes by |G(p) - G(v)| <= R^2 + |G| at the corners
+/// and at v. On a path of length s from v N changes by at most s, so the path's direction differs
+/// from v's normal by a sine of at most s / rho: it ends within s^2 / (2 rho) of the line along
+/// that normal.
 bool CoveringDegree::may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const {
-  const auto& [a, b, c] = triangle;
-  const std::array corners{&on_.points[a], &on_.points[b], &on_.points[c]};
-  const Circumcircle circle = circumcircle(position(a), position(b), position(c));
-  const double residual = max_residual(corners, on_.max_residual_ratio);
-  const double g = circle.radius * circle.radius + residual;
   const SurfacePoint& at = on_.points[v.index()];
-  constexpr double margin = 1 + 1e-6;  // well above the rounding of either side
-  double path = max_flow_path(at.length_scale, g);
-  const double d2 =
-      squared_distance_to_triangle(position(v.value), position(a), position(b), position(c));
-  if (d2 > path * path * margin) return false;
-  path = std::min(path, prove_tube(on_.surface, corners, circle, residual).max_path);
-  if (d2 > path * path * margin) return false;
-  const double aside = path * path / (2 * at.length_scale);
-  const auto along_skin = [&](std::uint32_t corner) -> Point {
-    const Vector d = position(corner) - position(v.value);
-    return d - d.dot(at.normal) * at.normal;
-  };
-  const double d2_aside =
-      squared_distance_to_triangle(Point::Zero(), along_skin(a), along_skin(b), along_skin(c));
-  return !(d2_aside > aside * aside * margin);
+  const VertexBounds& bounds = on_.bounds[v.index()];
+  const TriangleBounds shape = on_.shape(triangle);
+  const CornerBounds corners = on_.corner_bounds(triangle);
+  const double g = shape.circumradius * shape.circumradius + corners.max_value + bounds.max_value();
+  Offsets offsets;
+  for (std::size_t k = 0; k < 3; ++k) offsets[k] = on_.position(triangle[k]) - at.position;
+  const double distance = distance_below(offsets);
+  double path = max_flow_path(min_length_scale(v), up * g);
+  if (distance > up * path) return false;
+  const TubeProof proof = prove_tube(on_.surface, on_.corners(triangle), shape, corners);
+  path = std::min(path, proof.max_path + path_to_skin(v));
+  if (distance > up * path) return false;
+  const double aside = path * (path / 2 + bounds.error) / at.length_scale;
+  return !(distance_from_line_below(offsets, at.normal) > up * aside);
 }
 
 /// A few of each component, spread over it: where the surface is thin against its length scale,
 /// triangles of another sheet may cover some of them.
 CoveringDegree::Candidates CoveringDegree::candidates() const {
   constexpr std::size_t max_candidates = 16;
-  const geometry::Components& components = on_.components;
-  Candidates result(components.count);
-  std::vector<std::uint32_t> size(components.count, 0), seen(components.count, 0);
-  for (const auto c : components.of_triangle) ++size[c];
+  Candidates result(components_.count);
+  std::vector<std::uint32_t> size(components_.count, 0), seen(components_.count, 0);
+  for (const auto c : components_.of_triangle) ++size[c];
   for (std::size_t t = 0; t < on_.mesh.triangles.size(); ++t) {
-    const auto c = components.of_triangle[t];
+    const auto c = components_.of_triangle[t];
     auto& list = result[c];
     const VertexId v{on_.mesh.triangles[t][0]};
     if (seen[c]++ % (size[c] / max_candidates + 1) != 0) continue;
-    if (std::find(list.begin(), list.end(), v) == list.end() && turns_once(v)) list.push_back(v);
+    if (std::find(list.begin(), list.end(), v) == list.end() && is_candidate(v)) list.push_back(v);
   }
   return result;
 }
@@ -115,9 +141,6 @@ CoveringDegree::Candidates CoveringDegree::candidates() const {
 std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates) const {
   std::vector<VertexId> all;
   for (const auto& list : candidates) all.insert(all.end(), list.begin(), list.end());
-  // An unbounded triangle is tested against every candidate.
-  constexpr std::size_t max_tests = 1'000'000'000;
-  if (bounds_.unbounded_count() > max_tests / std::max<std::size_t>(all.size(), 1)) return {};
   std::vector<char> is_free(on_.mesh.positions.size(), 0);
   for (const VertexId v : all) is_free[v.index()] = 1;
   const auto test = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
@@ -135,31 +158,44 @@ void CoveringDegree::test_far_triangles(const std::vector<VertexId>& candidates,
   if (bounds_.far().empty()) return;
   std::vector<Point> positions;
   positions.reserve(candidates.size());
-  for (const VertexId v : candidates) positions.push_back(position(v.value));
+  double own_path = 0;
+  for (const VertexId v : candidates) {
+    positions.push_back(on_.position(v.value));
+    own_path = std::max(own_path, path_to_skin(v));
+  }
   const geometry::KdTree<VertexId> tree(positions);
   constexpr double margin = 1.01;  // far above the rounding to single precision
   for (const auto& [t, from_first_corner] : bounds_.far()) {
     const auto& triangle = on_.mesh.triangles[t];
-    tree.for_each_within(position(triangle[0]), margin * from_first_corner,
+    tree.for_each_within(on_.position(triangle[0]), margin * (from_first_corner + own_path),
                          [&](const auto& near) { test(triangle, candidates[near.id.index()]); });
   }
 }
 
 /// Tests the triangles at each vertex against the candidates near it.
+///
+/// A triangle's image lies within ratio rho_a of its corner a, and within k rho_v of a candidate v
+/// where it may cover it. With rho_v <= rho_a + |a - v| the corner is no farther from v than
+/// (ratio + k) / (1 - k) times rho_a.
 template <class Test>
 void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates, Test test) const {
   std::vector<Candidate> located;
   located.reserve(candidates.size());
+  double k = 0;
   for (const VertexId v : candidates) {
-    located.push_back({v, position(v.value), on_.points[v.index()].length_scale});
+    located.push_back({v, on_.position(v.value), on_.points[v.index()].length_scale});
+    k = std::max(k, path_to_skin(v) / min_length_scale(v));
   }
-  const CandidateGrid grid(std::max(bounds_.ratio(), 1e-3), located);
+  const double ratio = up * (bounds_.ratio() + k) / (1 - k);
+  // The length scales on both sides are known to max_doubt, and so are their octaves.
+  const CandidateGrid grid(std::max(ratio, 1e-3) + 6 * FlowBounds::max_doubt, located);
   for (std::uint32_t a = 0; a < on_.mesh.positions.size(); ++a) {
-    grid.for_each_near(position(a), on_.points[a].length_scale, [&](VertexId v) {
-      const double farthest = 1.01 * bounds_.ratio() * on_.points[a].length_scale;
-      if ((position(a) - position(v.value)).squaredNorm() > farthest * farthest) return;
-      on_.connectivity.for_each_outgoing(VertexId{a}, [&](HalfEdgeId h) {
-        test({a, on_.connectivity.target(h).value, on_.connectivity.apex(h).value}, v);
+    const double rho = (1 + 2 * FlowBounds::max_doubt) * on_.points[a].length_scale;
+    grid.for_each_near(on_.position(a), rho, [&](VertexId v) {
+      const double farthest = up * ratio * rho;
+      if ((on_.position(a) - on_.position(v.value)).squaredNorm() > farthest * farthest) return;
+      connectivity_.for_each_outgoing(VertexId{a}, [&](HalfEdgeId h) {
+        test({a, connectivity_.target(h).value, connectivity_.apex(h).value}, v);
       });
     });
   }
@@ -169,9 +205,8 @@ std::optional<std::size_t> CoveringDegree::first_unproved() const {
   const Candidates all = candidates();
   const std::vector<char> is_free = free_candidates(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool is_proved = !is_free.empty() && std::ranges::any_of(all[i], [&](VertexId v) {
-      return is_free[v.index()] != 0;
-    });
+    const bool is_proved =
+        std::ranges::any_of(all[i], [&](VertexId v) { return is_free[v.index()] != 0; });
     if (!is_proved) return i;
   }
   return std::nullopt;

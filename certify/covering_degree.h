@@ -3,7 +3,8 @@
 /// The third condition of the certificate (papers/certificate.md): each component has a vertex for
 /// which
 ///
-///     (c3) degree   its own triangles go round it once, and the flow carries no other onto it,
+///     (c3) degree   its own triangles go round it once, and the flow carries no other point of the
+///                   mesh to where it carries the vertex,
 ///
 /// so that the component covers its part of the skin once.
 
@@ -14,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "certify/located_vertices.h"
 #include "certify/tube.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/surface_mesh.h"
@@ -23,51 +25,66 @@ namespace morskin::certify {
 /// Bounds on the distance from a triangle's corners to its image under the flow.
 class FlowBounds {
  public:
-  /// @param max_path  bound on the path of a point of the triangle, Angstrom; may be infinite
-  /// @param rho       smallest length scale at the corners
-  void add(std::uint32_t triangle, double circumradius, double max_path, double rho);
+  /// @param max_path   bound on the path of a point of the triangle, Angstrom
+  /// @param rho        lower bound on the length scale at the corners
+  /// @param max_error  of N at the corners
+  void add(std::uint32_t triangle, double circumradius, double max_path, double rho,
+           double max_error);
   void add(FlowBounds others);
   /// Reserves memory for far triangles.
   void reserve(std::size_t far) { far_.reserve(far); }
 
   /// Bound on the distance to the nearest corner over rho there, for all but the far triangles.
   double ratio() const { return ratio_; }
-  /// A triangle whose ratio exceeds max_ratio.
+  /// A triangle whose ratio exceeds max_ratio, or with a corner whose length scale is in doubt.
   struct Far {
     std::uint32_t triangle;
     float from_first_corner;  ///< bound on the distance, Angstrom
   };
   std::span<const Far> far() const { return far_; }
-  /// Far triangles without a bound.
-  std::size_t unbounded_count() const { return unbounded_count_; }
+
+  /// The doubt about a length scale, over it, that is small.
+  static constexpr double max_doubt = 0x1p-9;
 
  private:
   static constexpr double max_ratio = 0.8;
   double ratio_ = 0;
   std::vector<Far> far_;
-  std::size_t unbounded_count_ = 0;
 };
 
-/// Bound on |G| at a triangle's corners. @param ratio  bound on |G| / rho^2 at every vertex
-inline double max_residual(const Corners& p, double ratio) {
-  const double rho = max_length_scale(p);
-  return ratio * rho * rho;
-}
-
-/// A closed mesh with its vertices on a surface.
+/// A closed mesh near a surface. By vertex: points and their bounds.
 struct LocatedMesh {
   const geometry::IndexedMesh& mesh;
-  const geometry::SurfaceMesh& connectivity;
-  const geometry::Components& components;
-  std::span<const SurfacePoint> points;  ///< by vertex
+  std::span<const SurfacePoint> points;
+  std::span<const VertexBounds> bounds;
   const surface::Surface& surface;
-  double max_residual_ratio;  ///< |G| / rho^2 at a vertex
+
+  const Point& position(std::uint32_t v) const { return mesh.positions[v]; }
+  Corners corners(const std::array<std::uint32_t, 3>& triangle) const {
+    const auto& [a, b, c] = triangle;
+    return {&points[a], &points[b], &points[c]};
+  }
+  TriangleBounds shape(const std::array<std::uint32_t, 3>& triangle) const {
+    const auto& [a, b, c] = triangle;
+    return triangle_bounds(position(a), position(b), position(c));
+  }
+  CornerBounds corner_bounds(const std::array<std::uint32_t, 3>& triangle) const {
+    CornerBounds result{0, 0};
+    for (const std::uint32_t v : triangle) {
+      result.max_value = std::max(result.max_value, bounds[v].max_value());
+      result.max_error = std::max<double>(result.max_error, bounds[v].error);
+    }
+    return result;
+  }
 };
 
 class CoveringDegree {
  public:
   /// @param bounds  of all triangles
-  CoveringDegree(const LocatedMesh& mesh, const FlowBounds& bounds) : on_(mesh), bounds_(bounds) {}
+  /// @pre (c1) and (c2) are proved for all triangles.
+  CoveringDegree(const LocatedMesh& mesh, const geometry::SurfaceMesh& connectivity,
+                 const geometry::Components& components, const FlowBounds& bounds)
+      : on_(mesh), connectivity_(connectivity), components_(components), bounds_(bounds) {}
 
   /// The first component without a proof of (c3).
   std::optional<std::size_t> first_unproved() const;
@@ -76,18 +93,26 @@ class CoveringDegree {
   /// By component, vertices at which to try (c3).
   using Candidates = std::vector<std::vector<VertexId>>;
   Candidates candidates() const;
-  /// By vertex, whether it is a candidate that only its own triangles may cover; empty if too many
-  /// triangles are unbounded.
+  bool is_candidate(VertexId v) const;
+  bool own_triangles_do_not_return(VertexId v) const;
+  bool turns_once(VertexId v) const;
+  /// By vertex, whether it is a candidate that only its own triangles may cover.
   std::vector<char> free_candidates(const Candidates& candidates) const;
   template <class Test>
   void test_far_triangles(const std::vector<VertexId>& candidates, Test test) const;
   template <class Test>
   void test_near_triangles(const std::vector<VertexId>& candidates, Test test) const;
-  bool turns_once(VertexId v) const;
   bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
-  const Point& position(std::uint32_t v) const { return on_.mesh.positions[v]; }
+  double min_length_scale(VertexId v) const {
+    return on_.points[v.index()].length_scale - on_.bounds[v.index()].error;
+  }
+  double path_to_skin(VertexId v) const {
+    return max_flow_path(min_length_scale(v), on_.bounds[v.index()].max_value());
+  }
 
   const LocatedMesh on_;
+  const geometry::SurfaceMesh& connectivity_;
+  const geometry::Components& components_;
   const FlowBounds& bounds_;
 };
 

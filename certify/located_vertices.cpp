@@ -1,23 +1,42 @@
 #include "certify/located_vertices.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace morskin::certify {
 
+namespace {
+
+float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  if (static_cast<double>(nearest) >= x || std::isnan(x)) return nearest;
+  return std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
 void VertexLocator::locate(std::uint32_t v, surface::CellId start) {
+  set(v, surface_.locate(mesh_.positions[v], start));
+}
+
+void VertexLocator::set(std::size_t v, surface::CellId cell) {
   const surface::Point& x = mesh_.positions[v];
-  points_[v] = surface_.at(x, surface_.locate(x, start));
+  const surface::Enclosure found = surface_.enclose(x, cell);
+  const double rho = found.half_gradient.norm();
+  const surface::Vector normal =
+      rho > 0 ? surface::Vector(found.half_gradient / rho) : surface::Vector::Zero();
+  points_[v] = {x, normal, rho, cell};
+  const double error = found.error + 0x1p-50 * rho;  // length scale times normal is rounded
+  bounds_[v] = {-rounded_up(-found.low), rounded_up(found.high), rounded_up(error)};
   is_located_[v] = 1;
 }
 
 void VertexLocator::locate_hinted(std::span<const surface::CellId> hints, std::size_t begin,
                                   std::size_t end) {
   for (std::size_t v = begin; v < end; ++v) {
-    const surface::Point& x = mesh_.positions[v];
-    if (!surface_.is_in(x, hints[v])) continue;
-    points_[v] = surface_.at(x, hints[v]);
-    is_located_[v] = 1;
+    if (surface_.is_in(mesh_.positions[v], hints[v])) set(v, hints[v]);
   }
 }
 
@@ -57,7 +76,14 @@ std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& 
                                                    const surface::Surface& surface) {
   VertexLocator locator(mesh, surface);
   locator.locate_rest();
-  return locator.take();
+  return locator.take_points();
+}
+
+std::vector<surface::CellId> cells_of(std::span<const surface::SurfacePoint> points) {
+  std::vector<surface::CellId> cells;
+  cells.reserve(points.size());
+  for (const surface::SurfacePoint& p : points) cells.push_back(p.cell);
+  return cells;
 }
 
 }  // namespace morskin::certify

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "certify/tube.h"
 #include "geometry/parallel.h"
 
 namespace morskin::certify {
@@ -22,22 +23,23 @@ bool is_single_precision(std::span<const surface::Point> positions) {
   });
 }
 
-Residuals residuals(std::span<const surface::Point> positions,
-                    std::span<const surface::SurfacePoint> points, const surface::Surface& surface,
+Residuals residuals(std::span<const surface::SurfacePoint> points,
+                    std::span<const VertexBounds> bounds, const surface::Surface& surface,
                     bool is_single_precision, unsigned threads) {
   const auto check = [&](std::size_t v, Residuals& found) {
     const double rho = points[v].length_scale;
-    const double g = std::abs(surface.jet(positions[v], points[v].cell).value);
-    // |G| / 2 rho is the distance to first order; off by G / rho^2 of itself.
-    found.max_distance = std::max(found.max_distance, g / (2 * rho));
-    found.max_relative_distance = std::max(found.max_relative_distance, g / (2 * rho * rho));
-    found.max_ratio = std::max(found.max_ratio, g / (rho * rho));
+    // |N| falls along the way to the skin, so its length is no less than the distance.
+    const double distance = max_flow_path(rho - bounds[v].error, bounds[v].max_value());
+    found.max_distance = std::max(found.max_distance, distance);
+    found.max_relative_distance = std::max(found.max_relative_distance, distance / rho);
     // A hundred times the mesher's tolerance, for the last digits of other programs: far below the
     // needs of the theorem. Rounding to floats moves a vertex by d, at most 2^-24 of its distance
-    // from the origin, and changes G by 2 rho d + d^2.
-    const double moved = is_single_precision ? std::ldexp(positions[v].norm(), -24) : 0;
-    const bool is_on_skin = g <= 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
-    if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, g / (2 * rho)};
+    // from the origin, and changes G by 2 rho d + d^2. What rounding hides of G is not held against
+    // the vertex.
+    const double moved = is_single_precision ? std::ldexp(points[v].position.norm(), -24) : 0;
+    const double G = std::abs(bounds[v].low + (bounds[v].high - bounds[v].low) / 2);
+    const bool is_on_skin = G <= 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
+    if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, G / (2 * rho)};
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));
   geometry::for_each_block(threads, points.size(), [&](auto begin, auto end, auto block) {
@@ -47,7 +49,6 @@ Residuals residuals(std::span<const surface::Point> positions,
   for (const Residuals& part : found) {
     whole.max_distance = std::max(whole.max_distance, part.max_distance);
     whole.max_relative_distance = std::max(whole.max_relative_distance, part.max_relative_distance);
-    whole.max_ratio = std::max(whole.max_ratio, part.max_ratio);
     if (!whole.first_off_skin) whole.first_off_skin = part.first_off_skin;
   }
   return whole;

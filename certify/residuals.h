@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "surface/surface.h"
+#include "certify/located_vertices.h"
 
 namespace morskin::certify {
 
@@ -14,18 +14,17 @@ namespace morskin::certify {
 bool is_single_precision(std::span<const surface::Point> positions);
 
 struct Residuals {
-  double max_distance = 0;           ///< of a vertex to the skin, Angstrom
+  double max_distance = 0;           ///< bound on a vertex's distance to the skin, Angstrom
   double max_relative_distance = 0;  ///< the same over the length scale
-  double max_ratio = 0;              ///< |G| / rho^2 at a vertex
   /// The first vertex farther off than residual_bound() and rounding allow, with its distance.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
 
-/// @param points               by vertex
+/// @param points, bounds       by vertex
 /// @param is_single_precision  whether vertices may be off by the rounding to floats
 /// @param threads              at most; the result is the same for any number
-Residuals residuals(std::span<const surface::Point> positions,
-                    std::span<const surface::SurfacePoint> points, const surface::Surface& surface,
+Residuals residuals(std::span<const surface::SurfacePoint> points,
+                    std::span<const VertexBounds> bounds, const surface::Surface& surface,
                     bool is_single_precision, unsigned threads);
 
 }  // namespace morskin::certify

@@ -6,44 +6,51 @@ namespace morskin::certify {
 
 namespace {
 
+using surface::CellId;
+using surface::Enclosure;
+
 /// At most 4^5 pieces, so that a triangle that fails costs no more than meshing a few others.
 constexpr int max_depth = 5;
 
-/// Margin of the bounds, in shares of |N|: far above the rounding of G and N, some 1e-15 of the
-/// molecule's extent.
+/// Margin of the comparisons below, in shares of |N|: far above the rounding of the few operations
+/// that lead to either side, 2^-48 together.
 constexpr double margin = 1e-6;
 
 /// (c1) and (c2) on a triangle's pieces.
+/// @tparam Enclose  (point, cell) -> Enclosure
+template <class Enclose>
 class Pieces {
  public:
   /// @param max_G  on all of the triangle
-  Pieces(const surface::Surface& surface, const Vector& normal, double max_G)
-      : surface_(surface), normal_(normal), max_G_(max_G) {}
+  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double max_G, double off_plane)
+      : enclose_(enclose), triangle_(triangle), max_G_(max_G), off_plane_(off_plane) {}
 
   /// Whether both hold on all of a piece.
   ///
   /// At points no farther than r from its centroid x, N . n_t is at least N(x) . n_t - r, |N| at
   /// least |N(x)| - r, and |G| at most |G(x)| + 2 t r + r^2, t the part of N(x) along the triangle,
-  /// by |G(p) - G(x) - 2 N(x) . (p - x)| <= |p - x|^2.
-  bool hold(const std::array<Point, 3>& p, surface::CellId cell, int depth) {
+  /// by |G(p) - G(x) - 2 N(x) . (p - x)| <= |p - x|^2. The stored corners and x are off the exact
+  /// pieces, and off the triangle's plane, by no more than `off_plane`.
+  bool hold(const std::array<Point, 3>& p, CellId cell, int depth) {
     const Point x = (p[0] + p[1] + p[2]) / 3;
-    const double r = std::sqrt(
-        std::max({(p[0] - x).squaredNorm(), (p[1] - x).squaredNorm(), (p[2] - x).squaredNorm()}));
-    cell = surface_.locate(x, cell);
-    const surface::Enclosure about = surface_.enclosure(x, r, cell);
-    const Vector& N = about.at_centre.half_gradient;
-    const double G = std::abs(about.at_centre.value);
-    const double size = N.norm(), upright = N.dot(normal_);
+    const double r =
+        off_plane_ + std::sqrt(std::max({(p[0] - x).squaredNorm(), (p[1] - x).squaredNorm(),
+                                         (p[2] - x).squaredNorm()}));
+    const Enclosure about = enclose_(x, cell);
+    const Vector& N = about.half_gradient;
+    const double size = N.norm(), upright = N.dot(triangle_.normal);
+    const double max_G = about.max_value(), error = about.error;
     // The centroid itself breaks a condition.
     if (!(upright > 0)) return fail(proof_.is_upright);
-    if (!(G < size * size)) return fail(proof_.is_in_tube);
-    const double along = std::sqrt(std::max(0.0, size * size - upright * upright));
-    const double max_G = std::min(max_G_, about.max_value(along));
-    const double min_N = about.min_half_gradient();
-    const bool is_upright = upright - r > margin * size;
-    const bool is_in_tube = min_N > 0 && max_G < (1 - margin) * min_N * min_N;
+    if (!(max_G < size * size)) return fail(proof_.is_in_tube);
+    const double tilt = size * triangle_.normal_error;
+    const double along = std::sqrt(std::max(0.0, size * size - upright * upright)) + tilt + error;
+    const double value = std::min(max_G_, max_G + 2 * (along * r + size * off_plane_) + r * r);
+    const double min_N = size - error - r;
+    const bool is_upright = upright - tilt - error - r > margin * size;
+    const bool is_in_tube = min_N > 0 && value < (1 - margin) * min_N * min_N;
     if (is_upright && is_in_tube) {
-      proof_.max_path = std::max(proof_.max_path, max_flow_path(min_N, max_G));
+      proof_.max_path = std::max(proof_.max_path, max_flow_path(min_N, value));
       return true;
     }
     if (depth == max_depth) return fail(is_upright ? proof_.is_in_tube : proof_.is_upright);
@@ -57,45 +64,72 @@ class Pieces {
  private:
   static bool fail(bool& condition) { return condition = false; }
 
-  const surface::Surface& surface_;
-  const Vector normal_;
+  const Enclose& enclose_;
+  const TriangleBounds& triangle_;
   const double max_G_;
+  const double off_plane_;
   TubeProof proof_{true, true, 0};
 };
 
-}  // namespace
-
-double max_flow_path(double n, double g) {
-  return n * n > g ? g / (n + std::sqrt(n * n - g)) : std::numeric_limits<double>::infinity();
-}
-
-TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
-                     const Circumcircle& circle, double max_G) {
+/// The proof with any way to enclose G and N at a point.
+template <class Enclose>
+TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBounds& triangle,
+                const CornerBounds& bounds) {
   std::array<double, 3> squared;  // of the side opposite corner k
   for (std::size_t k = 0; k < 3; ++k) {
     squared[k] = (corners[(k + 1) % 3]->position - corners[(k + 2) % 3]->position).squaredNorm();
   }
   const auto k =
       static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
-  const double longer_side = std::max(squared[(k + 1) % 3], squared[(k + 2) % 3]);  // squared
-  const double squared_area = circle.doubled_area.squaredNorm();
-  // N(a) . n_t, times twice the area.
-  const double upright = corners[k]->length_scale * corners[k]->normal.dot(circle.doubled_area);
-  const bool is_upright = upright > 0 && upright * upright > longer_side * squared_area;
-  const double rho = min_length_scale(corners);
-  const double g = circle.radius * circle.radius + max_G;
-  const double n = rho - circle.radius;
-  const TubeProof quick{is_upright, n > 0 && g < n * n, max_flow_path(n, g)};
+  const SurfacePoint& a = *corners[k];
+  const double longer_side = std::sqrt(std::max(squared[(k + 1) % 3], squared[(k + 2) % 3]));
+  const double R = triangle.circumradius;
+  const double upright = a.length_scale * a.normal.dot(triangle.normal);  // N(a) . n_t
+  const double doubt = a.length_scale * (triangle.normal_error + margin) + bounds.max_error;
+  const double rho = min_length_scale(corners) - bounds.max_error;
+  const double g = R * R + bounds.max_value;
+  const double n = rho - R;
+  const TubeProof quick{upright - doubt > longer_side, n > 0 && g < (1 - margin) * n * n,
+                        max_flow_path((1 - margin) * n, g)};
   // Upside down at a corner, or too big for the tube of a ball, where |G| = R^2 and
   // |N|^2 = rho^2 - R^2 at the circumcentre.
-  const bool is_hopeless = !(upright > 0) || !(circle.radius < rho);
+  const bool is_hopeless = !(upright > 0) || !(R < rho);
   if (quick.holds() || is_hopeless) return quick;
-  Pieces pieces(surface, circle.doubled_area / std::sqrt(squared_area), g);
-  const bool holds = pieces.hold({corners[0]->position, corners[1]->position, corners[2]->position},
-                                 corners[0]->cell, 0);
+  // Each halving and the centroid round a coordinate by 2^-53 of itself, in six steps.
+  double largest = 0;
+  for (const SurfacePoint* p : corners) largest = std::max(largest, p->position.lpNorm<1>());
+  const double off_plane = 0x1p-49 * largest;
+  Pieces<Enclose> pieces(enclose, triangle, g, off_plane);
+  const bool holds =
+      pieces.hold({corners[0]->position, corners[1]->position, corners[2]->position}, a.cell, 0);
   TubeProof proof = pieces.proof();
   if (!holds) proof.max_path = std::numeric_limits<double>::infinity();
   return proof;
+}
+
+}  // namespace
+
+double max_flow_path(double n, double g) {
+  constexpr double up = 1 + 0x1p-48;
+  const double square = n * n - g - 0x1p-50 * n * n;  // of |N| at the path's end, at least
+  return n > 0 && square > 0 ? up * g / (n + std::sqrt(square))
+                             : std::numeric_limits<double>::infinity();
+}
+
+TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
+                     const TriangleBounds& triangle, const CornerBounds& bounds) {
+  const auto enclose = [&](const Point& x, CellId cell) { return surface.enclose(x, cell); };
+  return prove(enclose, corners, triangle, bounds);
+}
+
+bool expects_tube(const surface::Surface& surface, const Corners& corners,
+                  const Circumcircle& circle, double max_G) {
+  const auto expect = [&](const Point& x, CellId hint) {
+    const surface::Jet jet = surface.jet(x, surface.locate(x, hint));
+    return Enclosure::without_rounding(jet.value, jet.half_gradient);
+  };
+  const TriangleBounds triangle{circle.radius, circle.doubled_area.normalized(), 0};
+  return prove(expect, corners, triangle, {max_G, 0}).holds();
 }
 
 }  // namespace morskin::certify

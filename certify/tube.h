@@ -9,9 +9,16 @@
 /// For fine triangles a bound from the corners proves both. Coarse ones are subdivided: N is
 /// 1-Lipschitz, so the centroid of a piece bounds G and N on all of it.
 
-#include "certify/triangle_geometry.h"
+#include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
+
+/// A bound on the errors of a triangle's corners: |G| is at most `max_value` there, Angstrom^2, and
+/// N differs from length scale times normal by at most `max_error`, Angstrom.
+struct CornerBounds {
+  double max_value;
+  double max_error;
+};
 
 struct TubeProof {
   bool is_upright = false;  ///< (c1)
@@ -22,15 +29,18 @@ struct TubeProof {
   bool holds() const { return is_upright && is_in_tube; }
 };
 
-/// Bound on the length s of a path of the flow to the skin from a point with |G| <= g: where
-/// |N| >= n at one end, |N| falls by no more than s, so 2 n s - s^2 <= g. Infinity where that
-/// bounds nothing.
+/// Bound on the length s of a path of the flow along which G changes by at most g, and |N| is at
+/// least n at one end. |N| falls by no more than s, so G changes by 2 n s - s^2 at least while s is
+/// below n, and by n^2 once it is beyond. Infinity where that bounds nothing.
 double max_flow_path(double n, double g);
 
 /// Tries to prove both conditions, first from the corners, then piece by piece.
-/// @param circle  the triangle's
-/// @param max_G   bound on |G| at the corners, Angstrom^2
 TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
-                     const Circumcircle& circle, double max_G);
+                     const TriangleBounds& triangle, const CornerBounds& bounds);
+
+/// Whether both conditions hold by the same argument in plain doubles: for a mesher, not for a
+/// proof. @param max_G  bound on |G| at the corners, Angstrom^2
+bool expects_tube(const surface::Surface& surface, const Corners& corners,
+                  const Circumcircle& circle, double max_G);
 
 }  // namespace morskin::certify

@@ -159,7 +159,7 @@ std::uint32_t nearest_atom(const skin::SkinSurface& skin, const surface::Surface
     const geometry::WeightedPoint& p = skin.points()[atom.index()];
     return (x.position - p.position).squaredNorm() - p.weight;
   };
-  const std::vector<geometry::AtomId> atoms = skin.atoms(x.cell);
+  const skin::CellAtoms atoms = skin.atoms(x.cell);
   return std::ranges::min(atoms, {}, power).value;
 }
 

@@ -116,9 +116,8 @@ bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {
   if (sizing_.is_tube_proved()) return true;
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   const double rho = min_length_scale(p);
-  return prove_tube(surface_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
-                    surface_.residual_bound(rho))
-      .holds();
+  return expects_tube(surface_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                      surface_.residual_bound(rho));
 }
 
 }  // namespace morskin::refine

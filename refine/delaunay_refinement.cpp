@@ -116,7 +116,7 @@ bool DelaunayRefinement::is_proved(Facet inner) const {
   const FacetGeometry facet = geometry_of(inner);
   const auto& [a, b, c] = facet.corners;
   const double rho = std::max({a->length_scale, b->length_scale, c->length_scale});
-  return prove_tube(surface_, facet.corners, facet.circle, surface_.residual_bound(rho)).holds();
+  return expects_tube(surface_, facet.corners, facet.circle, surface_.residual_bound(rho));
 }
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {

@@ -60,7 +60,7 @@ bool LocalOperations::is_big(TriangleId t, const Circumcircle& circle) const {
   const double rho = min_length_scale(p);
   if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
   if (sizing_.is_tube_proved()) return false;
-  return !prove_tube(surface_, p, circle, surface_.residual_bound(rho)).holds();
+  return !expects_tube(surface_, p, circle, surface_.residual_bound(rho));
 }
 
 /// Finds whether a triangle breaks [L] or [U].

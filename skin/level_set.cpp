@@ -1,11 +1,20 @@
 #include "skin/level_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "skin/line_crossings.h"
 #include "skin/slide.h"
 
 namespace morskin::skin {
+
+surface::Enclosure LevelSet::enclose(const Point& x, CellId hint) const {
+  surface::Enclosure e = skin_->enclose(x, hint);
+  const auto rounding = [](double value) { return 0x1p-52 * std::abs(value); };
+  e.low -= half_time_, e.high -= half_time_;
+  e.low -= rounding(e.low), e.high += rounding(e.high);
+  return e;
+}
 
 std::optional<SurfacePoint> LevelSet::project(const Point& x, CellId hint) const {
   return slide_onto(*this, x, hint);

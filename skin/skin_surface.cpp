@@ -5,6 +5,7 @@
 
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
+#include "skin/enclosure.h"
 #include "skin/line_crossings.h"
 #include "skin/slide.h"
 
@@ -32,7 +33,8 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, MixedComplex::Keep k
         return run.stage("mixed complex", [&] {
           return MixedComplex(std::move(points), std::move(triangulation), keep, run.threads());
         });
-      }()) {}
+      }()),
+      tree_(complex_.points()) {}
 
 std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) const {
   const Patch patch = this->patch(x.cell);
@@ -42,21 +44,18 @@ std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) c
   return {first, first * (2 * cosine * cosine - 1)};
 }
 
-std::vector<AtomId> SkinSurface::atoms(CellId cell) const {
+CellAtoms SkinSurface::atoms(CellId cell) const {
   const std::size_t index = complex_.simplex_index(cell);
   const geometry::RegularTriangulation& t = complex_.triangulation();
-  const auto list = [](const auto& simplex) {
-    return std::vector<AtomId>(simplex.begin(), simplex.end());
-  };
   switch (complex_.dimension(cell)) {
     case 0:
-      return {t.vertices[index]};
+      return CellAtoms(std::array{t.vertices[index]});
     case 1:
-      return list(t.edges[index]);
+      return CellAtoms(t.edges[index]);
     case 2:
-      return list(t.triangles[index]);
+      return CellAtoms(t.triangles[index]);
     default:
-      return list(t.tetrahedra[index]);
+      return CellAtoms(t.tetrahedra[index]);
   }
 }
 
@@ -123,6 +122,11 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
     }
   }
   return best;
+}
+
+surface::Enclosure SkinSurface::enclose(const Point& x, CellId hint) const {
+  const CellAtoms atoms = this->atoms(locate(x, hint));
+  return skin::enclose(points(), tree_, x, {atoms.begin(), atoms.size()});
 }
 
 std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId hint) const {

@@ -3,6 +3,7 @@
 /// The skin surface F of a set of weighted points (section 2.1): locates points in the mixed
 /// complex, projects them onto F along the gradient, and gives length scale and normal.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "geometry/run.h"
 #include "skin/mixed_complex.h"
+#include "skin/power_tree.h"
 #include "surface/surface.h"
 
 namespace morskin::skin {
@@ -20,6 +22,22 @@ using surface::Jet;
 using surface::LineCrossings;
 using surface::PatchExtent;
 using surface::SurfacePoint;
+
+/// One to four atoms.
+class CellAtoms {
+ public:
+  template <std::size_t N>
+  explicit CellAtoms(const std::array<AtomId, N>& simplex) : size_(N) {
+    std::copy(simplex.begin(), simplex.end(), atoms_.begin());
+  }
+  const AtomId* begin() const { return atoms_.data(); }
+  const AtomId* end() const { return begin() + size_; }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::array<AtomId, 4> atoms_;
+  std::size_t size_;
+};
 
 class SkinSurface final : public surface::Surface {
  public:
@@ -41,8 +59,10 @@ class SkinSurface final : public surface::Surface {
   decltype(auto) with_patch(CellId cell, Work work) const {
     return complex_.is_kept(cell) ? work(complex_.kept_patch(cell)) : work(complex_.patch(cell));
   }
-  /// The corners of the cell's simplex, one to four.
-  std::vector<AtomId> atoms(CellId cell) const;
+  /// The corners of the cell's simplex.
+  CellAtoms atoms(CellId cell) const;
+  /// Of all atoms.
+  const PowerTree& power_tree() const { return tree_; }
 
   /// The principal curvatures at a point of the skin, 1/Angstrom, positive where the body is
   /// convex; the first is the larger in magnitude, 1/rho.
@@ -72,6 +92,9 @@ class SkinSurface final : public surface::Surface {
     return complex_.patch(locate(x, hint)).value(x);
   }
 
+  /// @copydoc skin::enclose
+  surface::Enclosure enclose(const Point& x, CellId hint) const override;
+
   /// Slides patch by patch (Patch::slide).
   std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;
   /// For a distance to F of 1e-11 rho and the rounding of coordinates of this size.
@@ -94,6 +117,7 @@ class SkinSurface final : public surface::Surface {
   CellId search(const Point& x, CellId start) const;
 
   MixedComplex complex_;
+  PowerTree tree_;
 };
 
 /// Bounds on the surface that a patch can describe, up to a length scale.

@@ -10,6 +10,7 @@
 ///   2. On F, |N| is the length scale rho. It is 1-Lipschitz, and the two open balls of radius rho
 ///      that touch F at a point, one on each side, do not meet F.
 ///   3. project() is deterministic and returns points on F to residual_bound().
+///   4. enclose() is true in real arithmetic, whatever rounding or hint led to it.
 ///
 /// Molecular skins obey them (skin/skin_surface.h), and so does a torus
 /// (tests/support/formula_surfaces.h).
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "surface/bounding_ball.h"
+#include "surface/enclosure.h"
 #include "surface/line_crossings.h"
 #include "surface/surface_point.h"
 
@@ -28,21 +30,6 @@ namespace morskin::surface {
 struct Jet {
   double value;          ///< G, Angstrom^2
   Vector half_gradient;  ///< N, Angstrom; points out of the body
-};
-
-/// Bounds on G and N in a ball about x, from law 1: N(p) differs from N(x) by at most `radius`, and
-/// G(p) from G(x) + 2 N(x) . (p - x) by at most |p - x|^2.
-struct Enclosure {
-  Jet at_centre;
-  double radius;  ///< of the ball, Angstrom
-
-  /// Upper bound on |G| at the p of a plane or line through x. @param along  the length of the part
-  /// of N(x) along it, Angstrom
-  double max_value(double along) const {
-    return std::abs(at_centre.value) + (2 * along + radius) * radius;
-  }
-  /// Lower bound on |N|; useless if negative.
-  double min_half_gradient() const { return at_centre.half_gradient.norm() - radius; }
 };
 
 /// Bounds on the surface that the formula of one cell can describe.
@@ -64,6 +51,10 @@ class Surface {
   virtual Jet jet(const Point& x, CellId cell) const = 0;
   /// |N| by the formula of a cell; may differ from that of jet() by rounding.
   virtual double length_scale(const Point& x, CellId cell) const = 0;
+
+  /// Proved bounds on G and N at x, the stored point, all rounding counted. @param hint  a cell
+  /// near x
+  virtual Enclosure enclose(const Point& x, CellId hint) const = 0;
 
   /// Moves x onto F along the gradient. @pre x is less than rho from F.
   /// @return nothing where this does not converge to residual_bound(rho)
@@ -93,9 +84,6 @@ class Surface {
     const Vector n = jet(x, cell).half_gradient;
     const double rho = n.norm();
     return {x, n / rho, rho, cell};
-  }
-  Enclosure enclosure(const Point& x, double radius, CellId cell) const {
-    return {jet(x, cell), radius};
   }
 
  protected:

@@ -65,7 +65,7 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     const double rho = min_length_scale(p);
     if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
-        !certify::prove_tube(skin, p, circle, skin.residual_bound(rho)).holds()) {
+        !certify::expects_tube(skin, p, circle, skin.residual_bound(rho))) {
       return false;
     }
   }

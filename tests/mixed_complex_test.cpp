@@ -95,7 +95,7 @@ TEST_CASE("a cell is left out only if the ranges of power and weight on it do no
     const MixedComplex& complex = test.skin.complex();
     const auto& t = complex.triangulation();
     for (std::uint32_t i = 0; i < complex.size(); ++i) {
-      const std::vector<AtomId> simplex = test.skin.atoms(CellId{i});
+      const auto simplex = test.skin.atoms(CellId{i});
       double heaviest = -std::numeric_limits<double>::infinity();
       for (const AtomId a : simplex) {
         heaviest = std::max(heaviest, test.skin.points()[a.index()].weight);

@@ -14,8 +14,8 @@ using surface::SurfacePoint;
 namespace {
 
 TubeProof proof(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p) {
-  const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
-  return certify::prove_tube(skin, {&p[0], &p[1], &p[2]}, circle, 0);
+  const auto bounds = certify::triangle_bounds(p[0].position, p[1].position, p[2].position);
+  return certify::prove_tube(skin, {&p[0], &p[1], &p[2]}, bounds, {1e-11, 1e-6});
 }
 
 /// An equilateral triangle in the unit sphere with a circumradius.

@@ -23,6 +23,14 @@ class FormulaSurface : public surface::Surface {
   double length_scale(const Point& x, CellId cell) const final {
     return jet(x, cell).half_gradient.norm();
   }
+  /// The formulas lose a few units in the last place of squares no larger than `size`.
+  surface::Enclosure enclose(const Point& x, CellId hint) const final {
+    const surface::Jet at_x = jet(x, locate(x, hint));
+    const double size = x.squaredNorm() + max_length_scale() * max_length_scale() +
+                        bounding_ball().radius * bounding_ball().radius;
+    const double error = 0x1p-46 * size;
+    return {at_x.value - error, at_x.value + error, at_x.half_gradient, 0x1p-46 * std::sqrt(size)};
+  }
   bool is_in(const Point& x, CellId cell) const final { return locate(x, cell) == cell; }
 
   surface::LineCrossings crossings(const Point& p, const Point& q, CellId) const final {

@@ -59,13 +59,15 @@ class SurfaceLaws {
 
   void enclosures_hold() {
     const Point x = anywhere();
-    const double r = surface_.max_length_scale() * random_.uniform();
-    const surface::Enclosure about = surface_.enclosure(x, r, cell_at(x));
-    const Point y = x + r * random_.uniform() * random_.direction();
-    const surface::Jet at_y = jet(y);
-    const double along = about.at_centre.half_gradient.norm();
-    CHECK(std::abs(at_y.value) <= about.max_value(along) + rounding_);
-    CHECK(at_y.half_gradient.norm() >= about.min_half_gradient() - 1e-9);
+    const surface::Jet at_x = jet(x);
+    for (const surface::CellId hint : {cell_at(x), cell_at(anywhere())}) {
+      const surface::Enclosure about = surface_.enclose(x, hint);
+      CHECK(about.low <= at_x.value + rounding_);
+      CHECK(about.high >= at_x.value - rounding_);
+      CHECK(about.high - about.low <= rounding_);
+      CHECK((about.half_gradient - at_x.half_gradient).norm() <= about.error + 1e-9);
+      CHECK(about.error <= std::sqrt(2 * rounding_) + 1e-9);
+    }
   }
 
   void segments_cross_where_sides_change() {

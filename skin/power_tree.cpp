@@ -1,0 +1,106 @@
+#include "skin/power_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace morskin::skin {
+
+using geometry::Point;
+using geometry::Vector;
+using geometry::WeightedPoint;
+
+namespace {
+
+constexpr std::uint32_t max_leaf = 8;
+
+/// The power of an atom at an offset, rounded down but for the last subtraction. The computed
+/// square is at most (1 + 2^-53)^5 < 1 + 2^-50 times the true one: a difference of coordinates is
+/// rounded once and squared, the square and two sums once each (tests/rounding/power.g).
+///
+/// Rounding is monotone: with no component of the offset larger in magnitude and no smaller weight
+/// the result is not larger. So a box bounds its atoms without any margin.
+double power_below(const Vector& offset, double weight) {
+  constexpr double down = 1 - 0x1p-50;
+  const double square = offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z();
+  return square * down - weight;
+}
+
+}  // namespace
+
+PowerTree::PowerTree(std::span<const WeightedPoint> points) : ids_(points.size()) {
+  std::iota(ids_.begin(), ids_.end(), 0U);
+  nodes_.reserve(4 * points.size() / max_leaf + 1);
+  build(points, 0, static_cast<std::uint32_t>(ids_.size()));
+  points_.reserve(points.size());
+  for (const std::uint32_t i : ids_) points_.push_back(points[i]);
+}
+
+std::uint32_t PowerTree::build(std::span<const WeightedPoint> points, std::uint32_t first,
+                               std::uint32_t last) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  const WeightedPoint& some = points[ids_[first]];
+  Node node{some.position, some.position, some.weight, first, last, 0};
+  for (std::uint32_t i = first + 1; i < last; ++i) {
+    const WeightedPoint& p = points[ids_[i]];
+    node.low = node.low.cwiseMin(p.position);
+    node.high = node.high.cwiseMax(p.position);
+    node.max_weight = std::max(node.max_weight, p.weight);
+  }
+  nodes_.push_back(node);
+  if (last - first <= max_leaf) return index;
+  Eigen::Index axis = 0;
+  (node.high - node.low).maxCoeff(&axis);
+  const std::uint32_t middle = first + (last - first) / 2;
+  const auto at = [&](std::uint32_t i) { return ids_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t i, std::uint32_t j) {
+    return std::pair(points[i].position[axis], i) < std::pair(points[j].position[axis], j);
+  });
+  build(points, first, middle);
+  nodes_[index].right = build(points, middle, last);
+  return index;
+}
+
+struct PowerTree::Search {
+  const Point q;
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t atom = 0;
+
+  double bound(const Node& node) const {
+    const Vector offset = (node.low - q).cwiseMax(q - node.high).cwiseMax(0.0);
+    return power_below(offset, node.max_weight);
+  }
+};
+
+void PowerTree::search(Search& s, std::uint32_t index) const {
+  const Node& node = nodes_[index];
+  if (node.right == 0) {
+    for (std::uint32_t i = node.first; i < node.last; ++i) {
+      const double power = power_below(points_[i].position - s.q, points_[i].weight);
+      if (power < s.least) {
+        s.least = power;
+        s.atom = i;
+      }
+    }
+    return;
+  }
+  std::array children{std::pair(s.bound(nodes_[index + 1]), index + 1),
+                      std::pair(s.bound(nodes_[node.right]), node.right)};
+  if (children[1].first < children[0].first) std::swap(children[0], children[1]);
+  for (const auto& [bound, child] : children) {
+    if (bound < s.least) search(s, child);
+  }
+}
+
+PowerTree::Least PowerTree::least(const Point& q) const {
+  Search s{q};
+  search(s, 0);
+  // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
+  const double lower_bound = s.least - 0x1p-52 * std::abs(s.least) - 0x1p-1000;
+  return {geometry::AtomId{ids_[s.atom]}, lower_bound};
+}
+
+}  // namespace morskin::skin

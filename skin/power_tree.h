@@ -1,0 +1,47 @@
+#pragma once
+
+/// The least power distance from a point to any of many weighted points, as a proved lower bound:
+/// no atom is left out, whatever is rounded.
+///
+/// A tree of boxes in flat arrays. Each range of the atoms is split at its median along the longest
+/// side of its box, down to leaves of a few atoms. A box is passed over if even an atom at its
+/// nearest point, with the largest weight in it, would have more power than one found before.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/id.h"
+#include "geometry/point.h"
+
+namespace morskin::skin {
+
+class PowerTree {
+ public:
+  /// @pre there is a point; all are finite.
+  explicit PowerTree(std::span<const geometry::WeightedPoint> points);
+
+  struct Least {
+    geometry::AtomId atom;  ///< with the least power, to rounding
+    double lower_bound;     ///< on |q - z|^2 - w over all atoms, Angstrom^2
+  };
+  Least least(const geometry::Point& q) const;
+
+ private:
+  struct Node {
+    geometry::Point low, high;
+    double max_weight;
+    std::uint32_t first, last;  ///< atoms, in the order of the tree
+    std::uint32_t right;        ///< the second child; the first follows its parent. 0 for a leaf
+  };
+  struct Search;
+  std::uint32_t build(std::span<const geometry::WeightedPoint> points, std::uint32_t first,
+                      std::uint32_t last);
+  void search(Search& s, std::uint32_t node) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> ids_;               ///< in the order of the tree
+  std::vector<geometry::WeightedPoint> points_;  ///< in the order of the tree
+};
+
+}  // namespace morskin::skin

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/surface_point.h"
+
+namespace morskin::surface {
+
+/// Bounds on G and N at one point, with all rounding counted: `low <= G <= high`, and N differs
+/// from `half_gradient` by at most `error`. Bounds that could not be found are infinite.
+struct Enclosure {
+  double low, high;      ///< of G, Angstrom^2
+  Vector half_gradient;  ///< nearly N, Angstrom
+  double error;          ///< Angstrom
+
+  /// What is computed, as if no rounding were in it: for a mesher, not for a proof.
+  static Enclosure without_rounding(double value, const Vector& half_gradient) {
+    return {value, value, half_gradient, 0};
+  }
+
+  /// Upper bound on |G|.
+  double max_value() const { return std::max(-low, high); }
+  double middle() const { return low + (high - low) / 2; }
+};
+
+}  // namespace morskin::surface

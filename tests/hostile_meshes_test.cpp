@@ -1,0 +1,195 @@
+/// Meshes made on purpose to be called homeomorphic where they are not. Each would be, if its
+/// vertices lay on the skin exactly, or if the cells were found without rounding.
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "certify/certificate.h"
+#include "certify/triangle_geometry.h"
+#include "skin/dual_complex.h"
+#include "tests/support/wrong_meshes.h"
+
+using namespace morskin;
+using certify::Certificate;
+using certify::Claim;
+using geometry::IndexedMesh;
+using geometry::Point;
+using support::ball;
+
+namespace {
+
+/// Over the mesher's tolerance, under that of the claim "on the skin".
+constexpr double small = 0.9e-9;
+
+struct Skin {
+  explicit Skin(const support::WeightedPoints& points)
+      : surface(points), topology(skin::dual_complex(surface)) {}
+  Certificate certify(const IndexedMesh& mesh, const certify::Sizing& sizing = {}) const {
+    return certify::certify(mesh, surface, topology, sizing);
+  }
+
+  skin::SkinSurface surface;
+  surface::Topology topology;
+};
+
+/// One ball of radius 1 at the origin, and one apart that the meshes below leave out.
+Skin two_balls() { return Skin({ball(0, 0, 0, 1), ball(9, 0, 0, 1)}); }
+
+void scale(IndexedMesh& mesh, std::size_t first, std::size_t last, double factor) {
+  for (std::size_t v = first; v < last; ++v) mesh.positions[v] *= factor;
+}
+
+/// The mesh with a triangle in front that begins at a vertex, so that (c3) is tried there.
+IndexedMesh begun_at(IndexedMesh mesh, std::uint32_t v) {
+  const auto has_v = [&](const auto& t) { return std::ranges::find(t, v) != t.end(); };
+  const auto at = std::ranges::find_if(mesh.triangles, has_v);
+  std::iter_swap(mesh.triangles.begin(), at);
+  auto& t = mesh.triangles.front();
+  std::ranges::rotate(t, std::ranges::find(t, v));
+  return mesh;
+}
+
+IndexedMesh in_floats(IndexedMesh mesh) {
+  for (Point& p : mesh.positions) p = p.cast<float>().cast<double>();
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("the fine poles make a mesh of the sphere that is proved") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const double smallest : {0.1, 1e-5}) {
+    const Certificate certificate = skin.certify(support::sphere_with_fine_poles(smallest));
+    CHECK(certificate.broken_by(Claim::Manifold) == "");
+    CHECK(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("two sheets, each with a vertex pushed out over the other's circumcentre, are no proof") {
+  const Skin skin = two_balls();
+  for (const int levels : {2, 3, 4}) {
+    for (const double off : {small, 1e-7, 1e-4}) {
+      CAPTURE(levels);
+      CAPTURE(off);
+      IndexedMesh first = support::sphere_mesh(Point::Zero(), 1, levels);
+      const auto& [a, b, c] = first.triangles.back();
+      const Point centre =
+          certify::circumcircle(first.positions[a], first.positions[b], first.positions[c])
+              .centre.normalized();
+      const std::uint32_t v = 0;
+      // The half turn that swaps v and the circumcentre carries the first sheet to the second.
+      const geometry::Vector axis = (first.positions[v] + centre).normalized();
+      IndexedMesh second = first;
+      for (Point& p : second.positions) p = (2 * axis.dot(p) * axis - p).normalized();
+      for (IndexedMesh* sheet : {&first, &second}) {
+        scale(*sheet, 0, sheet->positions.size(), 1 - off);
+        sheet->positions[v] *= (1 + off) / (1 - off);
+        *sheet = begun_at(*sheet, v);
+      }
+      const Certificate certificate = skin.certify(support::together(first, second));
+      CHECK(certificate.components == 2);
+      CHECK_FALSE(certificate.is_homeomorphic);
+      CHECK(certificate.broken_by(Claim::Degree) != "");
+    }
+  }
+}
+
+TEST_CASE("a branched double cover with a vertex pushed out over the other sheet is no proof") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const double off : {small, 1e-7, 1e-4}) {
+    const IndexedMesh simple = support::sphere_mesh(Point::Zero(), 1, 3);
+    const std::size_t t = simple.triangles.size() - 1;
+    IndexedMesh cover = support::double_cover(simple);
+    // The copies of triangle t are entries t and the last. The first is cut at its circumcentre.
+    const auto [a, b, c] = cover.triangles[t];
+    const Point centre =
+        certify::circumcircle(cover.positions[a], cover.positions[b], cover.positions[c])
+            .centre.normalized();
+    scale(cover, 0, cover.positions.size(), 1 - off);
+    const auto v = static_cast<std::uint32_t>(cover.positions.size());
+    cover.positions.push_back((1 + off) * centre);
+    cover.triangles[t] = {v, a, b};
+    cover.triangles.push_back({v, b, c});
+    cover.triangles.push_back({v, c, a});
+    const Certificate certificate = skin.certify(begun_at(cover, v));
+    CHECK(certificate.broken_by(Claim::Manifold) == "");
+    CHECK(certificate.broken_by(Claim::Counts) == "");
+    CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("two sheets that are farther apart than their triangles are small are no proof") {
+  const Skin skin = two_balls();
+  for (const double smallest : {1e-5, 1e-6}) {
+    IndexedMesh inner = support::sphere_with_fine_poles(smallest), outer = inner;
+    scale(inner, 0, inner.positions.size(), 1 - small);
+    scale(outer, 0, outer.positions.size(), 1 + small);
+    const Certificate certificate = skin.certify(support::together(inner, outer));
+    CHECK(certificate.broken_by(Claim::Counts) == "");
+    CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("sheets in floats far from the origin are no proof of two components, or of one") {
+  const Point far(1e6, 0, 0);
+  const Skin two({{far, 2}, {far + Point(0, 9, 0), 2}}), one({{far, 2}});
+  const IndexedMesh outer = support::sphere_mesh(far, 1.05, 3);
+  const IndexedMesh inner = support::sphere_mesh(far, 0.95, 3);
+  const certify::Sizing sizing{0.1, 3};
+  CHECK_FALSE(two.certify(in_floats(support::together(outer, inner)), sizing).is_homeomorphic);
+  IndexedMesh cover = support::double_cover(support::sphere_mesh(Point::Zero(), 1, 3));
+  const std::size_t simple = outer.positions.size();
+  for (std::size_t v = 0; v < cover.positions.size(); ++v) {
+    cover.positions[v] = far + (v < simple ? 1.05 : 0.95) * cover.positions[v];
+  }
+  CHECK_FALSE(one.certify(in_floats(cover), sizing).is_homeomorphic);
+  // A single sheet is proved, as far off as these are.
+  CHECK(one.certify(in_floats(outer), sizing).is_homeomorphic);
+  CHECK(one.certify(in_floats(inner), sizing).is_homeomorphic);
+}
+
+TEST_CASE("a tiny pair beside a far ball is told joined from apart") {
+  constexpr double tiny = 1e-7;
+  const support::WeightedPoints points{{Point(0, 0, 0), 2 * tiny * tiny},
+                                       {Point(1.5 * tiny, 0, 0), 2 * tiny * tiny},
+                                       {Point(1e6, 0, 0), 2},
+                                       {Point(1e6, 9, 0), 2}};
+  const Skin skin(points);
+  REQUIRE(skin.topology.components == 3);
+  IndexedMesh mesh = support::sphere_mesh(points[0].position, tiny, 3);
+  mesh = support::together(mesh, support::sphere_mesh(points[1].position, tiny, 3));
+  mesh = support::together(mesh, support::sphere_mesh(points[2].position, 1, 3));
+  for (const double C : {0.02, 0.08}) {
+    const Certificate certificate = skin.certify(mesh, {C, 7});
+    CHECK(certificate.components == 3);
+    CHECK_FALSE(certificate.is_homeomorphic);
+    CHECK_FALSE(certificate.certified);
+  }
+}
+
+TEST_CASE("a vertex that is no number, or far beyond the skin, is named and nothing is proved") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const double bad : {1e9, 1e160, 1e300, std::nan(""), std::numeric_limits<double>::infinity(),
+                           std::nextafter(0.0, 1.0)}) {
+    IndexedMesh mesh = support::sphere_mesh(Point::Zero(), 1, 3);
+    mesh.positions[7].y() = bad;
+    const Certificate certificate = skin.certify(mesh);
+    CHECK_FALSE(certificate.is_homeomorphic);
+    CHECK(certificate.broken_by(Claim::OnSkin).find("vertex 7") != std::string::npos);
+  }
+}
+
+TEST_CASE("a mesh that lies off the skin may be proved homeomorphic, and is not certified") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const double off : {1e-6, 1e-3, 0.05}) {
+    IndexedMesh mesh = support::sphere_mesh(Point::Zero(), 1 + off, 4);
+    const Certificate certificate = skin.certify(mesh);
+    CHECK(certificate.is_homeomorphic);
+    CHECK_FALSE(certificate.certified);
+    CHECK(certificate.reason.find("off the skin") != std::string::npos);
+    CHECK(certificate.max_distance_to_skin >= off * (1 - 1e-6));
+  }
+}

@@ -1,0 +1,72 @@
+#include "skin/power_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
+
+using namespace morskin;
+using geometry::Point;
+using geometry::WeightedPoint;
+
+namespace {
+
+/// Up to 300 atoms of some scale, in a box about some centre; every third is a copy of another but
+/// for its weight, and weights go from far below zero to far above.
+std::vector<WeightedPoint> atoms(support::Random& random, double scale, const Point& centre) {
+  std::vector<WeightedPoint> result;
+  const std::size_t count = 1 + random.below(300);
+  while (result.size() < count) {
+    WeightedPoint atom{centre + scale * random.between(0, 10) * random.direction(),
+                       scale * scale * random.between(-5, 20)};
+    if (!result.empty() && random.below(3) == 0) {
+      atom.position = result[random.below(result.size())].position;
+    }
+    result.push_back(atom);
+  }
+  return result;
+}
+
+long double power(const WeightedPoint& atom, const Point& q) {
+  long double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const long double d = static_cast<long double>(atom.position[k]) - q[k];
+    square += d * d;
+  }
+  return square - atom.weight;
+}
+
+}  // namespace
+
+TEST_CASE("no atom has less power than the tree's bound, and the bound is the least to rounding") {
+  for (const double scale : {1e-9, 1e-3, 1.0, 1e6}) {
+    CAPTURE(scale);
+    for (const double shift : {0.0, 1e3, 1e6}) {
+      CAPTURE(shift);
+      support::for_seeds(40, [&](unsigned seed) {
+        support::Random random(seed);
+        const Point centre = shift * random.direction();
+        const auto points = atoms(random, scale, centre);
+        const skin::PowerTree tree(points);
+        for (int i = 0; i < 50; ++i) {
+          const Point q = i == 0
+                              ? points[0].position
+                              : Point(centre + scale * random.between(0, 20) * random.direction());
+          const skin::PowerTree::Least found = tree.least(q);
+          long double least = std::numeric_limits<long double>::infinity(), size = 0;
+          for (const WeightedPoint& atom : points) least = std::min(least, power(atom, q));
+          const WeightedPoint& nearest = points[found.atom.index()];
+          size = power(nearest, q) + nearest.weight + std::abs(nearest.weight);
+          CHECK(found.lower_bound <= least);
+          CHECK(found.lower_bound >= least - 0x1p-48L * size - 0x1p-900L);
+          CHECK(power(nearest, q) <= least + 0x1p-48L * size + 0x1p-900L);
+        }
+      });
+    }
+  }
+}
