@@ -185,7 +185,7 @@ TEST_CASE(
     bad.positions[5] *= 1 + off;
     const Certificate certificate = good.certify(bad);
     check_uncertified(certificate, "vertex 5 lies");
-    CHECK(certificate.is_homeomorphic == (std::abs(off) < 1e-3));
+    CHECK(certificate.is_homeomorphic == (off > -0.1));  // a spike is a graph over the ball
     CHECK(certificate.max_distance_to_skin > std::abs(off) / 2);
   }
 }
