@@ -76,15 +76,15 @@ int main(int count, char** words) {
     return certify::restricted_delaunay(m.mesh, m.skin.surface, m.points);
   });
   kernel("check/local_delaunay", [](const Million& m) {
-    certify::DelaunayFilter sure(m.mesh.triangles.size());
+    certify::DelaunayFilter filter(m.mesh.triangles.size());
     for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
       const auto [a, b, c] = m.mesh.triangles[t];
       const std::array p{&m.points[a], &m.points[b], &m.points[c]};
-      sure.note(geometry::TriangleId{t}, p,
-                certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
-                m.skin.surface.residual_bound(p[0]->length_scale));
+      filter.note(geometry::TriangleId{t}, p,
+                  certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+                  m.skin.surface.residual_bound(p[0]->length_scale));
     }
-    return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, sure);
+    return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, filter);
   });
   kernel("check/skin_components",
          [](const Million& m) { return skin::SkinComponents(m.skin.surface).body_count(); });

@@ -57,12 +57,12 @@ std::vector<FrontEdgeId> Front::open_polygon(std::span<const HalfEdgeId> half_ed
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     link(polygon[i], polygon[(i + 1) % polygon.size()]);
   }
-  tell_mirrors({.kind = Kind::OpenedPolygon,
-                .front = *this,
-                .opened = polygon,
-                .closed = {},
-                .moved = {},
-                .corners = polygon});
+  report({.kind = Kind::OpenedPolygon,
+          .front = *this,
+          .opened = polygon,
+          .closed = {},
+          .moved = {},
+          .corners = polygon});
   return polygon;
 }
 
@@ -82,12 +82,12 @@ FrontEdgeId Front::attach(FrontEdgeId e, const SurfacePoint& x) {
   edges_[e].half_edge = SurfaceMesh::half_edge(t, 1);
   link(e, added);
   link(added, after);
-  tell_mirrors({.kind = Kind::NewVertex,
-                .front = *this,
-                .opened = {&added, 1},
-                .closed = {},
-                .moved = {&e, 1},
-                .corners = {&added, 1}});
+  report({.kind = Kind::NewVertex,
+          .front = *this,
+          .opened = {&added, 1},
+          .closed = {},
+          .moved = {&e, 1},
+          .corners = {&added, 1}});
   return added;
 }
 
@@ -102,12 +102,12 @@ FrontEdgeId Front::attach(FrontEdgeId e, FrontEdgeId corner) {
   link(before_v, added);
   link(added, after);
   const std::array corners{added, corner};
-  tell_mirrors({.kind = Kind::Touch,
-                .front = *this,
-                .opened = {&added, 1},
-                .closed = {},
-                .moved = {&e, 1},
-                .corners = corners});
+  report({.kind = Kind::Touch,
+          .front = *this,
+          .opened = {&added, 1},
+          .closed = {},
+          .moved = {&e, 1},
+          .corners = corners});
   return added;
 }
 
@@ -121,12 +121,12 @@ void Front::close_corner(FrontEdgeId corner) {
   close_edge(corner);
   if (edges_[after].next != before) {
     const std::array corners{before, after};
-    tell_mirrors({.kind = Kind::ClosedCorner,
-                  .front = *this,
-                  .opened = {},
-                  .closed = {&corner, 1},
-                  .moved = {&before, 1},
-                  .corners = corners});
+    report({.kind = Kind::ClosedCorner,
+            .front = *this,
+            .opened = {},
+            .closed = {&corner, 1},
+            .moved = {&before, 1},
+            .corners = corners});
     return;
   }
   // The last two edges run to and fro between the same two vertices.
@@ -134,12 +134,12 @@ void Front::close_corner(FrontEdgeId corner) {
   close_edge(before);
   close_edge(after);
   const std::array closed{corner, before, after};
-  tell_mirrors({.kind = Kind::ClosedPolygon,
-                .front = *this,
-                .opened = {},
-                .closed = closed,
-                .moved = {},
-                .corners = {}});
+  report({.kind = Kind::ClosedPolygon,
+          .front = *this,
+          .opened = {},
+          .closed = closed,
+          .moved = {},
+          .corners = {}});
 }
 
 void Front::finish_edge(FrontEdgeId e, FrontEdgeId corner) {

@@ -5,9 +5,9 @@
 /// A front edge runs along a boundary half-edge of the mesh, the mesh on its left and bare surface
 /// on its right. The corner of a front edge is the one at its origin, between the edge before and
 /// the edge itself; a vertex where the front touches itself has several. An edge keeps its id, and
-/// so its corner, until the corner closes: ids are reused afterwards, told apart by a generation.
+/// so its corner, until the corner closes: ids are reused afterwards, with another generation.
 ///
-/// Only the front adds triangles to the mesh. It tells every change to its mirrors, once, and
+/// Only the front adds triangles to the mesh. It reports every change to its mirrors, once, and
 /// follows the mesh when that is compacted.
 
 #include <limits>
@@ -42,7 +42,7 @@ static_assert(sizeof(FrontEdge) == 64);
 
 class Front;
 
-/// What one step changed of the front. Valid only while its mirrors are told.
+/// What one step changed of the front. Valid only while its mirrors receive it.
 struct FrontChange {
   enum class Kind {
     OpenedPolygon,  ///< round a bowl
@@ -79,7 +79,7 @@ class Front : private geometry::MeshFollower {
                  double largest_length_scale = std::numeric_limits<double>::infinity())
       : MeshFollower(mesh.surface), mesh_(mesh), grid_(radius, largest_length_scale) {}
 
-  /// Tells a mirror of every change from now on. It must live as long as the front changes.
+  /// Reports every change from now on to a mirror. It must live as long as the front changes.
   void add_mirror(FrontMirror& mirror) { mirrors_.push_back(&mirror); }
 
   const FrontEdge& operator[](FrontEdgeId e) const { return edges_[e]; }
@@ -121,11 +121,11 @@ class Front : private geometry::MeshFollower {
   /// where it is next to e, and else attaches it.
   void finish_edge(FrontEdgeId e, FrontEdgeId corner);
 
-  /// Takes over the edges of a front whose mesh was appended to this one's. Mirrors are not told:
-  /// they absorb their counterparts.
+  /// Takes over the edges of a front whose mesh was appended to this one's. Mirrors receive
+  /// nothing: they absorb their counterparts.
   void absorb(const Front& other, const IdOffsets& offsets);
 
-  /// The vertices behind the front as one part; those on it are nobody's.
+  /// The vertices behind the front as one part; those on it belong to none.
   geometry::Parts parts_behind() const;
 
  private:
@@ -138,7 +138,7 @@ class Front : private geometry::MeshFollower {
     edges_[e].next = f;
     edges_[f].previous = e;
   }
-  void tell_mirrors(const FrontChange& change) const {
+  void report(const FrontChange& change) const {
     for (FrontMirror* mirror : mirrors_) mirror->follow(change);
   }
 

@@ -194,7 +194,7 @@ std::optional<FrontEdgeId> Neighbourhood::delaunay_apex(FrontEdgeId e) const {
     least = *offset;
     best = corner;
   };
-  // Mostly it is the vertex before the edge; known first, it spares the others a closer look.
+  // Mostly it is the vertex before the edge; known first, it spares the others the full test.
   const FrontEdgeId before = front_[e].previous;
   consider(before, plane(front_[before]));
   for (const Corner& c : corners_) {

@@ -6,7 +6,7 @@
 
 namespace morskin::front {
 
-/// The subdomain of a sweep, told by levels as there are no vertices yet: the part of the surface
+/// The subdomain of a sweep, given by levels as there are no vertices yet: the part of the surface
 /// between two levels of its Morse function. Sweeps over disjoint ranges do not meet, and so may
 /// run at once.
 struct LevelRange {

@@ -8,7 +8,7 @@
 
 namespace morskin::front {
 
-/// A sweep on its way.
+/// The state of a sweep.
 struct Snapshot {
   const morse::MorseFunction& function;
   double value;  ///< of the function at the departure vertex

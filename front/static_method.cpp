@@ -21,7 +21,7 @@ using SeedId = geometry::Id<struct SeedTag>;
 
 /// Least distance of two seeds over C Q times the larger length scale. A new sample keeps a
 /// distance of C Q / (1 + C Q) from all others, so less than 1 costs nothing.
-constexpr double least_spacing = 0.9;
+constexpr double min_spacing = 0.9;
 /// Circumradius of a seed triangle over C Q rho: its edges are 0.7 sqrt(3) = 1.21 C Q rho long.
 /// Nothing is inserted into its ball, since what is inserted keeps farther away than the radius.
 constexpr double seed_radius = 0.7;
@@ -58,9 +58,10 @@ std::optional<std::array<SurfacePoint, 3>> seed_triangle(const surface::Surface&
 std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
                                          const std::vector<morse::CriticalPoint>& critical,
                                          const certify::Sizing& sizing) {
-  // Three places for each critical point; those of a triangle that could not be laid stay unused.
+  // Three positions for each critical point; those of a triangle that could not be laid stay
+  // unused.
   std::vector<SurfacePoint> candidates;
-  std::vector<geometry::Point> places;
+  std::vector<geometry::Point> positions;
   std::vector<char> has_triangle;
   for (const morse::CriticalPoint& c : critical) {
     SurfacePoint p = c.point;
@@ -69,18 +70,18 @@ std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
     has_triangle.push_back(triangle ? 1 : 0);
     for (std::size_t k = 0; k < 3; ++k) {
       candidates.push_back(triangle ? (*triangle)[k] : p);
-      places.push_back(candidates.back().position);
+      positions.push_back(candidates.back().position);
     }
   }
-  const geometry::KdTree<SeedId> tree(places);
+  const geometry::KdTree<SeedId> tree(positions);
   std::vector<char> is_seed(candidates.size(), 0);
-  const double share = least_spacing * sizing.C * sizing.Q;
+  const double share = min_spacing * sizing.C * sizing.Q;
   const auto is_free = [&](std::size_t i) {
     const SurfacePoint& p = candidates[i];
     // rho is 1-Lipschitz: a point nearer than share times its own rho is nearer than this.
-    const double reach = share / (1 - std::min(share, 0.5)) * sizing.scale(p.length_scale);
+    const double radius = share / (1 - std::min(share, 0.5)) * sizing.scale(p.length_scale);
     bool free = true;
-    tree.for_each_within(p.position, reach, [&](const auto& near) {
+    tree.for_each_within(p.position, radius, [&](const auto& near) {
       const SurfacePoint& q = candidates[near.id.index()];
       const double least = share * sizing.scale(std::max(p.length_scale, q.length_scale));
       if (is_seed[near.id.index()] != 0 && near.squared_distance <= least * least) free = false;

@@ -13,8 +13,8 @@ namespace morskin::front {
 /// The operations of section 4.1 that are counted.
 enum class Operation { Creation, Creep, Wing, Bridge, Seal };
 
-/// Watches a sweep. None of what it is told of changes the sweep, but for the two hooks that let it
-/// coarsen the mesh behind the front and compact it. Every callback does nothing unless overridden.
+/// Watches a sweep. No callback may change the sweep; only the last two may coarsen and compact the
+/// mesh behind the front. Every callback does nothing unless overridden.
 class SweepObserver : public FrontMirror {
  public:
   void follow(const FrontChange&) override {}

@@ -15,7 +15,7 @@ namespace morskin::front {
 /// report from its own thread.
 class PassedAtoms {
  public:
-  /// @param run  is told the share, by one thread at a time
+  /// @param run  receives the share, by one thread at a time
   PassedAtoms(const surface::Surface& surface, const morse::MorseFunction& function,
               const geometry::Run& run);
 

@@ -12,8 +12,8 @@ namespace morskin::front {
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
   double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
-  double bowl_gap = 1.9;       ///< least distance of a minimum from the rim of another's bowl
-  double vertex_gap = 0.6;     ///< least distance of a new vertex from a front vertex
+  double bowl_gap = 1.9;       ///< smallest distance of a minimum from the rim of another's bowl
+  double vertex_gap = 0.6;     ///< smallest distance of a new vertex from a front vertex
   double edge_gap = 0.4;       ///< and from a front edge
   double view = 2.2;           ///< radius in which the guard gathers the front
   double wing_angle_deg = 75;  ///< front angles below this are closed at once

@@ -4,7 +4,7 @@
 /// reversed), each in its own thread. Both stop a few edges before a middle level; then one
 /// absorbs the other and closes the strip between.
 ///
-/// The paper sweeps once, from below (section 4.1). Which way the surface is swept is open there
+/// The paper sweeps once, from below (section 4.1). The direction is open there
 /// ("our algorithm can generate correct mesh with different directions"), and neither sweep
 /// touches what the other has laid before they are joined, so the mesh does not depend on the
 /// number of threads.
@@ -20,7 +20,7 @@ namespace morskin::front {
 /// One sweep from below, Algorithm 1 as printed.
 /// @param coarsening  behind the front, or none
 /// @param observers   must outlive the call
-/// @param run         is told the share of atoms that are passed
+/// @param run         receives the share of atoms that are passed
 SweepResult sweep_once(const surface::Surface& skin, const morse::Guide& guide,
                        const SweepOptions& options = {},
                        const std::optional<CoarseningOptions>& coarsening = {},

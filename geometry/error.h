@@ -28,7 +28,7 @@ class UnwritableOutput : public std::runtime_error {
 };
 
 /// A limit was reached: of memory, of time, of what 32-bit ids can tell apart. The text names it
-/// and tells what to do.
+/// and says what to do.
 class LimitReached : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

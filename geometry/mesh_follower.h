@@ -42,7 +42,7 @@ class Renaming {
 };
 
 /// Something that refers to the elements of a mesh and is kept true while the mesh changes. A flip
-/// changes no id, so nobody is told of it.
+/// changes no id, so followers receive none.
 ///
 /// It follows the mesh object that it was made for, whatever is assigned to that. Copies of the
 /// mesh have no followers.
@@ -52,7 +52,7 @@ class MeshFollower {
   MeshFollower& operator=(const MeshFollower&) { return *this; }  // follows what it followed
 
  protected:
-  /// @param has_triangles  whether it is to be told of every new triangle
+  /// @param has_triangles  whether it follows every new triangle
   explicit MeshFollower(SurfaceMesh& mesh, bool has_triangles = false);
   virtual ~MeshFollower();
   /// @pre the mesh lives.

@@ -7,7 +7,7 @@
 
 namespace morskin::geometry {
 
-/// How many elements ahead a pass asks for what it will look at.
+/// How many elements ahead a pass asks for what it will visit.
 inline constexpr std::size_t prefetch_ahead = 16;
 
 /// A hint, without effect but on time, for any address.

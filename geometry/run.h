@@ -1,7 +1,7 @@
 #pragma once
 
-/// How a run through the pipeline is done, as every stage of it is told. What comes out does not
-/// depend on any of it.
+/// Threads, progress, stop request and stage times of a run, passed to every stage of the pipeline.
+/// The result depends on none of them.
 
 #include <functional>
 #include <map>
@@ -31,7 +31,7 @@ class Run {
  public:
   /// @param threads   how many may be used, at most; 0 counts as 1
   /// @param progress  may be empty
-  /// @param stop      looked at wherever progress is reported
+  /// @param stop      checked wherever progress is reported
   explicit Run(unsigned threads = 1, Progress progress = {}, std::stop_token stop = {});
 
   unsigned threads() const { return threads_; }

@@ -52,8 +52,8 @@ struct Step {
 /// The state of the curve in a cube is 3 * entry + axis: the corner where it enters and the axis
 /// along which it leaves. A Gray code, rotated and reflected into the state, visits the octants.
 constexpr std::array<std::array<Step, 8>, 24> make_steps() {
-  const auto rotated_left = [](unsigned corner, unsigned places) {
-    return (corner << places | corner >> (3 - places)) & 7u;
+  const auto rotated_left = [](unsigned corner, unsigned shift) {
+    return (corner << shift | corner >> (3 - shift)) & 7u;
   };
   const auto gray = [](unsigned i) { return i ^ i >> 1; };
   std::array<std::array<Step, 8>, 24> steps{};

@@ -2,9 +2,9 @@
 
 /// What one of several may touch while others work on the rest of a mesh.
 ///
-/// The vertices are shared out in parts, and some are nobody's. A triangle belongs to the part that
-/// has all three corners, so all triangles at a vertex are its part's or nobody's: who has the
-/// vertex may read them, and walk from one to the next over an edge of which it has an end.
+/// Each vertex belongs to one part or to none. A triangle belongs to the part that contains all
+/// three corners, so all triangles at a vertex belong to the vertex's part or to none: that part
+/// may read them, and walk from one to the next over an edge of which it contains an end.
 
 #include <algorithm>
 #include <cassert>
@@ -16,12 +16,12 @@
 namespace morskin::geometry {
 
 using Part = std::uint8_t;
-inline constexpr Part no_part = 255;  ///< of what nobody may touch
+inline constexpr Part no_part = 255;  ///< of vertices that belong to none
 using Parts = IdVector<VertexId, Part>;
 
 class Subdomain {
  public:
-  /// The whole mesh, nobody else being at work.
+  /// The whole mesh, with no other at work.
   Subdomain() = default;
   /// @param parts  must outlive this, and have as many elements as the mesh has vertices
   Subdomain(Parts& parts, Part own) : parts_(&parts), own_(own) {}

@@ -47,7 +47,7 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
       mesh.half_edges_.push_back({VertexId{corners[k]}, twins[h.index()]});
       mesh.outgoing_[VertexId{corners[k]}] = h;
     }
-    // Of two twins the later looks back, so that no edge is counted twice.
+    // Checked from the later of two twins, so that no edge is counted twice.
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = half_edge(added, k), g = mesh.twin(h);
       if (g > h) continue;

@@ -164,7 +164,7 @@ class SurfaceMesh {
   /// Those of one mesh object: a copy has none.
   struct Followers {
     std::vector<MeshFollower*> all;
-    std::vector<MeshFollower*> with_triangles;  ///< those to be told of every new triangle
+    std::vector<MeshFollower*> with_triangles;  ///< those that follow every new triangle
     Followers() = default;
     Followers(const Followers&) {}
     Followers& operator=(const Followers&) = delete;

@@ -88,10 +88,10 @@ namespace {
 
 /// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
 /// at that end which comes first by `rank`, and then by id.
-/// @param most_steps  from one waiting half-edge to the next, in all
+/// @param max_steps  from one waiting half-edge to the next, in all
 /// @return whether none is left waiting; nothing if the search took more steps
 template <class Rank>
-std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_steps) {
+std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t max_steps) {
   const std::size_t count = 3 * mesh.triangle_count();
   std::vector<std::uint32_t> first(mesh.vertex_count(), no_index);
   const auto next = std::make_unique_for_overwrite<std::uint32_t[]>(count);
@@ -113,7 +113,7 @@ std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t most_step
       mesh.glue(HalfEdgeId{h}, HalfEdgeId{std::exchange(*link, next[*link])});
       --waiting;
     }
-    if (steps > most_steps) return std::nullopt;
+    if (steps > max_steps) return std::nullopt;
   }
   return waiting == 0;
 }
@@ -176,7 +176,7 @@ bool has_double_edge(const SurfaceMesh& mesh, VertexId v) {
   return std::adjacent_find(neighbours.begin(), neighbours.end()) != neighbours.end();
 }
 
-/// What a look at some of the vertices finds: the triangles round them, up to the first that has
+/// What a check of some vertices finds: the triangles round them, up to the first that has
 /// none or is joined twice to a neighbour.
 struct Fans {
   std::size_t triangles = 0;

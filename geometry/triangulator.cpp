@@ -10,11 +10,11 @@
 namespace morskin::geometry {
 namespace {
 
-constexpr Triangulator::Facet facet_of(std::uint32_t tetrahedron, std::size_t place) {
-  return tetrahedron << 2 | static_cast<std::uint32_t>(place);
+constexpr Triangulator::Facet facet_of(std::uint32_t tetrahedron, std::size_t index) {
+  return tetrahedron << 2 | static_cast<std::uint32_t>(index);
 }
 
-/// The places around the facet opposite each place, all turning the same way.
+/// By corner, the corners of the opposite facet, all in the same sense.
 constexpr std::array<std::array<std::size_t, 3>, 4> indices_around{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
@@ -79,8 +79,8 @@ std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point
   return p;
 }
 
-/// Walks from the last place towards p, each step through a facet with p strictly behind it, until
-/// there is none or the hull is left. In a regular triangulation such a walk never cycles.
+/// Walks from the last tetrahedron towards p, each step through a facet with p strictly behind it,
+/// until there is none or the hull is left. In a regular triangulation such a walk never cycles.
 std::uint32_t Triangulator::locate(Corner p) const {
   const Point& target = points_[p].position;
   std::uint32_t here = last_;
@@ -130,20 +130,20 @@ void Triangulator::grow_cavity(Corner p) {
 }
 
 /// Joins p to every facet of the rim. Each filler is the cavity's tetrahedron there with the
-/// opposite corner replaced by p, so orientation and infinity's place are inherited.
+/// opposite corner replaced by p, so orientation and infinity's index are inherited.
 void Triangulator::fill_cavity(Corner p) {
   fillers_.clear();
   for (std::size_t i = 0; i < rim_size_; ++i) {
-    const std::size_t place = index_of(rim_[i]);
+    const std::size_t index = index_of(rim_[i]);
     const std::uint32_t filler = allocate();
     const Tetrahedron& inner = tetrahedra_[tetrahedron_of(rim_[i])];
-    const Facet outer = inner.neighbours[place];
+    const Facet outer = inner.neighbours[index];
     Tetrahedron& t = tetrahedra_[filler];
     t.corners = inner.corners;
-    t.corners[place] = p;
+    t.corners[index] = p;
     t.neighbours = {no_index, no_index, no_index, no_index};
-    t.neighbours[place] = outer;
-    tetrahedra_[tetrahedron_of(outer)].neighbours[index_of(outer)] = facet_of(filler, place);
+    t.neighbours[index] = outer;
+    tetrahedra_[tetrahedron_of(outer)].neighbours[index_of(outer)] = facet_of(filler, index);
     fillers_.push_back(filler);
   }
   // A rim with F triangles is a sphere, with F / 2 + 2 corners.

@@ -68,7 +68,8 @@ class Triangulator {
   /// @throws LimitReached  as the constructor does
   std::optional<Corner> add(const WeightedPoint& point, std::array<std::uint32_t, 2> hints);
   const WeightedPoint& point(Corner corner) const { return points_[corner]; }
-  /// What the last successful add() took out, and what it put in its place. A place may be in both.
+  /// The tetrahedra that the last successful add() removed, and those it made. An index may be in
+  /// both.
   std::span<const std::uint32_t> removed() const { return {cavity_.data(), cavity_size_}; }
   std::span<const std::uint32_t> added() const { return fillers_; }
 

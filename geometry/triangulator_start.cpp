@@ -92,8 +92,8 @@ void Triangulator::add_apexes(std::span<const WeightedPoint> points) {
   for (int known = dimension_; known < 3; ++known) {
     for (int axis = 0; axis < 3; ++axis) {
       Point apex = points_[0].position;
-      const double reach = std::max({step, scaled_power_of_two(apex[axis], -40), 0x1p-64});
-      apex[axis] += apex[axis] > 0 ? -reach : reach;
+      const double shift = std::max({step, scaled_power_of_two(apex[axis], -40), 0x1p-64});
+      apex[axis] += apex[axis] > 0 ? -shift : shift;
       const Point& second = points_[1].position;
       const bool is_independent =
           known == 1 ? !are_collinear(points_[0].position, second, apex)

@@ -60,7 +60,7 @@ enum class Polylines { Keep, Drop };
 
 /// Traces the lines, then the regions from the cyclic order of the arcs at all points; that each
 /// region has four sides confirms the order.
-/// @param run  is told the share of lines traced
+/// @param run  receives the share of lines traced
 /// @pre  critical = critical_points(skin, f).
 /// Source: Edelsbrunner, Harer and Zomorodian, hierarchical Morse-Smale complexes (2003).
 MorseSmaleComplex morse_smale_complex(const skin::SkinSurface& skin, const MorseFunction& f,

@@ -17,7 +17,7 @@ class SaddleLines {
   enum class Kept { All, EveryOther };
   /// Traces all lines: four consecutive ones for each saddle, counter-clockwise about it seen from
   /// outside, the first along `descending`. A line that runs into a saddle is traced again, finer.
-  /// @param run  is told the share traced, by the first thread
+  /// @param run  receives the share traced, from the first thread
   SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
               std::span<const CriticalPoint> points, const geometry::Run& run = geometry::Run(),
               Kept kept = Kept::All);

@@ -30,7 +30,7 @@
 
 namespace morskin {
 
-using Point = std::array<double, 3>;  ///< a place or a direction; Angstrom, or unit length
+using Point = std::array<double, 3>;  ///< a position or a direction; Angstrom, or unit length
 
 /// What went wrong, in a sentence that names the file and its line, the atom or the option.
 class Error : public std::runtime_error {
@@ -83,9 +83,9 @@ struct SkinOptions {
 struct RunOptions {
   unsigned threads = 1;  ///< at most
   /// Called now and then, from one thread at a time, with what is being done and the share of it
-  /// that is done, 0 to 1, or below 0 where nobody can tell. May be empty.
+  /// that is done, 0 to 1, or below 0 if unknown. May be empty.
   std::function<void(std::string_view stage, double share)> progress = {};
-  std::stop_token stop = {};  ///< looked at wherever progress is reported
+  std::stop_token stop = {};  ///< checked wherever progress is reported
 };
 
 /// What mesh to make.

@@ -114,8 +114,8 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Ob
 }
 
 MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, const Run& run) {
-  Observer nobody;
-  return make_mesh(skin, options, nobody, run);
+  Observer unobserved;
+  return make_mesh(skin, options, unobserved, run);
 }
 
 double floor_seconds(const skin::SkinSurface& skin, const MeshResult& result) {

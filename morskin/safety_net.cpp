@@ -43,18 +43,18 @@ std::vector<Piece> pieces_of(const IndexedMesh& mesh, std::span<const geometry::
     sets.join(a, c);
   }
   std::vector<Piece> pieces;
-  std::vector<std::uint32_t> piece_of(sets.size()), place(sets.size());
+  std::vector<std::uint32_t> piece_of(sets.size()), index(sets.size());
   for (std::uint32_t v = 0; v < sets.size(); ++v) {
     const std::uint32_t first = sets.root(v);
     if (first == v) pieces.emplace_back();
     piece_of[v] = first == v ? static_cast<std::uint32_t>(pieces.size() - 1) : piece_of[first];
     Piece& piece = pieces[piece_of[v]];
-    place[v] = static_cast<std::uint32_t>(piece.cells.size());
+    index[v] = static_cast<std::uint32_t>(piece.cells.size());
     piece.mesh.positions.push_back(mesh.positions[v]);
     piece.cells.push_back(cells[v]);
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    pieces[piece_of[a]].mesh.triangles.push_back({place[a], place[b], place[c]});
+    pieces[piece_of[a]].mesh.triangles.push_back({index[a], index[b], index[c]});
   }
   return pieces;
 }
@@ -65,8 +65,8 @@ surface::Topology component_topology(long euler_characteristic) {
   return {1, genus, euler_characteristic};
 }
 
-/// The skin's components, each with its topology, or all of them as one where they cannot be told
-/// apart.
+/// The skin's components, each with its topology, or all of them as one where rounding leaves them
+/// indistinguishable.
 class Parts {
  public:
   Parts(const PreparedSkin& skin, const morse::MorseFunction& function)
@@ -229,16 +229,17 @@ bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& r
   }
   const Parts parts(skin, result.function);
   Mending mending(skin, options, parts, result, run);
-  Observer nobody;
+  Observer unobserved;
   MeshingOptions again = options;
-  // For triangles this coarse another sweep is no surer than the first, and not much quicker.
+  // For triangles this coarse another sweep closes no more often than the first, and is not much
+  // quicker.
   const int max_sweeps = options.sizing.C <= certify::Sizing::largest_proved_C ? 2 : 0;
   int tried = 0;
   for (const morse::MorseFunction& function : other_directions()) {
     if (mending.is_done() || tried == max_sweeps) break;
     again.function = function;
     try {
-      const MethodResult made = run_method(skin, again, nobody, run);
+      const MethodResult made = run_method(skin, again, unobserved, run);
       ++tried;
       if (made.open_edges == 0) mending.take(made.mesh, {Method::Sweep, made.function});
     } catch (const morse::DegenerateFunction&) {
@@ -249,7 +250,7 @@ bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& r
     again.function = result.function;
     again.method = Method::Static;
     again.mesher = {};
-    mending.take(run_method(skin, again, nobody, run).mesh, {Method::Static, result.function});
+    mending.take(run_method(skin, again, unobserved, run).mesh, {Method::Static, result.function});
   }
   result.fallbacks = mending.fallbacks();
   std::optional<Piece> whole = mending.joined();

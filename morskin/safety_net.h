@@ -10,9 +10,9 @@
 namespace morskin {
 
 /// Replaces the components that are not certified, or not refined, by certified ones of another
-/// run and notes each in result.fallbacks. Components are told apart by what they part
-/// (skin/skin_components.h), and their genus is the critical points'; where rounding leaves either
-/// undecided the whole mesh counts as one component.
+/// run and notes each in result.fallbacks. Components are identified by the body and the void they
+/// separate (skin/skin_components.h), and their genus is the critical points'; where rounding
+/// leaves either undecided the whole mesh counts as one component.
 ///
 /// Does nothing without options.has_safety_net, nor after anything but a sweep with the general
 /// guard: what other methods and guards make is shown as it is.

@@ -11,8 +11,8 @@ namespace morskin::refine {
 
 namespace {
 
-/// Shares of [U] that triangles may come to when a vertex goes that is too near another: what can
-/// be had cheaply goes first, since of a crowd it decides who is left.
+/// Shares of [U] up to which triangles may grow when a vertex too near another is removed. The
+/// cheapest removals come first: each decides which of its close neighbours may stay.
 constexpr std::array crowded_limits{0.6, 0.8, 1.0};
 
 /// A polygon with more corners has hardly ever good ears only.
@@ -51,8 +51,8 @@ void Coarsening::prefetch_next(const std::vector<VertexId>& pass, std::size_t i)
   mesh_.surface.prefetch_fan(near);
 }
 
-/// What has waited and what is new, but for what has to wait on; patch by patch, for a front goes
-/// through a large molecule all over the place, and what is far apart there is far apart in memory.
+/// The new and the waiting vertices that the subdomain contains with their neighbours, sorted by
+/// patch: a front visits a large molecule in an order that scatters neighbours in memory.
 std::vector<VertexId> Coarsening::candidates(const Subdomain& subdomain) {
   std::vector<std::uint64_t> free;  // cells and vertices, to be sorted by both
   for (std::size_t i = 0; i < mesh_.surface.vertex_count(); ++i) {

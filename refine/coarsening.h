@@ -43,7 +43,7 @@ class Coarsening {
   const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
-  /// Vertices that a run has tried. Not those that are new or were had to wait.
+  /// Vertices that a run has tried: neither new nor waiting.
   geometry::VertexData<char> is_tried_;
   std::size_t removed_ = 0;
   std::vector<VertexId> crowd_;  ///< neighbours of a vertex that are too near

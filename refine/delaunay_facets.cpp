@@ -1,4 +1,4 @@
-// The part of DelaunayRefinement that looks at the triangulation as a whole: the facets that are
+// The part of DelaunayRefinement that visits the triangulation as a whole: the facets that are
 // left, all crossings of their dual edges, and whether they make a surface.
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace morskin::refine {
 
 using geometry::Triangulator;
 
-/// Looks at all crossings of the dual edges that are new since the last time.
+/// Checks all crossings of the dual edges that are new since the last time.
 /// @return whether a surface ball was found that is too big
 bool DelaunayRefinement::follow_dual_edges() {
   std::size_t found = 0;
@@ -184,10 +184,10 @@ bool DelaunayRefinement::make_disks() {
   std::vector<Largest> largest(bad.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const std::uint32_t corner : triangles[i]) {
-      const auto place = std::lower_bound(bad.begin(), bad.end(), corner);
-      if (place == bad.end() || *place != corner) continue;
+      const auto found = std::lower_bound(bad.begin(), bad.end(), corner);
+      if (found == bad.end() || *found != corner) continue;
       const std::optional<Ball> ball = ball_of(facets[i]);
-      Largest& known = largest[static_cast<std::size_t>(place - bad.begin())];
+      Largest& known = largest[static_cast<std::size_t>(found - bad.begin())];
       if (ball && ball->ratio > known.ball.ratio) known = {*ball, facets[i]};
     }
   }

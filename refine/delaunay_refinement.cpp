@@ -58,8 +58,8 @@ void DelaunayRefinement::run(const geometry::Run& run) {
 }
 
 /// Notes which side of the skin the circumcentre lies on and how far, in the sense of
-/// is_certainly_clear(). Beyond the ball that contains the body it is outside; very far out the way
-/// there is not worth the walk.
+/// is_certainly_clear(). Beyond the ball that contains the body it is outside; very far out the
+/// walk there is not worth its cost.
 void DelaunayRefinement::find_dual(std::uint32_t t, CellId start) {
   constexpr double far = 100;
   Dual& dual = duals_[t];
@@ -92,7 +92,7 @@ void DelaunayRefinement::inspect_new(std::span<const std::uint32_t> tetrahedra) 
   for (const std::uint32_t t : tetrahedra) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
-      if (duals_[other].born == now_ && other < t) continue;  // looked at from there
+      if (duals_[other].born == now_ && other < t) continue;  // checked from there
       inspect(t << 2 | k);
     }
   }
@@ -155,8 +155,8 @@ DelaunayRefinement::Triangle DelaunayRefinement::triangle(Facet f) const {
   constexpr std::array<std::array<std::size_t, 3>, 4> outward{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto& corners = delaunay_.tetrahedra()[Triangulator::tetrahedron_of(f)].corners;
-  const auto& places = outward[Triangulator::index_of(f)];
-  return {corners[places[0]], corners[places[1]], corners[places[2]]};
+  const auto& corner_indices = outward[Triangulator::index_of(f)];
+  return {corners[corner_indices[0]], corners[corner_indices[1]], corners[corner_indices[2]]};
 }
 
 DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet, double height,
@@ -170,10 +170,10 @@ DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet,
 /// one, by Newton's steps kept between heights where G is below and above zero.
 ///
 /// Where the circumradius is far from its bound the first step is enough: G differs from its linear
-/// part by at most the square of the way, so a step of d <= R / 10 and slope s has a zero within
-/// 2 d^2 / s of its end.
+/// part by at most the square of the distance, so a step of d <= R / 10 and slope s has a zero
+/// within 2 d^2 / s of its end.
 std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner) const {
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   constexpr double clearly_small = 0.95, short_step = 0.1;
   const FacetGeometry facet = geometry_of(inner);
   const Dual& from = duals_[Triangulator::tetrahedron_of(inner)];
@@ -187,7 +187,7 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner)
   const double radius = facet.circle.radius;
   double height = std::clamp(0.0, std::min(low, high), high);
   CellId cell = facet.corners[0]->cell;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Point x = facet.circle.centre + height * facet.normal;
     cell = surface_.locate(x, cell);
     const auto& [g, n] = surface_.jet(x, cell);

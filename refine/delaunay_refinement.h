@@ -54,8 +54,7 @@ class DelaunayRefinement {
                      std::span<const SurfacePoint> seeds);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
-  /// @param run  is told the number of samples. What share that is nobody knows: the facets that
-  ///             wait make others wait.
+  /// @param run  receives the number of samples. Their share of the final number is unknown.
   void run(const geometry::Run& run = geometry::Run());
 
   /// The restricted facets as they are, samples that have none left out, in an order in which

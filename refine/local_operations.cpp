@@ -132,8 +132,8 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
 }
 // [/excerpt]
 
-/// Defers a flip to the subdomain that has both triangles, and gives up all that lies round the
-/// edge, so that nothing is built there before it is done.
+/// Defers a flip to the subdomain that contains both triangles, and gives up their corners, so that
+/// no insertion precedes it there.
 void LocalOperations::defer(HalfEdgeId h) {
   deferred_.to_flip.push_back(h);
   for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
@@ -173,7 +173,7 @@ void LocalOperations::contract_short_edges() {
 /// Deletes one end of a short edge; the other stays in place.
 bool LocalOperations::contract(HalfEdgeId h) {
   const VertexId a = mesh_.surface.origin(h), b = mesh_.surface.target(h);
-  // The end with the larger length scale is the one that finds the edge too short.
+  // The bound in [L] is that of the end with the larger length scale.
   const bool a_first = mesh_.at(a).length_scale >= mesh_.at(b).length_scale;
   const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
   flip_where_needed();
@@ -200,7 +200,7 @@ bool LocalOperations::remove(VertexId v) {
   return true;
 }
 
-void LocalOperations::tell(std::size_t left) {
+void LocalOperations::report_progress(std::size_t left) {
   constexpr std::size_t steps_between_reports = 4096;
   if (!run_ || ++steps_ % steps_between_reports != 0) return;
   run_->report(static_cast<double>(steps_) / static_cast<double>(steps_ + left));
@@ -211,7 +211,7 @@ void LocalOperations::insert_into_big_triangles(std::size_t max_insertions) {
   while (!work_.big.empty() && counts_.insert < max_insertions) {
     const TriangleId t = work_.big.back();
     work_.big.pop_back();
-    tell(work_.big.size());
+    report_progress(work_.big.size());
     if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
   }
   std::sort(refused.begin(), refused.end());

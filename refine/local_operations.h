@@ -70,7 +70,7 @@ class LocalOperations {
   bool remove(VertexId v);
   bool insert(TriangleId t);
   void insert(const Insertion& where);
-  void tell(std::size_t left);
+  void report_progress(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
   bool is_big(TriangleId t, const Circumcircle& circle) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The names of other rooms that refinement is written in.
+// The names of other modules that refinement uses.
 
 #include "certify/ball_pencil.h"
 #include "certify/delaunay_filter.h"

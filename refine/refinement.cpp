@@ -45,7 +45,7 @@ RefinementCounts Refinement::counts() const {
 void Refinement::inspect_all() {
   const std::size_t count = mesh_.surface.triangle_count();
   std::vector<Work> found(geometry::block_count(count));
-  DelaunayFilter sure(count);
+  DelaunayFilter filter(count);
   geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
@@ -53,11 +53,11 @@ void Refinement::inspect_all() {
       const Circumcircle circle = operations_.inspect(t, found[block]);
       const auto [a, b, c] = mesh_.surface.corners(t);
       const std::array corners{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-      sure.note(t, corners, circle, operations_.max_residual(corners));
+      filter.note(t, corners, circle, operations_.max_residual(corners));
     }
   });
   geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
-    find_flips(3 * begin, 3 * end, sure, found[block]);
+    find_flips(3 * begin, 3 * end, filter, found[block]);
   });
   Work& work = operations_.work();
   for (const Work& part : found) work.append(part);
@@ -65,13 +65,13 @@ void Refinement::inspect_all() {
 }
 
 /// Notes the half-edges [begin, end), and their twins, over which a vertex lies in the ball.
-void Refinement::find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
+void Refinement::find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& filter,
                             Work& found) const {
   for (std::size_t i = begin; i < end; ++i) {
     const HalfEdgeId h{i}, twin = mesh_.surface.twin(h);
-    sure.prefetch(
+    filter.prefetch(
         mesh_.surface.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, end - 1)}));
-    if (twin < h || sure.certainly_delaunay(h, twin)) continue;
+    if (twin < h || filter.certainly_delaunay(h, twin)) continue;
     for (const HalfEdgeId side : {h, twin}) {
       const auto [a, b, c] = mesh_.surface.corners(SurfaceMesh::triangle(side));
       const VertexId beyond = mesh_.surface.apex(mesh_.surface.twin(side));
@@ -82,8 +82,8 @@ void Refinement::find_flips(std::size_t begin, std::size_t end, const DelaunayFi
   }
 }
 
-/// Insertion at two places at once: among the triangles laid first, and among those laid last. What
-/// lies on the border waits. The halves are the same for any number of threads.
+/// Inserts into both halves of the mesh at once: the triangles laid first, and those laid last.
+/// Triangles on the border wait. The halves are the same for any number of threads.
 void Refinement::insert_in_two_halves() {
   constexpr std::size_t worth_two_threads = 256;
   Work& work = operations_.work();

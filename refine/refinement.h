@@ -12,7 +12,7 @@ namespace morskin::refine {
 
 class Refinement {
  public:
-  /// @param run  is told the share of edges and triangles in breach so far that have been looked at
+  /// @param run  receives the share processed of the edges and triangles found in breach so far
   /// @pre the mesh is closed, its vertices are points of the skin.
   Refinement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
              const geometry::Run& run = geometry::Run());
@@ -24,7 +24,7 @@ class Refinement {
 
  private:
   void inspect_all();
-  void find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& sure,
+  void find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& filter,
                   Work& found) const;
   void insert_in_two_halves();
   using SlotList = std::vector<SurfaceMesh::FreeSlots>;

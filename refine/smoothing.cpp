@@ -21,12 +21,12 @@ constexpr int max_rounds = 8;
 class Smoothing {
  public:
   Smoothing(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal_deg,
-            std::size_t least_block, const geometry::Run& run)
+            std::size_t min_block, const geometry::Run& run)
       : surface_(surface),
         sizing_(sizing),
         mesh_(mesh),
         goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)),
-        block_(std::max(least_block, mesh.surface.triangle_count() / max_blocks + 1)),
+        block_(std::max(min_block, mesh.surface.triangle_count() / max_blocks + 1)),
         run_(run) {}
 
   SmoothingCounts run() {
@@ -146,8 +146,8 @@ class Smoothing {
 }  // namespace
 
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                       double goal_deg, const geometry::Run& run, std::size_t least_block) {
-  return Smoothing(surface, sizing, mesh, goal_deg, least_block, run).run();
+                       double goal_deg, const geometry::Run& run, std::size_t min_block) {
+  return Smoothing(surface, sizing, mesh, goal_deg, min_block, run).run();
 }
 
 }  // namespace morskin::refine

@@ -27,10 +27,10 @@ struct SmoothingCounts {
 /// at a time, with what lies at the borders of blocks last.
 ///
 /// @param goal_deg     degrees, at most 60
-/// @param least_block  triangles
+/// @param min_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                        double goal_deg, const geometry::Run& run = geometry::Run(),
-                       std::size_t least_block = std::size_t{1} << 19);
+                       std::size_t min_block = std::size_t{1} << 19);
 
 }  // namespace morskin::refine

@@ -18,7 +18,7 @@ constexpr int directions = 8;
 constexpr double longest_step = 0.25, shortest_step = 0.025;
 
 /// A move must raise the squared sine of the worst angle by this factor, so that moves end.
-constexpr double least_gain = 1.001;
+constexpr double min_gain = 1.001;
 
 /// What is asked of a triangle.
 struct Shape {
@@ -136,7 +136,7 @@ VertexMover::Moved VertexMover::move(VertexId v) {
   }
   bool has_moved = false;
   for (double step = longest_step * shortest; step > shortest_step * shortest && now < goal_;) {
-    if (const auto found = step_from(at, step, least_gain * now)) {
+    if (const auto found = step_from(at, step, min_gain * now)) {
       std::tie(now, at) = *found;
       has_moved = true;
     } else {

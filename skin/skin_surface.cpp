@@ -101,7 +101,7 @@ bool SkinSurface::is_in(const Point& x, CellId cell) const {
 CellId SkinSurface::search(const Point& x, CellId start) const {
   std::vector<CellId> waiting{start}, seen{start};  // seen: ascending
   CellId best = start;
-  double least_beyond = std::numeric_limits<double>::infinity();
+  double min_beyond = std::numeric_limits<double>::infinity();
   while (!waiting.empty()) {
     const CellId cell = waiting.back();
     waiting.pop_back();
@@ -116,8 +116,8 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
       waiting.push_back(wall.beyond);
     }
     if (farthest <= complex_.wall_tolerance()) return cell;
-    if (farthest < least_beyond) {
-      least_beyond = farthest;
+    if (farthest < min_beyond) {
+      min_beyond = farthest;
       best = cell;
     }
   }

@@ -103,7 +103,7 @@ bool MovingMesh::flip_if_better(HalfEdgeId h) {
 
 bool MovingMesh::contract(HalfEdgeId h) {
   const VertexId a = surface_.origin(h), b = surface_.target(h);
-  // The end with the larger length scale is the one that finds the edge too short.
+  // The bound in [L] is that of the end with the larger length scale.
   const bool a_first = at(a).length_scale >= at(b).length_scale;
   const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
   counts.contract += is_removed;

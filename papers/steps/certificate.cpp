@@ -39,13 +39,13 @@ int main() {
 
   geometry::IndexedMesh partial;  // without the ball at x = 6
   const auto is_kept = [&](std::uint32_t v) { return mesh.positions[v].x() < 4; };
-  std::vector<std::uint32_t> place;
+  std::vector<std::uint32_t> index;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    place.push_back(static_cast<std::uint32_t>(partial.positions.size()));
+    index.push_back(static_cast<std::uint32_t>(partial.positions.size()));
     if (is_kept(v)) partial.positions.push_back(mesh.positions[v]);
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    if (is_kept(a)) partial.triangles.push_back({place[a], place[b], place[c]});
+    if (is_kept(a)) partial.triangles.push_back({index[a], index[b], index[c]});
   }
   holds = !is_certified("a ball left out", partial) && holds;
   return step::claim("the certificate holds for the mesh and for none of the others", holds);

@@ -269,10 +269,9 @@ test('a phone shows the stage above the panel, and touch works it', { timeout: 9
     await picture(page, 'phone');
     await page.locator('label[for=points]').scrollIntoViewIfNeeded();
     assert.ok(await change(page, () => page.locator('label[for=points]').tap()) > 0.001);
-    const height = above.height;
     await page.locator('button.fold').tap();
     await settle(page);
-    assert.ok((await page.locator('#stage').boundingBox()).height > height + 150);
+    assert.ok((await page.locator('#stage').boundingBox()).height > above.height + 150);
     // Fingers are wide: what is tapped is at least 30 pixels high, or its row is.
     const heights = await page.locator('button, select').evaluateAll((list) => list
       .filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().height));
@@ -286,18 +285,18 @@ test('all of a tall molecule is in view, on a desk and on a phone', { timeout: 9
   const file = make('stack', stack);
   for (const size of [small, { width: 390, height: 844, touch: true }]) {
     await withPage(file, size, async (page) => {
-      // The farthest place from the middle: 1 is the window's rim.
+      // The farthest point from the middle: 1 is the window's rim.
       const farthest = await page.evaluate(() => {
         const { bounds, camera, controls } = window.viewer.stage;
-        const place = controls.target.clone();
-        let most = 0;
+        const point = controls.target.clone();
+        let max = 0;
         for (let i = 0; i < bounds.sample.length; i += 3) {
-          place.fromArray(bounds.sample, i).project(camera);
-          most = Math.max(most, Math.abs(place.x), Math.abs(place.y));
+          point.fromArray(bounds.sample, i).project(camera);
+          max = Math.max(max, Math.abs(point.x), Math.abs(point.y));
         }
-        return most;
+        return max;
       });
-      assert.ok(farthest > 0.8 && farthest < 1, `the farthest place is at ${farthest}`);
+      assert.ok(farthest > 0.8 && farthest < 1, `the farthest point is at ${farthest}`);
     });
   }
 });
