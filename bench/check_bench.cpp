@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/bundled.h"
 #include "certify/deviations.h"
 #include "certify/located_vertices.h"
 #include "certify/restricted_delaunay.h"
@@ -11,8 +12,6 @@
 #include "geometry/self_intersections.h"
 #include "geometry/surface_mesh.h"
 #include "morskin/pipeline.h"
-#include "skin/model.h"
-#include "skin/molecule_files.h"
 #include "skin/skin_components.h"
 
 namespace {
@@ -22,14 +21,8 @@ using namespace morskin;
 constexpr certify::Sizing sizing{0.0425, 1.65};
 
 struct Million {
-  morskin::PreparedSkin skin = morskin::prepare_skin(skin::weighted_points(
-      skin::read_molecule("bench/molecules/1grm_model1.pdb"), skin::Model::Paper, 1.4));
-  geometry::IndexedMesh mesh = [this] {
-    morskin::MeshingOptions options;
-    options.sizing = sizing;
-    options.has_safety_net = false;
-    return morskin::make_mesh(skin, options).mesh;
-  }();
+  PreparedSkin skin = prepare_skin(bundled_balls("1grm_model1.pdb"));
+  geometry::IndexedMesh mesh = make_mesh(skin, {.sizing = sizing, .has_safety_net = false}).mesh;
   geometry::SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<surface::SurfacePoint> points = certify::locate_vertices(mesh, skin.surface);
 };
@@ -39,20 +32,16 @@ const Million& million() {
   return made;
 }
 
-template <class Step>
-void step(benchmark::State& state, Step do_it) {
-  const Million& m = million();
-  for (auto _ : state) benchmark::DoNotOptimize(do_it(m));
-  const auto triangles = static_cast<double>(m.mesh.triangles.size());
-  state.counters["triangles"] = triangles;
-  state.counters["triangles/s"] =
-      benchmark::Counter(triangles, benchmark::Counter::kIsIterationInvariantRate);
-}
-
-const auto kernel = [](const char* name, auto do_it) {
-  benchmark::RegisterBenchmark(name, [do_it](benchmark::State& state) {
-    step(state, do_it);
-  })->Unit(benchmark::kMillisecond);
+const auto kernel = [](const char* name, auto step) {
+  const auto run = [step](benchmark::State& state) {
+    const Million& m = million();
+    for (auto _ : state) benchmark::DoNotOptimize(step(m));
+    const auto triangles = static_cast<double>(m.mesh.triangles.size());
+    state.counters["triangles"] = triangles;
+    state.counters["triangles/s"] =
+        benchmark::Counter(triangles, benchmark::Counter::kIsIterationInvariantRate);
+  };
+  benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
 };
 
 }  // namespace

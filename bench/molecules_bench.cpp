@@ -5,22 +5,14 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <string>
 
+#include "bench/bundled.h"
 #include "geometry/files/mesh_files.h"
 #include "morskin/pipeline.h"
-#include "skin/model.h"
-#include "skin/molecule_files.h"
 
 namespace {
 
 using namespace morskin;
-
-constexpr double probe = 1.4;  // Angstrom, as in section 2.1
-
-std::vector<geometry::WeightedPoint> points_of(const std::string& file, skin::Model model) {
-  return skin::weighted_points(skin::read_molecule("bench/molecules/" + file), model, probe);
-}
 
 /// Writes binary PLY and reads it back, in memory.
 class AsFile : public morskin::Observer {
@@ -44,9 +36,10 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const morskin::Run run(2);
-    const morskin::PreparedSkin skin = morskin::prepare_skin(points_of(file, model), run);
+    const morskin::PreparedSkin skin = morskin::prepare_skin(bundled_balls(file, model), run);
     AsFile as_file;
-    const morskin::MeshResult result = morskin::make_mesh(skin, {.method = method}, as_file, run);
+    const morskin::MeshResult result =
+        morskin::make_mesh(skin, {.sizing = {}, .method = method}, as_file, run);
     certificate = result.certificate;
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     morse += run.seconds("critical points") + run.seconds("integral lines");
@@ -71,32 +64,18 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
 /// Locating and projecting every vertex of gramicidin's mesh once, from its own cell.
 void locate_and_project(benchmark::State& state) {
   const morskin::PreparedSkin skin =
-      morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
+      morskin::prepare_skin(bundled_balls("1grm_model1.pdb", skin::Model::Paper));
   const morskin::MeshResult result = morskin::make_mesh(skin);
   for (auto _ : state) benchmark::DoNotOptimize(morskin::floor_seconds(skin.surface, result));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(result.cells.size()));
 }
 
-/// The certificate of gramicidin's mesh, in memory.
-void certificate(benchmark::State& state) {
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin(points_of("1grm_model1.pdb", skin::Model::Paper));
-  const morskin::MeshResult result = morskin::make_mesh(skin);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(certify::certify(result.mesh, skin.surface, skin.topology));
-  }
-  state.SetItemsProcessed(state.iterations() *
-                          static_cast<std::int64_t>(result.mesh.triangles.size()));
-}
-
 BENCHMARK(locate_and_project)->Unit(benchmark::kMillisecond);
-BENCHMARK(certificate)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 bool register_molecules() {
-  const std::array table{std::pair{"5tmn_ligand.pdb", "5TMN_inhibitor"},
-                         std::pair{"9dna.pdb", "9DNA_strand"},
-                         std::pair{"1grm_model1.pdb", "1GRM_gramicidin_A"}};
-  for (const auto& [file, name] : table) {
+  for (const auto& [file, name] : {std::pair{"5tmn_ligand.pdb", "5TMN_inhibitor"},
+                                   {"9dna.pdb", "9DNA_strand"},
+                                   {"1grm_model1.pdb", "1GRM_gramicidin_A"}}) {
     for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
       for (const morskin::Method method : {morskin::Method::Sweep, morskin::Method::Static}) {
         const std::string row = std::string(name) + "/" + std::string(skin::name_of(model)) + "/" +

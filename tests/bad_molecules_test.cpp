@@ -1,14 +1,10 @@
 // Molecule files that are turned down, and how.
 
-#include <doctest/doctest.h>
-
-#include <random>
-
 #include "geometry/error.h"
 #include "geometry/files/gzip.h"
 #include "tests/support/molecule_texts.h"
-#include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
@@ -113,8 +109,7 @@ TEST_CASE("a file cut short or with flipped bits is read or turned down, never w
   for (const auto& [name, bytes] : files) {
     CAPTURE(name);
     for (std::size_t size = 0; size < bytes.size(); ++size) survives(bytes.substr(0, size), name);
-    support::for_seeds(1000, [&](unsigned seed) {
-      std::mt19937 random(seed);
+    for_seeds<std::mt19937>(1000, [&](unsigned seed, std::mt19937& random) {
       std::string damaged = bytes;
       for (unsigned flip = 0; flip <= seed % 4; ++flip) {
         damaged[random() % damaged.size()] = static_cast<char>(random() % 256);

@@ -1,15 +1,11 @@
 #include "certify/candidate_grid.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace morskin;
-using certify::Candidate;
-using certify::CandidateGrid;
-using geometry::Point;
-using geometry::VertexId;
+using namespace morskin::certify;
+using namespace morskin::geometry;
+using namespace morskin::support;
 
 namespace {
 
@@ -17,12 +13,11 @@ namespace {
 struct Samples {
   std::vector<Point> points;
 
-  Samples(std::size_t count, std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> coordinate(-1, 1);
+  Samples(std::size_t count, unsigned seed) {
+    Random random(seed);
     for (std::size_t i = 0; i < count; ++i) {
       // A third power draws some of them to the origin, where the length scale is small.
-      const Point p{coordinate(random), coordinate(random), coordinate(random)};
+      const Point p = random.in_cube(-1, 1);
       points.push_back(p.norm() * p.norm() * p);
     }
   }
@@ -41,7 +36,7 @@ struct Samples {
 TEST_CASE(
     "every candidate within the radius of a point is visited, as a search of all finds them") {
   std::size_t found = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for_seeds(20, [&](unsigned seed) {
     const Samples samples(1000, seed);
     for (const double radius : {0.01, 0.1, 0.3, 0.8}) {
       const std::vector<Candidate> candidates = samples.candidates(7);
@@ -57,25 +52,24 @@ TEST_CASE(
         }
       }
     }
-  }
+  });
   CHECK(found > 10'000);  // so the law was put to the test
 }
 
 TEST_CASE("a query visits few of many candidates, however many there are") {
   // A capsid's mesh has thousands of components with sixteen candidates each. Buckets limited to
   // 65,536 once showed every vertex a hundred of them.
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> coordinate(0, 40);
-  std::vector<Point> points(100'000);
-  for (Point& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
+  Random random(1);
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < points.size(); ++i) candidates.push_back({VertexId{i}, points[i], 1});
+  for (std::size_t i = 0; i < 100'000; ++i) {
+    candidates.push_back({VertexId{i}, random.in_cube(0, 40), 1});
+  }
   const double radius = 0.3;
   const CandidateGrid grid(radius, candidates);
   std::size_t visits = 0;
   constexpr std::size_t questions = 10'000;
   for (std::size_t i = 0; i < questions; ++i) {
-    grid.for_each_near(points[i], 1, [&](VertexId) { ++visits; });
+    grid.for_each_near(candidates[i].position, 1, [&](VertexId) { ++visits; });
   }
   // 1.6 candidates to a unit cube, 27 cells of width 0.6 or less: nine in the cells themselves.
   CHECK(visits < 20 * questions);

@@ -1,15 +1,11 @@
 #include "morse/cell_contact.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "skin/skin_surface.h"
-#include "tests/support/molecules.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 using skin::CellId;
 using skin::SkinSurface;
 
@@ -17,9 +13,9 @@ TEST_CASE(
     "a place of a circle, a sphere or a stretch of a line in a cell is found whenever there is "
     "one") {
   std::array<std::size_t, 2> found{}, absent{};
-  support::for_seeds<support::Random>(300, [&](unsigned seed, support::Random& random) {
-    const SkinSurface skin(support::ball_set(seed));
-    const support::Box box = support::box_of(skin.points());
+  for_seeds<Random>(300, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
+    const Box box = box_of(skin.points());
     for (int i = 0; i < 10; ++i) {
       const Point inside = box.sample(random);
       const CellId cell = skin.locate(inside, CellId{0U});

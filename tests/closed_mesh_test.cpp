@@ -1,12 +1,10 @@
 // How a mesh is put together from a list of triangles, and what is said to be wrong with it.
 
-#include <doctest/doctest.h>
-
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
-using support::TriangleList;
+using namespace morskin::support;
 
 namespace {
 
@@ -15,6 +13,16 @@ bool names_edge(const std::string& text, std::uint32_t a, std::uint32_t b) {
     return "edge " + std::to_string(p) + "-" + std::to_string(q);
   };
   return text.starts_with(edge(a, b)) || text.starts_with(edge(b, a));
+}
+
+/// The defect of a list names an edge of a triangle and says this of it.
+void check_edge_named(const TriangleList& list, const std::array<std::uint32_t, 3>& triangle,
+                      std::string_view ending) {
+  const auto [a, b, c] = triangle;
+  const std::string defect = closed_mesh(6, list).defect.value_or("");
+  CAPTURE(defect);
+  CHECK((names_edge(defect, a, b) || names_edge(defect, b, c) || names_edge(defect, c, a)));
+  CHECK(defect.ends_with(ending));
 }
 
 }  // namespace
@@ -49,8 +57,7 @@ TEST_CASE("closed_mesh takes no longer where two vertices are in all triangles, 
       list.push_back({p, q, top});
       list.push_back({q, p, bottom});
     }
-    support::Random random(3);
-    for (std::size_t t = list.size(); t > 1; --t) std::swap(list[t - 1], list[random.below(t)]);
+    Random(3).shuffle(list);
     const MeshOrDefect built = closed_mesh(rim + 2, list);
     REQUIRE(built.defect.value_or("") == "");
     CHECK(built.mesh.degree(VertexId{top}) == rim);
@@ -62,16 +69,13 @@ TEST_CASE("closed_mesh takes no longer where two vertices are in all triangles, 
 
 TEST_CASE("what is wrong at the first bad vertex is told the same by any number of threads") {
   // Spheres side by side, so many that threads share them, some with a vertex in common.
-  support::for_seeds<support::Random>(20, [&](support::Random& random) {
+  for_seeds<Random>(20, [&](Random& random) {
     TriangleList list;
     std::uint32_t count = 0;
     for (int sphere = 0; sphere < 3000; ++sphere) {
       const bool is_shared = count > 0 && random.below(1000) == 0;
       const std::uint32_t first = is_shared ? count - 1 : count;
-      for (auto t : support::octahedron()) {
-        for (std::uint32_t& v : t) v += first;
-        list.push_back(t);
-      }
+      append(list, octahedron(), first);
       count = first + 6;
     }
     const MeshOrDefect glued = glued_mesh(count, list);
@@ -86,31 +90,23 @@ TEST_CASE("what is wrong at the first bad vertex is told the same by any number 
 TEST_CASE("closed_mesh names an edge of a hole") {
   for (std::size_t missing = 0; missing < 8; ++missing) {
     CAPTURE(missing);
-    TriangleList list = support::octahedron();
-    const auto [a, b, c] = list[missing];
+    TriangleList list = octahedron();
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(missing));
-    const std::string defect = closed_mesh(6, list).defect.value_or("");
-    CAPTURE(defect);
-    CHECK((names_edge(defect, a, b) || names_edge(defect, b, c) || names_edge(defect, c, a)));
-    CHECK(defect.ends_with("has only one triangle"));
+    check_edge_named(list, octahedron()[missing], "has only one triangle");
   }
 }
 
 TEST_CASE("closed_mesh names an edge of a triangle that faces the wrong way") {
   for (std::size_t turned = 0; turned < 8; ++turned) {
     CAPTURE(turned);
-    TriangleList list = support::octahedron();
-    const auto [a, b, c] = list[turned];
-    list[turned] = {b, a, c};
-    const std::string defect = closed_mesh(6, list).defect.value_or("");
-    CAPTURE(defect);
-    CHECK((names_edge(defect, a, b) || names_edge(defect, b, c) || names_edge(defect, c, a)));
-    CHECK(defect.ends_with("disagree on orientation"));
+    TriangleList list = octahedron();
+    std::swap(list[turned][0], list[turned][1]);
+    check_edge_named(list, octahedron()[turned], "disagree on orientation");
   }
 }
 
 TEST_CASE("closed_mesh names an edge with three triangles") {
-  TriangleList list = support::tetrahedron(0, 1, 2, 3);
+  TriangleList list = tetrahedron(0, 1, 2, 3);
   list.push_back({0, 1, 4});
   const std::string defect = closed_mesh(5, list).defect.value_or("");
   CAPTURE(defect);
@@ -120,8 +116,8 @@ TEST_CASE("closed_mesh names an edge with three triangles") {
 
 TEST_CASE("closed_mesh refuses an edge with four triangles, however they are paired") {
   // Two tetrahedra that share an edge: as two sheets they touch along it.
-  TriangleList list = support::tetrahedron(0, 1, 2, 3);
-  for (const auto& t : support::tetrahedron(0, 1, 4, 5)) list.push_back(t);
+  TriangleList list = tetrahedron(0, 1, 2, 3);
+  append(list, tetrahedron(0, 1, 4, 5), 0);
   const std::string defect = closed_mesh(6, list).defect.value_or("");
   CAPTURE(defect);
   CHECK((names_edge(defect, 0, 1) || defect.starts_with("vertex 0 ") ||
@@ -143,17 +139,16 @@ TEST_CASE("closed_mesh refuses an edge with four triangles, however they are pai
 }
 
 TEST_CASE("closed_mesh names the vertex where two sheets touch") {
-  TriangleList list = support::tetrahedron(3, 1, 2, 0);
-  for (const auto& t : support::tetrahedron(3, 4, 5, 6)) list.push_back(t);
+  TriangleList list = tetrahedron(3, 1, 2, 0);
+  append(list, tetrahedron(3, 4, 5, 6), 0);
   CHECK(closed_mesh(7, list).defect.value_or("") == "vertex 3 is where two sheets touch");
 }
 
 TEST_CASE("closed_mesh names a triangle that repeats a corner and a vertex that is not used") {
-  TriangleList list = support::octahedron();
+  TriangleList list = octahedron();
   list.push_back({4, 4, 5});
   CHECK(closed_mesh(6, list).defect.value_or("") == "triangle 8 repeats a corner");
-  CHECK(closed_mesh(7, support::octahedron()).defect.value_or("") ==
-        "vertex 6 belongs to no triangle");
+  CHECK(closed_mesh(7, octahedron()).defect.value_or("") == "vertex 6 belongs to no triangle");
 }
 
 // Found by mesh_fuzz: asking ahead for the first triangle looked for it among none.
@@ -163,16 +158,13 @@ TEST_CASE("closed_mesh names the first vertex of a mesh without triangles") {
 }
 
 TEST_CASE("components are those that a search from triangle to triangle finds") {
-  support::for_seeds<support::Random>(100, [&](support::Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const std::size_t parts = 1 + random.below(6);
     TriangleList list;
     for (std::uint32_t p = 0; p < parts; ++p) {
-      for (auto t : support::octahedron()) {
-        for (std::uint32_t& v : t) v += 6 * p;
-        list.push_back(t);
-      }
+      append(list, octahedron(), 6 * p);
     }
-    for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random.below(i)]);
+    random.shuffle(list);
     const MeshOrDefect built = closed_mesh(6 * parts, list);
     REQUIRE(built.defect.value_or("") == "");
     const Components found = components(built.mesh);

@@ -1,19 +1,11 @@
 // Meshes by length and meshes that are coarser than anything is proved of beforehand.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "certify/triangle_geometry.h"
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
-#include "skin/model.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using certify::Sizing;
 
 namespace {
@@ -31,7 +23,7 @@ std::vector<double> edge_lengths(const geometry::IndexedMesh& mesh) {
 }
 
 Sizing by_length(double C, double length) {
-  Sizing sizing{C, Sizing::quality_for(C)};
+  Sizing sizing = sizing_for(C);
   sizing.set_edge_length(length);
   return sizing;
 }
@@ -40,13 +32,13 @@ Sizing by_length(double C, double length) {
 
 TEST_CASE(
     "edges asked for by length have that length in the median where the skin is flat enough") {
-  const auto skin = morskin::prepare_skin({support::ball(0, 0, 0, 10)});
+  const auto skin = prepare_skin({ball(0, 0, 0, 10)});
   for (const double C : {0.08, 0.2, 0.3}) {
     for (const double length : {0.4, 0.7, 1.2}) {
       CAPTURE(C);
       CAPTURE(length);
       const Sizing sizing = by_length(C, length);
-      const morskin::MeshResult result = morskin::make_mesh(skin, support::with(sizing));
+      const MeshResult result = make_mesh(skin, with(sizing));
       REQUIRE_MESSAGE(result.certificate.certified, result.certificate.reason);
       const std::vector<double> edges = edge_lengths(result.mesh);
       constexpr double tenth = 0.1;
@@ -60,53 +52,41 @@ TEST_CASE(
 
 TEST_CASE("a front that has passed itself on a hyperboloid does not go round it for ever") {
   // Of 1ATP. Found by taking balls away while the front still went round the neck of two of them.
-  constexpr std::array<std::array<double, 4>, 16> balls{{{10.756, 18.91, 7.439, 1.52},
-                                                         {12.385, 18.52, 1.875, 1.7},
-                                                         {13.494, 19.617, 4.822, 1.7},
-                                                         {13.313, 19.351, 6.045, 1.55},
-                                                         {8.472, 19.676, 4.727, 1.7},
-                                                         {8.463, 21.425, 5.189, 1.8},
-                                                         {9.807, 22.03, 4.159, 1.7},
-                                                         {10.745, 20.147, -1.045, 1.7},
-                                                         {9.466, 20.24, -0.225, 1.7},
-                                                         {11.117, 21.494, -1.628, 1.7},
-                                                         {9.538, 21.094, 1.013, 1.7},
-                                                         {13.659, 21.996, 10.041, 1.7},
-                                                         {10.758, 20.78, 9.282, 1.52},
-                                                         {14.716, 22.501, 7.994, 1.55},
-                                                         {16.198, 19.871, 6.553, 1.7},
-                                                         {15.235, 19.45, 7.212, 1.52}}};
+  const std::vector<std::array<double, 4>> balls{
+      {10.756, 18.91, 7.439, 1.52},  {12.385, 18.52, 1.875, 1.7},   {13.494, 19.617, 4.822, 1.7},
+      {13.313, 19.351, 6.045, 1.55}, {8.472, 19.676, 4.727, 1.7},   {8.463, 21.425, 5.189, 1.8},
+      {9.807, 22.03, 4.159, 1.7},    {10.745, 20.147, -1.045, 1.7}, {9.466, 20.24, -0.225, 1.7},
+      {11.117, 21.494, -1.628, 1.7}, {9.538, 21.094, 1.013, 1.7},   {13.659, 21.996, 10.041, 1.7},
+      {10.758, 20.78, 9.282, 1.52},  {14.716, 22.501, 7.994, 1.55}, {16.198, 19.871, 6.553, 1.7},
+      {15.235, 19.45, 7.212, 1.52}};
   std::vector<geometry::WeightedPoint> points;
   for (const auto& [x, y, z, radius] : balls) {
     points.push_back({{x, y, z}, skin::weight(radius, skin::Model::Paper, 1.4)});
   }
   // Laid with C itself, as no mesh is any more beyond C = 0.2.
-  const auto skin = morskin::prepare_skin(points);
-  const Sizing sizing{0.4, Sizing::quality_for(0.4)};
+  const auto skin = prepare_skin(points);
+  const Sizing sizing = sizing_for(0.4);
   const morse::Guide guide =
-      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(),
-                        morse::MorseFunction::height({0.0123, 1, 0.0271}),
-                        morskin::sphere_share(skin.surface, sizing));
+      guide_for(skin, sizing, morse::MorseFunction::height({0.0123, 1, 0.0271}));
   const front::SweepResult swept = front::sweep_once(skin.surface, guide, {.sizing = sizing});
   constexpr std::size_t twice_round = 10'000;  // the whole skin takes some 1,100
   CHECK(swept.operations.creep < twice_round);
 }
 
 TEST_CASE("a length longer than C gives anywhere changes nothing") {
-  const auto skin = morskin::prepare_skin(support::ball_set(7));
-  const Sizing plain{0.2, Sizing::quality_for(0.2)};
-  const auto a = morskin::make_mesh(skin, support::with(plain));
-  const auto b = morskin::make_mesh(skin, support::with(by_length(0.2, 100)));
+  const auto skin = prepare_skin(ball_set(7));
+  const auto a = make_mesh(skin, with(sizing_for(0.2)));
+  const auto b = make_mesh(skin, with(by_length(0.2, 100)));
   CHECK(a.mesh.positions == b.mesh.positions);
   CHECK(a.mesh.triangles == b.mesh.triangles);
 }
 
 TEST_CASE("random ball sets are certified with edges of any length, by C and by length") {
-  support::for_skins(30, [&](const PreparedSkin& skin) {
+  for_skins(30, [&](const PreparedSkin& skin) {
     for (const double C : {0.25, 0.35}) {
       CAPTURE(C);
-      for (const Sizing& sizing : {Sizing{C, Sizing::quality_for(C)}, by_length(C, 0.4)}) {
-        const morskin::MeshResult result = morskin::make_mesh(skin, support::with(sizing));
+      for (const Sizing& sizing : {sizing_for(C), by_length(C, 0.4)}) {
+        const MeshResult result = make_mesh(skin, with(sizing));
         CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
       }
     }

@@ -2,48 +2,29 @@
 
 #include "refine/coarsening.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <optional>
-#include <vector>
-
 #include "certify/certificate.h"
 #include "certify/tube.h"
 #include "front/snapshots.h"
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
 #include "refine/refinement.h"
-#include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
-using certify::Sizing;
-using geometry::SurfaceMesh;
-using geometry::VertexId;
-using refine::Coarsening;
-using surface::Mesh;
-using surface::SurfacePoint;
+using namespace morskin::refine;
+using namespace morskin::support;
 
 namespace {
 
-Sizing sizing_for(double C) { return {C, Sizing::quality_for(C)}; }
-
-morse::Guide guide_for(const morskin::PreparedSkin& skin, const Sizing& laid) {
-  return morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), std::nullopt,
-                           morskin::sphere_share(skin.surface, laid));
-}
-
-Mesh fine_mesh(const morskin::PreparedSkin& skin, const Sizing& laid) {
+Mesh fine_mesh(const PreparedSkin& skin, const Sizing& laid) {
   Mesh mesh = front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid}).mesh;
-  refine::Refinement(skin.surface, laid, mesh).run();
+  Refinement(skin.surface, laid, mesh).run();
   return mesh;
 }
 
 /// Each ball set whose skin is not singular, with a mesh that has more triangles than it needs.
 template <class Check>
 void for_each_fine_mesh(unsigned count, Check check) {
-  support::for_skins(count, [&](const PreparedSkin& skin) {
+  for_skins(count, [&](const PreparedSkin& skin) {
     check(skin, fine_mesh(skin, sizing_for(0.2).laid()));
   });
 }
@@ -51,7 +32,7 @@ void for_each_fine_mesh(unsigned count, Check check) {
 std::size_t short_edges(const Mesh& mesh, const Sizing& sizing) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
-    const geometry::HalfEdgeId h{i};
+    const HalfEdgeId h{i};
     count += sizing.is_too_short(mesh.at(mesh.surface.origin(h)), mesh.at(mesh.surface.target(h)));
   }
   return count / 2;
@@ -60,7 +41,7 @@ std::size_t short_edges(const Mesh& mesh, const Sizing& sizing) {
 /// Whether [U] holds for each triangle, and what the certificate has to prove of it.
 bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizing& sizing) {
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.surface.corners(geometry::TriangleId{t});
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
     const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     const double rho = min_length_scale(p);
@@ -72,14 +53,17 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
   return true;
 }
 
-long euler_characteristic(const SurfaceMesh& mesh) {
-  return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.triangle_count()) / 2;
+void check_certified_refined(const PreparedSkin& skin, Mesh& mesh, const Sizing& sizing) {
+  Refinement(skin.surface, sizing, mesh).run();
+  const auto certificate =
+      certify::certify(indexed_mesh(mesh), skin.surface, skin.topology, sizing);
+  CHECK_MESSAGE(certificate.certified, certificate.reason);
 }
 
 }  // namespace
 
 TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles can all be proved") {
-  for_each_fine_mesh(40, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [](const PreparedSkin& skin, const Mesh& fine) {
     for (const double C : {0.25, 0.3, 0.4}) {
       CAPTURE(C);
       const Sizing sizing = sizing_for(C);
@@ -96,7 +80,7 @@ TEST_CASE("a coarser mesh is closed, has the same topology, and its triangles ca
 }
 
 TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
-  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing_for(0.35), mesh).run();
     mesh.surface.compact();
@@ -112,7 +96,7 @@ TEST_CASE("coarsening moves no vertex and keeps the order of those that stay") {
 TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles less than half") {
   std::size_t triangles_before = 0, triangles = 0, short_before = 0, short_after = 0;
   const Sizing sizing = sizing_for(0.3);
-  for_each_fine_mesh(40, [&](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(40, [&](const PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     Coarsening(skin.surface, sizing, mesh).run();
     mesh.surface.compact();
@@ -126,15 +110,15 @@ TEST_CASE("of the edges that [L] forbids next to none is left, of the triangles 
 }
 
 TEST_CASE("vertices outside the subdomain and next to those wait, and are taken out later") {
-  for_each_fine_mesh(20, [](const morskin::PreparedSkin& skin, const Mesh& fine) {
+  for_each_fine_mesh(20, [](const PreparedSkin& skin, const Mesh& fine) {
     Mesh mesh = fine;
     const std::size_t count = mesh.points.size();
-    support::Random random(static_cast<unsigned>(count));
+    Random random(static_cast<unsigned>(count));
     geometry::Parts parts(count, 0), stays(count, 0);
     for (std::size_t v = 0; v < count; ++v)
       parts[VertexId{v}] = random.uniform() < 0.05 ? geometry::no_part : 0;
     for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
-      const geometry::HalfEdgeId edge{h};
+      const HalfEdgeId edge{h};
       if (parts[mesh.surface.origin(edge)] == 0) continue;
       stays[mesh.surface.origin(edge)] = 1;
       stays[mesh.surface.target(edge)] = 1;
@@ -154,7 +138,7 @@ TEST_CASE("vertices outside the subdomain and next to those wait, and are taken 
 
 TEST_CASE("a mesh coarsened behind the front is certified, and never there as a whole before") {
   const Sizing sizing = sizing_for(0.3), laid = sizing.laid();
-  support::for_skins(30, [&](const PreparedSkin& skin) {
+  for_skins(30, [&](const PreparedSkin& skin) {
     const morse::Guide guide = guide_for(skin, laid);
     std::size_t most = 0;
     const auto look = [&](const front::Snapshot& now) {
@@ -178,16 +162,13 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
     if (whole.mesh.surface.triangle_count() > 4000) {
       CHECK(3 * most < 2 * whole.mesh.surface.triangle_count());
     }
-    refine::Refinement(skin.surface, sizing, coarse.mesh).run();
-    const auto certificate =
-        certify::certify(indexed_mesh(coarse.mesh), skin.surface, skin.topology, sizing);
-    CHECK_MESSAGE(certificate.certified, certificate.reason);
+    check_certified_refined(skin, coarse.mesh, sizing);
   });
 }
 
 TEST_CASE("two fronts that are coarsened on their way give one mesh for any number of threads") {
   const Sizing sizing = sizing_for(0.35), laid = sizing.laid();
-  support::for_skins(20, [&](const PreparedSkin& skin) {
+  for_skins(20, [&](const PreparedSkin& skin) {
     const morse::Guide guide = guide_for(skin, laid);
     const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
     auto one = front::sweep_from_both_ends(skin.surface, guide, {.sizing = laid}, coarsening,
@@ -197,10 +178,7 @@ TEST_CASE("two fronts that are coarsened on their way give one mesh for any numb
     REQUIRE(one.open_edges == 0);
     CHECK(indexed_mesh(one.mesh).positions == indexed_mesh(two.mesh).positions);
     CHECK(one.mesh.surface.triangle_list() == two.mesh.surface.triangle_list());
-    refine::Refinement(skin.surface, sizing, one.mesh).run();
-    const auto certificate =
-        certify::certify(indexed_mesh(one.mesh), skin.surface, skin.topology, sizing);
-    CHECK_MESSAGE(certificate.certified, certificate.reason);
+    check_certified_refined(skin, one.mesh, sizing);
   });
 }
 

@@ -1,19 +1,11 @@
 // The collision guard: its five conditions, and the pass that asks for all of them at once.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "front/neighbourhood.h"
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::front;
-using support::Random;
+using namespace morskin::support;
 
 namespace {
 
@@ -48,7 +40,7 @@ void lay_anywhere(Front& front, Random& random) {
 TEST_CASE("a new vertex is clear if and only if it meets all five conditions of the guard") {
   std::size_t clear = 0;
   std::array<std::size_t, 5> broken_alone{};
-  support::for_seeds<Random>(300, [&](Random& random) {
+  for_seeds<Random>(300, [&](Random& random) {
     surface::Mesh mesh;
     Front front(mesh);
     lay_anywhere(front, random);

@@ -1,38 +1,29 @@
 #include "morse/critical_points.h"
 
-#include <doctest/doctest.h>
-
-#include <Eigen/Dense>
-#include <cmath>
-
 #include "certify/sizing.h"
 #include "morse/skin_spheres.h"
-#include "tests/support/molecules.h"
-#include "tests/support/seeds.h"
+#include "tests/support/critical_laws.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 using skin::SkinSurface;
 using surface::SurfacePoint;
 
 namespace {
 
-/// The point of one patch's quadric nearest to x in the sense of project(), cells left out.
-Point on_patch(const skin::Patch& patch, Point x) {
-  for (int round = 0; round < 20; ++round) x = patch.slide(x);
-  return x;
-}
+const double share = certify::Sizing{}.tangent_disk_share();
 
 /// A random non-degenerate height of a random ball set and its critical points.
 struct Case {
   explicit Case(unsigned seed)
       : random(seed),
-        skin(support::ball_set(seed)),
+        skin(ball_set(seed)),
         height{random.direction()},
         critical(critical_points(skin, height)) {}
   bool is_degenerate() const { return !critical.degeneracies.empty(); }
 
-  support::Random random;
+  Random random;
   SkinSurface skin;
   MorseFunction height;
   CriticalPoints critical;
@@ -41,42 +32,28 @@ struct Case {
 }  // namespace
 
 TEST_CASE("every critical point lies on the skin with its normal along the direction") {
-  support::for_seeds<Case>(500, [&](const Case& test) {
+  for_seeds<Case>(500, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
-      const SurfacePoint& x = p.point;
-      const skin::CellId cell = test.skin.locate(x.position, x.cell);
-      const double rho = x.length_scale;
-      // The rounding of coordinates this large, and a share of the length scale.
-      const double off = 1e-10 * rho + test.skin.complex().wall_tolerance();
-      CHECK(std::abs(test.skin.complex().patch(cell).value(x.position)) <= 2 * rho * off);
-      const SurfacePoint there = test.skin.at(x.position, cell);
-      CHECK((there.normal - x.normal).norm() <= 4 * off / rho);
-      CHECK(std::abs(there.length_scale - rho) <= 4 * off);
-      CHECK(std::abs(std::abs(x.normal.dot(test.height.direction)) - 1) < 1e-12);
-      CHECK(p.value == test.height(x.position));
+      check_on_skin(test.skin, p);
+      CHECK(std::abs(std::abs(p.point.normal.dot(test.height.direction)) - 1) < 1e-12);
+      CHECK(p.value == test.height(p.point.position));
     }
   });
 }
 
 TEST_CASE("the index counts the descending directions of differences of the height") {
   std::array<std::size_t, 3> met{};
-  support::for_seeds<Case>(500, [&](const Case& test) {
+  for_seeds<Case>(500, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
       const skin::Patch& patch = test.skin.complex().patch(p.point.cell);
       const double h = 1e-3 * p.point.length_scale;
-      const Vector e = p.point.normal.unitOrthogonal(), f = p.point.normal.cross(e);
       const auto rise = [&](const Vector& step) {
         return test.height.direction.dot(on_patch(patch, p.point.position + h * step) -
                                          p.point.position);
       };
-      const double ee = rise(e) + rise(-e), ff = rise(f) + rise(-f);
-      const double ef = (rise(e + f) + rise(-e - f) - rise(e - f) - rise(f - e)) / 4;
-      Eigen::Matrix2d hessian;
-      hessian << ee, ef, ef, ff;
       // In units of 1 / rho, where the steeper curvature is 1.
       const Eigen::Vector2d values =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian).eigenvalues() *
-          p.point.length_scale / (h * h);
+          hessian_values(p.point.normal, rise) * p.point.length_scale / (h * h);
       constexpr double flat = 1e-3;  // fourth order in h, and rounding over h^2
       if (values.cwiseAbs().minCoeff() < flat ||
           p.point.length_scale < 1e9 * test.skin.complex().wall_tolerance()) {
@@ -102,12 +79,12 @@ TEST_CASE("the index counts the descending directions of differences of the heig
 }
 
 TEST_CASE("one ball has one minimum and one maximum, at its poles") {
-  support::for_seeds<support::Random>(100, [&](support::Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const MorseFunction height{random.direction()};
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
-    const auto critical = critical_points(
-        SkinSurface({support::ball(centre.x(), centre.y(), centre.z(), radius)}), height);
+    const auto critical =
+        critical_points(SkinSurface({ball(centre.x(), centre.y(), centre.z(), radius)}), height);
     REQUIRE(critical.points.size() == 2);
     for (const CriticalPoint& p : critical.points) {
       const double side = p.index == 2 ? 1 : -1;
@@ -121,15 +98,15 @@ TEST_CASE("one ball has one minimum and one maximum, at its poles") {
 
 TEST_CASE(
     "no point of the skin is lower than the lowest minimum or higher than the highest maximum") {
-  support::for_seeds<Case>(200, [&](Case& test) {
+  for_seeds<Case>(200, [&](Case& test) {
     if (test.is_degenerate()) return;
     double lowest = INFINITY, highest = -INFINITY;
     for (const CriticalPoint& p : test.critical.points) {
       if (p.index == 0) lowest = std::min(lowest, p.value);
       if (p.index == 2) highest = std::max(highest, p.value);
     }
-    const support::Box box = support::box_of(test.skin.points());
-    const double rounding = 1e-10 * support::span_of(box);
+    const Box box = box_of(test.skin.points());
+    const double rounding = 1e-10 * span_of(box);
     for (int i = 0; i < 100; ++i) {
       const auto p = test.skin.project(box.sample(test.random), skin::CellId{0U});
       if (!p) continue;
@@ -142,7 +119,7 @@ TEST_CASE(
 TEST_CASE(
     "a direction along an axis of the cube is degenerate and said to be so, the default is not") {
   for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-    const SkinSurface cube(support::molecule("cube8.xyzr", model));
+    const SkinSurface cube(molecule("cube8.xyzr", model));
     for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(axis);
       CHECK_FALSE(critical_points(cube, {Vector::Unit(axis)}).degeneracies.empty());
@@ -154,7 +131,7 @@ TEST_CASE(
 TEST_CASE("critical points on the wall between two spheres' patches are reported as degenerate") {
   // Two balls of one size side by side: seen along their axis, tilted by 45 degrees, the sphere's
   // pole passes into the neck's cell.
-  const SkinSurface pair({support::ball(-1, 0, 0, 1), support::ball(1, 0, 0, 1)});
+  const SkinSurface pair({ball(-1, 0, 0, 1), ball(1, 0, 0, 1)});
   const skin::Wall wall = pair.complex().walls(skin::CellId{0U})[0];
   const double height = wall.normal.dot(Vector(-1, 0, 0));
   const double along = wall.offset - height;  // from the centre to the wall, patch radius 1
@@ -187,8 +164,7 @@ TEST_CASE(
 }
 
 TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their own centres") {
-  const double share = certify::Sizing{}.tangent_disk_share();
-  support::for_seeds<Case>(300, [&](const Case& test) {
+  for_seeds<Case>(300, [](const Case& test) {
     if (test.is_degenerate()) return;
     const auto& points = test.critical.points;
     const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);
@@ -212,9 +188,8 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
 }
 
 TEST_CASE("the sphere that holds a point of the skin is the one that a look at all spheres finds") {
-  const double share = certify::Sizing{}.tangent_disk_share();
   std::size_t held = 0;
-  support::for_seeds<Case>(300, [&](Case& test) {
+  for_seeds<Case>(300, [&](Case& test) {
     if (test.is_degenerate()) return;
     const auto& points = test.critical.points;
     const ProtectingSpheres spheres = protecting_spheres(test.skin, points, share);

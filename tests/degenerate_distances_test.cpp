@@ -1,22 +1,16 @@
 // Origins of a squared distance from which critical points are not isolated, and that it is said
 // so.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "morse/cell_contact.h"
 #include "morse/critical_points.h"
 #include "skin/dual_complex.h"
-#include "tests/support/molecules.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 using skin::CellId;
 using skin::SkinSurface;
-using support::ball;
 
 namespace {
 
@@ -32,19 +26,24 @@ CriticalPoints from(const SkinSurface& skin, const Point& origin) {
   return critical_points(skin, MorseFunction::squared_distance(origin));
 }
 
+void check_isolated(const CriticalPoints& critical, long euler_characteristic) {
+  CHECK(critical.degeneracies.empty());
+  CHECK(critical.euler_characteristic() == euler_characteristic);
+}
+
 }  // namespace
 
 TEST_CASE(
     "on lattices of balls, heights and distances of symmetry are degenerate or have the right "
     "sum") {
   std::size_t asked = 0, degenerate = 0;
-  support::for_seeds<support::Random>(300, [&](support::Random& random) {
+  for_seeds<Random>(300, [&](Random& random) {
     const auto lattice = [&](double step) {
       Point x;
       for (Eigen::Index k = 0; k < 3; ++k) x[k] = step * static_cast<double>(random.below(5));
       return x;
     };
-    support::WeightedPoints points(2 + random.below(20));
+    WeightedPoints points(2 + random.below(20));
     for (auto& p : points) p = {lattice(1), random.below(2) ? 0.9 : 2.1};
     const SkinSurface skin(points);
     const long chi = skin::dual_complex(skin).skin_euler_characteristic();
@@ -81,8 +80,8 @@ TEST_CASE("distances from a lone ball's centre are degenerate, a little off they
 
 TEST_CASE("the centre of an atom is degenerate just when its sphere has a part in the skin") {
   std::size_t exposed = 0, buried = 0;
-  support::for_seeds<support::Random>(400, [&](unsigned seed, support::Random& random) {
-    const SkinSurface skin(support::ball_set(seed));
+  for_seeds<Random>(400, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
     const std::size_t atom = random.below(skin.triangulation().vertices.size());
     const CellId cell = skin.complex().cell(0, atom);
     const skin::Patch& patch = skin.complex().patch(cell);
@@ -110,11 +109,7 @@ TEST_CASE("distances from a point on a pair's axis have a circle of critical poi
   for (const double x : {0.0, 0.3, 0.9}) {
     CAPTURE(x);
     CHECK(mentions(from(neck, {x, 0, 0}), "circle of critical points"));
-    for (const double off : {1e-9, 1e-3}) {
-      const auto critical = from(neck, {x, off, 0.0});
-      CHECK(critical.degeneracies.empty());
-      CHECK(critical.euler_characteristic() == 2);
-    }
+    for (const double off : {1e-9, 1e-3}) check_isolated(from(neck, {x, off, 0.0}), 2);
   }
   // From far out on the axis the circle that solves the neck's equation is beyond its cell.
   const auto far = from(neck, {20, 0, 0});
@@ -124,7 +119,7 @@ TEST_CASE("distances from a point on a pair's axis have a circle of critical poi
 }
 
 TEST_CASE("the axis may run in any direction: rounding does not hide the circle") {
-  support::for_seeds<support::Random>(100, [&](support::Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const auto on_grid = [](const Vector& v) -> Vector {
       return v.unaryExpr(&geometry::on_exact_grid);
     };
@@ -142,14 +137,12 @@ TEST_CASE("distances from the centre of curvature at the tip of a cap have a sin
   const double tip = std::sqrt(0.53125);
   CHECK(mentions(from(caps, {2 * tip, 0, 0}), "Hessian is singular"));
   for (const double x : {2 * tip - 1e-3, 2 * tip + 1e-3}) {
-    const auto critical = from(caps, {x, 1e-4, 0});
-    CHECK(critical.degeneracies.empty());
-    CHECK(critical.euler_characteristic() == 4);
+    check_isolated(from(caps, {x, 1e-4, 0}), 4);
   }
 }
 
 TEST_CASE("where an origin crosses a neck's evolute two critical points meet, and it is said so") {
-  const SkinSurface skin({ball(-1, 0, 0, 1), ball(1, 0, 0, 1)});
+  const SkinSurface skin = pair(1);
   const CellId neck = skin.complex().cell(1, 0);
   const skin::Patch& patch = skin.complex().patch(neck);
   const double radius_squared = patch.half_weight;
@@ -161,10 +154,8 @@ TEST_CASE("where an origin crosses a neck's evolute two critical points meet, an
     const auto at = [&](double share) -> Point { return x + share * bend * patch.normal(x); };
     CHECK(mentions(from(skin, at(1)), "Hessian is singular"));
     const auto nearer = from(skin, at(0.99)), farther = from(skin, at(1.01));
-    CHECK(nearer.degeneracies.empty());
-    CHECK(farther.degeneracies.empty());
-    CHECK(nearer.euler_characteristic() == 2);
-    CHECK(farther.euler_characteristic() == 2);
+    check_isolated(nearer, 2);
+    check_isolated(farther, 2);
     CHECK(farther.points.size() == nearer.points.size());
     // The normal touches the evolute; across it the pair appears. The step is small against the
     // evolute's two branches, which are near each other where `along` is small.

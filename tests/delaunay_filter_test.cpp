@@ -1,11 +1,10 @@
 #include "certify/delaunay_filter.h"
 
-#include <doctest/doctest.h>
-
 #include "certify/located_vertices.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using certify::DelaunayFilter;
 using geometry::HalfEdgeId;
 using geometry::TriangleId;
@@ -48,7 +47,7 @@ bool is_certain(const skin::SkinSurface& skin, const Pair& pair) {
 /// Four points of the skin about a fifth, nearly on one circle: hard to tell which edge is
 /// Delaunay.
 std::optional<Pair> random_pair(const skin::SkinSurface& skin, const SurfacePoint& x,
-                                support::Random& random) {
+                                Random& random) {
   const Vector e = x.normal.unitOrthogonal(), f = x.normal.cross(e);
   const double size = random.between(0.02, 0.3) * x.length_scale;
   const double off_circle = random.uniform() < 0.5 ? 0.2 : 0.02;
@@ -69,9 +68,9 @@ TEST_CASE(
     "at an edge proved Delaunay neither far corner lies in the other triangle's surface ball") {
   std::size_t seen = 0, seen_quickly = 0;
   for (const char* file : {"caffeine.xyz", "5tmn_ligand.pdb"}) {
-    const auto skin = morskin::prepare_skin(support::molecule(file, skin::Model::Vdw));
-    const auto mesh = morskin::make_mesh(skin, support::uncertified());
-    support::Random random(7);
+    const auto skin = prepare_skin(molecule(file, skin::Model::Vdw));
+    const auto mesh = make_mesh(skin, uncertified());
+    Random random(7);
     for (int i = 0; i < 40000; ++i) {
       const std::size_t v = random.below(mesh.cells.size());
       const SurfacePoint x = skin.surface.at(mesh.mesh.positions[v], mesh.cells[v]);
@@ -96,9 +95,8 @@ TEST_CASE(
 }
 
 TEST_CASE("nearly all edges of a refined mesh are proved Delaunay by their angles") {
-  const auto skin = morskin::prepare_skin(support::molecule("caffeine.xyz", skin::Model::Sas));
-  const auto mesh =
-      support::skin_mesh(skin.surface, morskin::make_mesh(skin, support::uncertified()));
+  const auto skin = prepare_skin(molecule("caffeine.xyz", skin::Model::Sas));
+  const auto mesh = skin_mesh(skin.surface, make_mesh(skin, uncertified()));
   DelaunayFilter filter(mesh.surface.triangle_count());
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});

@@ -1,12 +1,5 @@
 #include "refine/delaunay_refinement.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-
 #include "front/static_method.h"
 #include "geometry/kd_tree.h"
 #include "skin/skin_components.h"
@@ -14,14 +7,8 @@
 #include "tests/support/nasty_sets.h"
 
 using namespace morskin;
-using certify::Sizing;
-using geometry::VertexId;
-using refine::DelaunayRefinement;
-using skin::Point;
-using skin::Vector;
-using support::Random;
-using support::WeightedPoints;
-using surface::SurfacePoint;
+using namespace morskin::refine;
+using namespace morskin::support;
 
 namespace {
 
@@ -31,9 +18,10 @@ std::vector<SurfacePoint> seeds_of(const PreparedSkin& skin, const Sizing& sizin
   return front::delaunay_seeds(skin.surface, chosen.critical.points, sizing);
 }
 
-std::vector<Point> positions(const surface::Mesh& mesh) {
+template <class SurfacePoints>
+std::vector<Point> positions(const SurfacePoints& points) {
   std::vector<Point> list;
-  for (const SurfacePoint& p : mesh.points) list.push_back(p.position);
+  for (const SurfacePoint& p : points) list.push_back(p.position);
   return list;
 }
 
@@ -66,19 +54,19 @@ std::vector<Point> centres(const skin::SkinSurface& skin, const Point& a, const 
 }  // namespace
 
 TEST_CASE("the mesh is the triples of samples with an empty ball about a point of the skin") {
-  support::for_seeds<Random>(12, [&](unsigned seed, Random& random) {
+  for_seeds<Random>(12, [&](unsigned seed, Random& random) {
     std::vector<geometry::WeightedPoint> balls;
     for (unsigned i = 0; i <= seed % 4; ++i) {
-      balls.push_back(support::ball(random.between(0, 3), random.between(0, 3),
-                                    random.between(0, 3), random.between(0.8, 1.6)));
+      balls.push_back(ball(random.between(0, 3), random.between(0, 3), random.between(0, 3),
+                           random.between(0.8, 1.6)));
     }
-    const auto skin = support::prepared(balls);
+    const auto skin = prepared(balls);
     if (!skin) return;
     const Sizing coarse{.C = 0.125, .Q = 1.69};  // CQ = 0.21
     DelaunayRefinement refinement(skin->surface, coarse, seeds_of(*skin, coarse));
     refinement.run();
     const surface::Mesh mesh = refinement.mesh();
-    const std::vector<Point> points = positions(mesh);
+    const std::vector<Point> points = positions(mesh.points);
     REQUIRE(points.size() == refinement.counts().seeds + refinement.counts().too_big);
     std::set<Triple> facets;
     for (Triple t : mesh.surface.triangle_list()) {
@@ -124,13 +112,13 @@ TEST_CASE("the mesh is the triples of samples with an empty ball about a point o
 }
 
 TEST_CASE("every point of the skin has a sample within 0.153 of its length scale") {
-  support::for_skins(20, [&](unsigned seed, const PreparedSkin& skin) {
+  for_skins(20, [&](unsigned seed, const PreparedSkin& skin) {
     DelaunayRefinement refinement(skin.surface, {}, seeds_of(skin));
     refinement.run();
     const surface::Mesh mesh = refinement.mesh();
-    const geometry::KdTree<VertexId> tree(positions(mesh));
+    const geometry::KdTree<VertexId> tree(positions(mesh.points));
     Random random(seed);
-    const support::Box box = support::box_of(skin.surface.points());
+    const Box box = box_of(skin.surface.points());
     int found = 0;
     for (int i = 0; i < 2000; ++i) {
       const Point x = box.sample(random);
@@ -144,22 +132,22 @@ TEST_CASE("every point of the skin has a sample within 0.153 of its length scale
 }
 
 TEST_CASE("a component without seeds is found where dual points lie in it") {
-  const WeightedPoints points{support::ball(0, 0, 0, 1), support::ball(7, 0, 0, 3)};
-  const PreparedSkin skin = morskin::prepare_skin(points);
+  const WeightedPoints points{ball(0, 0, 0, 1), ball(7, 0, 0, 3)};
+  const PreparedSkin skin = prepare_skin(points);
   std::vector<SurfacePoint> seeds = seeds_of(skin);
   std::erase_if(seeds, [](const SurfacePoint& p) { return p.position.x() > 2; });
   DelaunayRefinement refinement(skin.surface, {}, seeds);
   refinement.run();
   const surface::Mesh mesh = refinement.mesh();
   const certify::Certificate certificate = certify::certify(
-      {positions(mesh), mesh.surface.triangle_list()}, skin.surface, skin.topology);
+      {positions(mesh.points), mesh.surface.triangle_list()}, skin.surface, skin.topology);
   CHECK(certificate.reason == "");
   CHECK(certificate.components == 2);
 }
 
 TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no border") {
   std::size_t most = 0;
-  support::for_skins(40, [&](unsigned seed, const PreparedSkin& skin) {
+  for_skins(40, [&](unsigned seed, const PreparedSkin& skin) {
     const Sizing coarse{.C = 0.3 + 0.01 * seed, .Q = 1.9};
     DelaunayRefinement refinement(skin.surface, coarse, seeds_of(skin, coarse));
     refinement.run();
@@ -179,7 +167,7 @@ TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no bor
 }
 
 TEST_CASE("seeds in one plane give no mesh") {
-  const PreparedSkin skin = morskin::prepare_skin({support::ball(0, 0, 0, 1)});
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1)});
   std::vector<SurfacePoint> seeds = seeds_of(skin);
   for (const std::size_t count : {0, 1, 2, 3}) {
     DelaunayRefinement refinement(skin.surface, {}, std::span(seeds).first(count));
@@ -189,15 +177,12 @@ TEST_CASE("seeds in one plane give no mesh") {
 }
 
 TEST_CASE("seeds keep apart, and every component of the skin has a triangle of them") {
-  support::for_seeds(300, [&](unsigned seed) {
-    const auto skin =
-        support::prepared(seed % 2 == 0 ? support::ball_set(seed) : support::nasty_set(seed));
+  for_seeds(300, [&](unsigned seed) {
+    const auto skin = prepared(seed % 2 == 0 ? ball_set(seed) : nasty_set(seed));
     if (!skin) return;
     const Sizing sizing;
     const std::vector<SurfacePoint> seeds = seeds_of(*skin);
-    std::vector<Point> places;
-    for (const SurfacePoint& p : seeds) places.push_back(p.position);
-    const geometry::KdTree<VertexId> tree(places);
+    const geometry::KdTree<VertexId> tree(positions(seeds));
     const skin::SkinComponents components(skin->surface);
     std::map<skin::SkinComponents::Sides, std::size_t> count;
     bool is_apart = true;
@@ -215,14 +200,14 @@ TEST_CASE("seeds keep apart, and every component of the skin has a triangle of t
 }
 
 TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
-  support::for_seeds(10, [&](unsigned seed) {
-    const auto skin = support::prepared(support::nasty_set(seed));
+  for_seeds(10, [&](unsigned seed) {
+    const auto skin = prepared(nasty_set(seed));
     if (!skin) return;
     const Sizing sizing{.C = 0.08, .Q = 1.584};  // the smallest Q with a proof
     DelaunayRefinement refinement(skin->surface, sizing, seeds_of(*skin, sizing));
     refinement.run();
     const surface::Mesh mesh = refinement.mesh();
-    const geometry::KdTree<VertexId> tree(positions(mesh));
+    const geometry::KdTree<VertexId> tree(positions(mesh.points));
     std::size_t too_short = 0;
     for (const SurfacePoint& p : mesh.points) {
       tree.for_each_within(p.position, 0.2 * p.length_scale, [&](const auto& n) {

@@ -1,34 +1,21 @@
-#include <doctest/doctest.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-
 #include "morse/cell_contact.h"
 #include "morse/critical_points.h"
 #include "skin/dual_complex.h"
-#include "tests/support/molecules.h"
-#include "tests/support/seeds.h"
+#include "tests/support/critical_laws.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 using skin::CellId;
 using skin::SkinSurface;
-using support::ball;
 
 namespace {
-
-Point on_patch(const skin::Patch& patch, Point x) {
-  for (int round = 0; round < 20; ++round) x = patch.slide(x);
-  return x;
-}
 
 /// A random ball set, and an origin of the distance: among the balls, outside, far away, or within
 /// 1 to 1e-8 Angstrom of the skin.
 struct Case {
-  explicit Case(unsigned seed)
-      : random(seed), skin(support::ball_set(seed)), box(support::box_of(skin.points())) {
-    const double span = support::span_of(box);
+  explicit Case(unsigned seed) : random(seed), skin(ball_set(seed)), box(box_of(skin.points())) {
+    const double span = span_of(box);
     const Point middle = (box.low + box.high) / 2;
     origin = box.sample(random);
     if (seed % 4 == 1) origin = middle + random.between(0.5, 3) * span * random.direction();
@@ -45,9 +32,9 @@ struct Case {
   }
   bool is_degenerate() const { return !critical.degeneracies.empty(); }
 
-  support::Random random;
+  Random random;
   SkinSurface skin;
-  support::Box box;
+  Box box;
   Point origin;
   CriticalPoints critical;
 };
@@ -59,22 +46,16 @@ CriticalPoints from(const SkinSurface& skin, const Point& origin) {
 }  // namespace
 
 TEST_CASE("every critical point of a distance lies on the skin, its normal towards the origin") {
-  support::for_seeds<Case>(600, [&](const Case& test) {
+  for_seeds<Case>(600, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
+      check_on_skin(test.skin, p);
       const surface::SurfacePoint& x = p.point;
-      const CellId cell = test.skin.locate(x.position, x.cell);
-      const double rho = x.length_scale;
-      const double off = 1e-10 * rho + test.skin.complex().wall_tolerance();
-      CHECK(std::abs(test.skin.complex().patch(cell).value(x.position)) <= 2 * rho * off);
-      const surface::SurfacePoint there = test.skin.at(x.position, cell);
-      CHECK((there.normal - x.normal).norm() <= 4 * off / rho);
-      CHECK(std::abs(there.length_scale - rho) <= 4 * off);
       // The part of x - p in the tangent plane, against the rounding of the places and, near a
       // small length scale, of the normal.
       const Vector towards = x.position - test.origin;
       const double size = x.position.norm() + test.origin.norm();
       CHECK((towards - towards.dot(x.normal) * x.normal).norm() <=
-            1e-14 * size + 4 * off / rho * towards.norm());
+            1e-14 * size + 4 * rounding_at(test.skin, p) / x.length_scale * towards.norm());
       CHECK(p.value == towards.squaredNorm());
     }
   });
@@ -82,7 +63,7 @@ TEST_CASE("every critical point of a distance lies on the skin, its normal towar
 
 TEST_CASE("the index counts the descending directions of differences of the squared distance") {
   std::array<std::size_t, 3> met{};
-  support::for_seeds<Case>(600, [&](const Case& test) {
+  for_seeds<Case>(600, [&](const Case& test) {
     for (const CriticalPoint& p : test.critical.points) {
       const skin::Patch& patch = test.skin.complex().patch(p.point.cell);
       const Point& x = p.point.position;
@@ -95,13 +76,7 @@ TEST_CASE("the index counts the descending directions of differences of the squa
         const Point y = on_patch(patch, x + h * step);
         return (y - x).dot((y - test.origin) + (x - test.origin)) / (h * h * scale);
       };
-      const Vector e = p.point.normal.unitOrthogonal(), f = p.point.normal.cross(e);
-      const double ee = rise(e) + rise(-e), ff = rise(f) + rise(-f);
-      const double ef = (rise(e + f) + rise(-e - f) - rise(e - f) - rise(f - e)) / 4;
-      Eigen::Matrix2d hessian;
-      hessian << ee, ef, ef, ff;
-      const Eigen::Vector2d values =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian).eigenvalues();
+      const Eigen::Vector2d values = hessian_values(p.point.normal, rise);
       if (values.cwiseAbs().minCoeff() < flat) continue;
       ++met[static_cast<std::size_t>(p.index)];
       CHECK(p.index == (values[0] < 0) + (values[1] < 0));
@@ -125,7 +100,7 @@ TEST_CASE("the index counts the descending directions of differences of the squa
 
 TEST_CASE("minima - saddles + maxima of a distance is the skin's Euler characteristic") {
   std::size_t asked = 0, degenerate = 0;
-  support::for_seeds<Case>(2000, [&](const Case& test) {
+  for_seeds<Case>(2000, [&](const Case& test) {
     ++asked;
     if (test.is_degenerate()) {
       ++degenerate;
@@ -138,14 +113,14 @@ TEST_CASE("minima - saddles + maxima of a distance is the skin's Euler character
 }
 
 TEST_CASE("no point of the skin is nearer than the nearest minimum or farther than any maximum") {
-  support::for_seeds<Case>(400, [&](Case& test) {
+  for_seeds<Case>(400, [&](Case& test) {
     if (test.is_degenerate()) return;
     double nearest = INFINITY, farthest = 0;
     for (const CriticalPoint& p : test.critical.points) {
       if (p.index == 0) nearest = std::min(nearest, std::sqrt(p.value));
       if (p.index == 2) farthest = std::max(farthest, std::sqrt(p.value));
     }
-    const double rounding = 1e-10 * (support::span_of(test.box) + test.origin.norm());
+    const double rounding = 1e-10 * (span_of(test.box) + test.origin.norm());
     for (int i = 0; i < 100; ++i) {
       const auto x = test.skin.project(test.box.sample(test.random), CellId{0U});
       if (!x) continue;
@@ -160,12 +135,12 @@ TEST_CASE("as the origin goes to infinity the critical points become those of th
   // The sums of the offsets over all cases, for origins 1e2, 1e4 and 1e6 spans away.
   std::array<double, 3> offsets{};
   std::size_t compared = 0;
-  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
-    const SkinSurface skin(support::ball_set(seed));
+  for_seeds<Random>(200, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
     const Vector v = random.direction();
     const auto heights = critical_points(skin, MorseFunction::height(v));
     if (!heights.degeneracies.empty()) return;
-    const double span = support::span_of(support::box_of(skin.points()));
+    const double span = span_of(box_of(skin.points()));
     // A wall or a flat Hessian within 1e-2 spoils the first order; such points are left out.
     for (const CriticalPoint& p : heights.points) {
       const double rho = p.point.length_scale;
@@ -196,7 +171,7 @@ TEST_CASE("as the origin goes to infinity the critical points become those of th
 }
 
 TEST_CASE("one ball has its nearest and farthest point on the line to the origin") {
-  support::for_seeds<support::Random>(100, [&](support::Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
     const Vector out = random.direction();
@@ -214,9 +189,9 @@ TEST_CASE("one ball has its nearest and farthest point on the line to the origin
 }
 
 TEST_CASE("a height and a distance in one function have the critical points of a moved distance") {
-  support::for_seeds<support::Random>(50, [&](unsigned seed, support::Random& random) {
-    const SkinSurface skin(support::ball_set(seed));
-    const Point origin = support::box_of(skin.points()).sample(random);
+  for_seeds<Random>(50, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
+    const Point origin = box_of(skin.points()).sample(random);
     const Vector direction = random.direction();
     constexpr double curvature = 0.25;
     const auto mixed = critical_points(skin, {direction, origin, curvature});
@@ -230,11 +205,11 @@ TEST_CASE("a height and a distance in one function have the critical points of a
 }
 
 TEST_CASE("the same surface and origin give the same points, on a molecule as well") {
-  const SkinSurface skin(support::molecule("9dna.pdb", skin::Model::Paper));
+  const SkinSurface skin(molecule("9dna.pdb", skin::Model::Paper));
   const long chi = skin::dual_complex(skin).skin_euler_characteristic();
-  support::Random random(1);
+  Random random(1);
   for (int i = 0; i < 10; ++i) {
-    const Point origin = support::box_of(skin.points()).sample(random);
+    const Point origin = box_of(skin.points()).sample(random);
     const auto critical = from(skin, origin), again = from(skin, origin);
     CHECK(critical.degeneracies.empty());
     CHECK(critical.euler_characteristic() == chi);

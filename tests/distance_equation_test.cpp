@@ -1,18 +1,13 @@
 #include "morse/distance_equation.h"
 
-#include <doctest/doctest.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <vector>
 
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 
 namespace {
 
@@ -35,13 +30,13 @@ std::vector<double> quartic_roots(double A, double B, double W) {
 }
 
 /// A length over many orders of magnitude.
-double length(support::Random& random) { return std::pow(10.0, random.between(-6, 6)); }
+double length(Random& random) { return std::pow(10.0, random.between(-6, 6)); }
 
 }  // namespace
 
 TEST_CASE("solutions of the distance equation are on the quadric, with the gradient normal to it") {
   std::size_t solutions = 0;
-  support::for_seeds<support::Random>(20000, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(20000, [&](unsigned seed, Random& random) {
     const double across = seed % 11 == 0 ? 0 : length(random);
     const double along = seed % 7 == 0 ? 0 : (seed % 2 ? 1 : -1) * length(random);
     const double W = (random.uniform() < 0.5 ? 1 : -1) * length(random);
@@ -62,7 +57,7 @@ TEST_CASE("solutions of the distance equation are on the quadric, with the gradi
 
 TEST_CASE("no solution of the distance equation is missed: an eigenvalue solver finds no others") {
   std::array<std::size_t, 5> met{};
-  support::for_seeds<support::Random>(20000, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(20000, [&](unsigned seed, Random& random) {
     const double across = random.between(0.01, 4), along = random.between(-4, 4);
     const double W = (seed % 2 ? 1 : -1) * random.between(0.05, 4);
     const auto points = distance_equation(across, along, W, no_rounding);
@@ -118,7 +113,7 @@ TEST_CASE("on the axis a circle, in the plane of symmetry two points stand for t
 
 TEST_CASE(
     "where rounding decides whether two solutions exist, the place where they meet is given") {
-  support::Random random(1);
+  Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const double along = random.between(0.1, 3), across = random.between(0.1, 3);
     // On the evolute: across^(2/3) - along^(2/3) = (4 W)^(1/3).

@@ -1,20 +1,13 @@
 #include "skin/dual_complex.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "geometry/parallel.h"
 #include "morse/critical_points.h"
 #include "skin/singular_skin.h"
-#include "tests/support/molecules.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::skin;
-using support::ball;
-using support::WeightedPoints;
+using namespace morskin::support;
 
 namespace {
 
@@ -46,17 +39,17 @@ TEST_CASE("the Betti numbers of bodies drawn by hand are those one sees") {
   CHECK(betti({ball(0, 0, 0, 1), ball(2, 0, 0, 1)}) == Betti{1, 0, 0});
   CHECK(betti({ball(0, 0, 0, 1), ball(0, 0, 0, 1)}) == Betti{1, 0, 0});
   CHECK(betti({ball(0, 0, 0, 2), ball(0.1, 0, 0, 0.5)}) == Betti{1, 0, 0});
-  CHECK(betti(support::octahedron_balls()) == Betti{1, 0, 0});
-  CHECK(betti(support::molecule("two_balls.xyzr", Model::Vdw)) == Betti{1, 0, 0});
-  CHECK(betti(support::molecule("ring12.xyzr", Model::Vdw)) == Betti{1, 1, 0});
-  CHECK(betti(support::molecule("shell_hollow.xyzr", Model::Vdw)) == Betti{1, 0, 1});
+  CHECK(betti(octahedron_balls()) == Betti{1, 0, 0});
+  CHECK(betti(molecule("two_balls.xyzr", Model::Vdw)) == Betti{1, 0, 0});
+  CHECK(betti(molecule("ring12.xyzr", Model::Vdw)) == Betti{1, 1, 0});
+  CHECK(betti(molecule("shell_hollow.xyzr", Model::Vdw)) == Betti{1, 0, 1});
 }
 
 TEST_CASE("a tetrahedron of growing balls is four, then a frame, then a cage, then whole") {
-  CHECK(betti(support::tetrahedron_balls(1.9)) == Betti{4, 0, 0});
-  CHECK(betti(support::tetrahedron_balls(2.3)) == Betti{1, 3, 0});
-  CHECK(betti(support::tetrahedron_balls(2.8)) == Betti{1, 0, 1});
-  CHECK(betti(support::tetrahedron_balls(3.1)) == Betti{1, 0, 0});
+  CHECK(betti(tetrahedron_balls(1.9)) == Betti{4, 0, 0});
+  CHECK(betti(tetrahedron_balls(2.3)) == Betti{1, 3, 0});
+  CHECK(betti(tetrahedron_balls(2.8)) == Betti{1, 0, 1});
+  CHECK(betti(tetrahedron_balls(3.1)) == Betti{1, 0, 0});
 }
 
 TEST_CASE("the cube of eight is a frame, a cage or whole, as its half diagonals are to its balls") {
@@ -71,15 +64,15 @@ TEST_CASE("the cube of eight is a frame, a cage or whole, as its half diagonals 
     for (const double probe : {0.0, 0.7, 1.4}) {
       CAPTURE(std::string(name_of(model)));
       CAPTURE(probe);
-      const WeightedPoints points = support::molecule("cube8.xyzr", model, probe);
+      const WeightedPoints points = molecule("cube8.xyzr", model, probe);
       CHECK(betti(points) == expected(points[0].weight));
     }
   }
 }
 
 TEST_CASE("components, tunnels and voids make up the Euler characteristic of the complex") {
-  support::for_seeds(500, [&](unsigned seed) {
-    const DualComplex complex = dual_complex(SkinSurface(support::ball_set(seed)));
+  for_seeds(500, [&](unsigned seed) {
+    const DualComplex complex = dual_complex(SkinSurface(ball_set(seed)));
     const auto [b0, b1, b2] = complex.betti;
     CHECK(static_cast<long>(b0 + b2) - static_cast<long>(b1) == complex.euler_characteristic());
     CHECK(2 * static_cast<long>(complex.skin_components()) -
@@ -92,10 +85,9 @@ TEST_CASE("components, tunnels and voids make up the Euler characteristic of the
 
 TEST_CASE("minima - saddles + maxima is the Euler characteristic of the skin in every direction") {
   std::size_t asked = 0, degenerate = 0;
-  support::for_seeds(300, [&](unsigned seed) {
-    const SkinSurface skin(support::ball_set(seed));
+  for_seeds<Random>(300, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
     const long expected = dual_complex(skin).skin_euler_characteristic();
-    support::Random random(seed);
     for (int i = 0; i < 20; ++i) {
       const auto critical = morse::critical_points(skin, {random.direction()});
       ++asked;
@@ -121,7 +113,7 @@ TEST_CASE("two balls that just touch are refused by name, one ulp more or less i
 }
 
 TEST_CASE("several threads find the complex that one finds, and name the same singular balls") {
-  const SkinSurface skin(support::in_a_row(support::molecule("1crn.pdb", skin::Model::Vdw), 4, 20));
+  const SkinSurface skin(in_a_row(molecule("1crn.pdb", skin::Model::Vdw), 4, 20));
   const DualComplex one = dual_complex(skin), other = dual_complex(skin, geometry::Run(4));
   CHECK(skin.triangulation().triangles.size() > geometry::usual_block);
   CHECK(one.simplices == other.simplices);
@@ -161,10 +153,10 @@ TEST_CASE("three balls with one common point are refused by name, one ulp more o
 }
 
 TEST_CASE("four balls with one common point are refused by name, one ulp more or less is not") {
-  CHECK(singular_atoms(support::tetrahedron_balls(3)) == atoms({0, 1, 2, 3}));
-  CHECK(betti(support::tetrahedron_balls(one_more(3))) == Betti{1, 0, 0});
-  CHECK(betti(support::tetrahedron_balls(one_less(3))) == Betti{1, 0, 1});
-  CHECK(singular_atoms(support::tetrahedron_balls(2)).size() == 2);
+  CHECK(singular_atoms(tetrahedron_balls(3)) == atoms({0, 1, 2, 3}));
+  CHECK(betti(tetrahedron_balls(one_more(3))) == Betti{1, 0, 0});
+  CHECK(betti(tetrahedron_balls(one_less(3))) == Betti{1, 0, 1});
+  CHECK(singular_atoms(tetrahedron_balls(2)).size() == 2);
 }
 
 TEST_CASE("a singular place that other balls cover is not singular") {
@@ -172,10 +164,10 @@ TEST_CASE("a singular place that other balls cover is not singular") {
 }
 
 TEST_CASE("doubled balls and shuffled balls have the same Betti numbers") {
-  support::for_seeds(200, [&](unsigned seed) {
-    const WeightedPoints points = support::ball_set(seed);
+  for_seeds(200, [&](unsigned seed) {
+    const WeightedPoints points = ball_set(seed);
     const Betti plain = betti(points);
-    CHECK(betti(support::doubled(points)) == plain);
-    CHECK(betti(support::shuffled(points, seed)) == plain);
+    CHECK(betti(doubled(points)) == plain);
+    CHECK(betti(shuffled(points, seed)) == plain);
   });
 }

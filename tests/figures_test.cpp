@@ -1,33 +1,21 @@
 #include "app/figures/figures.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-
 #include "app/figures/bundled.h"
 #include "app/figures/free_form.h"
 #include "app/figures/sweep_events.h"
 #include "app/pictures/png.h"
 #include "front/two_fronts.h"
 #include "tests/support/png_reading.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 
 namespace {
 
 // Made by `morskin figure N --scale 0.25`.
 constexpr double golden_scale = 0.25;
-
-std::string file_text(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 // How far two pictures of one size are apart, in levels of 255.
 struct Difference {
@@ -36,7 +24,7 @@ struct Difference {
   double tile = 0;   // mean of the worst square of 10 pixels
 };
 
-Difference difference(const support::Pixels& a, const support::Pixels& b) {
+Difference difference(const Pixels& a, const Pixels& b) {
   constexpr int level = 24;
   constexpr std::size_t side = 10, channels = 3;
   Difference result;
@@ -61,18 +49,16 @@ Difference difference(const support::Pixels& a, const support::Pixels& b) {
 // a level or so; a line that is missing, a thing that stands elsewhere, a light that is out shows.
 bool is_same(const Difference& d) { return d.mean < 1.0 && d.share < 0.004 && d.tile < 3.0; }
 
-support::Pixels golden(std::string_view name) {
-  const auto picture =
-      support::read_png(file_text("tests/golden/figure-" + std::string(name) + ".png"));
+Pixels golden(std::string_view name) {
+  const auto picture = read_png(bytes_of("tests/golden/figure-" + std::string(name) + ".png"));
   REQUIRE(picture);
   return *picture;
 }
 
 void check_against_golden(std::string_view name) {
   CAPTURE(name);
-  const auto picture =
-      support::read_png(pictures::png(figures::find_figure(name)->draw(golden_scale)));
-  const support::Pixels approved = golden(name);
+  const auto picture = read_png(pictures::png(figures::find_figure(name)->draw(golden_scale)));
+  const Pixels approved = golden(name);
   REQUIRE(picture);
   REQUIRE(picture->width == approved.width);
   REQUIRE(picture->height == approved.height);
@@ -91,9 +77,9 @@ TEST_CASE("the figures of critical points and operations are as they were approv
 
 TEST_CASE(
     "a thin line that is missing from a figure shows, a rounded pixel here and there does not") {
-  const support::Pixels whole = golden("2");
+  const Pixels whole = golden("2");
   const auto at = [&](int x, int y) { return whole.bytes.begin() + 3 * (y * whole.width + x); };
-  support::Pixels wiped = whole, rounded = whole;
+  Pixels wiped = whole, rounded = whole;
   // The level curve at the right in rows 65 and 66: rows above take their place.
   for (int y = 64; y < 68; ++y) {
     std::copy_n(at(60, 62), 3 * 40, wiped.bytes.begin() + (at(60, y) - whole.bytes.begin()));
@@ -119,7 +105,7 @@ TEST_CASE("a figure drawn twice has the same bytes") {
 }
 
 TEST_CASE("a recorded sweep tells of every operation and leaves out no triangle") {
-  const morskin::PreparedSkin skin = figures::bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
+  const PreparedSkin skin = figures::bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
   const figures::RecordedSweep sweep = figures::recorded_sweep(skin, 0.08);
   const front::SweepResult plain = front::sweep_once(skin.surface, sweep.guide);
   std::size_t triangles = 0;

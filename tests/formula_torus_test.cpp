@@ -1,24 +1,22 @@
 // The front, the refinement and the certificate know nothing of molecules: they mesh and certify a
 // torus given by a formula.
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "certify/certificate.h"
 #include "front/two_fronts.h"
 #include "refine/refinement.h"
 #include "refine/smoothing.h"
 #include "tests/support/formula_surfaces.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 
 namespace {
 
 /// A torus about the z axis and the height along x, whose four critical points lie on the x axis.
 struct TorusRun {
   double R, r;
-  support::Torus torus{R, r};
+  Torus torus{R, r};
   certify::Sizing sizing = {};
 
   morse::CriticalPoint critical(double x, int index) const {
@@ -52,12 +50,7 @@ struct TorusRun {
     refine::Refinement refinement(torus, sizing, swept.mesh);
     refinement.run();
     refine::smooth(torus, sizing, swept.mesh, 30);
-    geometry::IndexedMesh mesh;
-    mesh.triangles = swept.mesh.surface.triangle_list();
-    for (std::size_t v = 0; v < swept.mesh.surface.vertex_count(); ++v) {
-      mesh.positions.push_back(swept.mesh.position(geometry::VertexId{v}));
-    }
-    return certify::certify(mesh, torus, {1, 1, 0}, sizing);
+    return certify::certify(indexed_mesh(swept.mesh), torus, {1, 1, 0}, sizing);
   }
 };
 
@@ -82,13 +75,9 @@ TEST_CASE("the front meshes a torus given by a formula, certified") {
 
 TEST_CASE("a torus is not certified as a sphere") {
   const TorusRun run{3, 1};
-  front::SweepResult swept = front::sweep_once(run.torus, run.guide(), {.sizing = run.sizing});
-  geometry::IndexedMesh mesh;
-  mesh.triangles = swept.mesh.surface.triangle_list();
-  for (std::size_t v = 0; v < swept.mesh.surface.vertex_count(); ++v) {
-    mesh.positions.push_back(swept.mesh.position(geometry::VertexId{v}));
-  }
-  const certify::Certificate certificate = certify::certify(mesh, run.torus, {1, 0, 2}, run.sizing);
+  const auto swept = front::sweep_once(run.torus, run.guide(), {.sizing = run.sizing});
+  const certify::Certificate certificate =
+      certify::certify(indexed_mesh(swept.mesh), run.torus, {1, 0, 2}, run.sizing);
   CHECK(!certificate.is_homeomorphic);
   CHECK(!certificate.broken_by(certify::Claim::Counts).empty());
 }

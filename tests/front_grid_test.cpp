@@ -1,23 +1,17 @@
 #include "front/front_grid.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::front;
+using namespace morskin::support;
 using geometry::Point;
-using support::Random;
 
 TEST_CASE(
     "the grid finds within reach just what a look at all corners finds, over six orders of "
     "length") {
   std::size_t found_in_all = 0;
-  support::for_seeds<Random>(60, [&](unsigned seed, Random& random) {
+  for_seeds<Random>(60, [&](unsigned seed, Random& random) {
     // A length scale that changes no faster than the point moves, smallest at a few places.
     std::vector<std::pair<Point, double>> deepest;
     for (int i = 0; i < 4; ++i) {

@@ -1,21 +1,13 @@
 #include "front/front.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "front/operation_counter.h"
-#include "tests/support/ball_sets.h"
+#include "tests/support/meshes.h"
 #include "tests/support/plane_front.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::front;
+using namespace morskin::support;
 using geometry::SurfaceMesh;
-using support::flat;
-using support::Plane;
-using support::Random;
 
 namespace {
 
@@ -126,8 +118,13 @@ class Walk {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
 };
 
-long euler_characteristic(const SurfaceMesh& mesh) {
-  return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.triangle_count() / 2);
+/// Closes what is open and checks what it closes to.
+void finish(Plane& plane, Walk& walk, long euler_characteristic) {
+  walk.finish();
+  check_front(plane);
+  CHECK(geometry::validate(plane.mesh.surface).value_or("") == "");
+  CHECK(support::euler_characteristic(plane.mesh.surface) == euler_characteristic);
+  CHECK(geometry::components(plane.mesh.surface).count == 1);
 }
 
 }  // namespace
@@ -148,7 +145,7 @@ TEST_CASE("a front opened round a fan runs along its rim") {
 
 TEST_CASE(
     "new vertices, closed corners and splits keep the front sound, and it closes to a sphere") {
-  support::for_seeds(200, [&](unsigned seed) {
+  for_seeds(200, [&](unsigned seed) {
     Plane plane;
     plane.fan(0, 0, 0.2, 0);
     Walk walk(plane, seed);
@@ -165,17 +162,13 @@ TEST_CASE(
       }
       check_front(plane);
     }
-    walk.finish();
-    check_front(plane);
+    finish(plane, walk, 2);
     CHECK(plane.front.open_edges() == 0);
-    CHECK(geometry::validate(plane.mesh.surface).value_or("") == "");
-    CHECK(euler_characteristic(plane.mesh.surface) == 2);
-    CHECK(geometry::components(plane.mesh.surface).count == 1);
   });
 }
 
 TEST_CASE("two fronts that join become one, and close to one sphere") {
-  support::for_seeds(200, [&](unsigned seed) {
+  for_seeds(200, [&](unsigned seed) {
     Plane plane;
     const auto left = plane.fan(0, 0, 0.2, 0), right = plane.fan(0.6, 0, 0.2, M_PI, 5);
     Walk walk(plane, seed);
@@ -186,16 +179,12 @@ TEST_CASE("two fronts that join become one, and close to one sphere") {
     CHECK(walk.is_same_polygon(left[0], right[0]));
     CHECK(plane.front.open_edges() == left.size() + right.size() + 1);
     check_front(plane);
-    walk.finish();
-    check_front(plane);
-    CHECK(geometry::validate(plane.mesh.surface).value_or("") == "");
-    CHECK(euler_characteristic(plane.mesh.surface) == 2);
-    CHECK(geometry::components(plane.mesh.surface).count == 1);
+    finish(plane, walk, 2);
   });
 }
 
 TEST_CASE("a front that splits and joins again closes to a torus") {
-  support::for_seeds(200, [&](unsigned seed) {
+  for_seeds(200, [&](unsigned seed) {
     Plane plane;
     plane.fan(0, 0, 0.2, 0, 12);
     Walk walk(plane, seed);
@@ -213,9 +202,7 @@ TEST_CASE("a front that splits and joins again closes to a torus") {
         [&](FrontEdgeId e, FrontEdgeId c) { return !walk.is_same_polygon(e, c); })) {
     }
     check_front(plane);
-    walk.finish();
-    CHECK(geometry::validate(plane.mesh.surface).value_or("") == "");
-    CHECK(euler_characteristic(plane.mesh.surface) == 0);
+    finish(plane, walk, 0);
   });
 }
 
@@ -226,7 +213,7 @@ TEST_CASE(
     bool is_predicted = true;
     void follow(const FrontChange& change) override { loops.follow(change, is_predicted); }
   };
-  support::for_seeds(100, [&](unsigned seed) {
+  for_seeds(100, [&](unsigned seed) {
     const bool meets = seed % 2 == 1, has_maximum = seed % 3 == 0;
     Watch watch;
     Plane plane;

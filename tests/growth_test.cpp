@@ -1,56 +1,39 @@
 #include "bench/baselines/growth.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "bench/baselines/dynamic_skin.h"
 #include "geometry/predicates.h"
 #include "morskin/pipeline.h"
-#include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::baselines;
-using support::ball;
+using namespace morskin::support;
 
 namespace {
 
-long euler_characteristic(const SurfaceMesh& surface) {
-  long vertices = 0, triangles = 0;
-  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
-    vertices += surface.outgoing(VertexId{v}).has_value();
-  }
-  for (std::size_t t = 0; t < surface.triangle_count(); ++t) {
-    triangles += !surface.is_removed(TriangleId{t});
-  }
-  return vertices - triangles / 2;
-}
-
 /// What the dual complex says of the balls grown to time t, unless that skin is singular.
-std::optional<long> expected_at(const morskin::PreparedSkin& skin, double t) {
-  support::WeightedPoints points = skin.surface.points();
+std::optional<long> expected_at(const PreparedSkin& skin, double t) {
+  WeightedPoints points = skin.surface.points();
   bool is_empty = true;
   for (geometry::WeightedPoint& p : points) {
     p.weight = geometry::on_exact_grid(p.weight + t);
     is_empty = is_empty && p.weight <= 0;
   }
   if (is_empty) return 0;
-  const auto grown = support::prepared(points);
+  const auto grown = prepared(points);
   if (!grown) return std::nullopt;
   return grown->topology.skin_euler_characteristic();
 }
 
 struct Grown {
-  morskin::MeshResult result;
+  MeshResult result;
   GrowthCounts counts;
   std::size_t triangles_at_last = 0;  ///< after the last metamorphosis
   std::size_t compared = 0;           ///< states of the mesh with the dual complex
 };
 
 /// Grows a skin and checks the mesh about every metamorphosis.
-Grown grown(const morskin::PreparedSkin& skin) {
+Grown grown(const PreparedSkin& skin) {
   constexpr std::array<long, 4> change{2, -2, 2, -2};  // of the Euler characteristic, by kind
   Grown out;
   const auto metamorphoses = find_metamorphoses(skin.surface, 0);
@@ -77,20 +60,18 @@ Grown grown(const morskin::PreparedSkin& skin) {
     CHECK(now == *expected);
     ++out.compared;
   };
-  morskin::MeshingOptions meshing;
-  meshing.has_safety_net = false;
-  meshing.mesher = dynamic_mesher(options, &out.counts);
-  out.result = morskin::make_mesh(skin, meshing);
+  out.result = make_mesh(
+      skin,
+      {.sizing = {}, .mesher = dynamic_mesher(options, &out.counts), .has_safety_net = false});
   CHECK(out.counts.failed == 0);
   CHECK(out.result.certificate.reason == "");
   CHECK(out.result.certificate.certified);
-  CHECK(out.counts.metamorphoses[0] + out.counts.metamorphoses[1] + out.counts.metamorphoses[2] +
-            out.counts.metamorphoses[3] ==
-        metamorphoses.size());
+  const auto& all = out.counts.metamorphoses;
+  CHECK(std::accumulate(all.begin(), all.end(), std::size_t{0}) == metamorphoses.size());
   return out;
 }
-Grown grown(const support::WeightedPoints& points) {
-  const auto skin = support::prepared(points);
+Grown grown(const WeightedPoints& points) {
+  const auto skin = prepared(points);
   REQUIRE(skin.has_value());
   return grown(*skin);
 }
@@ -116,24 +97,24 @@ TEST_CASE("two balls join in a neck when their patches meet, and only then") {
 }
 
 TEST_CASE("three balls close a tunnel and four a void") {
-  const support::WeightedPoints four = support::tetrahedron_balls(3.4);
+  const WeightedPoints four = tetrahedron_balls(3.4);
   CHECK(grown({four[0], four[1], four[2]}).counts.metamorphoses == Four{3, 3, 1, 0});
   CHECK(grown(four).counts.metamorphoses == Four{4, 6, 4, 1});
 }
 
 TEST_CASE("the eight corners of a cube join, close six tunnels, and then the void") {
-  const Grown out = grown(support::molecule("cube8.xyzr", skin::Model::Vdw));
+  const Grown out = grown(molecule("cube8.xyzr", skin::Model::Vdw));
   CHECK(out.counts.metamorphoses == Four{8, 12, 6, 1});
 }
 
 TEST_CASE("random sets of balls grow to certified meshes") {
   std::size_t compared = 0;
-  support::for_skins(6, [&](const PreparedSkin& skin) { compared += grown(skin).compared; });
+  for_skins(6, [&](const PreparedSkin& skin) { compared += grown(skin).compared; });
   CHECK(compared > 50);
 }
 
 TEST_CASE("looks come out by time, whatever is put in meanwhile") {
-  support::for_seeds<support::Random>(20, [&](support::Random& random) {
+  for_seeds<Random>(20, [&](Random& random) {
     LookQueue queue;
     std::vector<std::pair<double, std::uint32_t>> expected;
     double now = -10;
@@ -159,7 +140,7 @@ TEST_CASE("looks come out by time, whatever is put in meanwhile") {
 }
 
 TEST_CASE("a growth stopped early is the growth of smaller balls") {
-  const auto skin = support::prepared({ball(0, 0, 0, 1), ball(2, 0.1, 0, 1.2)});
+  const auto skin = prepared({ball(0, 0, 0, 1), ball(2, 0.1, 0, 1.2)});
   REQUIRE(skin.has_value());
   GrowthOptions options;
   options.end = -1.5;  // two spheres, not joined yet
@@ -176,7 +157,7 @@ TEST_CASE("a growth stopped early is the growth of smaller balls") {
 }
 
 TEST_CASE("snapshots are closed meshes that come at the times asked for") {
-  const auto skin = support::prepared({ball(0, 0, 0, 1), ball(2, 0.1, 0, 1.2)});
+  const auto skin = prepared({ball(0, 0, 0, 1), ball(2, 0.1, 0, 1.2)});
   REQUIRE(skin.has_value());
   GrowthOptions options;
   options.snapshot_times = {-3, -2, -1, 0};
@@ -193,10 +174,6 @@ TEST_CASE("snapshots are closed meshes that come at the times asked for") {
 
 TEST_SUITE("slow") {
   TEST_CASE("a hundred random sets of balls grow to certified meshes") {
-    for (unsigned seed = 6; seed < 100; ++seed) {
-      CAPTURE(seed);
-      const auto skin = support::prepared(support::ball_set(seed));
-      if (skin) grown(*skin);
-    }
+    for_skins({6, 100}, [](const PreparedSkin& skin) { grown(skin); });
   }
 }

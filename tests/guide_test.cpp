@@ -1,30 +1,21 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "certify/sizing.h"
-#include "morse/make_guide.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 
 namespace {
 
 const double share = certify::Sizing{}.tangent_disk_share();
 
-Guide guide_of(const morskin::PreparedSkin& skin, unsigned threads = 1) {
-  return make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share,
-                    geometry::Run(threads));
-}
-
 }  // namespace
 
 TEST_CASE("what survives for the front still adds up to the skin's Euler characteristic") {
   std::size_t cancelled = 0;
-  support::for_skins(60, [&](const PreparedSkin& skin) {
-    const Guide guide = guide_of(skin);
+  for_skins(60, [&](const PreparedSkin& skin) {
+    const Guide guide = guide_for(skin);
     const auto n = [&](int index) { return static_cast<long>(guide.count(index)); };
     CHECK(n(0) - n(1) + n(2) == skin.topology.skin_euler_characteristic());
     CHECK(guide.count(0) >= skin.topology.skin_components());
@@ -35,8 +26,8 @@ TEST_CASE("what survives for the front still adds up to the skin's Euler charact
 }
 
 TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than asked") {
-  support::for_skins(60, [&](const PreparedSkin& skin) {
-    const Guide guide = guide_of(skin);
+  for_skins(60, [&](const PreparedSkin& skin) {
+    const Guide guide = guide_for(skin);
     for (std::size_t i = 0; i < guide.points.size(); ++i) {
       const double r = guide.spheres.radius(CriticalId{i});
       CHECK(r > 0);
@@ -51,9 +42,8 @@ TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than
 }
 
 TEST_CASE("a guide is the same made by one thread as by two, and its reverse's reverse") {
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin(support::molecule("1grm_model1.pdb", skin::Model::Paper));
-  const Guide one = guide_of(skin, 1), two = guide_of(skin, 2);
+  const PreparedSkin skin = prepare_skin(molecule("1grm_model1.pdb", skin::Model::Paper));
+  const Guide one = guide_for(skin), two = guide_for(skin, {}, {}, 2);
   REQUIRE(one.points.size() == two.points.size());
   const Guide back = one.reversed().reversed();
   CHECK(one.reversed().count(0) == one.count(2));
@@ -70,7 +60,7 @@ TEST_CASE("cospherical balls, all ties, leave no line lost in cells without widt
   // flat tetrahedron, which passes through neither.
   for (const unsigned seed : {2912U, 2920U, 2932U, 2944U, 2956U}) {
     CAPTURE(seed);
-    const auto skin = support::prepared(support::nasty_set(seed));
-    if (skin) CHECK(guide_of(*skin).is_simplified);
+    const auto skin = prepared(nasty_set(seed));
+    if (skin) CHECK(guide_for(*skin).is_simplified);
   }
 }

@@ -1,15 +1,12 @@
 #include "bench/baselines/hot_region.h"
 
-#include <doctest/doctest.h>
-
 #include <numbers>
-#include <random>
 
 #include "tests/support/meshes.h"
-#include "tests/support/molecules.h"
 
 using namespace morskin;
 using namespace morskin::baselines;
+using namespace morskin::support;
 
 namespace {
 
@@ -32,7 +29,7 @@ Ring jagged_ring(MovingMesh& mesh, const Frame& frame, CellId cell, std::mt19937
 }  // namespace
 
 TEST_CASE("the strip between two rings is an annulus, however jagged they are") {
-  const auto skin = support::prepared({support::ball(0, 0, 0, 1)});
+  const auto skin = prepared({ball(0, 0, 0, 1)});
   REQUIRE(skin.has_value());
   const CellId cell = skin->surface.locate({0, 0, 0}, CellId{0U});
   std::mt19937_64 random(7);

@@ -1,20 +1,12 @@
 #include "morse/integral_lines.h"
 
-#include <doctest/doctest.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/orthogonal.h"
 #include "tests/support/morse_lines.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
+using namespace morskin::support;
 using skin::CellId;
-using support::MorseCase;
-using support::TracedLine;
 
 namespace {
 
@@ -28,9 +20,9 @@ Vector slope(const MorseCase& test, const surface::SurfacePoint& x, double sign)
 
 /// Places of lines on fixed shares of their rise.
 std::vector<std::optional<IntegralLines::Passage>> places(const MorseCase& test, double step) {
-  const IntegralLines lines(test.skin, test.f, test.critical.points, step);
+  const IntegralLines lines = test.lines(step);
   std::vector<std::optional<IntegralLines::Passage>> all;
-  for (const TracedLine& line : support::traced_lines(lines)) {
+  for (const TracedLine& line : traced_lines(lines)) {
     const double start = test.critical.points[line.saddle.index()].value;
     for (const double share : {0.2, 0.5, 0.8}) {
       std::optional<IntegralLines::Passage> place;
@@ -60,8 +52,8 @@ std::vector<double> errors(const MorseCase& test, double step) {
 /// f rises or falls strictly along every line, and every node lies on the skin and in its cell.
 void check_lines(const MorseCase& test) {
   const skin::MixedComplex& complex = test.skin.complex();
-  const IntegralLines lines(test.skin, test.f, test.critical.points);
-  for (const TracedLine& line : support::traced_lines(lines)) {
+  const IntegralLines lines = test.lines();
+  for (const TracedLine& line : traced_lines(lines)) {
     bool is_monotone = true, is_on_skin = true, is_in_cell = true;
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const Point& x = line.points[i];
@@ -86,10 +78,9 @@ void check_lines(const MorseCase& test) {
 
 TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls") {
   std::size_t count = 0;
-  support::for_seeds<MorseCase>(200, [&](const MorseCase& test) {
-    if (test.is_degenerate()) return;
-    const IntegralLines lines(test.skin, test.f, test.critical.points);
-    for (const TracedLine& line : support::traced_lines(lines)) {
+  for_morse_cases(200, [&](const MorseCase& test) {
+    const IntegralLines lines = test.lines();
+    for (const TracedLine& line : traced_lines(lines)) {
       ++count;
       REQUIRE(line.course.arrival);
       const CriticalPoint& end = test.critical.points[line.course.arrival->extremum.index()];
@@ -102,17 +93,15 @@ TEST_CASE("every line from a saddle ends at an extremum, in random sets of balls
 }
 
 TEST_CASE("f rises or falls strictly along every line, and every node lies on the skin") {
-  support::for_seeds<MorseCase>(100, [&](const MorseCase& test) {
-    if (!test.is_degenerate()) check_lines(test);
-  });
+  for_morse_cases(100, check_lines);
 }
 
 TEST_CASE(
     "lines stay on the skin where the direction runs along a patch's axis, but for rounding") {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    const support::WeightedPoints balls = support::ball_set(seed);
+    const WeightedPoints balls = ball_set(seed);
     const skin::SkinSurface skin(balls);
-    support::Random random(seed);
+    Random random(seed);
     for (std::size_t cell = 0; cell < skin.complex().size(); cell += 101) {
       const Vector axis = skin.complex().patch(CellId{cell}).axis;
       if (axis.isZero()) continue;
@@ -128,7 +117,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the part orthogonal to a unit vector is orthogonal for any angle between the two") {
-  support::Random random(2);
+  Random random(2);
   for (int i = 0; i < 10000; ++i) {
     const Vector n = random.direction(), across = n.unitOrthogonal();
     const double tilt = std::pow(10, random.between(-20, 3));
@@ -141,7 +130,7 @@ TEST_CASE("the part orthogonal to a unit vector is orthogonal for any angle betw
 }
 
 TEST_CASE("the frame of a gradient flow is orthonormal for any angle of gradient and axis") {
-  support::Random random(1);
+  Random random(1);
   for (int i = 0; i < 10000; ++i) {
     skin::Patch patch{};
     patch.axis = random.direction();
@@ -159,11 +148,10 @@ TEST_CASE("the frame of a gradient flow is orthonormal for any angle of gradient
 }
 
 TEST_CASE("the chord between two nodes is parallel to the gradient midway") {
-  support::for_seeds<MorseCase>(15, [&](const MorseCase& test) {
-    if (test.is_degenerate()) return;
+  for_morse_cases(15, [&](const MorseCase& test) {
     constexpr double step = 0.02;
-    const IntegralLines lines(test.skin, test.f, test.critical.points, step);
-    for (const TracedLine& line : support::traced_lines(lines)) {
+    const IntegralLines lines = test.lines(step);
+    for (const TracedLine& line : traced_lines(lines)) {
       double worst = 0;
       // The first and the last piece are as long as the disc they cross, no step.
       for (std::size_t i = 2; i + 2 < line.points.size(); ++i) {
@@ -187,7 +175,7 @@ TEST_CASE("the chord between two nodes is parallel to the gradient midway") {
 }
 
 TEST_CASE("halving the step divides the error by more than 2^7, across cell walls as well") {
-  const MorseCase test(support::molecule("1crn.pdb", skin::Model::Paper), MorseFunction{});
+  const MorseCase test(molecule("1crn.pdb", skin::Model::Paper), MorseFunction{});
   const std::vector<double> coarse = errors(test, 0.4), fine = errors(test, 0.2);
   for (const double share : {0.5, 0.9, 0.99}) {
     CAPTURE(share);
@@ -202,7 +190,7 @@ TEST_CASE("with the usual step all but one place in 500 is as accurate as said")
   for (const skin::Model model : {skin::Model::Paper, skin::Model::Vdw}) {
     for (const char* file : {"1crn.pdb", "1grm_model1.pdb", "9dna.pdb"}) {
       CAPTURE(file);
-      const MorseCase test(support::molecule(file, model), MorseFunction{});
+      const MorseCase test(molecule(file, model), MorseFunction{});
       const std::vector<double> all = errors(test, IntegralLines::usual_step);
       CHECK(all[all.size() - 1 - all.size() / 500] < IntegralLines::usual_accuracy);
     }
@@ -210,15 +198,15 @@ TEST_CASE("with the usual step all but one place in 500 is as accurate as said")
 }
 
 TEST_CASE("on one ball every line is half a great circle to the pole, of heights and distances") {
-  support::for_seeds<support::Random>(200, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(200, [&](unsigned seed, Random& random) {
     const Point centre = random.between(0, 10) * random.direction();
     const double radius = random.between(0.5, 3);
     const MorseFunction f =
         seed % 2 == 0
             ? MorseFunction::height(random.direction())
             : MorseFunction::squared_distance(centre + random.between(0.1, 9) * random.direction());
-    const MorseCase test({support::ball(centre.x(), centre.y(), centre.z(), radius)}, f);
-    const IntegralLines lines(test.skin, f, test.critical.points);
+    const MorseCase test({ball(centre.x(), centre.y(), centre.z(), radius)}, f);
+    const IntegralLines lines = test.lines();
     const Vector pole = f.gradient(centre).normalized();
     const Vector start = random.direction();
     const surface::SurfacePoint x = test.skin.at(centre + radius * start, CellId{0U});
@@ -239,12 +227,12 @@ TEST_CASE("on one ball every line is half a great circle to the pole, of heights
 }
 
 TEST_CASE("the lines of a neck along its axis stay in the plane of axis and direction") {
-  const MorseCase test({support::ball(-2, 0, 0, 1.8), support::ball(2, 0, 0, 1.5)},
+  const MorseCase test({ball(-2, 0, 0, 1.8), ball(2, 0, 0, 1.5)},
                        MorseFunction::height(Vector(0.1, 1, 0.3)));
-  const IntegralLines lines(test.skin, test.f, test.critical.points);
+  const IntegralLines lines = test.lines();
   const Vector out = Vector::UnitX().cross(test.f.direction).normalized();
   std::size_t along = 0;
-  for (const TracedLine& line : support::traced_lines(lines)) {
+  for (const TracedLine& line : traced_lines(lines)) {
     if (std::abs(line.tangent.x()) < 0.5) continue;
     ++along;
     for (const Point& x : line.points) CHECK(std::abs(out.dot(x)) < 1e-13);
@@ -254,9 +242,8 @@ TEST_CASE("the lines of a neck along its axis stay in the plane of axis and dire
 
 TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
   std::size_t discs = 0, starts = 0;
-  support::for_seeds<MorseCase>(600, [&](MorseCase& test) {
-    if (test.is_degenerate()) return;
-    const IntegralLines lines(test.skin, test.f, test.critical.points, 0.05);
+  for_morse_cases(600, [&](MorseCase& test) {
+    const IntegralLines lines = test.lines(0.05);
     for (std::size_t i = 0; i < test.critical.points.size(); ++i) {
       const CaptureDisc& disc = lines.disc(CriticalId{i});
       if (disc.radius == 0) continue;
@@ -304,7 +291,7 @@ TEST_CASE("no line that starts in a capture disc leaves it or ends elsewhere") {
 
 TEST_CASE("lines find an extremum a millionth of its length scale from a cell wall") {
   // Two balls: as the direction tilts, the pole of one passes into the neck's cell.
-  const support::WeightedPoints balls{support::ball(-1, 0, 0, 1), support::ball(1, 0, 0, 1)};
+  const WeightedPoints balls{ball(-1, 0, 0, 1), ball(1, 0, 0, 1)};
   const skin::SkinSurface pair(balls);
   const skin::Wall wall = pair.complex().walls(CellId{0U})[0];
   const double along = wall.offset - wall.normal.dot(Vector(-1, 0, 0));
@@ -314,9 +301,9 @@ TEST_CASE("lines find an extremum a millionth of its length scale from a cell wa
       CAPTURE(side);
       const MorseCase test(balls, MorseFunction::height(pole + side * wall.normal));
       REQUIRE_FALSE(test.is_degenerate());
-      const IntegralLines lines(test.skin, test.f, test.critical.points);
+      const IntegralLines lines = test.lines();
       for (unsigned seed = 0; seed < 20; ++seed) {
-        support::Random random(seed);
+        Random random(seed);
         const auto x = test.skin.project(Point(-1, 0, 0) + random.direction(), CellId{0U});
         REQUIRE(x);
         std::vector<Point> points;
@@ -330,10 +317,9 @@ TEST_CASE("lines find an extremum a millionth of its length scale from a cell wa
 }
 
 TEST_CASE("a line passes each level between its ends once, at its node if it has one there") {
-  support::for_seeds<MorseCase>(60, [&](const MorseCase& test) {
-    if (test.is_degenerate()) return;
-    const IntegralLines lines(test.skin, test.f, test.critical.points);
-    for (const TracedLine& line : support::traced_lines(lines)) {
+  for_morse_cases(60, [&](const MorseCase& test) {
+    const IntegralLines lines = test.lines();
+    for (const TracedLine& line : traced_lines(lines)) {
       for (std::size_t i = 2; i + 2 < line.points.size(); i += 5) {
         const auto place = lines.passage(line.nodes(), test.f(line.points[i]));
         REQUIRE(place);

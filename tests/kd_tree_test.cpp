@@ -1,11 +1,9 @@
 #include "geometry/kd_tree.h"
 
-#include <doctest/doctest.h>
-
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using geometry::Point;
 using geometry::VertexId;
 using Tree = geometry::KdTree<VertexId>;
@@ -14,7 +12,7 @@ namespace {
 
 /// 0 to 200 points: spread out, on a line, on a small lattice (many duplicates), or all one.
 std::vector<Point> point_set(unsigned seed) {
-  support::Random random(seed);
+  Random random(seed);
   std::vector<Point> points(seed < 20 ? seed : random.below(200));
   const unsigned kind = seed % 4;
   const Point start = 10 * random.direction();
@@ -31,7 +29,7 @@ std::vector<Point> point_set(unsigned seed) {
 }
 
 /// A place to ask about: at a point, near one, or far away.
-Point question(const std::vector<Point>& points, support::Random& random) {
+Point question(const std::vector<Point>& points, Random& random) {
   const Point from = points.empty() ? Point::Zero() : points[random.below(points.size())];
   return from + std::array{0.0, 0.1, 1.0, 20.0}[random.below(4)] * random.direction();
 }
@@ -40,7 +38,7 @@ Point question(const std::vector<Point>& points, support::Random& random) {
 
 TEST_CASE("the nearest point within a radius is the one that a look at all points finds first") {
   std::size_t found = 0;
-  support::for_seeds<support::Random>(400, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(400, [&](unsigned seed, Random& random) {
     const std::vector<Point> points = point_set(seed);
     const Tree tree(points);
     CHECK(tree.size() == points.size());
@@ -69,7 +67,7 @@ TEST_CASE("the nearest point within a radius is the one that a look at all point
 
 TEST_CASE("the points within a radius are visited once each, and no others") {
   std::size_t found = 0;
-  support::for_seeds<support::Random>(400, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(400, [&](unsigned seed, Random& random) {
     const std::vector<Point> points = point_set(seed);
     const Tree tree(points);
     for (int i = 0; i < 10; ++i) {

@@ -1,16 +1,11 @@
 #include "skin/line_crossings.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "tests/support/molecules.h"
 #include "tests/support/nasty_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::skin;
-using support::Random;
+using namespace morskin::support;
 
 namespace {
 
@@ -18,7 +13,7 @@ namespace {
 struct Segment {
   Point p, q;
 
-  Segment(Random& random, const support::Box& box) : p(box.sample(random)), q(box.sample(random)) {
+  Segment(Random& random, const Box& box) : p(box.sample(random)), q(box.sample(random)) {
     const double kind = random.uniform();
     if (kind < 0.2) q = p + 0.05 * (q - p);
     if (kind > 0.8) q = p + 20 * (q - p);
@@ -29,11 +24,10 @@ struct Segment {
 }  // namespace
 
 TEST_CASE("between two crossings that follow each other a line stays on one side of the skin") {
-  support::for_seeds(1000, [&](unsigned seed) {
-    const SkinSurface skin(seed % 2 == 0 ? support::ball_set(seed) : support::nasty_set(seed));
-    const support::Box box = support::box_of(skin.points());
-    const double span = support::span_of(box);
-    Random random(seed);
+  for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(seed % 2 == 0 ? ball_set(seed) : nasty_set(seed));
+    const Box box = box_of(skin.points());
+    const double span = span_of(box);
     for (int i = 0; i < 4; ++i) {
       const Segment segment(random, box);
       const LineCrossings found = line_crossings(skin, segment.p, segment.q, CellId{0U});
@@ -63,10 +57,9 @@ TEST_CASE("between two crossings that follow each other a line stays on one side
 
 TEST_CASE("a segment that is surely clear of the skin does not cross it") {
   std::size_t clear = 0, all = 0;
-  support::for_seeds(1000, [&](unsigned seed) {
-    const SkinSurface skin(support::ball_set(seed));
-    const support::Box box = support::box_of(skin.points());
-    Random random(seed);
+  for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(ball_set(seed));
+    const Box box = box_of(skin.points());
     for (int i = 0; i < 10; ++i) {
       const Segment segment(random, box);
       const double g = skin.value(segment.p, CellId{0U}), h = skin.value(segment.q, CellId{0U});
@@ -84,7 +77,7 @@ TEST_CASE("a segment that is surely clear of the skin does not cross it") {
 }
 
 TEST_CASE("a line through the middle of two balls crosses each of them twice") {
-  const SkinSurface skin({support::ball(0, 0, 0, 1), support::ball(5, 0, 0, 2)});
+  const SkinSurface skin({ball(0, 0, 0, 1), ball(5, 0, 0, 2)});
   const LineCrossings found = line_crossings(skin, {-10, 0, 0}, {10, 0, 0}, CellId{0U});
   REQUIRE(found.all.size() == 4);
   CHECK(found.all[0].position.x() == doctest::Approx(-1));

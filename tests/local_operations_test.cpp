@@ -1,12 +1,9 @@
 #include "refine/local_operations.h"
 
-#include <doctest/doctest.h>
-
 #include "tests/support/refined_meshes.h"
 
 using namespace morskin;
 using namespace morskin::refine;
-using namespace morskin::support;
 
 namespace {
 
@@ -22,8 +19,7 @@ Work all_big(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("operations in a subdomain change no triangle with a vertex outside") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     Mesh mesh = refined_mesh(skin, coarse);
     const std::size_t triangles = mesh.surface.triangle_count();
     geometry::Parts parts;
@@ -62,7 +58,7 @@ TEST_CASE("operations in a subdomain change no triangle with a vertex outside") 
 }
 
 TEST_CASE("a subdomain without room leaves its work as it is") {
-  const PreparedSkin skin = morskin::prepare_skin(small_skins()[2]);
+  const PreparedSkin skin = small_skins()[2];
   Mesh mesh = refined_mesh(skin, coarse);
   geometry::Parts parts(mesh.points.size(), 0);
   const auto before = mesh.surface.triangle_list();
@@ -74,8 +70,7 @@ TEST_CASE("a subdomain without room leaves its work as it is") {
 }
 
 TEST_CASE("refinement in two halves has one outcome for any number of threads") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     const Mesh rough = refined_mesh(skin, coarse);
     Mesh alone = rough;
     const RefinementCounts counts = refine_mesh(skin, alone);

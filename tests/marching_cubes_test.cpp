@@ -1,11 +1,6 @@
 #include "bench/baselines/marching_cubes.h"
 
-#include <doctest/doctest.h>
-
 #include <bit>
-#include <cmath>
-#include <map>
-#include <set>
 
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
@@ -16,7 +11,7 @@
 
 using namespace morskin;
 using namespace morskin::baselines;
-using support::ball;
+using namespace morskin::support;
 
 namespace {
 
@@ -54,11 +49,11 @@ std::set<std::pair<std::size_t, std::size_t>> open_sides(const CubeCase& c) {
   return open;
 }
 
-morskin::PreparedSkin skin_of(std::string_view file, skin::Model model) {
-  return morskin::prepare_skin(support::molecule(file, model));
+PreparedSkin skin_of(std::string_view file, skin::Model model) {
+  return prepare_skin(molecule(file, model));
 }
 
-certify::Certificate certificate(const morskin::PreparedSkin& skin, const GridMesh& made) {
+certify::Certificate certificate(const PreparedSkin& skin, const GridMesh& made) {
   return certify::certify(made.mesh, skin.surface, skin.topology);
 }
 
@@ -144,24 +139,23 @@ TEST_CASE("a single inside corner is cut off by a triangle that faces away from 
 }
 
 TEST_CASE("no skin lies within the free distance of a point") {
-  const morskin::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
-  const support::Box box = support::box_of(skin.surface.points());
-  support::Random random(5);
+  const PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
+  const Box box = box_of(skin.surface.points());
+  Random random(5);
   for (int i = 0; i < 2000; ++i) {
     CAPTURE(i);
     const geometry::Point x = box.sample(random);
     const Sample s = sample(skin.surface, x, geometry::CellId{0U});
     const double reach = free_distance(s);
     for (int j = 0; j < 20; ++j) {
-      const geometry::Vector d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-      const geometry::Point y = x + 0.999999 * reach * d.normalized();
+      const geometry::Point y = x + 0.999999 * reach * random.direction();
       CHECK((sample(skin.surface, y, s.cell).value < 0) == (s.value < 0));
     }
   }
 }
 
 TEST_CASE("every cell whose corners lie on both sides of the skin is visited, once") {
-  const morskin::PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
+  const PreparedSkin skin = skin_of("benzene.pdb", skin::Model::Paper);
   const Grid grid = grid_over(skin.surface, 0.6);
   std::map<GridPlace, int> visits;
   for_each_cell_near_skin(skin.surface, grid,
@@ -187,28 +181,26 @@ TEST_CASE("every cell whose corners lie on both sides of the skin is visited, on
 }
 
 TEST_CASE("marching cubes gives closed oriented manifolds with every vertex on the skin") {
-  for (const char* file : {"two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr",
-                           "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"}) {
-    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      const morskin::PreparedSkin skin = skin_of(file, model);
-      for (const double step : {0.9, 0.31}) {
-        CAPTURE(file);
-        CAPTURE(step);
-        const GridMesh made = marching_cubes(skin.surface, step);
-        const certify::Certificate c = certificate(skin, made);
-        CHECK(c.broken_by(certify::Claim::Manifold) == "");
-        CHECK(c.broken_by(certify::Claim::OnSkin) == "");
-        CHECK(c.volume > 0);
-        REQUIRE(made.cells.size() == made.mesh.positions.size());
-      }
-    }
-  }
+  for_molecules({"two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "benzene.pdb",
+                 "c60.xyz", "5tmn_ligand.pdb"},
+                [](const WeightedPoints& balls) {
+                  const PreparedSkin skin = prepare_skin(balls);
+                  for (const double step : {0.9, 0.31}) {
+                    CAPTURE(step);
+                    const GridMesh made = marching_cubes(skin.surface, step);
+                    const certify::Certificate c = certificate(skin, made);
+                    CHECK(c.broken_by(certify::Claim::Manifold) == "");
+                    CHECK(c.broken_by(certify::Claim::OnSkin) == "");
+                    CHECK(c.volume > 0);
+                    REQUIRE(made.cells.size() == made.mesh.positions.size());
+                  }
+                });
 }
 
 TEST_CASE("a fine grid gives the skin's topology, but no quality and no certificate") {
   for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "caffeine.xyz"}) {
     CAPTURE(file);
-    const morskin::PreparedSkin skin = skin_of(file, skin::Model::Paper);
+    const PreparedSkin skin = skin_of(file, skin::Model::Paper);
     const certify::Certificate c = certificate(skin, marching_cubes(skin.surface, 0.12));
     CHECK(c.broken_by(certify::Claim::Counts) == "");
     CHECK_FALSE(c.certified);
@@ -218,7 +210,7 @@ TEST_CASE("a fine grid gives the skin's topology, but no quality and no certific
 }
 
 TEST_CASE("area and volume of a ball come nearer with the square of the step") {
-  const morskin::PreparedSkin skin = morskin::prepare_skin({ball(0.1, -0.2, 0.3, 1.5)});
+  const PreparedSkin skin = prepare_skin({ball(0.1, -0.2, 0.3, 1.5)});
   const double area = 4 * M_PI * 1.5 * 1.5, volume = area * 1.5 / 3;
   const auto miss = [&](double step) {
     const certify::Certificate c = certificate(skin, marching_cubes(skin.surface, step));
@@ -232,7 +224,7 @@ TEST_CASE("area and volume of a ball come nearer with the square of the step") {
 }
 
 TEST_CASE("marching cubes gives the same mesh twice") {
-  const morskin::PreparedSkin skin = skin_of("5tmn_ligand.pdb", skin::Model::Paper);
+  const PreparedSkin skin = skin_of("5tmn_ligand.pdb", skin::Model::Paper);
   const GridMesh first = marching_cubes(skin.surface, 0.3);
   const GridMesh second = marching_cubes(skin.surface, 0.3);
   CHECK(first.mesh.triangles == second.mesh.triangles);
@@ -240,26 +232,24 @@ TEST_CASE("marching cubes gives the same mesh twice") {
 }
 
 TEST_CASE("the grid step chosen makes as many triangles as the sweep, within a fifth") {
-  for (const char* file : {"two_balls.xyzr", "ring12.xyzr", "caffeine.xyz", "5tmn_ligand.pdb"}) {
-    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      for (const double C : {0.08, 0.05}) {
-        CAPTURE(file);
-        CAPTURE(C);
-        const morskin::PreparedSkin skin = skin_of(file, model);
-        morskin::MeshingOptions options = support::with({.C = C});
-        options.has_safety_net = false;
-        const double swept =
-            static_cast<double>(morskin::make_mesh(skin, options).mesh.triangles.size());
-        const GridMesh made =
-            marching_cubes(skin.surface, step_like_sweep(skin.surface, options.sizing));
-        CHECK(static_cast<double>(made.mesh.triangles.size()) / swept ==
-              doctest::Approx(1).epsilon(0.2));
-      }
-    }
-  }
+  const auto triangles = [](const auto& made) {
+    return static_cast<double>(made.mesh.triangles.size());
+  };
+  for_molecules({"two_balls.xyzr", "ring12.xyzr", "caffeine.xyz", "5tmn_ligand.pdb"},
+                [&](const WeightedPoints& balls) {
+                  const PreparedSkin skin = prepare_skin(balls);
+                  for (const double C : {0.08, 0.05}) {
+                    CAPTURE(C);
+                    const auto swept =
+                        make_mesh(skin, {.sizing = {.C = C}, .has_safety_net = false});
+                    const double step = step_like_sweep(skin.surface, {.C = C});
+                    CHECK(triangles(marching_cubes(skin.surface, step)) / triangles(swept) ==
+                          doctest::Approx(1).epsilon(0.2));
+                  }
+                });
 }
 
 TEST_CASE("a step so small that the grid has too many cells is refused") {
-  const morskin::PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1.5)});
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1.5)});
   CHECK_THROWS_AS(marching_cubes(skin.surface, 1e-7), geometry::LimitReached);
 }

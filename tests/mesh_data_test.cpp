@@ -2,19 +2,15 @@
 
 #include "geometry/mesh_data.h"
 
-#include <doctest/doctest.h>
-
-#include <map>
 #include <memory>
 
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
 #include "refine/refinement.h"
-#include "tests/support/ball_sets.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
+using namespace morskin::support;
 
 // An array by one kind of id cannot be asked with another.
 template <class Data, class Index>
@@ -32,7 +28,7 @@ constexpr int unlabelled = -1;
 
 /// A mesh with data, and beside it what they ought to be, by nothing but ids kept by hand.
 struct Labelled {
-  SurfaceMesh mesh = closed_mesh(6, support::octahedron()).mesh;
+  SurfaceMesh mesh = closed_mesh(6, octahedron()).mesh;
   VertexData<int> vertex{mesh, unlabelled};
   TriangleData<int> triangle{mesh, unlabelled};
   std::vector<SurfaceMesh::FreeSlots> slots;
@@ -43,24 +39,11 @@ struct Labelled {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) triangle[TriangleId{t}] = ++last;
   }
 
-  HalfEdgeId random_half_edge(support::Random& random) const {
-    for (;;) {
-      const HalfEdgeId h{random.below(3 * mesh.triangle_count())};
-      if (!mesh.is_removed(SurfaceMesh::triangle(h))) return h;
-    }
-  }
-  bool can_unsplit(VertexId v) const {
-    if (mesh.degree(v) != 3) return false;
-    bool can = true;
-    mesh.for_each_outgoing(v, [&](HalfEdgeId h) { can = can && mesh.degree(mesh.target(h)) > 3; });
-    return can;
-  }
-  void edit(support::Random& random) {
-    const HalfEdgeId h = random_half_edge(random);
+  void edit(Random& random) {
+    const HalfEdgeId h = random_half_edge(mesh, random);
     const double kind = random.uniform();
     if (kind < 0.4) {
-      const VertexId c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
-      if (c != d && !mesh.has_edge(c, d)) mesh.flip(h);
+      if (can_flip(mesh, h)) mesh.flip(h);
     } else if (kind < 0.7) {
       if (slots.empty() || random.uniform() < 0.3) slots.push_back(mesh.add_free_slots());
       const SurfaceMesh::FreeSlots free = slots.back();
@@ -72,7 +55,7 @@ struct Labelled {
       vertex[free.vertex] = ++last;
       triangle[free.second] = ++last;
       triangle[free.third] = ++last;
-    } else if (can_unsplit(mesh.origin(h))) {
+    } else if (can_unsplit(mesh, mesh.origin(h))) {
       slots.push_back(mesh.unsplit(mesh.origin(h)));
     }
   }
@@ -91,9 +74,7 @@ struct Labelled {
 }  // namespace
 
 TEST_CASE("data stay with their vertices and triangles through edits, compaction and appending") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    CAPTURE(seed);
-    support::Random random(seed);
+  for_seeds<Random>(200, [](unsigned seed, Random& random) {
     Labelled one;
     for (int step = 0; step < 80; ++step) {
       // A flip moves corners between two triangles; all else keeps what it does not touch.
@@ -126,21 +107,21 @@ TEST_CASE("data stay with their vertices and triangles through edits, compaction
     CHECK(other.vertex.size() == 0);
     one.mesh.compact();
     CHECK(one.content() == both);
-  }
+  });
 }
 
 TEST_CASE("data of an appended mesh without the same data begin anew") {
-  SurfaceMesh mesh = closed_mesh(6, support::octahedron()).mesh;
+  SurfaceMesh mesh = closed_mesh(6, octahedron()).mesh;
   VertexData<int> labels(mesh, 7);
   labels[VertexId{2U}] = 8;
-  mesh.append(closed_mesh(6, support::octahedron()).mesh);
+  mesh.append(closed_mesh(6, octahedron()).mesh);
   CHECK(labels.size() == 12);
   CHECK(labels[VertexId{2U}] == 8);
   CHECK(labels[VertexId{8U}] == 7);
 }
 
 TEST_CASE("a copy of a mesh has no followers, and data may outlive their mesh") {
-  auto mesh = std::make_unique<SurfaceMesh>(closed_mesh(6, support::octahedron()).mesh);
+  auto mesh = std::make_unique<SurfaceMesh>(closed_mesh(6, octahedron()).mesh);
   VertexData<int> labels(*mesh);
   SurfaceMesh copy = *mesh;
   copy.add_vertex();
@@ -169,21 +150,15 @@ TEST_CASE("a mesh on a surface that is copied or moved takes its points and birt
 }
 
 TEST_CASE("a triangle's birth is its turn in the sweep, and refinement keeps it where it may") {
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    CAPTURE(seed);
-    const auto skin = support::prepared(support::ball_set(seed));
-    if (!skin) continue;
-    const morse::Guide guide =
-        morse::make_guide(skin->surface, skin->topology.skin_euler_characteristic(), std::nullopt,
-                          morskin::sphere_share(skin->surface, {}));
-    const auto laid = front::sweep_once(skin->surface, guide, {.record_births = true});
+  for_skins(10, [](const PreparedSkin& skin) {
+    const auto laid = front::sweep_once(skin.surface, guide_for(skin), {.record_births = true});
     REQUIRE(laid.mesh.births.has_value());
     const std::size_t count = laid.mesh.surface.triangle_count();
     REQUIRE(laid.mesh.births->size() == count);
     for (std::size_t t = 0; t < count; ++t) CHECK((*laid.mesh.births)[TriangleId{t}] == t);
 
     surface::Mesh mesh = laid.mesh;
-    refine::Refinement(skin->surface, {}, mesh).run();
+    refine::Refinement(skin.surface, {}, mesh).run();
     REQUIRE(mesh.births->size() == mesh.surface.triangle_count());
     // A triangle that has the corners of one that was laid was laid with it, most are such.
     std::size_t same = 0;
@@ -198,5 +173,5 @@ TEST_CASE("a triangle's birth is its turn in the sweep, and refinement keeps it 
       });
     }
     CHECK(2 * same > mesh.surface.triangle_count());
-  }
+  });
 }

@@ -1,11 +1,6 @@
 #include "skin/model.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include "skin/molecule_files.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;

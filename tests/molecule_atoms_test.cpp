@@ -1,13 +1,20 @@
 // Which atoms of a file are read, and as which element.
 
-#include <doctest/doctest.h>
-
 #include "tests/support/molecule_texts.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::skin;
-using namespace morskin::support;
+
+namespace {
+
+/// An atom whose x is the letter of its alternate location.
+std::string alternate(const char* name, char letter, const char* residue, const char* tail) {
+  return pdb_line("ATOM", name, letter, residue, 7, letter, tail);
+}
+
+}  // namespace
 
 TEST_CASE("an old PDB file gives its elements by the columns of the names") {
   const Molecule molecule = parse_molecule(
@@ -41,14 +48,11 @@ TEST_CASE("the element columns win where the residue can have that element") {
 }
 
 TEST_CASE("of alternate places the likeliest stays, of equals the first letter") {
-  const auto place = [](const char* name, char letter, const char* residue, const char* tail) {
-    return pdb_line("ATOM", name, letter, residue, 7, letter, tail);
-  };
-  const Molecule molecule =
-      parse_molecule(place(" N  ", ' ', "SER", "  1.00") + place(" CA ", 'A', "SER", "  0.30") +
-                         place(" CA ", 'B', "SER", "  0.70") + place(" OG ", 'B', "SER", "  0.50") +
-                         place(" OG ", 'A', "SER", "  0.50") + place(" CB ", 'C', "SER", "  0.20"),
-                     "a.pdb");
+  const Molecule molecule = parse_molecule(
+      alternate(" N  ", ' ', "SER", "  1.00") + alternate(" CA ", 'A', "SER", "  0.30") +
+          alternate(" CA ", 'B', "SER", "  0.70") + alternate(" OG ", 'B', "SER", "  0.50") +
+          alternate(" OG ", 'A', "SER", "  0.50") + alternate(" CB ", 'C', "SER", "  0.20"),
+      "a.pdb");
   CHECK(names_of(molecule) == "N CA OG CB");
   CHECK(molecule.atoms[1].position.x() == 'B');
   CHECK(molecule.atoms[2].position.x() == 'A');
@@ -56,13 +60,10 @@ TEST_CASE("of alternate places the likeliest stays, of equals the first letter")
 }
 
 TEST_CASE("a residue with two identities keeps the atoms of one") {
-  const auto place = [](const char* name, char letter, const char* residue, const char* tail) {
-    return pdb_line("ATOM", name, letter, residue, 22, letter, tail);
-  };
-  const Molecule molecule =
-      parse_molecule(place(" CB ", 'A', "PRO", "  0.60") + place(" CG ", 'A', "PRO", "  0.60") +
-                         place(" CB ", 'B', "SER", "  0.40") + place(" OG ", 'B', "SER", "  0.40"),
-                     "a.pdb");
+  const Molecule molecule = parse_molecule(
+      alternate(" CB ", 'A', "PRO", "  0.60") + alternate(" CG ", 'A', "PRO", "  0.60") +
+          alternate(" CB ", 'B', "SER", "  0.40") + alternate(" OG ", 'B', "SER", "  0.40"),
+      "a.pdb");
   CHECK(names_of(molecule) == "CB CG");
 }
 

@@ -1,18 +1,15 @@
 #include "skin/molecule_files.h"
 
-#include <doctest/doctest.h>
-
 #include <clocale>
-#include <map>
 
 #include "skin/radii.h"
 #include "tests/support/molecule_texts.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::skin;
-using namespace morskin::support;
 
 TEST_CASE("the ending stands for the format, in upper or lower case, gzipped or not") {
   CHECK(molecule_format_of("a/1CRN.PDB") == MoleculeFormat::Pdb);

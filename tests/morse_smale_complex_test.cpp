@@ -1,18 +1,11 @@
 #include "morse/morse_smale_complex.h"
 
-#include <doctest/doctest.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <set>
-
 #include "skin/dual_complex.h"
 #include "tests/support/morse_lines.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
-using support::MorseCase;
+using namespace morskin::support;
 
 namespace {
 
@@ -79,8 +72,9 @@ Region turned(const MorseSmaleComplex& complex, std::vector<CriticalId> face) {
   return {face[0], face[1], face[2], face[3]};
 }
 
-/// The first law that a complex breaks, or nothing.
-std::string broken_law(const MorseCase& test, const MorseSmaleComplex& complex) {
+/// The first law that a case's complex breaks, or nothing.
+std::string broken_law(const MorseCase& test) {
+  const MorseSmaleComplex complex = complex_of(test);
   if (!complex.degeneracies.empty()) return complex.degeneracies.front();
   const std::size_t saddles = test.critical.count(1);
   if (complex.arcs.size() != 4 * saddles) return "four arcs to a saddle";
@@ -120,20 +114,11 @@ std::string broken_law(const MorseCase& test, const MorseSmaleComplex& complex) 
   return "";
 }
 
-std::string broken_law(const MorseCase& test) {
-  return broken_law(test, morse_smale_complex(test.skin, test.f, test.critical));
-}
-
-support::WeightedPoints two_apart() {
-  return {support::ball(0, 0, 0, 1), support::ball(9, 1, 2, 1.5)};
-}
-
 }  // namespace
 
 TEST_CASE("random sets of balls have a complex of quadrangles, for heights and distances") {
   std::size_t sound = 0;
-  support::for_seeds<MorseCase>(200, [&](const MorseCase& test) {
-    if (test.is_degenerate()) return;
+  for_morse_cases(200, [&](const MorseCase& test) {
     CHECK(broken_law(test) == "");
     ++sound;
   });
@@ -141,52 +126,43 @@ TEST_CASE("random sets of balls have a complex of quadrangles, for heights and d
 }
 
 TEST_CASE("the bundled molecules have a complex of quadrangles in all three models") {
-  for (const char* file :
-       {"5tmn_ligand.pdb", "9dna.pdb", "1grm_model1.pdb", "1crn.pdb", "benzene.pdb", "c60.xyz",
-        "caffeine.xyz", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "two_balls.xyzr"}) {
-    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      CAPTURE(file);
-      CAPTURE(skin::name_of(model));
-      const MorseCase test(support::molecule(file, model), MorseFunction{});
-      REQUIRE_FALSE(test.is_degenerate());
-      CHECK(broken_law(test) == "");
-    }
-  }
+  for_molecules(bundled_molecules, [](const WeightedPoints& balls) {
+    const MorseCase test(balls, MorseFunction{});
+    REQUIRE_FALSE(test.is_degenerate());
+    CHECK(broken_law(test) == "");
+  });
 }
 
 TEST_CASE("components without saddles are counted: a lone ball, two apart, one in another") {
-  support::for_seeds<support::Random>(50, [&](unsigned seed, support::Random& random) {
+  for_seeds<Random>(50, [&](unsigned seed, Random& random) {
     const MorseFunction f = seed % 2 == 0
                                 ? MorseFunction::height(random.direction())
                                 : MorseFunction::squared_distance(30 * random.direction());
-    const auto components = [&](const support::WeightedPoints& points) {
+    const auto components = [&](const WeightedPoints& points) {
       const MorseCase test(points, f);
       CHECK(broken_law(test) == "");
-      return morse_smale_complex(test.skin, f, test.critical).components;
+      return complex_of(test).components;
     };
-    CHECK(components({support::ball(1, 2, 3, 1.2)}) == 1);
-    CHECK(components(two_apart()) == 2);
-    CHECK(components({support::ball(0, 0, 0, 3), support::ball(0.5, 0, 0, 1)}) == 1);
-    CHECK(components({support::ball(0, 0, 0, 1), support::ball(1.5, 0, 0, 1),
-                      support::ball(20, 0, 0, 1)}) == 2);
+    CHECK(components({ball(1, 2, 3, 1.2)}) == 1);
+    CHECK(components({ball(0, 0, 0, 1), ball(9, 1, 2, 1.5)}) == 2);
+    CHECK(components({ball(0, 0, 0, 3), ball(0.5, 0, 0, 1)}) == 1);
+    CHECK(components({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1), ball(20, 0, 0, 1)}) == 2);
   });
 }
 
 TEST_CASE("a shell has an inner and an outer component, a ring one of genus one") {
-  const MorseCase shell(support::molecule("shell_hollow.xyzr", skin::Model::Paper), {});
-  CHECK(morse_smale_complex(shell.skin, shell.f, shell.critical).components ==
-        skin::dual_complex(shell.skin).skin_components());
+  const MorseCase shell(molecule("shell_hollow.xyzr", skin::Model::Paper), {});
+  CHECK(complex_of(shell).components == skin::dual_complex(shell.skin).skin_components());
   CHECK(skin::dual_complex(shell.skin).betti[2] == 1);
-  const MorseCase ring(support::molecule("ring12.xyzr", skin::Model::Paper), {});
-  CHECK(morse_smale_complex(ring.skin, ring.f, ring.critical).components == 1);
+  const MorseCase ring(molecule("ring12.xyzr", skin::Model::Paper), {});
+  CHECK(complex_of(ring).components == 1);
   CHECK(ring.critical.euler_characteristic() == 0);
 }
 
 TEST_CASE("with any two neighbouring arcs swapped at an extremum a face is no quadrangle") {
   std::size_t swaps = 0;
-  support::for_seeds<MorseCase>(40, [&](const MorseCase& test) {
-    if (test.is_degenerate()) return;
-    const MorseSmaleComplex complex = morse_smale_complex(test.skin, test.f, test.critical);
+  for_morse_cases(40, [&](const MorseCase& test) {
+    const MorseSmaleComplex complex = complex_of(test);
     const auto order = order_of(complex);
     REQUIRE(are_quadrangles(complex, faces(complex, order)));
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -207,8 +183,8 @@ TEST_CASE(
   std::size_t shared = 0, merged = 0;
   for (const char* file : {"1grm_model1.pdb", "1crn.pdb", "9dna.pdb"}) {
     CAPTURE(file);
-    const MorseCase test(support::molecule(file, skin::Model::Paper), MorseFunction{});
-    const MorseSmaleComplex complex = morse_smale_complex(test.skin, test.f, test.critical);
+    const MorseCase test(molecule(file, skin::Model::Paper), MorseFunction{});
+    const MorseSmaleComplex complex = complex_of(test);
     merged += complex.merged_lines;
     for (std::uint32_t a = 0; a < complex.arcs.size(); ++a) {
       const auto line = complex.line(ArcId{a});
@@ -234,18 +210,18 @@ TEST_CASE(
 TEST_CASE("a connection of two saddles by symmetry is reported, not guessed about") {
   // Seen along its own plane, the lines of a ring's inside run from its upper saddle to its lower.
   for (const Vector& direction : {Vector(0.3, 1, 0), Vector(1, 0.21, 0), Vector(1, 1, 0.3)}) {
-    const MorseCase ring(support::molecule("ring12.xyzr", skin::Model::Paper),
+    const MorseCase ring(molecule("ring12.xyzr", skin::Model::Paper),
                          MorseFunction::height(direction));
     REQUIRE_FALSE(ring.is_degenerate());
-    const MorseSmaleComplex complex = morse_smale_complex(ring.skin, ring.f, ring.critical);
+    const MorseSmaleComplex complex = complex_of(ring);
     CHECK(complex.regions.empty());
     REQUIRE_FALSE(complex.degeneracies.empty());
     CHECK(complex.degeneracies.front().find("runs into the saddle") != std::string::npos);
   }
   // The waist of a neck seen across it.
-  const MorseCase neck({support::ball(-1.5, 0, 0, 1.5), support::ball(1.5, 0, 0, 1)},
+  const MorseCase neck({ball(-1.5, 0, 0, 1.5), ball(1.5, 0, 0, 1)},
                        MorseFunction::height(Vector(0, 1, 0.25)));
-  CHECK_FALSE(morse_smale_complex(neck.skin, neck.f, neck.critical).degeneracies.empty());
+  CHECK_FALSE(complex_of(neck).degeneracies.empty());
 }
 
 TEST_CASE("doubling all lengths doubles every point of every line exactly") {
@@ -253,9 +229,8 @@ TEST_CASE("doubling all lengths doubles every point of every line exactly") {
     CAPTURE(seed);
     const MorseCase test(seed);
     if (test.is_degenerate()) continue;
-    const MorseCase twice(support::doubled(test.skin.points()), test.f);
-    const MorseSmaleComplex small = morse_smale_complex(test.skin, test.f, test.critical),
-                            large = morse_smale_complex(twice.skin, twice.f, twice.critical);
+    const MorseCase twice(doubled(test.skin.points()), test.f);
+    const MorseSmaleComplex small = complex_of(test), large = complex_of(twice);
     REQUIRE(small.line_points.size() == large.line_points.size());
     bool is_doubled = true;
     for (std::size_t i = 0; i < small.line_points.size(); ++i) {
@@ -268,27 +243,17 @@ TEST_CASE("doubling all lengths doubles every point of every line exactly") {
 
 TEST_SUITE("slow") {
   TEST_CASE("2,000 random sets have a complex of quadrangles, for heights and distances") {
-    for (unsigned seed = 1000; seed < 3000; ++seed) {
-      CAPTURE(seed);
-      const MorseCase test(seed);
-      if (!test.is_degenerate()) CHECK(broken_law(test) == "");
-    }
+    for_morse_cases({1000, 3000}, [](const MorseCase& test) { CHECK(broken_law(test) == ""); });
   }
 
   TEST_CASE("the bundled molecules have a complex of quadrangles in five random directions each") {
-    support::Random random(5);
-    for (const char* file :
-         {"5tmn_ligand.pdb", "9dna.pdb", "1grm_model1.pdb", "1crn.pdb", "benzene.pdb", "c60.xyz",
-          "caffeine.xyz", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "two_balls.xyzr"}) {
-      for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-        for (int i = 0; i < 5; ++i) {
-          CAPTURE(file);
-          CAPTURE(i);
-          const MorseCase test(support::molecule(file, model),
-                               MorseFunction::height(random.direction()));
-          if (!test.is_degenerate()) CHECK(broken_law(test) == "");
-        }
+    Random random(5);
+    for_molecules(bundled_molecules, [&](const WeightedPoints& balls) {
+      for (int i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        const MorseCase test(balls, MorseFunction::height(random.direction()));
+        if (!test.is_degenerate()) CHECK(broken_law(test) == "");
       }
-    }
+    });
   }
 }

@@ -1,16 +1,10 @@
 #include "front/neighbourhood.h"
 
-#include <doctest/doctest.h>
-
-#include "tests/support/ball_sets.h"
 #include "tests/support/plane_front.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::front;
-using support::flat;
-using support::Plane;
-using support::Random;
+using namespace morskin::support;
 
 TEST_CASE("the bare angle of a corner is what its fan leaves of the full turn") {
   for (int n = 3; n < 9; ++n) {
@@ -85,7 +79,7 @@ TEST_CASE(
 
 TEST_CASE("the apex has no corner that the edge sees in its circle") {
   std::size_t found = 0;
-  support::for_seeds<Random>(500, [&](Random& random) {
+  for_seeds<Random>(500, [&](Random& random) {
     Plane plane;
     std::vector<FrontEdgeId> corners = plane.fan(0, 0, 0.08, random.between(0, 1));
     const FrontEdgeId e = corners[0];
@@ -140,7 +134,7 @@ TEST_CASE("a new vertex is clear only away from vertices, edges and the far side
 }
 
 TEST_CASE("a neighbourhood's frame keeps lengths and puts its centre at the origin") {
-  support::for_seeds<Random>(100, [&](Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const Plane plane;
     Neighbourhood near(plane.mesh, plane.front);
     const SurfacePoint centre{random.between(0, 5) * random.direction(), random.direction(), 1,

@@ -1,17 +1,11 @@
 #include "skin/orthocentre.h"
 
-#include <doctest/doctest.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "geometry/orthosphere.h"
 #include "tests/support/nasty_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using geometry::Point;
 using geometry::WeightedPoint;
 
@@ -27,17 +21,17 @@ double power(const WeightedPoint& p, const skin::Wide& x) {
 /// Lattice points, turned so that what was flat or right-angled is so but for rounding: simplices
 /// of all shapes, weights that cancel among them.
 std::vector<WeightedPoint> some_simplex(unsigned seed, std::size_t size) {
-  support::Random random(seed);
+  Random random(seed);
   const double whole = std::pow(10.0, -static_cast<double>(random.below(3)));
-  support::Balls balls;
+  Balls balls;
   while (balls.size() < size) {
-    const Point at = whole * support::whole_point(random, 2);
-    if (std::ranges::none_of(balls, [&](const support::Ball& b) { return b.centre == at; })) {
+    const Point at = whole * whole_point(random, 2);
+    if (std::ranges::none_of(balls, [&](const Ball& b) { return b.centre == at; })) {
       balls.push_back({at, whole * 0.5 * static_cast<double>(1 + random.below(3))});
     }
   }
-  support::turn_and_move(random, balls);
-  return support::weighted(balls);
+  turn_and_move(random, balls);
+  return weighted(balls);
 }
 
 bool is_independent(const std::vector<WeightedPoint>& s) {
@@ -46,12 +40,19 @@ bool is_independent(const std::vector<WeightedPoint>& s) {
                                                s[3].position) != geometry::Sign::Zero;
 }
 
+/// Tries a law for such simplices of 2 to 4 points that are independent.
+template <class Law>
+void for_simplices(unsigned count, Law law) {
+  for_seeds(count, [&](unsigned seed) {
+    const auto simplex = some_simplex(seed, 2 + seed % 3);
+    if (is_independent(simplex)) law(simplex);
+  });
+}
+
 }  // namespace
 
 TEST_CASE("the orthocentre does not depend on the order of the simplex, however flat or thin") {
-  support::for_seeds(6000, [&](unsigned seed) {
-    std::vector<WeightedPoint> simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) return;
+  for_simplices(6000, [](std::vector<WeightedPoint> simplex) {
     const skin::Orthocentre z = skin::orthocentre(simplex);
     std::rotate(simplex.begin(), simplex.begin() + 1, simplex.end());
     std::swap(simplex[0], simplex[1]);
@@ -67,9 +68,7 @@ TEST_CASE("the orthocentre does not depend on the order of the simplex, however 
 
 TEST_CASE("the sign of an orthocentre's weight is the exact one") {
   std::size_t thin = 0;
-  support::for_seeds(6000, [&](unsigned seed) {
-    const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) return;
+  for_simplices(6000, [&](const std::vector<WeightedPoint>& simplex) {
     const skin::Orthocentre z = skin::orthocentre(simplex);
     thin += std::abs(z.weight) < 1e-12L * simplex[0].weight;
     CHECK(geometry::sign_of(z.weight) == geometry::orthosphere_weight_sign(simplex));
@@ -78,9 +77,7 @@ TEST_CASE("the sign of an orthocentre's weight is the exact one") {
 }
 
 TEST_CASE("the orthocentre has equal power to all weighted points, as near as they can tell") {
-  support::for_seeds(3000, [&](unsigned seed) {
-    const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) return;
+  for_simplices(3000, [&](const std::vector<WeightedPoint>& simplex) {
     const skin::Orthocentre z = skin::orthocentre(simplex);
     const double distance =
         static_cast<double>((z.position - simplex[0].position.cast<long double>()).norm());
@@ -92,9 +89,7 @@ TEST_CASE("the orthocentre has equal power to all weighted points, as near as th
 }
 
 TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards the other vertex") {
-  support::for_seeds(6000, [&](unsigned seed) {
-    const auto simplex = some_simplex(seed, 2 + seed % 3);
-    if (!is_independent(simplex)) return;
+  for_simplices(6000, [&](const std::vector<WeightedPoint>& simplex) {
     std::vector<Point> points;
     for (const WeightedPoint& p : simplex) points.push_back(p.position);
     const geometry::Vector d = skin::direction_off_facet(points);
@@ -113,7 +108,7 @@ TEST_CASE("the direction off a facet is a unit vector orthogonal to it, towards 
 TEST_CASE("the rough weight of a tetrahedron is its orthocentre's to 2^-20 of its first point's") {
   constexpr double promised_share = 0x1p-20;
   std::size_t tested = 0;
-  support::for_seeds(6000, [&](unsigned seed) {
+  for_seeds(6000, [&](unsigned seed) {
     const std::vector<WeightedPoint> simplex = some_simplex(seed, 4);
     if (!is_independent(simplex)) return;
     ++tested;

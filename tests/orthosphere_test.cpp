@@ -1,14 +1,8 @@
 #include "geometry/orthosphere.h"
 
-#include <doctest/doctest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
 
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 namespace morskin::geometry {
 namespace {
@@ -55,8 +49,7 @@ long double power(const Orthosphere& sphere, const WeightedPoint& v) {
 }  // namespace
 
 TEST_CASE("the sign of an orthocentre's weight agrees with long doubles on random simplices") {
-  support::for_seeds(2000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(2000, [&](unsigned seed, std::mt19937_64& random) {
     const auto simplex = random_balls(random, 1 + seed % 4);
     const long double weight = approximate_orthosphere(simplex).weight;
     if (std::fabs(weight) < 1e-6L) return;
@@ -65,8 +58,7 @@ TEST_CASE("the sign of an orthocentre's weight agrees with long doubles on rando
 }
 
 TEST_CASE("the sign of a power over the orthocentre agrees with long doubles") {
-  support::for_seeds(2000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(2000, [&](unsigned seed, std::mt19937_64& random) {
     const auto simplex = random_balls(random, 1 + seed % 3);
     const WeightedPoint v = random_balls(random, 1)[0];
     const Orthosphere sphere = approximate_orthosphere(simplex);
@@ -123,8 +115,7 @@ TEST_CASE("a single ball is attached to another that holds its centre more deepl
 }
 
 TEST_CASE("the order of a simplex's points does not change its signs") {
-  support::for_seeds(1000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(1000, [&](std::mt19937_64& random) {
     std::uniform_int_distribution<int> small(-2, 2);
     std::vector<WeightedPoint> simplex(4);
     for (WeightedPoint& ball : simplex) {

@@ -1,19 +1,14 @@
 #include "app/page_pool.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <thread>
-#include <vector>
 
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using app::PagePool;
 
 namespace {
@@ -41,7 +36,7 @@ struct Array {
 
 /// Takes and gives back at random.
 void use(PagePool& pool, unsigned seed, int steps) {
-  support::Random random(seed);
+  Random random(seed);
   std::vector<Array> arrays;
   for (int i = 0; i < steps; ++i) {
     if (!arrays.empty() && random.uniform() < 0.48) {
@@ -78,7 +73,7 @@ long long resident() {
 TEST_CASE(
     "arrays of the pool lie apart and keep what is written in them, whatever comes and goes") {
   const auto pool = std::make_unique<PagePool>();
-  support::for_seeds(40, [&](unsigned seed) { use(*pool, seed, 120); });
+  for_seeds(40, [&](unsigned seed) { use(*pool, seed, 120); });
 }
 
 TEST_CASE("two threads may take from the pool at once") {

@@ -1,10 +1,9 @@
 #include "geometry/parallel.h"
 
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <numeric>
 #include <stdexcept>
+
+#include "tests/support/test.h"
 
 using namespace morskin::geometry;
 

@@ -1,19 +1,9 @@
 #include "morse/persistence.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-#include <set>
-#include <vector>
-
 #include "morse/quadrangles.h"
 #include "morse/simplification.h"
 #include "morse/validate_complex.h"
 #include "tests/support/plain_complex.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -40,8 +30,7 @@ std::array<CriticalId, 4> turned(const std::array<CriticalId, 4>& region) {
 
 TEST_CASE("complexes made from random embedded graphs break no law") {
   std::array<std::size_t, 3> met{};  // one sphere, several components, handles
-  support::for_seeds(500, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(500, [&](const MorseSmaleComplex& complex) {
     CHECK(validate(complex).value_or("") == "");
     const std::vector<bool> all(complex.points.size(), true);
     const long genus =
@@ -52,46 +41,37 @@ TEST_CASE("complexes made from random embedded graphs break no law") {
 }
 
 TEST_CASE("a damaged complex breaks a law") {
-  support::for_seeds(200, [&](unsigned seed) {
+  for_seeds<Random>(200, [&](unsigned seed, Random& random) {
     const MorseSmaleComplex good = random_complex(seed);
-    support::Random random(seed);
-    MorseSmaleComplex bad = good;
-    bad.regions.pop_back();
-    CHECK(validate(bad));
-    bad = good;
-    ++bad.components;
-    CHECK(validate(bad));
-    bad = good;
-    std::swap(bad.arcs[0], bad.arcs[1]);
-    CHECK(validate(bad));
-    bad = good;
-    bad.arcs.resize(bad.arcs.size() - 4);
-    CHECK(validate(bad));
-    bad = good;
-    bad.points[bad.arcs[0].saddle.index()].value = -infinite;
-    CHECK(validate(bad));
-    bad = good;
-    for (std::size_t i = 0; i < bad.points.size(); ++i) {
-      const std::size_t first = bad.first_end[i];
-      if (bad.first_end[i + 1] - first < 3) continue;
-      std::swap(bad.ends[first], bad.ends[first + 1]);
+    const auto check_broken = [&](auto damage) {
+      MorseSmaleComplex bad = good;
+      damage(bad);
       CHECK(validate(bad));
+    };
+    check_broken([](auto& bad) { bad.regions.pop_back(); });
+    check_broken([](auto& bad) { ++bad.components; });
+    check_broken([](auto& bad) { std::swap(bad.arcs[0], bad.arcs[1]); });
+    check_broken([](auto& bad) { bad.arcs.resize(bad.arcs.size() - 4); });
+    check_broken([](auto& bad) { bad.points[bad.arcs[0].saddle.index()].value = -infinite; });
+    for (std::size_t i = 0; i < good.points.size(); ++i) {
+      const std::size_t first = good.first_end[i];
+      if (good.first_end[i + 1] - first < 3) continue;
+      check_broken([&](auto& bad) { std::swap(bad.ends[first], bad.ends[first + 1]); });
       break;
     }
     // An arc that ends at another minimum than it should.
     const std::vector<CriticalId> minima = points_of(good, 0);
     if (minima.size() < 2) return;
-    bad = good;
-    Arc& arc = bad.arcs[4 * random.below(bad.arcs.size() / 4)];
-    const CriticalId old = arc.extremum;
-    while (arc.extremum == old) arc.extremum = minima[random.below(minima.size())];
-    CHECK(validate(bad));
+    check_broken([&](auto& bad) {
+      Arc& arc = bad.arcs[4 * random.below(bad.arcs.size() / 4)];
+      const CriticalId old = arc.extremum;
+      while (arc.extremum == old) arc.extremum = minima[random.below(minima.size())];
+    });
   });
 }
 
 TEST_CASE("every cancellation keeps the Euler characteristic, the components and all quadrangles") {
-  support::for_seeds(300, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(300, [&](const MorseSmaleComplex& complex) {
     Quadrangles quadrangles(complex);
     std::vector<bool> survives(complex.points.size(), true);
     const long chi = euler_characteristic(complex, survives);
@@ -108,18 +88,15 @@ TEST_CASE("every cancellation keeps the Euler characteristic, the components and
 }
 
 TEST_CASE("cancelling in any order, wherever two ends differ, keeps a surface of quadrangles") {
-  support::for_seeds(300, [&](unsigned seed) {
+  for_seeds<Random>(300, [&](unsigned seed, Random& random) {
     // Values play no part: all minima lie below all saddles, and these below all maxima.
     MorseSmaleComplex complex = random_complex(seed);
     for (CriticalPoint& p : complex.points) p.value = p.index;
     Quadrangles quadrangles(complex);
-    support::Random random(seed);
     std::vector<bool> survives(complex.points.size(), true);
     const long chi = euler_characteristic(complex, survives);
     std::vector<CriticalId> saddles = points_of(complex, 1);
-    for (std::size_t i = saddles.size(); i > 1; --i) {
-      std::swap(saddles[i - 1], saddles[random.below(i)]);
-    }
+    random.shuffle(saddles);
     for (const CriticalId saddle : saddles) {
       const CriticalId end = quadrangles.ends(saddle)[random.below(4)];
       if (!quadrangles.other_end(saddle, end)) continue;
@@ -134,8 +111,7 @@ TEST_CASE("cancelling in any order, wherever two ends differ, keeps a surface of
 }
 
 TEST_CASE("Figure 3: after contracting ab each region is still a quadrangle, about c") {
-  support::for_seeds(200, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(200, [&](const MorseSmaleComplex& complex) {
     const std::vector<PersistencePair> pairs = persistence_pairs(complex);
     if (pairs.empty()) return;
     const auto [a, b, elder, persistence] = pairs.front();
@@ -164,8 +140,7 @@ TEST_CASE("Figure 3: after contracting ab each region is still a quadrangle, abo
 }
 
 TEST_CASE("pairs are those of the components of sublevel sets and superlevel sets, filled anew") {
-  support::for_seeds(300, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(300, [&](const MorseSmaleComplex& complex) {
     std::set<std::pair<CriticalId, CriticalId>> expected, found;
     for (const int side : {0, 1}) {
       const auto is_older = [&](CriticalId p, CriticalId q) {
@@ -204,7 +179,7 @@ TEST_CASE("pairs are those of the components of sublevel sets and superlevel set
 }
 
 TEST_CASE("the hierarchy is what cancelling the least persistent arc again and again gives") {
-  support::for_seeds(300, [&](unsigned seed) {
+  for_seeds(300, [&](unsigned seed) {
     if (seed % 4 == 3) return;  // equal values: the order is open
     const MorseSmaleComplex complex = random_complex(seed, 25);
     PlainComplex plain(complex);
@@ -222,8 +197,7 @@ TEST_CASE("the hierarchy is what cancelling the least persistent arc again and a
 }
 
 TEST_CASE("each cancellation meets the persistence condition when its turn comes, ties or not") {
-  support::for_seeds(400, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(400, [&](const MorseSmaleComplex& complex) {
     PlainComplex plain(complex);
     double last = 0;
     for (const Cancellation& c : cancel_up_to(complex, infinite, 0).cancelled) {

@@ -1,29 +1,17 @@
-#include <doctest/doctest.h>
-
-#include <Eigen/Geometry>
-#include <cmath>
-#include <limits>
-#include <string>
-
 #include "app/pictures/light.h"
 #include "app/pictures/png.h"
 #include "app/pictures/raster.h"
 #include "app/pictures/render.h"
-#include "tests/support/ball_sets.h"
 #include "tests/support/png_reading.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::pictures;
-using support::Random;
+using namespace morskin::support;
 
 namespace {
 
 constexpr Colour red{1, 0, 0}, blue{0, 0, 1};
-
-Vector random_vector(Random& random, double low, double high) {
-  return {random.between(low, high), random.between(low, high), random.between(low, high)};
-}
 
 Camera front_camera(int size) { return camera_from(Vector::UnitZ(), Vector::UnitY(), size, size); }
 
@@ -59,10 +47,10 @@ Scene triangle_scene(const Vector& a, const Vector& b, const Vector& c, const Co
 }  // namespace
 
 TEST_CASE("a ball's silhouette has the area pi r^2, but for its rim") {
-  support::for_seeds<Random>(40, [&](Random& random) {
+  for_seeds<Random>(40, [&](Random& random) {
     const double radius = random.between(5, 40);
     Scene scene;
-    scene.balls.push_back({random_vector(random, -8, 8), radius, red});
+    scene.balls.push_back({random.in_cube(-8, 8), radius, red});
     const Image image = render(scene, front_camera(100), {.samples = 1, .shadows = false});
     // Pixels whose centres are inside: off by less than the length of the rim (Gauss's circle).
     CHECK(std::abs(static_cast<double>(covered(image)) - M_PI * radius * radius) < M_PI * radius);
@@ -70,9 +58,9 @@ TEST_CASE("a ball's silhouette has the area pi r^2, but for its rim") {
 }
 
 TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") {
-  support::for_seeds<Random>(300, [&](Random& random) {
-    const Vector a = random_vector(random, -10, 50), b = random_vector(random, -10, 50),
-                 c = random_vector(random, -10, 50);
+  for_seeds<Random>(300, [&](Random& random) {
+    const Vector a = random.in_cube(-10, 50), b = random.in_cube(-10, 50),
+                 c = random.in_cube(-10, 50);
     const Grid grid{40, 40};
     std::vector<int> visits(1600);
     const Vector normal = (b - a).cross(c - a);
@@ -96,8 +84,8 @@ TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") 
 }
 
 TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") {
-  support::for_seeds<Random>(200, [&](Random& random) {
-    const Vector from = random_vector(random, 5, 35), to = random_vector(random, 5, 35);
+  for_seeds<Random>(200, [&](Random& random) {
+    const Vector from = random.in_cube(5, 35), to = random.in_cube(5, 35);
     const double radius = random.between(0.5, 6);
     const Vector e = (to - from).normalized();
     std::size_t count = 0;
@@ -121,7 +109,7 @@ TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") 
 }
 
 TEST_CASE("what is nearer is seen, in whatever order things are drawn") {
-  support::for_seeds<Random>(60, [&](Random& random) {
+  for_seeds<Random>(60, [&](Random& random) {
     // Two triangles that both cover the middle, red at height `z` there and blue at 0.
     const double z = (random.uniform() < 0.5 ? -1 : 1) * random.between(0.5, 10);
     const auto over_middle = [&](double height) {
@@ -147,8 +135,8 @@ TEST_CASE("the same scene gives the same bytes") {
   Random random(7);
   Scene scene;
   for (int i = 0; i < 30; ++i) {
-    scene.balls.push_back({random_vector(random, -5, 5), random.between(0.5, 2), blue});
-    scene.sticks.push_back({random_vector(random, -5, 5), random_vector(random, -5, 5), 0.3, red});
+    scene.balls.push_back({random.in_cube(-5, 5), random.between(0.5, 2), blue});
+    scene.sticks.push_back({random.in_cube(-5, 5), random.in_cube(-5, 5), 0.3, red});
   }
   scene.lines.push_back({{Vector(-5, -5, 9), Vector(5, 5, 9)}, ink, 3});
   scene.labels.push_back({Vector::Zero(), "p_0 = ρ", Vector2(0, 0), 14});
@@ -198,9 +186,9 @@ TEST_CASE("a place under a roof is darker the lower the roof is") {
 }
 
 TEST_CASE("a fitted camera sees all points, and lengths across the view are true") {
-  support::for_seeds<Random>(100, [&](Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     std::vector<Point> points;
-    for (int i = 0; i < 20; ++i) points.push_back(random_vector(random, -7, 9));
+    for (int i = 0; i < 20; ++i) points.push_back(random.in_cube(-7, 9));
     const Camera camera =
         camera_from(random.direction(), random.direction(), 200, 120).fitted(points);
     for (const Point& p : points) {
@@ -216,7 +204,7 @@ TEST_CASE("a fitted camera sees all points, and lengths across the view are true
 }
 
 TEST_CASE("a line of a width and a length covers its area and two half disks") {
-  support::for_seeds<Random>(100, [&](Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const Vector2 a(random.between(20, 80), random.between(20, 80)),
         b(random.between(20, 80), random.between(20, 80));
     const double width = random.between(1, 12);
@@ -259,7 +247,7 @@ TEST_CASE("a PNG holds the picture's bytes") {
       image.at(x, y) = {random.uniform(), random.uniform(), random.uniform()};
     }
   }
-  const auto pixels = support::read_png(png(image));
+  const auto pixels = read_png(png(image));
   REQUIRE(pixels);
   CHECK(pixels->width == 37);
   CHECK(pixels->height == 23);

@@ -1,16 +1,8 @@
 #include "geometry/predicates.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <type_traits>
-#include <vector>
-
 #include "geometry/predicates_internal.h"
 #include "geometry/spatial_order.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 namespace morskin::geometry {
 namespace {
@@ -61,29 +53,22 @@ Sign eliminated_sign(std::array<std::array<Int128, Size>, Size> m) {
   return is_odd ? -sign : sign;
 }
 
-/// Homogeneous coordinates (x, y, z, 1): the oracle takes no differences.
-Sign oracle_orientation(const Balls& p) {
-  std::array<std::array<Int128, 4>, 4> m;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      m[i][static_cast<std::size_t>(k)] = static_cast<Int128>(p[i].position[k]);
-    }
-    m[i][3] = 1;
-  }
-  return eliminated_sign(m);
-}
-
-Sign oracle_orthosphere(const Balls& p) {
-  std::array<std::array<Int128, 5>, 5> m;
-  for (std::size_t i = 0; i < 5; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      m[i][static_cast<std::size_t>(k)] = static_cast<Int128>(p[i].position[k]);
-    }
+/// Homogeneous coordinates (x, y, z, 1), the last but one of five |x|^2 - w: the oracle takes no
+/// differences.
+template <std::size_t Size>
+Sign oracle(const Balls& p) {
+  std::array<std::array<Int128, Size>, Size> m;
+  for (std::size_t i = 0; i < Size; ++i) {
     m[i][3] = static_cast<Int128>(p[i].position.squaredNorm() - p[i].weight);
-    m[i][4] = 1;
+    m[i][Size - 1] = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      m[i][k] = static_cast<Int128>(p[i].position[static_cast<Eigen::Index>(k)]);
+    }
   }
   return eliminated_sign(m);
 }
+Sign oracle_orientation(const Balls& p) { return oracle<4>(p); }
+Sign oracle_orthosphere(const Balls& p) { return oracle<5>(p); }
 
 Sign orientation_of(const Balls& p) {
   return orientation(p[0].position, p[1].position, p[2].position, p[3].position);
@@ -96,6 +81,24 @@ Side side_of(const Balls& p, const std::array<AtomId, 5>& ids = in_order) {
   return orthosphere_side(p[0], p[1], p[2], p[3], p[4], ids);
 }
 
+/// Every tier of both predicates that answers gives these signs.
+void check_tiers(const Balls& p, Sign volume, Sign power) {
+  const auto& [a, b, c, d, e] = p;
+  const auto check = [](const auto& answers, Sign sign) {
+    for (const std::optional<Sign>& answer : answers) CHECK(answer.value_or(sign) == sign);
+  };
+  const auto volumes = [&](auto tier) {
+    return std::optional<Sign>(tier(a.position, b.position, c.position, d.position));
+  };
+  check(std::array{volumes(internal::filtered_orientation), volumes(internal::integer_orientation),
+                   volumes(internal::expanded_orientation)},
+        volume);
+  const auto powers = [&](auto tier) { return std::optional<Sign>(tier(a, b, c, d, e)); };
+  check(std::array{powers(internal::filtered_orthosphere), powers(internal::integer_orthosphere),
+                   powers(internal::refined_orthosphere), powers(internal::expanded_orthosphere)},
+        power);
+}
+
 /// Makes the first four positively oriented; false if they are coplanar.
 bool orient_positively(Balls& p) {
   const Sign sign = orientation_of(p);
@@ -106,40 +109,29 @@ bool orient_positively(Balls& p) {
 }  // namespace
 
 TEST_CASE("every tier that answers agrees with elimination over the integers") {
-  support::for_seeds(3000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(3000, [&](unsigned seed, std::mt19937_64& random) {
     const int range = seed % 3 == 0 ? 2 : seed % 3 == 1 ? 30 : 4000;
     const Balls p = five([&] { return whole_ball(random, range); });
     const auto& [a, b, c, d, e] = p;
-    const Sign volume = oracle_orientation(p);
-    CHECK(internal::expanded_orientation(a.position, b.position, c.position, d.position) == volume);
-    CHECK(internal::integer_orientation(a.position, b.position, c.position, d.position) == volume);
-    CHECK(internal::filtered_orientation(a.position, b.position, c.position, d.position)
-              .value_or(volume) == volume);
-    const Sign power = oracle_orthosphere(p);
-    CHECK(internal::expanded_orthosphere(a, b, c, d, e) == power);
-    CHECK(internal::integer_orthosphere(a, b, c, d, e) == power);
-    CHECK(internal::filtered_orthosphere(a, b, c, d, e).value_or(power) == power);
-    CHECK(internal::refined_orthosphere(a, b, c, d, e).value_or(power) == power);
+    CHECK(internal::integer_orientation(a.position, b.position, c.position, d.position));
+    CHECK(internal::integer_orthosphere(a, b, c, d, e));
+    check_tiers(p, oracle_orientation(p), oracle_orthosphere(p));
   });
 }
 
 TEST_CASE("the tiers agree one last bit away from a tie") {
-  support::for_seeds(1000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(1000, [&](std::mt19937_64& random) {
     Balls p = five([&] { return whole_ball(random, 3); });
     for (WeightedPoint& q : p) q.position = (q.position * 0.1).eval();
     for (WeightedPoint& q : p) q.weight = 0.1 * q.weight;
     p[4].position.x() = std::nextafter(p[4].position.x(), 1);
     const auto& [a, b, c, d, e] = p;
     const Sign exact = internal::expanded_orthosphere(a, b, c, d, e);
-    CHECK(internal::filtered_orthosphere(a, b, c, d, e).value_or(exact) == exact);
-    CHECK(internal::integer_orthosphere(a, b, c, d, e).value_or(exact) == exact);
-    CHECK(internal::refined_orthosphere(a, b, c, d, e).value_or(exact) == exact);
+    // The point moved among the first four as well.
+    const Balls other{a, b, c, e, d};
     const Sign volume =
         internal::expanded_orientation(a.position, b.position, c.position, e.position);
-    CHECK(internal::filtered_orientation(a.position, b.position, c.position, e.position)
-              .value_or(volume) == volume);
+    check_tiers(other, volume, -exact);
   });
 }
 
@@ -160,15 +152,11 @@ TEST_CASE("the filters settle 99 percent of ordinary cases") {
 
 TEST_CASE("near ties that the filter leaves open are mostly settled by 106 bits") {
   // Points within rounding of one sphere.
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
+  support::Random random(1);
   int open = 0;
   int settled = 0;
   for (int i = 0; i < 2000; ++i) {
-    const auto [a, b, c, d, e] = five([&] {
-      const double x = normal(random), y = normal(random), z = normal(random);
-      return WeightedPoint{50 * Point(x, y, z).normalized(), 0};
-    });
+    const auto [a, b, c, d, e] = five([&] { return WeightedPoint{50 * random.direction(), 0}; });
     if (internal::filtered_orthosphere(a, b, c, d, e)) continue;
     ++open;
     const auto sign = internal::refined_orthosphere(a, b, c, d, e);
@@ -202,8 +190,7 @@ TEST_CASE("each later tier is reached") {
 }
 
 TEST_CASE("exchanging two points changes the sign of the orientation") {
-  support::for_seeds(1000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(1000, [&](unsigned seed, std::mt19937_64& random) {
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 2 : 100); });
     const Sign sign = orientation_of(p);
     const std::size_t i = seed % 4;
@@ -213,8 +200,7 @@ TEST_CASE("exchanging two points changes the sign of the orientation") {
 }
 
 TEST_CASE("an even permutation with its ids does not move a point across the orthosphere") {
-  support::for_seeds(1000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(1000, [&](unsigned seed, std::mt19937_64& random) {
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 1 : 100); });
     if (!orient_positively(p)) return;
     std::array<AtomId, 5> ids = in_order;
@@ -229,8 +215,7 @@ TEST_CASE("an even permutation with its ids does not move a point across the ort
 
 TEST_CASE("a tie falls as a slightly larger weight of the smallest id makes it fall") {
   int ties = 0;
-  support::for_seeds(4000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(4000, [&](std::mt19937_64& random) {
     Balls p = five([&] { return whole_ball(random, 1); });
     if (!orient_positively(p) || oracle_orthosphere(p) != Sign::Zero) return;
     ++ties;
@@ -253,8 +238,7 @@ TEST_CASE("of two equal points the smaller id is inside every orthosphere throug
 }
 
 TEST_CASE("points on a line are collinear and their neighbours by one bit are not") {
-  support::for_seeds(300, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
+  support::for_seeds<std::mt19937_64>(300, [&](std::mt19937_64& random) {
     const Point a = whole_ball(random, 50).position;
     const Point step = whole_ball(random, 50).position;
     CHECK(are_collinear(a, a + step, a - 3 * step));
@@ -276,21 +260,14 @@ TEST_CASE("rounding to the exact grid moves tiny numbers only") {
 
 TEST_CASE("the predicates are exact at both ends of their range") {
   for (const double unit : {0x1p-64, 0x1p29}) {
-    support::for_seeds(300, [&](unsigned seed) {
-      std::mt19937_64 random(seed);
+    support::for_seeds<std::mt19937_64>(300, [&](std::mt19937_64& random) {
       Balls p = five([&] { return whole_ball(random, 2); });
       for (WeightedPoint& q : p) q.weight = 0;
       const Sign volume = oracle_orientation(p);
       const Sign power = oracle_orthosphere(p);
       for (WeightedPoint& q : p) q.position *= unit;
-      const auto& [a, b, c, d, e] = p;
       CHECK(orientation_of(p) == volume);
-      CHECK(internal::expanded_orientation(a.position, b.position, c.position, d.position) ==
-            volume);
-      CHECK(internal::expanded_orthosphere(a, b, c, d, e) == power);
-      CHECK(internal::integer_orthosphere(a, b, c, d, e).value_or(power) == power);
-      CHECK(internal::filtered_orthosphere(a, b, c, d, e).value_or(power) == power);
-      CHECK(internal::refined_orthosphere(a, b, c, d, e).value_or(power) == power);
+      check_tiers(p, volume, power);
     });
   }
 }

@@ -1,7 +1,5 @@
 #include "refine/refinement.h"
 
-#include <doctest/doctest.h>
-
 #include "tests/support/refined_meshes.h"
 
 using namespace morskin;
@@ -19,7 +17,7 @@ bool faces_outward(const Mesh& mesh, VertexId a, VertexId b, VertexId c) {
 }
 
 /// Flips random edges as long as both new triangles face outward; returns how many were flipped.
-std::size_t spoil_by_flips(Mesh& mesh, support::Random& random, std::size_t tries) {
+std::size_t spoil_by_flips(Mesh& mesh, Random& random, std::size_t tries) {
   std::size_t flipped = 0;
   SurfaceMesh& surface = mesh.surface;
   for (std::size_t i = 0; i < tries; ++i) {
@@ -38,7 +36,7 @@ std::size_t spoil_by_flips(Mesh& mesh, support::Random& random, std::size_t trie
 }
 
 /// Puts new vertices into random triangles, mostly close to a corner.
-std::size_t spoil_by_splits(const PreparedSkin& skin, Mesh& mesh, support::Random& random,
+std::size_t spoil_by_splits(const PreparedSkin& skin, Mesh& mesh, Random& random,
                             std::size_t count) {
   std::size_t made = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -58,7 +56,7 @@ std::size_t spoil_by_splits(const PreparedSkin& skin, Mesh& mesh, support::Rando
 }  // namespace
 
 TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps the topology") {
-  support::for_skins(10, [&](const PreparedSkin& skin) {
+  for_skins(10, [&](const PreparedSkin& skin) {
     Mesh mesh = swept_mesh(skin);
     const std::size_t components = geometry::components(mesh.surface).count;
     CHECK(components == skin.topology.skin_components());
@@ -68,8 +66,7 @@ TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps t
 }
 
 TEST_CASE("refining twice changes nothing the second time") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     Mesh mesh = refined_mesh(skin);
     const auto before = mesh.surface.triangle_list();
     const RefinementCounts counts = refine_mesh(skin, mesh);
@@ -79,16 +76,15 @@ TEST_CASE("refining twice changes nothing the second time") {
 }
 
 TEST_CASE("no vertex lies in the surface ball of a triangle of a refined mesh") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     const Mesh mesh = refined_mesh(skin);
     CHECK(entered_balls(skin, mesh) == 0);
   }
 }
 
 TEST_CASE("random flips are undone: the restricted Delaunay triangulation is found again") {
-  support::for_seeds<support::Random>(8, [&](unsigned seed, support::Random& random) {
-    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+  for_seeds<Random>(8, [&](unsigned seed, Random& random) {
+    const PreparedSkin skin = small_skins()[seed % 4];
     Mesh mesh = refined_mesh(skin);
     REQUIRE(spoil_by_flips(mesh, random, 500) > 50);
     refine_mesh(skin, mesh);
@@ -98,8 +94,8 @@ TEST_CASE("random flips are undone: the restricted Delaunay triangulation is fou
 }
 
 TEST_CASE("vertices put in too close to others are taken out again") {
-  support::for_seeds<support::Random>(8, [&](unsigned seed, support::Random& random) {
-    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+  for_seeds<Random>(8, [&](unsigned seed, Random& random) {
+    const PreparedSkin skin = small_skins()[seed % 4];
     Mesh mesh = refined_mesh(skin);
     REQUIRE(spoil_by_splits(skin, mesh, random, 100) > 50);
     CHECK(breaches(mesh).L > 0);
@@ -111,8 +107,8 @@ TEST_CASE("vertices put in too close to others are taken out again") {
 }
 
 TEST_CASE("a mesh spoiled by splits and flips together is repaired") {
-  support::for_seeds<support::Random>(20, [&](unsigned seed, support::Random& random) {
-    const PreparedSkin skin = morskin::prepare_skin(small_skins()[seed % 4]);
+  for_seeds<Random>(20, [&](unsigned seed, Random& random) {
+    const PreparedSkin skin = small_skins()[seed % 4];
     Mesh mesh = refined_mesh(skin);
     spoil_by_splits(skin, mesh, random, 150);
     spoil_by_flips(mesh, random, 600);
@@ -122,13 +118,8 @@ TEST_CASE("a mesh spoiled by splits and flips together is repaired") {
 }
 
 TEST_CASE("the sphere of eight times four triangles, far too coarse, is refined to a good one") {
-  const PreparedSkin skin = morskin::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
-  const auto sphere = support::sphere_mesh(Point::Zero(), 1, 1);
-  Mesh mesh;
-  mesh.surface = geometry::closed_mesh(sphere.positions.size(), sphere.triangles).mesh;
-  for (std::size_t v = 0; v < sphere.positions.size(); ++v) {
-    mesh.points[VertexId{v}] = *skin.surface.project(sphere.positions[v], geometry::CellId{0U});
-  }
+  const PreparedSkin skin = small_skins()[0];
+  Mesh mesh = projected_mesh(skin.surface, sphere_mesh(Point::Zero(), 1, 1));
   refine_mesh(skin, mesh);
   check_refined(skin, mesh);
 }
@@ -137,13 +128,8 @@ TEST_CASE(
     "two vertices close together in one triangle of a coarse mesh do not hang the refinement") {
   // While the only vertex that could go has neighbours of degree three, contraction is refused; the
   // flips tried on the way queued the same edge again, for ever.
-  const PreparedSkin skin = morskin::prepare_skin(support::WeightedPoints{ball(0, 0, 0, 1)});
-  const auto s = support::sphere_mesh(Point::Zero(), 1, 0);
-  Mesh mesh;
-  mesh.surface = geometry::closed_mesh(6, s.triangles).mesh;
-  for (std::size_t v = 0; v < s.positions.size(); ++v) {
-    mesh.points[VertexId{v}] = *skin.surface.project(s.positions[v], geometry::CellId{0U});
-  }
+  const PreparedSkin skin = small_skins()[0];
+  Mesh mesh = projected_mesh(skin.surface, sphere_mesh(Point::Zero(), 1, 0));
   for (const double h : {0.06, 0.07}) {
     const auto [a, b, c] = mesh.surface.corners(TriangleId{7U});
     const Point inside =
@@ -157,10 +143,10 @@ TEST_CASE(
 
 TEST_CASE("a mesh too coarse for its sizing is refined, one too fine is thinned") {
   const Sizing coarse{0.1, 1.65}, fine{0.06, 1.65};
-  for (const support::WeightedPoints& points :
-       {support::WeightedPoints{ball(0, 0, 0, 1)},
-        support::WeightedPoints{ball(0, 0, 0, 1.2), ball(2, 0, 0, 1.5), ball(0, 2.5, 0, 1)}}) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const WeightedPoints& points :
+       {WeightedPoints{ball(0, 0, 0, 1)},
+        WeightedPoints{ball(0, 0, 0, 1.2), ball(2, 0, 0, 1.5), ball(0, 2.5, 0, 1)}}) {
+    const PreparedSkin skin = prepare_skin(points);
     Mesh mesh = refined_mesh(skin, coarse), other = refined_mesh(skin, fine);
     CHECK(refine_mesh(skin, mesh, fine).insert > 0);
     check_refined(skin, mesh, fine);

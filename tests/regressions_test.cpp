@@ -1,18 +1,10 @@
 // Cases that failed once, each with its reason.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "morskin/pipeline.h"
-#include "tests/support/ball_sets.h"
-#include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
 
 using namespace morskin;
+using namespace morskin::support;
 
 TEST_CASE(
     "a lane between two fronts that narrows faster than the length scale is filled, not zipped "
@@ -21,22 +13,22 @@ TEST_CASE(
   // radii: closing corner after corner along the lane left edges longer than the length scale
   // there.
   constexpr double C = 1.7, N = 1.55, O = 1.52;
-  const support::WeightedPoints points{
-      support::ball(-11.595, 19.826, 12.964, C), support::ball(-11.502, 18.414, 13.522, C),
-      support::ball(-11.129, 18.241, 14.78, N),  support::ball(-11.055, 16.918, 15.414, C),
-      support::ball(-10.627, 16.956, 16.875, C), support::ball(-9.182, 17.417, 17.007, C),
-      support::ball(-8.906, 17.898, 18.419, C),  support::ball(-7.559, 18.566, 18.552, C),
-      support::ball(-7.497, 19.254, 19.878, N),  support::ball(-6.663, 18.543, 14.244, C),
-      support::ball(-10.207, 24.907, 14.405, C), support::ball(-9.671, 24.05, 15.255, N),
-      support::ball(-10.239, 23.924, 16.581, C), support::ball(-9.882, 25.113, 17.472, C),
-      support::ball(-8.829, 25.698, 17.29, O),   support::ball(-9.8, 22.647, 17.354, C),
-      support::ball(-10.545, 21.458, 16.76, C),  support::ball(-11.747, 21.338, 17.002, O),
-      support::ball(-9.944, 20.664, 16.052, O),  support::ball(-10.773, 25.37, 18.413, N),
-      support::ball(-9.258, 26.091, 20.183, C),  support::ball(-9.0, 24.969, 20.625, O),
-      support::ball(-5.241, 24.175, 17.591, C),  support::ball(-4.425, 23.303, 18.503, C),
-      support::ball(-3.361, 22.759, 18.121, O),  support::ball(-4.835, 23.151, 19.669, O),
+  const WeightedPoints points{
+      ball(-11.595, 19.826, 12.964, C), ball(-11.502, 18.414, 13.522, C),
+      ball(-11.129, 18.241, 14.78, N),  ball(-11.055, 16.918, 15.414, C),
+      ball(-10.627, 16.956, 16.875, C), ball(-9.182, 17.417, 17.007, C),
+      ball(-8.906, 17.898, 18.419, C),  ball(-7.559, 18.566, 18.552, C),
+      ball(-7.497, 19.254, 19.878, N),  ball(-6.663, 18.543, 14.244, C),
+      ball(-10.207, 24.907, 14.405, C), ball(-9.671, 24.05, 15.255, N),
+      ball(-10.239, 23.924, 16.581, C), ball(-9.882, 25.113, 17.472, C),
+      ball(-8.829, 25.698, 17.29, O),   ball(-9.8, 22.647, 17.354, C),
+      ball(-10.545, 21.458, 16.76, C),  ball(-11.747, 21.338, 17.002, O),
+      ball(-9.944, 20.664, 16.052, O),  ball(-10.773, 25.37, 18.413, N),
+      ball(-9.258, 26.091, 20.183, C),  ball(-9.0, 24.969, 20.625, O),
+      ball(-5.241, 24.175, 17.591, C),  ball(-4.425, 23.303, 18.503, C),
+      ball(-3.361, 22.759, 18.121, O),  ball(-4.835, 23.151, 19.669, O),
   };
-  const auto result = support::meshed(points);
+  const auto result = meshed(points);
   CHECK(result.certificate.reason == "");
   CHECK(result.certificate.certified);
   // The place is on the mesh.
@@ -50,28 +42,21 @@ TEST_CASE(
 TEST_CASE("vertices that nearly lie on one circle do not make the flips go round") {
   // Symmetric molecules put front vertices on common circles: quick surface balls, each centred in
   // another patch, then disagreed about every flip.
-  for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-    CAPTURE(std::string(skin::name_of(model)));
-    for (const char* const name :
-         {"shell_hollow.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb"}) {
-      CAPTURE(std::string(name));
-      const auto result = support::meshed(support::molecule(name, model));
-      CHECK(result.certificate.certified);
-      CHECK(result.refinement.flip < result.mesh.triangles.size());
-    }
-  }
+  for_molecules({"shell_hollow.xyzr", "cube8.xyzr", "ring12.xyzr", "benzene.pdb"},
+                [](const WeightedPoints& balls) {
+                  const auto result = meshed(balls);
+                  CHECK(result.certificate.certified);
+                  CHECK(result.refinement.flip < result.mesh.triangles.size());
+                });
 }
 
 TEST_CASE("a flat hole that is inside out does not start the sweep over the finished mesh") {
   // Three vertices nearly on a line enclosed a hole of the wrong sign; its longest edge was broken
   // with a new vertex on what looked like bare surface, and the skin was meshed a second time.
-  const std::vector<std::array<double, 4>> balls{{4, -2, 4, 2},    {6, 3, 1, 2},    {1, -1, 2, 2},
-                                                 {-3, -2, 0, 1},   {5, -1, 1, 0.5}, {0, -1, 4, 1.5},
-                                                 {2, -2, -4, 0.5}, {4, 0, 4, 2},    {3, 5, 0, 2},
-                                                 {-5, -1, 2, 1},   {2, -6, 2, 1.5}};
-  std::vector<geometry::WeightedPoint> points;
-  for (const auto& [x, y, z, r] : balls) points.push_back({{x, y, z}, 2 * r * r});
-  const morskin::MeshResult result = support::meshed(points);
+  const MeshResult result =
+      meshed({ball(4, -2, 4, 2), ball(6, 3, 1, 2), ball(1, -1, 2, 2), ball(-3, -2, 0, 1),
+              ball(5, -1, 1, 0.5), ball(0, -1, 4, 1.5), ball(2, -2, -4, 0.5), ball(4, 0, 4, 2),
+              ball(3, 5, 0, 2), ball(-5, -1, 2, 1), ball(2, -6, 2, 1.5)});
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
 }
 
@@ -79,10 +64,8 @@ TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the 
   // Edges across a lane were left as they were while the length scale shrank along it.
   for (const auto& [seed, direction] : {std::pair{44U, 2U}, std::pair{588U, 1U}}) {
     CAPTURE(seed);
-    support::Random random(1000 * seed + direction);
-    morskin::MeshingOptions options;
-    options.function = morse::MorseFunction::height(random.direction());
-    const morskin::MeshResult result = support::meshed(support::ball_set(seed), options);
+    Random random(1000 * seed + direction);
+    const MeshResult result = meshed(ball_set(seed), along(random.direction()));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -91,7 +74,7 @@ TEST_CASE("a corner is closed only where everything near it is in view") {
   // One corner closed made the next one small, and so on until a vertex lay in the way unseen.
   for (const unsigned seed : {1779U, 2889U}) {
     CAPTURE(seed);
-    const auto result = support::meshed(support::ball_set(seed));
+    const auto result = meshed(ball_set(seed));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -99,7 +82,7 @@ TEST_CASE("a corner is closed only where everything near it is in view") {
 TEST_CASE("an edge flipped for a vertex that then stays is flipped back") {
   for (const unsigned seed : {1649U, 10393U, 10439U, 11314U}) {
     CAPTURE(seed);
-    const auto result = support::meshed(support::ball_set(seed));
+    const auto result = meshed(ball_set(seed));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }
 }
@@ -107,15 +90,14 @@ TEST_CASE("an edge flipped for a vertex that then stays is flipped back") {
 TEST_CASE("balls that are collinear or coplanar but for rounding have the skin they seem to have") {
   // Normals and orthocentres of simplices as flat as a rounding error came out of cancellation:
   // walls of cells were without a direction or the wrong way round, and critical points were lost.
-  support::WeightedPoints line, plane;
-  for (int i = 0; i < 9; ++i) line.push_back(support::ball(1.1 * i, 2.2 * i, 3.3 * i, 1.7));
+  WeightedPoints line, plane;
+  for (int i = 0; i < 9; ++i) line.push_back(ball(1.1 * i, 2.2 * i, 3.3 * i, 1.7));
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      plane.push_back(
-          support::ball(1.2 * i + 0.2 * j + 700.1, 0.6 * j - 1e4, 1.6 * i - 1.4 * j, 1.25));
+      plane.push_back(ball(1.2 * i + 0.2 * j + 700.1, 0.6 * j - 1e4, 1.6 * i - 1.4 * j, 1.25));
     }
   }
-  for (support::WeightedPoints* points : {&line, &plane}) {
+  for (WeightedPoints* points : {&line, &plane}) {
     for (geometry::WeightedPoint& p : *points) {
       p.position = p.position.unaryExpr(&geometry::on_exact_grid);
     }
@@ -125,8 +107,8 @@ TEST_CASE("balls that are collinear or coplanar but for rounding have the skin t
         CHECK(std::abs(wall.normal.norm() - 1) < 1e-14);
       }
     }
-    const support::Outcome outcome = support::outcome_of(*points);
-    CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
+    const Outcome outcome = outcome_of(*points);
+    CHECK_MESSAGE(outcome.kind == Outcome::Kind::Certified, outcome.why);
   }
 }
 
@@ -135,8 +117,8 @@ TEST_CASE(
   // A turned lattice whose balls touch but for rounding. The orthocentres of an edge, a triangle
   // and a tetrahedron fall together in the neck; their weights, of 1e-16, differed by what is left
   // when 4.5 is taken from 4.5, and vertices lay off the skin by a thousandth of its length scale.
-  const support::Outcome outcome = support::outcome_of(support::nasty_set(1387));
-  CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
+  const Outcome outcome = outcome_of(nasty_set(1387));
+  CHECK_MESSAGE(outcome.kind == Outcome::Kind::Certified, outcome.why);
 }
 
 TEST_CASE(
@@ -146,11 +128,11 @@ TEST_CASE(
   // the skin.
   for (const unsigned seed : {20612U, 21884U, 22256U}) {
     CAPTURE(seed);
-    const auto points = support::nasty_set(seed);
+    const auto points = nasty_set(seed);
     const skin::SkinSurface surface(points);
     const auto& complex = surface.complex();
-    const support::Box box = support::box_of(points);
-    support::Random random(seed);
+    const Box box = box_of(points);
+    Random random(seed);
     for (int i = 0; i < 200; ++i) {
       const geometry::Point x = box.sample(random);
       const geometry::CellId start{random.below(complex.size())};
@@ -158,8 +140,8 @@ TEST_CASE(
         CHECK(wall.normal.dot(x) - wall.offset <= complex.wall_tolerance());
       }
     }
-    const support::Outcome outcome = support::outcome_of(points);
-    CHECK_MESSAGE(outcome.kind == support::Outcome::Kind::Certified, outcome.why);
+    const Outcome outcome = outcome_of(points);
+    CHECK_MESSAGE(outcome.kind == Outcome::Kind::Certified, outcome.why);
   }
 }
 
@@ -176,8 +158,7 @@ TEST_CASE(
       {{0.37658621917966206, 0.20889526036031564, 2.5550299912571819}, 3.7432915629052701},
       {{2.3869677719932536, 2.9077684211565704, 1.013291118004187}, 6.7600282894000099},
       {{4.0258921106953256, 0.6494795022421429, 4.9123170525653217}, 1.8482486355199932}};
-  constexpr double C = 0.35;
-  const auto result = support::meshed(points, support::with({C, certify::Sizing::quality_for(C)}));
+  const auto result = meshed(points, with(sizing_for(0.35)));
   CHECK(result.refinement.refused == 0);
   CHECK(result.certificate.violations_L == 0);
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);

@@ -1,18 +1,11 @@
 #include "certify/restricted_delaunay.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "tests/support/good_mesh.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using geometry::IndexedMesh;
 using geometry::Point;
-using support::ball;
-using support::Good;
-using support::Random;
-using support::vdw;
 
 namespace {
 
@@ -35,13 +28,12 @@ std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
 
 TEST_CASE("restricted Delaunay violations are those that asking all vertices finds") {
   std::size_t seen = 0;
-  support::for_seeds(40, [&](unsigned seed) {
-    const auto points = support::ball_set(seed);
-    if (points.size() > 8 || !support::prepared(points)) return;
+  for_seeds<Random>(40, [&](unsigned seed, Random& random) {
+    const auto points = ball_set(seed);
+    if (points.size() > 8 || !prepared(points)) return;
     const Good good(points);
     // Flipped edges and displaced vertices make violations, also far from the triangles flipped.
     auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
-    Random random(seed);
     for (int flips = 0; flips < 30; ++flips) {
       const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
       const auto c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
@@ -89,7 +81,7 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
 TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both counts") {
   const Good good = vdw("caffeine.xyz");
   const auto located = certify::locate_vertices(good.mesh, good.skin.surface);
-  support::for_seeds<Random>(20, [&](Random& random) {
+  for_seeds<Random>(20, [&](Random& random) {
     auto mesh = geometry::closed_mesh(good.mesh.positions.size(), good.mesh.triangles).mesh;
     const geometry::HalfEdgeId h{random.below(3 * mesh.triangle_count())};
     if (mesh.has_edge(mesh.apex(h), mesh.apex(mesh.twin(h)))) return;

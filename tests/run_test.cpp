@@ -1,12 +1,9 @@
 #include "geometry/run.h"
 
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <string>
-#include <vector>
 
 #include "geometry/parallel.h"
+#include "tests/support/test.h"
 
 using morskin::geometry::Run;
 using morskin::geometry::Stopped;

@@ -1,28 +1,22 @@
 #include "morskin/safety_net.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <memory>
-#include <set>
-#include <string>
 
 #include "front/two_fronts.h"
-#include "morse/make_guide.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using geometry::VertexId;
-using support::WeightedPoints;
 
 namespace {
 
 /// Two balls far apart and a hollow shell: three bodies, four components of the skin, one within
 /// another.
 WeightedPoints four_components() {
-  WeightedPoints points = support::molecule("shell_hollow.xyzr", skin::Model::Sas);
-  points.push_back(support::ball(100, 0, 0, 1));
-  points.push_back(support::ball(-100, 0, 0, 2));
+  WeightedPoints points = molecule("shell_hollow.xyzr", skin::Model::Sas);
+  points.push_back(ball(100, 0, 0, 1));
+  points.push_back(ball(-100, 0, 0, 2));
   return points;
 }
 
@@ -31,9 +25,9 @@ WeightedPoints four_components() {
 template <class IsLost>
 Mesher sweep_without(IsLost is_lost) {
   auto count = std::make_shared<int>(0);
-  return [=](const PreparedSkin& skin, const MeshingOptions& options, morskin::Observer& observer,
-             const morskin::Run& run) {
-    MethodResult result = morskin::sweep_method(skin, options, observer, run);
+  return [=](const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
+             const Run& run) {
+    MethodResult result = sweep_method(skin, options, observer, run);
     ++*count;
     surface::Mesh broken;
     for (const surface::SurfacePoint& p : result.mesh.points) broken.add_vertex(p);
@@ -59,9 +53,17 @@ geometry::SurfaceMesh without_first_triangle(const geometry::SurfaceMesh& surfac
 }
 
 MeshResult mesh_by(const WeightedPoints& points, const Mesher& mesher) {
-  MeshingOptions options;
-  options.mesher = mesher;
-  return support::meshed(points, options);
+  return meshed(points, {.sizing = {}, .mesher = mesher});
+}
+
+/// So many components have been replaced, all by this method, and the whole is certified.
+void check_mended(const MeshResult& mended, std::size_t components, Method method) {
+  CHECK(mended.certificate.certified);
+  REQUIRE(mended.fallbacks.size() == components);
+  for (const Fallback& fallback : mended.fallbacks) {
+    REQUIRE(fallback.replacement);
+    CHECK(fallback.replacement->method == method);
+  }
 }
 
 /// The positions of a mesh's vertices that are far out on one side, in order.
@@ -78,16 +80,13 @@ std::vector<std::array<double, 3>> far_out(const MeshResult& result, double side
 
 TEST_CASE("a component that the sweep spoils is swept in another direction") {
   const WeightedPoints points = four_components();
-  const MeshResult plain = support::meshed(points);
+  const MeshResult plain = meshed(points);
   REQUIRE(plain.certificate.certified);
   CHECK(plain.fallbacks.empty());
   const MeshResult mended = mesh_by(points, sweep_without([](const auto& p, int sweeps) {
                                       return sweeps == 1 && p.x() > 100.5;
                                     }));
-  CHECK(mended.certificate.certified);
-  REQUIRE(mended.fallbacks.size() == 1);
-  REQUIRE(mended.fallbacks[0].replacement);
-  CHECK(mended.fallbacks[0].replacement->method == Method::Sweep);
+  check_mended(mended, 1, Method::Sweep);
   CHECK(mended.fallbacks[0].reason.find("manifold") != std::string::npos);
   // Only that component was replaced.
   CHECK(far_out(mended, -1) == far_out(plain, -1));
@@ -98,33 +97,23 @@ TEST_CASE("a component that every sweep spoils is meshed by the static method") 
   const MeshResult mended =
       mesh_by(four_components(),
               sweep_without([](const auto& p, int) { return p.norm() < 20 && p.z() > 0.1; }));
-  CHECK(mended.certificate.certified);
-  REQUIRE(mended.fallbacks.size() == 2);  // both sides of the shell
-  for (const morskin::Fallback& fallback : mended.fallbacks) {
-    REQUIRE(fallback.replacement);
-    CHECK(fallback.replacement->method == Method::Static);
-  }
+  check_mended(mended, 2, Method::Static);  // both sides of the shell
   CHECK(mended.fallbacks[0].component != mended.fallbacks[1].component);
 }
 
 TEST_CASE("a component that the sweep does not find at all is meshed by the static method") {
   const MeshResult mended =
       mesh_by(four_components(), sweep_without([](const auto& p, int) { return p.x() < -50; }));
-  CHECK(mended.certificate.certified);
-  REQUIRE(mended.fallbacks.size() == 1);
-  REQUIRE(mended.fallbacks[0].replacement);
-  CHECK(mended.fallbacks[0].replacement->method == morskin::Method::Static);
+  check_mended(mended, 1, Method::Static);
 }
 
 TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
   // As sweep_method() does: what is open is not refined at all.
-  const Mesher mesher = [sweeps = std::make_shared<int>(0)](
-                            const PreparedSkin& skin, const MeshingOptions& options,
-                            morskin::Observer& observer, const morskin::Run& run) {
-    if (++*sweeps > 1) return morskin::sweep_method(skin, options, observer, run);
-    const morse::Guide guide =
-        morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
-                          morskin::sphere_share(skin.surface, options.sizing));
+  const Mesher mesher = [sweeps = std::make_shared<int>(0)](const PreparedSkin& skin,
+                                                            const MeshingOptions& options,
+                                                            Observer& observer, const Run& run) {
+    if (++*sweeps > 1) return sweep_method(skin, options, observer, run);
+    const morse::Guide guide = guide_for(skin, options.sizing);
     MethodResult result;
     result.mesh = front::sweep_once(skin.surface, guide, {.sizing = options.sizing}).mesh;
     result.function = guide.function;
@@ -133,20 +122,15 @@ TEST_CASE("where a sweep stays open somewhere no component is left unrefined") {
     return result;
   };
   const MeshResult mended = mesh_by(four_components(), mesher);
-  CHECK(mended.certificate.certified);
+  check_mended(mended, 4, Method::Sweep);
   CHECK(mended.certificate.restricted_delaunay_violations == 0);
-  CHECK(mended.fallbacks.size() == 4);
-  for (const morskin::Fallback& f : mended.fallbacks) {
-    REQUIRE(f.replacement);
-    CHECK(f.replacement->method == morskin::Method::Sweep);
-  }
 }
 
 TEST_CASE("a mesh that runs from one component to another is replaced on both") {
   // One triangle between the two balls.
   const Mesher joining = [](const PreparedSkin& skin, const MeshingOptions& options,
-                            morskin::Observer& observer, const morskin::Run& run) {
-    MethodResult result = morskin::sweep_method(skin, options, observer, run);
+                            Observer& observer, const Run& run) {
+    MethodResult result = sweep_method(skin, options, observer, run);
     const auto by_x = [](const auto& p, const auto& q) { return p.position.x() < q.position.x(); };
     const auto& points = result.mesh.points;
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_x);
@@ -157,42 +141,35 @@ TEST_CASE("a mesh that runs from one component to another is replaced on both") 
     result.mesh.surface.add_triangle(id(low), next, id(high));
     return result;
   };
-  const MeshResult mended = mesh_by(
-      {support::ball(0, 0, 0, 1), support::ball(9, 0, 0, 2), support::ball(4, 7, 0, 1)}, joining);
+  const MeshResult mended =
+      mesh_by({ball(0, 0, 0, 1), ball(9, 0, 0, 2), ball(4, 7, 0, 1)}, joining);
   CHECK(mended.certificate.certified);
   CHECK(mended.fallbacks.size() == 2);
 }
 
 TEST_CASE("the net holds in the nasty case of two components that nearly touch") {
   const double apart = 2 * std::sqrt(2.0) * (1 + 1e-6);
-  const WeightedPoints points{support::ball(0, 0, 0, 1), support::ball(apart, 0, 0, 1)};
+  const WeightedPoints points{ball(0, 0, 0, 1), ball(apart, 0, 0, 1)};
   const MeshResult mended =
       mesh_by(points, sweep_without([](const auto& p, int) { return p.x() < 0.3; }));
-  CHECK(mended.certificate.certified);
-  REQUIRE(mended.fallbacks.size() == 1);
-  REQUIRE(mended.fallbacks[0].replacement);
-  CHECK(mended.fallbacks[0].replacement->method == morskin::Method::Static);
+  check_mended(mended, 1, Method::Static);
 }
 
 TEST_CASE("when nothing helps the report says so and the mesh stays as it was") {
-  MeshingOptions options;
-  options.sizing = {.C = 0.9, .Q = 1.9};  // triangles as big as the surface's features
-  const MeshResult result = support::meshed(support::octahedron_balls(), options);
+  // Triangles as big as the surface's features.
+  const MeshResult result = meshed(octahedron_balls(), with({.C = 0.9, .Q = 1.9}));
   CHECK_FALSE(result.certificate.certified);
   REQUIRE(result.fallbacks.size() == 1);
   CHECK_FALSE(result.fallbacks[0].replacement);
 }
 
 TEST_CASE("what other methods and narrow guards do is not mended") {
-  MeshingOptions options;
-  options.method = morskin::Method::Static;
-  options.mesher = sweep_without([](const auto&, int) { return true; });
-  MeshResult result = support::meshed({support::ball(0, 0, 0, 1)}, options);
-  CHECK_FALSE(result.certificate.certified);
-  CHECK(result.fallbacks.empty());
-  options.method = morskin::Method::Sweep;
-  options.guard = front::Guard::Spheres;
-  result = support::meshed({support::ball(0, 0, 0, 1)}, options);
-  CHECK_FALSE(result.certificate.certified);
-  CHECK(result.fallbacks.empty());
+  const Mesher mesher = sweep_without([](const auto&, int) { return true; });
+  for (const MeshingOptions& options :
+       {MeshingOptions{.sizing = {}, .method = Method::Static, .mesher = mesher},
+        MeshingOptions{.sizing = {}, .mesher = mesher, .guard = front::Guard::Spheres}}) {
+    const MeshResult result = meshed({ball(0, 0, 0, 1)}, options);
+    CHECK_FALSE(result.certificate.certified);
+    CHECK(result.fallbacks.empty());
+  }
 }

@@ -1,19 +1,10 @@
 #include "morse/simplification.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-#include <vector>
-
 #include "morse/overlaps.h"
 #include "morse/validate_complex.h"
 #include "skin/dual_complex.h"
-#include "skin/singular_skin.h"
+#include "tests/support/morse_lines.h"
 #include "tests/support/plain_complex.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::morse;
@@ -23,37 +14,11 @@ namespace {
 
 using PairSet = std::set<std::pair<CriticalId, CriticalId>>;
 
-/// Raw complexes of heights, or of squared distances, on the skins of random ball sets; visits
-/// those that are not degenerate and returns how many it left out.
-template <class Visit>
-std::size_t for_each_traced(unsigned seeds, bool is_distance, Visit visit) {
-  std::size_t left_out = 0;
-  for (unsigned seed = 0; seed < seeds; ++seed) {
-    try {
-      const skin::SkinSurface skin(support::ball_set(seed));
-      support::Random random(seed);
-      const Vector v = random.direction();
-      const MorseFunction f =
-          is_distance ? MorseFunction::squared_distance(10 * v) : MorseFunction::height(v);
-      const MorseSmaleComplex complex = morse_smale_complex(skin, f, critical_points(skin, f));
-      if (complex.degeneracies.empty()) {
-        visit(seed, skin, complex);
-      } else {
-        ++left_out;
-      }
-    } catch (const skin::SingularSkin&) {
-      ++left_out;
-    }
-  }
-  return left_out;
-}
-
 }  // namespace
 
 TEST_CASE("all cancelled, each component keeps a minimum and a maximum, each handle two saddles") {
   std::size_t handles = 0;
-  support::for_seeds(500, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(500, [&](const MorseSmaleComplex& complex) {
     const Simplification left = cancel_up_to(complex, infinite, 0.2);
     std::array<std::size_t, 3> count{};
     for (std::size_t i = 0; i < complex.points.size(); ++i) {
@@ -78,11 +43,9 @@ TEST_CASE("all cancelled, each component keeps a minimum and a maximum, each han
 }
 
 TEST_CASE("simplified to a persistence, the pairs up to it are gone and no others") {
-  support::for_seeds(300, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(300, [&](const MorseSmaleComplex& complex, Random& random) {
     const std::vector<PersistencePair> pairs = persistence_pairs(complex);
     if (pairs.empty()) return;
-    support::Random random(seed);
     const double limit = pairs[random.below(pairs.size())].persistence;
     const Simplification left = cancel_up_to(complex, limit, 0.2);
     std::size_t gone = 0;
@@ -100,8 +63,7 @@ TEST_CASE("simplified to a persistence, the pairs up to it are gone and no other
 
 TEST_CASE("the lines of what is left are paths along old lines from the saddle to its extremum") {
   std::size_t longer = 0;
-  support::for_seeds(300, [&](unsigned seed) {
-    const MorseSmaleComplex complex = random_complex(seed);
+  for_complexes(300, [&](const MorseSmaleComplex& complex, Random& random) {
     const auto key = [](const Point& p, const Point& q) {
       return std::array{p.x(), p.y(), p.z(), q.x(), q.y(), q.z()};
     };
@@ -114,7 +76,6 @@ TEST_CASE("the lines of what is left are paths along old lines from the saddle t
       }
     }
     const std::vector<PersistencePair> pairs = persistence_pairs(complex);
-    support::Random random(seed);
     const double limit = pairs.empty() ? 0 : pairs[random.below(pairs.size())].persistence;
     const MorseSmaleComplex left = cancel_up_to(complex, limit, 0.2).complex;
     REQUIRE(left.first_point.size() == left.arcs.size() + 1);
@@ -138,7 +99,7 @@ TEST_CASE("the lines of what is left are paths along old lines from the saddle t
 TEST_CASE("contracting short arcs is what doing the least allowed one again and again gives") {
   constexpr double share = 0.6;  // so that many pairs overlap
   std::size_t contracted = 0, refused = 0;
-  support::for_seeds(400, [&](unsigned seed) {
+  for_seeds(400, [&](unsigned seed) {
     const MorseSmaleComplex complex = random_complex(seed, 30);
     const Simplification left = contract_short_arcs(complex, share);
     const auto overlap = [&](CriticalId a, CriticalId b) {
@@ -173,7 +134,7 @@ TEST_CASE("contracting short arcs is what doing the least allowed one again and 
 }
 
 TEST_CASE("after simplification no two spheres overlap, and those that overlapped none are whole") {
-  support::for_seeds(300, [&](unsigned seed) {
+  for_seeds(300, [&](unsigned seed) {
     const double share = 0.1 + 0.001 * seed;
     const MorseSmaleComplex complex = random_complex(seed);
     for (const Simplification& left :
@@ -200,7 +161,7 @@ TEST_CASE("after simplification no two spheres overlap, and those that overlappe
 }
 
 TEST_CASE("overlapping spheres are those that a look at all pairs finds, whatever their sizes") {
-  support::for_seeds<support::Random>(300, [&](support::Random& random) {
+  for_seeds<Random>(300, [&](Random& random) {
     std::vector<CriticalPoint> points(2 + random.below(60));
     std::vector<double> radii;
     for (CriticalPoint& p : points) {
@@ -243,7 +204,7 @@ TEST_CASE("a sphere without saddles, and nothing at all, have nothing to cancel"
 }
 
 TEST_CASE("turned upside down, the same pairs are cancelled and the same points survive") {
-  support::for_seeds(300, [&](unsigned seed) {
+  for_seeds(300, [&](unsigned seed) {
     if (seed % 4 == 3) return;  // equal values fall by id, which does not turn
     const MorseSmaleComplex complex = random_complex(seed);
     const Simplification one = contract_short_arcs(complex, 0.25);
@@ -258,35 +219,32 @@ TEST_CASE("turned upside down, the same pairs are cancelled and the same points 
 }
 
 TEST_CASE("on skins of random ball sets a simplified complex is sound, about the same surface") {
-  std::size_t cancelled = 0, shrunk = 0;
-  for (const bool is_distance : {false, true}) {
-    const std::size_t left_out = for_each_traced(
-        150, is_distance,
-        [&](unsigned seed, const skin::SkinSurface& skin, const MorseSmaleComplex& complex) {
-          CAPTURE(seed);
-          CAPTURE(is_distance);
-          const skin::DualComplex topology = skin::dual_complex(skin);
-          CHECK(complex.components == topology.skin_components());
-          REQUIRE(validate(complex).value_or("") == "");
-          for (const Simplification& left :
-               {contract_short_arcs(complex, 0.2), cancel_up_to(complex, 0.5, 0.2),
-                cancel_up_to(complex, infinite, 0.2)}) {
-            CHECK(validate(left.complex, left.survives).value_or("") == "");
-            CHECK(left.complex.components == topology.skin_components());
-            CHECK(euler_characteristic(complex, left.survives) ==
-                  topology.skin_euler_characteristic());
-          }
-          const Simplification left = contract_short_arcs(complex, 0.2);
-          cancelled += left.cancelled.size();
-          shrunk += left.shrunk;
-          // The paper's claim, as far as it goes (E10): what is contracted is near.
-          for (const Cancellation& c : left.cancelled) {
-            CHECK(c.distance < 0.2 * (complex.points[c.saddle.index()].point.length_scale +
-                                      complex.points[c.extremum.index()].point.length_scale));
-          }
-        });
-    CHECK(left_out < 30);
-  }
+  std::size_t seen = 0, cancelled = 0, shrunk = 0;
+  // Heights and squared distances in turn.
+  for_morse_cases(300, [&](const MorseCase& test) {
+    const MorseSmaleComplex complex = complex_of(test);
+    if (!complex.degeneracies.empty()) return;
+    ++seen;
+    const skin::DualComplex topology = skin::dual_complex(test.skin);
+    CHECK(complex.components == topology.skin_components());
+    REQUIRE(validate(complex).value_or("") == "");
+    for (const Simplification& left :
+         {contract_short_arcs(complex, 0.2), cancel_up_to(complex, 0.5, 0.2),
+          cancel_up_to(complex, infinite, 0.2)}) {
+      CHECK(validate(left.complex, left.survives).value_or("") == "");
+      CHECK(left.complex.components == topology.skin_components());
+      CHECK(euler_characteristic(complex, left.survives) == topology.skin_euler_characteristic());
+    }
+    const Simplification left = contract_short_arcs(complex, 0.2);
+    cancelled += left.cancelled.size();
+    shrunk += left.shrunk;
+    // The paper's claim, as far as it goes (E10): what is contracted is near.
+    for (const Cancellation& c : left.cancelled) {
+      CHECK(c.distance < 0.2 * (complex.points[c.saddle.index()].point.length_scale +
+                                complex.points[c.extremum.index()].point.length_scale));
+    }
+  });
+  CHECK(seen > 270);
   CHECK(cancelled > 300);
   CHECK(shrunk > 0);
 }

@@ -1,12 +1,10 @@
 #include "certify/sizing.h"
 
-#include <doctest/doctest.h>
-
 #include "certify/triangle_geometry.h"
-#include "tests/support/ball_sets.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
+using namespace morskin::support;
 using certify::Sizing;
 
 namespace {
@@ -14,7 +12,7 @@ namespace {
 constexpr double rounding = 1e-12;
 
 /// Random constants with 0 < 2C < Q.
-Sizing random_sizing(support::Random& random) {
+Sizing random_sizing(Random& random) {
   return {random.between(0.01, 0.15), random.between(1.45, 1.75)};
 }
 
@@ -40,7 +38,7 @@ TEST_CASE("erratum E3: the tangent disk's share is 0.208, twice what the printed
 }
 
 TEST_CASE("a rim point dropped on the sandwich ball is as far as [U] lets an edge be") {
-  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
+  for_seeds<Random>(1000, [&](Random& random) {
     const Sizing sizing = random_sizing(random);
     const double r = sizing.tangent_disk_share();
     // The ball of radius 1 under the disk: the rim lies 1 - sqrt(1 - r^2) above it.
@@ -63,7 +61,7 @@ TEST_CASE("insertion with the default constants cannot make a short edge") {
 
 TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") {
   std::size_t kept = 0;
-  support::for_seeds<support::Random>(20000, [&](support::Random& random) {
+  for_seeds<Random>(20000, [&](Random& random) {
     const Sizing sizing = random_sizing(random);
     const auto near = [&]() -> geometry::Vector {
       return 0.35 * random.uniform() * random.direction();
@@ -86,7 +84,7 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
 }
 
 TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
-  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
+  for_seeds<Random>(1000, [&](Random& random) {
     const Sizing sizing = random_sizing(random);
     const geometry::Point a = random.direction(), b = random.direction();
     const double rho_a = random.between(0.1, 3), rho_b = random.between(0.1, 3);
@@ -99,7 +97,7 @@ TEST_CASE("the ratios to [L] and [U] do not change with the unit of length") {
 
 TEST_CASE("an edge is too short exactly where its ratio to [L] is 1 or less") {
   std::size_t too_short = 0, cases = 0;
-  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
+  for_seeds<Random>(1000, [&](Random& random) {
     const Sizing sizing = random_sizing(random);
     const auto p = corner(random.direction(), random.between(0.1, 3));
     const auto q = corner(random.direction(), random.between(0.1, 3));
@@ -139,7 +137,7 @@ TEST_CASE("for every C the Q that goes with it lets refinement end") {
 }
 
 TEST_CASE("with a largest length scale the ratios are those of the smaller of it and rho") {
-  support::for_seeds<support::Random>(1000, [&](support::Random& random) {
+  for_seeds<Random>(1000, [&](Random& random) {
     const Sizing plain = random_sizing(random);
     Sizing capped = plain;
     capped.largest_length_scale = random.between(0.1, 2);

@@ -2,22 +2,14 @@
 
 #include "skin/skin_surface.h"
 
-#include <doctest/doctest.h>
-
 #include <Eigen/Dense>
-#include <array>
-#include <cmath>
 
 #include "geometry/error.h"
-#include "tests/support/seeds.h"
 #include "tests/support/skin_case.h"
 
 using namespace morskin;
 using namespace morskin::skin;
-using support::outside;
-using support::Random;
-using support::rounding;
-using support::SkinCase;
+using namespace morskin::support;
 
 namespace {
 
@@ -66,59 +58,49 @@ Eigen::VectorXd shares_of(const std::vector<WeightedPoint>& points,
 
 TEST_CASE(
     "G is the minimum over all combinations of balls, bounded from both sides without cells") {
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const Point x = test.box.sample(test.random);
-      const CellId cell = test.cell_of(x);
-      const Patch& patch = test.skin.complex().patch(cell);
-      const double g = patch.value(x);
-      const Point c = x - patch.half_gradient(x), q = x + patch.half_gradient(x);
-      const auto atoms = test.skin.atoms(cell);
-      const auto shares = shares_of(test.skin.points(), atoms, c);
-      // Tight at the pair (c, q) whose midpoint is x...
-      CHECK(upper_bound(test.skin.points(), atoms, shares, x) <= g + test.value_rounding());
-      CHECK(lower_bound(test.skin.points(), x, q) >= g - test.value_rounding());
-      // ...and never crossed elsewhere.
-      CHECK(lower_bound(test.skin.points(), x, test.box.sample(test.random)) <=
-            g + test.value_rounding());
-      std::vector<AtomId> any;
-      Eigen::VectorXd some = Eigen::Vector4d::NullaryExpr([&] { return test.random.uniform(); });
-      for (int k = 0; k < 4; ++k) any.emplace_back(test.random.below(test.skin.points().size()));
-      CHECK(upper_bound(test.skin.points(), any, some / some.sum(), x) >=
-            g - test.value_rounding());
-    }
+  for_points(20, [&](SkinCase& test, const Point& x) {
+    const CellId cell = test.cell_of(x);
+    const Patch& patch = test.skin.complex().patch(cell);
+    const double g = patch.value(x);
+    const Point c = x - patch.half_gradient(x), q = x + patch.half_gradient(x);
+    const auto atoms = test.skin.atoms(cell);
+    const auto shares = shares_of(test.skin.points(), atoms, c);
+    // Tight at the pair (c, q) whose midpoint is x...
+    CHECK(upper_bound(test.skin.points(), atoms, shares, x) <= g + test.value_rounding());
+    CHECK(lower_bound(test.skin.points(), x, q) >= g - test.value_rounding());
+    // ...and never crossed elsewhere.
+    CHECK(lower_bound(test.skin.points(), x, test.box.sample(test.random)) <=
+          g + test.value_rounding());
+    std::vector<AtomId> any;
+    Eigen::VectorXd some = Eigen::Vector4d::NullaryExpr([&] { return test.random.uniform(); });
+    for (int k = 0; k < 4; ++k) any.emplace_back(test.random.below(test.skin.points().size()));
+    CHECK(upper_bound(test.skin.points(), any, some / some.sum(), x) >= g - test.value_rounding());
   });
 }
 
 TEST_CASE(
     "G leaves its tangent by no more than the square of the distance, whatever cells lie between") {
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const Point x = test.box.sample(test.random);
-      // From a hair's breadth, where this is a difference quotient of the gradient, to the whole
-      // box.
-      const double h = test.span * std::pow(10.0, -test.random.between(0, 4));
-      const Point y = x + h * test.random.direction();
-      const double off = test.value(y) - test.value(x) - 2 * test.half_gradient(x).dot(y - x);
-      CHECK(std::abs(off) <= (y - x).squaredNorm() + test.value_rounding());
-    }
+  for_points(20, [&](SkinCase& test, const Point& x) {
+    // From a hair's breadth, where this is a difference quotient of the gradient, to the whole
+    // box.
+    const double h = test.span * std::pow(10.0, -test.random.between(0, 4));
+    const Point y = x + h * test.random.direction();
+    const double off = test.value(y) - test.value(x) - 2 * test.half_gradient(x).dot(y - x);
+    CHECK(std::abs(off) <= (y - x).squaredNorm() + test.value_rounding());
   });
 }
 
 TEST_CASE("half the gradient changes no faster than the point moves") {
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const Point x = test.box.sample(test.random);
-      const double h = test.span * std::pow(10.0, -test.random.between(0, 8));
-      const Point y = x + h * test.random.direction();
-      CHECK((test.half_gradient(x) - test.half_gradient(y)).norm() <=
-            (x - y).norm() + test.length_rounding());
-    }
+  for_points(20, [&](SkinCase& test, const Point& x) {
+    const double h = test.span * std::pow(10.0, -test.random.between(0, 8));
+    const Point y = x + h * test.random.direction();
+    CHECK((test.half_gradient(x) - test.half_gradient(y)).norm() <=
+          (x - y).norm() + test.length_rounding());
   });
 }
 
 TEST_CASE("a patch agrees with a central difference of itself, for all kinds of patch") {
-  support::for_seeds<Random>(100, [&](Random& random) {
+  for_seeds<Random>(100, [&](Random& random) {
     const double axial = random.uniform() < 0.5 ? 0 : 1;
     Patch patch;
     patch.centre = random.between(0, 3) * random.direction();
@@ -139,20 +121,17 @@ TEST_CASE("a patch agrees with a central difference of itself, for all kinds of 
 
 TEST_CASE("value and gradient are the same on both sides of a wall") {
   std::size_t walls = 0;
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
+  for_points(20, [&](SkinCase& test, const Point& inside) {
     const MixedComplex& complex = test.skin.complex();
-    for (int i = 0; i < 20; ++i) {
-      const Point inside = test.box.sample(test.random);
-      const CellId cell = test.cell_of(inside);
-      for (const Wall& wall : complex.walls(cell)) {
-        const Point x = inside + (wall.offset - wall.normal.dot(inside)) * wall.normal;
-        if (outside(complex, cell, x) > complex.wall_tolerance()) continue;
-        if (outside(complex, wall.beyond, x) > complex.wall_tolerance()) continue;
-        ++walls;
-        const Patch &here = complex.patch(cell), &there = complex.patch(wall.beyond);
-        CHECK(std::abs(here.value(x) - there.value(x)) <= test.value_rounding());
-        CHECK((here.half_gradient(x) - there.half_gradient(x)).norm() <= test.length_rounding());
-      }
+    const CellId cell = test.cell_of(inside);
+    for (const Wall& wall : complex.walls(cell)) {
+      const Point x = inside + (wall.offset - wall.normal.dot(inside)) * wall.normal;
+      if (outside(complex, cell, x) > complex.wall_tolerance()) continue;
+      if (outside(complex, wall.beyond, x) > complex.wall_tolerance()) continue;
+      ++walls;
+      const Patch &here = complex.patch(cell), &there = complex.patch(wall.beyond);
+      CHECK(std::abs(here.value(x) - there.value(x)) <= test.value_rounding());
+      CHECK((here.half_gradient(x) - there.half_gradient(x)).norm() <= test.length_rounding());
     }
   });
   CHECK(walls > 1000);  // the law was put to the test
@@ -162,42 +141,33 @@ TEST_CASE(
     "the length scale is the reciprocal of the larger principal curvature, for all kinds of "
     "patch") {
   std::array<std::size_t, 4> met{};
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const auto p = test.surface_point();
-      if (!p) continue;
-      const Patch& patch = test.skin.complex().patch(p->cell);
-      ++met[static_cast<std::size_t>(test.skin.complex().dimension(p->cell))];
-      // The shape operator by differences of the normal along two tangents.
-      const double h = 1e-4 * p->length_scale;
-      const Vector e = p->normal.unitOrthogonal(), f = p->normal.cross(e);
-      const auto turn = [&](const Vector& t) -> Vector {
-        return (patch.normal(p->position + h * t) - patch.normal(p->position - h * t)) / (2 * h);
-      };
-      const Vector along_e = turn(e), along_f = turn(f);
-      Eigen::Matrix2d shape;
-      shape << along_e.dot(e), along_f.dot(e), along_e.dot(f), along_f.dot(f);
-      shape = ((shape + shape.transpose()) / 2).eval();
-      const double largest =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(shape).eigenvalues().cwiseAbs().maxCoeff();
-      const double difference_error = 1e-7 + 1e4 * rounding * test.span / p->length_scale * 1e-4;
-      CHECK(std::abs(largest * p->length_scale - 1) < difference_error);
-    }
+  for_surface_points(20, [&](SkinCase& test, const SurfacePoint& p) {
+    const Patch& patch = test.skin.complex().patch(p.cell);
+    ++met[static_cast<std::size_t>(test.skin.complex().dimension(p.cell))];
+    // The shape operator by differences of the normal along two tangents.
+    const double h = 1e-4 * p.length_scale;
+    const Vector e = p.normal.unitOrthogonal(), f = p.normal.cross(e);
+    const auto turn = [&](const Vector& t) -> Vector {
+      return (patch.normal(p.position + h * t) - patch.normal(p.position - h * t)) / (2 * h);
+    };
+    const Vector along_e = turn(e), along_f = turn(f);
+    Eigen::Matrix2d shape;
+    shape << along_e.dot(e), along_f.dot(e), along_e.dot(f), along_f.dot(f);
+    shape = ((shape + shape.transpose()) / 2).eval();
+    const double largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(shape).eigenvalues().cwiseAbs().maxCoeff();
+    const double difference_error = 1e-7 + 1e4 * rounding * test.span / p.length_scale * 1e-4;
+    CHECK(std::abs(largest * p.length_scale - 1) < difference_error);
   });
   for (const std::size_t count : met) CHECK(count > 0);
 }
 
 TEST_CASE("the sandwich balls of a point of the skin lie one in the body and one outside") {
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 10; ++i) {
-      const auto p = test.surface_point();
-      if (!p) continue;
-      for (int k = 0; k < 10; ++k) {
-        const Vector d =
-            p->length_scale * std::cbrt(test.random.uniform()) * test.random.direction();
-        CHECK(test.value(p->position - p->length_scale * p->normal + d) <= test.value_rounding());
-        CHECK(test.value(p->position + p->length_scale * p->normal + d) >= -test.value_rounding());
-      }
+  for_surface_points(10, [&](SkinCase& test, const SurfacePoint& p) {
+    for (int k = 0; k < 10; ++k) {
+      const Vector d = p.length_scale * std::cbrt(test.random.uniform()) * test.random.direction();
+      CHECK(test.value(p.position - p.length_scale * p.normal + d) <= test.value_rounding());
+      CHECK(test.value(p.position + p.length_scale * p.normal + d) >= -test.value_rounding());
     }
   });
 }
@@ -205,63 +175,55 @@ TEST_CASE("the sandwich balls of a point of the skin lie one in the body and one
 TEST_CASE(
     "projection lands on the skin, is idempotent and moves a tangent step no farther than 7.2 "
     "allows") {
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const auto p = test.surface_point();
-      if (!p) continue;
-      const double rho = p->length_scale, r = test.random.between(0, 0.45) * rho;
-      const Vector tangent = p->normal.cross(test.random.direction()).normalized();
-      const Point x = p->position + r * tangent;
-      const auto y = test.skin.project(x, p->cell);
-      REQUIRE(y.has_value());
-      CHECK(std::abs(test.value(y->position)) <=
-            test.skin.residual_bound(y->length_scale) + 1e-6 * test.value_rounding());
-      const double bound = (rho - r) - std::sqrt((rho - r) * (rho - r) - r * r);
-      CHECK((y->position - x).norm() <= bound + test.length_rounding());
-      // |G| / rho bounds how far a second projection can still find it from the skin.
-      const auto again = test.skin.project(y->position, y->cell);
-      REQUIRE(again.has_value());
-      CHECK((again->position - y->position).norm() <=
-            2 * test.skin.residual_bound(y->length_scale) / y->length_scale);
-      const Patch& patch = test.skin.complex().patch(y->cell);
-      CHECK(outside(test.skin.complex(), y->cell, y->position) <=
-            test.skin.complex().wall_tolerance());
-      CHECK(y->length_scale == patch.half_gradient(y->position).norm());
-    }
+  for_surface_points(20, [&](SkinCase& test, const SurfacePoint& p) {
+    const double rho = p.length_scale, r = test.random.between(0, 0.45) * rho;
+    const Vector tangent = p.normal.cross(test.random.direction()).normalized();
+    const Point x = p.position + r * tangent;
+    const auto y = test.skin.project(x, p.cell);
+    REQUIRE(y.has_value());
+    CHECK(std::abs(test.value(y->position)) <=
+          test.skin.residual_bound(y->length_scale) + 1e-6 * test.value_rounding());
+    const double bound = (rho - r) - std::sqrt((rho - r) * (rho - r) - r * r);
+    CHECK((y->position - x).norm() <= bound + test.length_rounding());
+    // |G| / rho bounds how far a second projection can still find it from the skin.
+    const auto again = test.skin.project(y->position, y->cell);
+    REQUIRE(again.has_value());
+    CHECK((again->position - y->position).norm() <=
+          2 * test.skin.residual_bound(y->length_scale) / y->length_scale);
+    const Patch& patch = test.skin.complex().patch(y->cell);
+    CHECK(outside(test.skin.complex(), y->cell, y->position) <=
+          test.skin.complex().wall_tolerance());
+    CHECK(y->length_scale == patch.half_gradient(y->position).norm());
   });
 }
 
 TEST_CASE("a point of the skin on a wall projects to the same place from both cells") {
   std::size_t crossings = 0;
-  support::for_seeds<SkinCase>(300, [&](SkinCase& test) {
-    for (int i = 0; i < 20; ++i) {
-      const auto p = test.surface_point();
-      if (!p) continue;
-      const Vector tangent = p->normal.cross(test.random.direction()).normalized();
-      const auto q = test.skin.project(p->position + 0.3 * p->length_scale * tangent, p->cell);
-      if (!q || q->cell == p->cell) continue;
-      // Halve the chord until its ends are as near as numbers get, in different cells.
-      SurfacePoint a = *p, b = *q;
-      for (int step = 0; step < 50; ++step) {
-        const auto m = test.skin.project((a.position + b.position) / 2, a.cell);
-        if (!m) break;
-        (m->cell == a.cell ? a : b) = *m;
-      }
-      ++crossings;
-      const auto from_a = test.skin.project(a.position, a.cell);
-      const auto from_b = test.skin.project(a.position, b.cell);
-      REQUIRE(from_a.has_value());
-      REQUIRE(from_b.has_value());
-      CHECK((from_a->position - from_b->position).norm() <=
-            4 * test.skin.residual_bound(a.length_scale) / a.length_scale);
+  for_surface_points(20, [&](SkinCase& test, const SurfacePoint& p) {
+    const Vector tangent = p.normal.cross(test.random.direction()).normalized();
+    const auto q = test.skin.project(p.position + 0.3 * p.length_scale * tangent, p.cell);
+    if (!q || q->cell == p.cell) return;
+    // Halve the chord until its ends are as near as numbers get, in different cells.
+    SurfacePoint a = p, b = *q;
+    for (int step = 0; step < 50; ++step) {
+      const auto m = test.skin.project((a.position + b.position) / 2, a.cell);
+      if (!m) break;
+      (m->cell == a.cell ? a : b) = *m;
     }
+    ++crossings;
+    const auto from_a = test.skin.project(a.position, a.cell);
+    const auto from_b = test.skin.project(a.position, b.cell);
+    REQUIRE(from_a.has_value());
+    REQUIRE(from_b.has_value());
+    CHECK((from_a->position - from_b->position).norm() <=
+          4 * test.skin.residual_bound(a.length_scale) / a.length_scale);
   });
   CHECK(crossings > 200);
 }
 
 TEST_CASE("doubling all lengths doubles the projection exactly") {
-  support::for_seeds<SkinCase>(200, [&](SkinCase& test) {
-    const SkinSurface twice(support::doubled(test.skin.points()));
+  for_seeds<SkinCase>(200, [&](SkinCase& test) {
+    const SkinSurface twice(doubled(test.skin.points()));
     REQUIRE(twice.complex().size() == test.skin.complex().size());
     for (int i = 0; i < 20; ++i) {
       const Point x = test.box.sample(test.random);

@@ -1,16 +1,12 @@
 #include "refine/smoothing.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "certify/restricted_delaunay.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::certify;
 using namespace morskin::refine;
-using support::ball;
+using namespace morskin::support;
 
 namespace {
 
@@ -18,9 +14,8 @@ constexpr double goal_deg = 30;
 
 /// A mesh of the sweep, refined and not smoothed.
 Mesh rough_mesh(const PreparedSkin& skin) {
-  morskin::MeshingOptions options = support::uncertified();
-  options.angle_goal_deg = 0;
-  return support::skin_mesh(skin.surface, morskin::make_mesh(skin, options));
+  return skin_mesh(skin.surface,
+                   make_mesh(skin, {.sizing = {}, .angle_goal_deg = 0, .has_safety_net = false}));
 }
 
 Certificate certificate(const PreparedSkin& skin, const Mesh& mesh) {
@@ -39,14 +34,9 @@ std::size_t triangles_below(const Mesh& mesh, double angle_deg) {
 
 std::vector<PreparedSkin> skins() {
   std::vector<PreparedSkin> result;
-  for (const char* file : {"cube8.xyzr", "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"}) {
-    for (const skin::Model model : {skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw}) {
-      result.push_back(morskin::prepare_skin(support::molecule(file, model)));
-    }
-  }
-  for (unsigned seed = 0; seed < 15; ++seed) {
-    if (auto skin = support::prepared(support::ball_set(seed))) result.push_back(*std::move(skin));
-  }
+  for_molecules({"cube8.xyzr", "benzene.pdb", "c60.xyz", "5tmn_ligand.pdb"},
+                [&](const auto& balls) { result.push_back(prepare_skin(balls)); });
+  for_skins(15, [&](const PreparedSkin& skin) { result.push_back(skin); });
   return result;
 }
 
@@ -88,7 +78,7 @@ TEST_CASE("the counts before and after are those of a look at every triangle") {
 }
 
 TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks nothing") {
-  const PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
   Mesh mesh = rough_mesh(skin);
   const double before = certificate(skin, mesh).min_angle_deg;
   const SmoothingCounts counts = smooth(skin.surface, {}, mesh, 60);
@@ -99,7 +89,7 @@ TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks
 }
 
 TEST_CASE("a mesh without an angle below the goal is left as it is, and so is any for the goal 0") {
-  const PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1)});
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1)});
   Mesh mesh = rough_mesh(skin);
   smooth(skin.surface, {}, mesh, goal_deg);
   const geometry::IndexedMesh once = indexed_mesh(mesh);
@@ -109,8 +99,7 @@ TEST_CASE("a mesh without an angle below the goal is left as it is, and so is an
 }
 
 TEST_CASE("smoothing is the same with any number of threads") {
-  const PreparedSkin skin =
-      morskin::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  const PreparedSkin skin = prepare_skin(molecule("5tmn_ligand.pdb", skin::Model::Paper));
   Mesh first = rough_mesh(skin);
   Mesh second = first;
   smooth(skin.surface, {}, first, goal_deg, geometry::Run(1));

@@ -1,18 +1,12 @@
 // Surface balls: exact ones, and the bounds that mostly decide in their place.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "tests/support/refined_meshes.h"
 
 using namespace morskin;
 using namespace morskin::refine;
-using namespace morskin::support;
 
 TEST_CASE("a surface ball is centred on the skin and passes through its triangle's corners") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     const Mesh mesh = refined_mesh(skin);
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
@@ -30,8 +24,7 @@ TEST_CASE("a surface ball is centred on the skin and passes through its triangle
 }
 
 TEST_CASE("a surface ball found to rounding is as deep as its bounds say, and they mostly decide") {
-  for (const auto& points : small_skins()) {
-    const PreparedSkin skin = morskin::prepare_skin(points);
+  for (const PreparedSkin& skin : small_skins()) {
     const Mesh mesh = swept_mesh(skin);  // worse triangles than a refined one has
     std::size_t asked = 0, decided = 0;
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {

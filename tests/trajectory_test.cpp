@@ -1,14 +1,11 @@
 #include "bench/baselines/trajectory.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::baselines;
+using namespace morskin::support;
 
 namespace {
 
@@ -19,8 +16,8 @@ struct Start {
   CellId cell;
   double time;
 };
-std::optional<Start> random_start(const SkinSurface& skin, support::Random& random) {
-  const support::Box box = support::box_of(skin.points());
+std::optional<Start> random_start(const SkinSurface& skin, Random& random) {
+  const Box box = box_of(skin.points());
   const Point x = box.sample(random);
   const CellId cell = skin.locate(x, CellId{});
   const Patch& patch = skin.patch(cell);
@@ -50,8 +47,8 @@ Point followed_numerically(const SkinSurface& skin, Start start, double end) {
 
 TEST_CASE("a trajectory is the numerical solution of its equation, over cell walls too") {
   std::size_t followed = 0, crossings = 0;
-  support::for_skins(60, [&](unsigned seed, const PreparedSkin& skin) {
-    support::Random random(seed);
+  for_skins(60, [&](unsigned seed, const PreparedSkin& skin) {
+    Random random(seed);
     for (int i = 0; i < 3; ++i) {
       const auto start = random_start(skin.surface, random);
       if (!start) continue;
@@ -72,8 +69,8 @@ TEST_CASE("a trajectory is the numerical solution of its equation, over cell wal
 }
 
 TEST_CASE("a trajectory stays on the growing skin, in the cell it names") {
-  support::for_skins(200, [&](unsigned seed, const PreparedSkin& skin) {
-    support::Random random(seed + 1000);
+  for_skins(200, [&](unsigned seed, const PreparedSkin& skin) {
+    Random random(seed + 1000);
     const auto start = random_start(skin.surface, random);
     if (!start) return;
     Trajectory path(skin.surface, start->x, start->cell, start->time);
@@ -94,8 +91,8 @@ TEST_CASE("a trajectory stays on the growing skin, in the cell it names") {
 }
 
 TEST_CASE("the length scale changes by at most half the time, squared") {
-  support::for_skins(100, [&](unsigned seed, const PreparedSkin& skin) {
-    support::Random random(seed + 2000);
+  for_skins(100, [&](unsigned seed, const PreparedSkin& skin) {
+    Random random(seed + 2000);
     const auto start = random_start(skin.surface, random);
     if (!start) return;
     const Trajectory path(skin.surface, start->x, start->cell, start->time);
@@ -109,15 +106,14 @@ TEST_CASE("the length scale changes by at most half the time, squared") {
 }
 
 TEST_CASE("the skin at a time is the skin of balls with that much more weight") {
-  support::for_seeds(50, [&](unsigned seed) {
-    const auto points = support::ball_set(seed);
-    const auto skin = support::prepared(points);
+  for_seeds<Random>(50, [&](unsigned seed, Random& random) {
+    const auto points = ball_set(seed);
+    const auto skin = prepared(points);
     if (!skin) return;
     auto grown = points;
     for (auto& p : grown) p.weight += 0.25;
-    const auto later = support::prepared(grown);
+    const auto later = prepared(grown);
     if (!later) return;
-    support::Random random(seed);
     const LevelSet level(skin->surface, 0.25);
     for (int i = 0; i < 20; ++i) {
       const auto start = random_start(skin->surface, random);

@@ -1,30 +1,20 @@
 #include "geometry/triangulator.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <random>
-
 #include "tests/support/triangulations.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
-using namespace morskin::support;
 
 TEST_CASE("points added one by one give the triangulation of all at once") {
   std::vector<Points> sets{lattice(5, 5, 5), lattice(3, 4, 7, 0.1)};
   for (unsigned seed = 0; seed < 40; ++seed) sets.push_back(random_points(seed, 5 + 5 * seed, 0));
   // On a sphere, to rounding: every tetrahedron has nearly the same circumsphere.
-  std::mt19937_64 random(5);
-  std::normal_distribution<double> normal;
+  Random random(5);
   sets.emplace_back();
-  for (int i = 0; i < 300; ++i) {
-    const double x = normal(random), y = normal(random), z = normal(random);
-    sets.back().push_back({Point(x, y, z).normalized(), 0});
-  }
+  for (int i = 0; i < 300; ++i) sets.back().push_back({random.direction(), 0});
   for (Points& points : sets) {
     CAPTURE(points.size());
-    std::shuffle(points.begin(), points.end(), random);
+    random.shuffle(points);
     std::size_t first = 4;
     while (regular_triangulation({points.begin(), points.begin() + static_cast<long>(first)})
                .dimension < 3) {
@@ -37,7 +27,7 @@ TEST_CASE("points added one by one give the triangulation of all at once") {
       std::array<std::uint32_t, 2> hints{};
       for (std::uint32_t& hint : hints) {
         do {
-          hint = static_cast<std::uint32_t>(random() % triangulator.tetrahedra().size());
+          hint = static_cast<std::uint32_t>(random.below(triangulator.tetrahedra().size()));
         } while (!triangulator.is_live(hint));
       }
       const auto corner = triangulator.add(points[i], hints);

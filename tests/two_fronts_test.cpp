@@ -1,43 +1,24 @@
 #include "front/two_fronts.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
-#include "morse/make_guide.h"
-#include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
 using namespace morskin::front;
+using namespace morskin::support;
 
 namespace {
 
-/// A skin with the guide of a sweep over it.
-struct Swept {
-  explicit Swept(unsigned seed) : skin(support::prepared(support::ball_set(seed))) {
-    if (!skin) return;
-    guide = morse::make_guide(skin->surface, skin->topology.skin_euler_characteristic(), {},
-                              certify::Sizing{}.tangent_disk_share());
-  }
-  SweepResult sweep(unsigned threads) const {
-    return sweep_from_both_ends(skin->surface, guide, {}, {}, geometry::Run(threads));
-  }
-
-  std::optional<PreparedSkin> skin;
-  morse::Guide guide;
-};
+/// Tries a law for skins of random ball sets and the guides of sweeps over them.
+template <class Law>
+void for_guides(unsigned count, Law law) {
+  for_skins(count, [&](const PreparedSkin& skin) { law(skin.surface, guide_for(skin)); });
+}
 
 }  // namespace
 
 TEST_CASE("two fronts leave a closed mesh of the same surface that one front leaves") {
-  support::for_skins(30, [&](const PreparedSkin& skin) {
-    MeshingOptions one, two;
-    one.fronts = 1;
-    const MeshResult a = make_mesh(skin, one), b = make_mesh(skin, two);
+  for_skins(30, [&](const PreparedSkin& skin) {
+    const MeshResult a = make_mesh(skin, {.sizing = {}, .fronts = 1}), b = make_mesh(skin);
     CHECK_MESSAGE(a.certificate.certified, a.certificate.reason);
     CHECK_MESSAGE(b.certificate.certified, b.certificate.reason);
     CHECK(std::abs(a.certificate.area - b.certificate.area) < 2e-3 * a.certificate.area);
@@ -45,10 +26,9 @@ TEST_CASE("two fronts leave a closed mesh of the same surface that one front lea
 }
 
 TEST_CASE("two fronts lay the same triangles in one thread as in two") {
-  support::for_seeds(10, [&](unsigned seed) {
-    const Swept swept(seed);
-    if (!swept.skin) return;
-    const SweepResult a = swept.sweep(1), b = swept.sweep(2);
+  for_guides(10, [](const skin::SkinSurface& surface, const morse::Guide& guide) {
+    const SweepResult a = sweep_from_both_ends(surface, guide, {}, {}, Run(1));
+    const SweepResult b = sweep_from_both_ends(surface, guide, {}, {}, Run(2));
     CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
     CHECK(a.open_edges == 0);
   });
@@ -56,11 +36,8 @@ TEST_CASE("two fronts lay the same triangles in one thread as in two") {
 
 TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
   std::size_t closed = 0, runs = 0;
-  support::for_seeds(30, [&](unsigned seed) {
-    const Swept swept(seed);
-    if (!swept.skin) return;
-    const skin::SkinSurface& surface = swept.skin->surface;
-    const morse::Guide &guide = swept.guide, reversed = guide.reversed();
+  for_guides(30, [&](const skin::SkinSurface& surface, const morse::Guide& guide) {
+    const morse::Guide reversed = guide.reversed();
     std::vector<double> values;
     for (const auto& p : guide.points) values.push_back(p.value);
     std::ranges::sort(values);
@@ -94,12 +71,10 @@ TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
 }
 
 TEST_CASE("the middle level keeps out of the interval between a close minimum and maximum") {
-  support::for_seeds(200, [&](unsigned seed) {
-    const Swept swept(seed);
-    if (!swept.skin) return;
-    const double level = middle_level(swept.skin->surface, swept.guide);
-    for (const auto& p : swept.guide.points) {
-      for (const auto& q : swept.guide.points) {
+  for_guides(200, [](const skin::SkinSurface& surface, const morse::Guide& guide) {
+    const double level = middle_level(surface, guide);
+    for (const auto& p : guide.points) {
+      for (const auto& q : guide.points) {
         if (p.index != 0 || q.index != 2) continue;
         const double reach = std::min(p.point.length_scale, q.point.length_scale);
         if ((p.point.position - q.point.position).norm() > reach) continue;
@@ -110,12 +85,9 @@ TEST_CASE("the middle level keeps out of the interval between a close minimum an
 }
 
 TEST_CASE("a reversed Morse function has the same critical points with minima and maxima swapped") {
-  support::for_seeds(50, [&](unsigned seed) {
-    const Swept swept(seed);
-    if (!swept.skin) return;
-    const auto reversed =
-        morse::critical_points(swept.skin->surface, swept.guide.function.reversed()).points;
-    for (const auto& p : swept.guide.points) {
+  for_guides(50, [](const skin::SkinSurface& surface, const morse::Guide& guide) {
+    const auto reversed = morse::critical_points(surface, guide.function.reversed()).points;
+    for (const auto& p : guide.points) {
       const auto same = std::find_if(reversed.begin(), reversed.end(), [&](const auto& q) {
         return (p.point.position - q.point.position).norm() < 1e-9 * p.point.length_scale &&
                p.reversed().index == q.index;
@@ -129,7 +101,7 @@ TEST_CASE("a reversed Morse function has the same critical points with minima an
 }
 
 TEST_CASE("no value within a distance differs by more than a Morse function's most change") {
-  support::Random random(1);
+  Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const geometry::Point from = 3 * random.direction(), x = 5 * random.direction();
     for (const auto& f : {morse::MorseFunction::height(random.direction()),

@@ -19,6 +19,12 @@ int steps_along(double length, double spacing) {
   return std::max(1, static_cast<int>(std::lround(length / spacing)));
 }
 
+/// A vertex at the place of the skin that x stands for.
+VertexId add_vertex(MovingMesh& mesh, const Point& x, CellId cell) {
+  const auto p = mesh.level().project(x, cell);
+  return mesh.add_vertex(p ? *p : mesh.level().at(x, cell));
+}
+
 }  // namespace
 
 Frame::Frame(const Patch& patch, double direction)
@@ -33,9 +39,7 @@ Ring add_ring(MovingMesh& mesh, const Frame& frame, CellId cell, double radial, 
   Ring ring;
   for (int i = 0; i < count; ++i) {
     const double azimuth = turn + 2 * std::numbers::pi * i / count;
-    const Point x = frame.point(radial, azimuth, axial);
-    const auto p = mesh.level().project(x, cell);
-    ring.push_back(mesh.add_vertex(p ? *p : mesh.level().at(x, cell)));
+    ring.push_back(add_vertex(mesh, frame.point(radial, azimuth, axial), cell));
   }
   return ring;
 }
@@ -105,9 +109,7 @@ std::vector<Corners> sphere_template(MovingMesh& mesh, const Frame& frame, CellI
                                      double radius) {
   const int steps = steps_along(std::numbers::pi, mesh.spacing());
   const auto pole = [&](double side) {
-    const Point x = frame.point(0, 0, side * radius);
-    const auto p = mesh.level().project(x, cell);
-    return mesh.add_vertex(p ? *p : mesh.level().at(x, cell));
+    return add_vertex(mesh, frame.point(0, 0, side * radius), cell);
   };
   std::vector<Corners> triangles;
   const VertexId south = pole(-1), north = pole(+1);
@@ -149,8 +151,7 @@ std::vector<Corners> cap_template(MovingMesh& mesh, const Frame& frame, CellId c
     join(mesh, last, ring, triangles);
     last = ring;
   }
-  const auto tip = mesh.level().project(frame.point(0, 0, h), cell);
-  close(last, mesh.add_vertex(tip ? *tip : mesh.level().at(frame.point(0, 0, h), cell)), triangles);
+  close(last, add_vertex(mesh, frame.point(0, 0, h), cell), triangles);
   return triangles;
 }
 

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. Two balls of weight 2 (patch radius 1): the distance, Angstrom, at which they just
 /// touch.
 Number touching_distance = unanswered;
@@ -15,5 +13,3 @@ Count cube_euler_characteristic = unanswered;
 /// Explain. The smaller of the two principal curvatures (without its sign) of a hyperboloid patch,
 /// at a distance |u| from its centre, from w/2. The larger is 1/|u|.
 Formula<double(double half_weight, double distance)> smaller_curvature = unanswered;
-
-}  // namespace morskin::course

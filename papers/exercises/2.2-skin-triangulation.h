@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. How many times as many triangles does C = 0.04 give as C = 0.08?
 Number times_as_many = unanswered;
 
@@ -12,5 +10,3 @@ Number angle_bound_deg = unanswered;
 
 /// Explain. The smallest Q, for a given C, with which an insertion makes no edge too short.
 Formula<double(double C)> smallest_Q = unanswered;
-
-}  // namespace morskin::course

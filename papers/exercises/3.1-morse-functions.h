@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. Two balls joined by a neck, lying on their side: minima, saddles, maxima of the height.
 Counts dumbbell = unanswered;
 
@@ -12,5 +10,3 @@ Count caffeine_saddles = unanswered;
 
 /// Explain. At a critical point x = z + lambda M V. lambda^2 from w/2 and D = V . M V.
 Formula<double(double half_weight, double D)> squared_lambda = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. 12 saddles: how many regions has the complex?
 Count regions_of_12_saddles = unanswered;
 
@@ -14,5 +12,3 @@ Count dna_arcs = unanswered;
 /// d . M d, where d = x - p, grad f = mu N(p), and c is 2 for a squared distance and 0 for a
 /// height.
 Formula<double(double c, double mu, double d_d, double d_Md)> rise = unanswered;
-
-}  // namespace morskin::course

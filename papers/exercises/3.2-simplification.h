@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. Gramicidin A has one component of genus 35. All pairs that can be are cancelled: how
 /// many critical points are left?
 Count left_on_gramicidin = unanswered;
@@ -15,5 +13,3 @@ Count saddles_left = unanswered;
 /// f(b), f(c), f(a) and the value of the lowest other saddle of b (of those that do not lead to b
 /// twice)?
 Formula<bool(double b, double c, double a, double lowest_other)> may_cancel = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. The height on 5TMN's inhibitor has 5 minima, 12 saddles and 7 maxima. The second sweep
 /// goes by the reversed function: how many minima, saddles and maxima has that?
 Counts from_above = unanswered;
@@ -15,5 +13,3 @@ Count bowls_of_both = unanswered;
 /// at x. How much larger than f(x) can f be within the distance d of x? A departure vertex goes on
 /// only if that is still below the level where the two sweeps meet.
 Formula<double(double g, double c, double d)> largest_rise = unanswered;
-
-}  // namespace morskin::course

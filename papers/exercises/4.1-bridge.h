@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. A ring of twelve balls (`ring12.xyzr`, model vdw, --fronts 1) has one minimum, two
 /// saddles and one maximum that survive. How many bridges are built?
 Count ring_bridges = unanswered;
@@ -15,5 +13,3 @@ Count touches_outside = unanswered;
 /// Explain. How far below a saddle are the two branches of a level set as close as an edge is long?
 /// To leading order; rho is the length scale there.
 Formula<double(double rho, double edge)> depth_of_gap = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. The cube of Figure 4 has 6 minima and all survive. With one front, how many triangles
 /// lie on it when all bowls are laid and nothing has crept?
 Count triangles_of_bowls = unanswered;
@@ -14,5 +12,3 @@ Count bowls = unanswered;
 /// Explain. On a sphere of radius rho a bowl is made with a disk of radius r, and its rim projected
 /// along the gradient: how long is a rim edge?
 Formula<double(double r, double rho)> rim_edge = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. A closed mesh of a torus has 5,000 vertices: how many triangles?
 Count torus_triangles = unanswered;
 
@@ -12,5 +10,3 @@ Count wings = unanswered;
 
 /// Explain. Circumradius of a fan triangle: two sides r with an angle phi (radians) between.
 Formula<double(double r, double phi)> fan_circumradius = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. How many triangles close a hole of 7 edges without a new vertex?
 Count triangles_of_7_edges = unanswered;
 
@@ -13,5 +11,3 @@ Count seals = unanswered;
 /// Explain. How large may a hole's diameter be, over rho, so that a triangle with that diameter for
 /// its circumdisk keeps [U]?
 Formula<double(double C, double Q)> largest_hole = unanswered;
-
-}  // namespace morskin::course

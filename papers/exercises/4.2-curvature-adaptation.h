@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. Triangles on a lone ball if all were equilateral with edges of 0.181 rho. The test lets
 /// you be 15 % off what the program lays.
 Number triangles_on_a_ball = unanswered;
@@ -13,5 +11,3 @@ Count benzene_triangles = unanswered;
 
 /// Explain. r_a / rho in closed form, with the factor 2 that the paper lost.
 Formula<double(double C, double Q)> disk_share = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. An insertion splits a triangle at a new vertex: how many triangles more?
 Count triangles_of_an_insertion = unanswered;
 
@@ -13,5 +11,3 @@ Count insertions = unanswered;
 /// Explain. In a plane, should the edge between two triangles be flipped, given the angles opposite
 /// it (radians)?
 Formula<bool(double one, double other)> flip = unanswered;
-
-}  // namespace morskin::course

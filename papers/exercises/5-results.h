@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. Seconds for GramicidinA if the paper's times were linear, from those for pdb7tmn.
 Number linear_seconds = unanswered;
 
@@ -12,5 +10,3 @@ Number smallest_angle_deg = unanswered;
 
 /// Explain. The power with which the time grows, from two rows of triangles and seconds.
 Formula<double(double n1, double t1, double n2, double t2)> power = unanswered;
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 /// Predict. minima - saddles + maxima of the squared distance from (1, 9, 2) on the cube's skin,
 /// whose height gives 6 - 8 + 6.
 Count distance_sum = unanswered;
@@ -14,5 +12,3 @@ Count distance_minima = unanswered;
 /// Explain. The squared distance f from a point R away along -V. Scale and shift it so that it
 /// tends to the height along V as R grows: from f and R.
 Formula<double(double f, double R)> as_height = unanswered;
-
-}  // namespace morskin::course

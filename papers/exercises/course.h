@@ -1,6 +1,7 @@
 #pragma once
 
-/// What the answers of an exercise are made of (papers/README.md, "The exercises").
+/// What the answers of an exercise are made of (papers/README.md, "The exercises"). A sheet of
+/// answers is read by one program only, and stands in no namespace.
 
 #include <array>
 #include <cmath>
@@ -21,3 +22,5 @@ template <class Signature>
 using Formula = const std::optional<std::function<Signature>>;
 
 }  // namespace morskin::course
+
+using namespace morskin::course;

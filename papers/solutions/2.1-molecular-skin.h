@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // The edge's orthocentre is the middle, its weight w = 2 - (d/2)^2. The skin is singular where that
 // is zero: d = 2 sqrt(2). The balls of radius sqrt(2) touch there, and so do the two patches, which
 // the shrinking has left with the two sheets of a cone between them.
@@ -20,5 +18,3 @@ Formula<double(double half_weight, double distance)> smaller_curvature = [](doub
                                                                             double distance) {
   return std::abs(half_weight) / (distance * distance * distance);
 };
-
-}  // namespace morskin::course

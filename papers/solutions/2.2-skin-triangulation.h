@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Not 4. Edges are a share of rho, 2 R sqrt(1 - R^2) with R = CQ/(1 + 2CQ), which is a little less
 // than proportional to C: 0.208 and 0.116. The square of their ratio is 3.2.
 Number times_as_many = 3.2;
@@ -16,5 +14,3 @@ Number angle_bound_deg = 22.99;
 // distance, rho_v <= rho_abc + L and rho_y <= rho_abc + 2L. So [L] holds for vy if 1/2 >
 // (C/Q)(1/(CQ) + 2), that is Q^2 - 4CQ - 2 > 0. The root:
 Formula<double(double C)> smallest_Q = [](double C) { return 2 * C + std::sqrt(4 * C * C + 2); };
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // A minimum under each ball and a maximum on each; the neck's waist is a saddle below, since the
 // neck rises towards its middle, and a saddle above. 2 - 2 + 2 = 2, a sphere's.
 Counts dumbbell = {{2, 2, 2}};
@@ -14,5 +12,3 @@ Count caffeine_saddles = 6;
 Formula<double(double half_weight, double D)> squared_lambda = [](double half_weight, double D) {
   return half_weight / D;
 };
-
-}  // namespace morskin::course

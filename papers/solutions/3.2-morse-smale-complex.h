@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Each saddle is a corner of four regions, and each region has two saddles among its corners: twice
 // as many regions as saddles.
 Count regions_of_12_saddles = 24;
@@ -15,5 +13,3 @@ Count dna_arcs = 328;
 // M d gives N(p) . d = -d . M d / 2.
 Formula<double(double c, double mu, double d_d, double d_Md)> rise =
     [](double c, double mu, double d_d, double d_Md) { return c / 2 * d_d - mu / 2 * d_Md; };
-
-}  // namespace morskin::course

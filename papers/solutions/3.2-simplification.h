@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // The lowest minimum and the highest maximum, and two saddles for each handle.
 Count left_on_gramicidin = 1 + 1 + 2 * 35;
 
@@ -15,5 +13,3 @@ Formula<bool(double b, double c, double a, double lowest_other)> may_cancel =
     [](double b, double c, double a, double lowest_other) {
       return c <= b && b < a && a <= lowest_other;
     };
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Minima and maxima change places.
 Counts from_above = {{7, 12, 5}};
 
@@ -15,5 +13,3 @@ Count bowls_of_both = 27;
 Formula<double(double g, double c, double d)> largest_rise = [](double g, double c, double d) {
   return d * (g + c * d);
 };
-
-}  // namespace morskin::course

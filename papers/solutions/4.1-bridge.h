@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // One at each saddle: below it the front arrives from two sides.
 Count ring_bridges = 2;
 
@@ -14,5 +12,3 @@ Count touches_outside = 140;
 Formula<double(double rho, double edge)> depth_of_gap = [](double rho, double edge) {
   return edge * edge / (8 * rho);
 };
-
-}  // namespace morskin::course

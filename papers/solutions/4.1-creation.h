@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Six to a bowl.
 Count triangles_of_bowls = 36;
 
@@ -14,5 +12,3 @@ Count bowls = 26;
 Formula<double(double r, double rho)> rim_edge = [](double r, double rho) {
   return r * rho / std::sqrt(rho * rho + r * r);
 };
-
-}  // namespace morskin::course

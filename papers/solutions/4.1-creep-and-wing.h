@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Each triangle has three edges, each edge two triangles: V - 3F/2 + F = 0.
 Count torus_triangles = 10000;
 
@@ -13,5 +11,3 @@ Count wings = 4198;
 Formula<double(double r, double phi)> fan_circumradius = [](double r, double phi) {
   return r / (2 * std::cos(phi / 2));
 };
-
-}  // namespace morskin::course

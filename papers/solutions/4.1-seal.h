@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // Every triangle takes one edge off, and the last one three.
 Count triangles_of_7_edges = 5;
 
@@ -12,5 +10,3 @@ Count seals = 14;
 
 // [U] asks for R < C Q rho. All vertices of the hole on one circle of that radius.
 Formula<double(double C, double Q)> largest_hole = [](double C, double Q) { return 2 * C * Q; };
-
-}  // namespace morskin::course

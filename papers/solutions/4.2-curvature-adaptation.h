@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // 4 pi over sqrt(3)/4 e^2.
 Number triangles_on_a_ball = 4 * M_PI / (std::sqrt(3.0) / 4 * 0.181 * 0.181);
 
@@ -14,5 +12,3 @@ Formula<double(double C, double Q)> disk_share = [](double C, double Q) {
   const double q = C * Q;
   return 2 * q / ((1 + 2 * q) * (1 + 2 * q)) * std::sqrt((1 + q) * (1 + 3 * q));
 };
-
-}  // namespace morskin::course

@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // One becomes three.
 Count triangles_of_an_insertion = 2;
 
@@ -14,5 +12,3 @@ Count insertions = 233;
 Formula<bool(double one, double other)> flip = [](double one, double other) {
   return one + other > M_PI;
 };
-
-}  // namespace morskin::course

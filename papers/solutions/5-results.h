@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // 5 s for 24,336 triangles, and 305,186: a quarter of what it took.
 Number linear_seconds = 5.0 * 305186 / 24336;
 
@@ -14,5 +12,3 @@ Formula<double(double n1, double t1, double n2, double t2)> power = [](double n1
                                                                        double n2, double t2) {
   return std::log(t2 / t1) / std::log(n2 / n1);
 };
-
-}  // namespace morskin::course

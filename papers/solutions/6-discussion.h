@@ -2,8 +2,6 @@
 
 #include "papers/exercises/course.h"
 
-namespace morskin::course {
-
 // The Euler characteristic belongs to the surface, not to the function.
 Count distance_sum = 4;
 
@@ -13,5 +11,3 @@ Count distance_minima = 4;
 Formula<double(double f, double R)> as_height = [](double f, double R) {
   return (f - R * R) / (2 * R);
 };
-
-}  // namespace morskin::course

@@ -9,9 +9,8 @@
 
 int main() {
   using namespace morskin;
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}, {{6, 0, 0}, 1.5}});
-  const geometry::IndexedMesh mesh = morskin::make_mesh(skin).mesh;
+  const PreparedSkin skin = prepare_skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}, {{6, 0, 0}, 1.5}});
+  const geometry::IndexedMesh mesh = make_mesh(skin).mesh;
   const certify::Certificate good = certify::certify(mesh, skin.surface, skin.topology);
   std::printf("[L] %.3f (above 1), [U] %.3f (below 1), smallest angle %.1f (bound %.2f)\n",
               good.worst_L, good.worst_U, good.min_angle_deg, certify::Sizing{}.angle_bound_deg());

@@ -15,8 +15,7 @@
 
 int main() {
   using namespace morskin;
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
+  const PreparedSkin skin = prepare_skin({{{0, 0, 0}, 2.0}});  // rho = 1 everywhere
   const double share = certify::Sizing{}.tangent_disk_share();
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {}, share);

@@ -14,7 +14,7 @@
 
 int main() {
   using namespace morskin;
-  const morskin::PreparedSkin skin = morskin::prepare_skin({{{0, 0, 0}, 2.0}});
+  const PreparedSkin skin = prepare_skin({{{0, 0, 0}, 2.0}});
   const morse::Guide guide =
       morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), {},
                         certify::Sizing{}.tangent_disk_share());

@@ -18,6 +18,16 @@ class Random {
   std::size_t below(std::size_t n) {
     return static_cast<std::size_t>(uniform() * static_cast<double>(n));
   }
+  /// The arrangement of a range by as many draws as it has elements, less one.
+  template <class Range>
+  void shuffle(Range& range) {
+    for (std::size_t i = range.size(); i > 1; --i) std::swap(range[i - 1], range[below(i)]);
+  }
+  /// In a cube that the range spans along each axis.
+  geometry::Point in_cube(double low, double high) {
+    const double x = between(low, high), y = between(low, high);
+    return {x, y, between(low, high)};
+  }
   geometry::Vector direction() {
     for (;;) {
       const geometry::Vector v(between(-1, 1), between(-1, 1), between(-1, 1));
@@ -29,6 +39,23 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+/// A ball as the makers of sets think of it: its patch's radius instead of the weight.
+struct Ball {
+  geometry::Point centre;
+  double radius;
+};
+using Balls = std::vector<Ball>;
+
+inline std::vector<geometry::WeightedPoint> weighted(const Balls& balls) {
+  std::vector<geometry::WeightedPoint> points;
+  points.reserve(balls.size());
+  for (const Ball& b : balls) {
+    points.push_back({b.centre.unaryExpr(&geometry::on_exact_grid),
+                      geometry::on_exact_grid(2 * b.radius * b.radius)});
+  }
+  return points;
+}
+
 /// 1 to 40 balls with patch radii from 0.5 to 3 Angstrom, in a box that makes them a loose chain, a
 /// dense clump or a scatter; among them now and then a nested ball, a duplicate, and a ball that
 /// nearly touches another (a gap or an overlap of 1e-1 to 1e-6 of its radius).
@@ -36,14 +63,9 @@ inline std::vector<geometry::WeightedPoint> ball_set(unsigned seed) {
   Random random(seed);
   const std::size_t n = 1 + random.below(40);
   const double box = random.between(1, 3) * std::cbrt(static_cast<double>(n)) * 1.7;
-  struct Ball {
-    geometry::Point centre;
-    double radius;
-  };
-  std::vector<Ball> balls;
+  Balls balls;
   while (balls.size() < n) {
-    Ball ball{{random.between(0, box), random.between(0, box), random.between(0, box)},
-              random.between(0.5, 3)};
+    Ball ball{random.in_cube(0, box), random.between(0.5, 3)};
     const double kind = random.uniform();
     if (!balls.empty() && kind < 0.2) {
       const Ball& other = balls[random.below(balls.size())];
@@ -62,13 +84,7 @@ inline std::vector<geometry::WeightedPoint> ball_set(unsigned seed) {
     }
     balls.push_back(ball);
   }
-  std::vector<geometry::WeightedPoint> points;
-  for (const Ball& b : balls) {
-    points.push_back({{geometry::on_exact_grid(b.centre.x()), geometry::on_exact_grid(b.centre.y()),
-                       geometry::on_exact_grid(b.centre.z())},
-                      geometry::on_exact_grid(2 * b.radius * b.radius)});
-  }
-  return points;
+  return weighted(balls);
 }
 
 }  // namespace morskin::support

@@ -2,12 +2,8 @@
 
 /// Surfaces given by formulas, with nothing of a molecule behind them: a sphere and a torus.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
 #include "surface/surface.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -20,6 +23,27 @@ using WeightedPoints = std::vector<geometry::WeightedPoint>;
 inline WeightedPoints molecule(std::string_view file, skin::Model model, double probe = 1.4) {
   const auto path = std::filesystem::path("bench/molecules") / file;
   return skin::weighted_points(skin::read_molecule(path), model, probe);
+}
+
+inline constexpr std::array all_models{skin::Model::Paper, skin::Model::Sas, skin::Model::Vdw};
+
+/// All files of bench/molecules.
+inline const std::vector<const char*> bundled_molecules{
+    "5tmn_ligand.pdb", "9dna.pdb",          "1grm_model1.pdb", "1crn.pdb",
+    "benzene.pdb",     "c60.xyz",           "caffeine.xyz",    "cube8.xyzr",
+    "ring12.xyzr",     "shell_hollow.xyzr", "two_balls.xyzr"};
+
+/// Tries a law for the balls of some of these files in every model, and names file and model of a
+/// failure.
+template <class Law>
+void for_molecules(const std::vector<const char*>& files, Law law) {
+  for (const char* file : files) {
+    CAPTURE(file);
+    for (const skin::Model model : all_models) {
+      CAPTURE(skin::name_of(model));
+      law(molecule(file, model));
+    }
+  }
 }
 
 /// A ball whose patch has this radius.
@@ -61,8 +85,7 @@ inline WeightedPoints in_a_row(const WeightedPoints& points, int copies, double 
 }
 
 inline WeightedPoints shuffled(WeightedPoints points, unsigned seed) {
-  Random random(seed);
-  for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
+  Random(seed).shuffle(points);
   return points;
 }
 

@@ -3,15 +3,8 @@
 /// Morse-Smale complexes made without a surface in space, from embedded graphs: minima are the
 /// vertices, saddles the edges, maxima the faces.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
-#include <vector>
-
 #include "morse/morse_smale_complex.h"
-#include "tests/support/ball_sets.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 
@@ -129,7 +122,7 @@ inline morse::MorseSmaleComplex complex_of(const EmbeddedGraph& graph, Random& r
   // Ids in random order, so that kinds are mixed as they are among cells.
   std::vector<std::uint32_t> place(count);
   std::iota(place.begin(), place.end(), 0U);
-  for (std::size_t i = count; i > 1; --i) std::swap(place[i - 1], place[random.below(i)]);
+  random.shuffle(place);
   const auto minimum = [&](std::uint32_t d) { return CriticalId{place[vertex[d]]}; };
   const auto saddle = [&](std::uint32_t d) { return CriticalId{place[vertices + d / 2]}; };
   const auto maximum = [&](std::uint32_t d) {
@@ -140,7 +133,7 @@ inline morse::MorseSmaleComplex complex_of(const EmbeddedGraph& graph, Random& r
   complex.points.resize(count);
   const double side = 0.4 * std::cbrt(static_cast<double>(count));
   for (morse::CriticalPoint& p : complex.points) {
-    p.point.position = {random.between(0, side), random.between(0, side), random.between(0, side)};
+    p.point.position = random.in_cube(0, side);
     p.point.length_scale = random.between(0.3, 1);
   }
   const auto rise = [&] {

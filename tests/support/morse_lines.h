@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "morse/integral_lines.h"
-#include "tests/support/molecules.h"
+#include "morse/morse_smale_complex.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 
@@ -20,6 +17,9 @@ struct MorseCase {
       : random(0), skin(points), f(function), critical(morse::critical_points(skin, f)) {}
 
   bool is_degenerate() const { return !critical.degeneracies.empty(); }
+  morse::IntegralLines lines(double step = morse::IntegralLines::usual_step) const {
+    return morse::IntegralLines(skin, f, critical.points, step);
+  }
 
   Random random;
   skin::SkinSurface skin;
@@ -33,6 +33,18 @@ struct MorseCase {
     return morse::MorseFunction::squared_distance(box.sample(random));
   }
 };
+
+/// Tries a law for those of many such cases that are not degenerate.
+template <class Law>
+void for_morse_cases(const Seeds& seeds, Law law) {
+  for_seeds<MorseCase>(seeds, [&](MorseCase& test) {
+    if (!test.is_degenerate()) law(test);
+  });
+}
+
+inline morse::MorseSmaleComplex complex_of(const MorseCase& test) {
+  return morse::morse_smale_complex(test.skin, test.f, test.critical);
+}
 
 /// A line with its nodes, as traced.
 struct TracedLine {

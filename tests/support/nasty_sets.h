@@ -33,23 +33,6 @@ constexpr std::array<std::string_view, 12> nasty_names = {
     "far clusters", "many components"};
 constexpr std::size_t nasty_kinds = nasty_names.size();
 
-/// A ball as the makers below think of it: its patch's radius instead of the weight.
-struct Ball {
-  geometry::Point centre;
-  double radius;
-};
-using Balls = std::vector<Ball>;
-
-inline std::vector<geometry::WeightedPoint> weighted(const Balls& balls) {
-  std::vector<geometry::WeightedPoint> points;
-  points.reserve(balls.size());
-  for (const Ball& b : balls) {
-    points.push_back({b.centre.unaryExpr(&geometry::on_exact_grid),
-                      geometry::on_exact_grid(2 * b.radius * b.radius)});
-  }
-  return points;
-}
-
 /// Half of the time 0.5 to 3, else a multiple of 0.5 in that range.
 inline double some_radius(Random& random) {
   if (random.uniform() < 0.5) return random.between(0.5, 3);
@@ -191,9 +174,7 @@ inline Balls nasty_balls(Nasty kind, Random& random) {
       const double distance = std::pow(10.0, random.between(2, 6)) / std::sqrt(3.0);
       const std::size_t clusters = 2 + random.below(3);
       for (std::size_t c = 0; c < clusters; ++c) {
-        const geometry::Point centre{random.between(-distance, distance),
-                                     random.between(-distance, distance),
-                                     random.between(-distance, distance)};
+        const geometry::Point centre = random.in_cube(-distance, distance);
         for (std::size_t i = 0; i < n / 2 + 1; ++i) {
           balls.push_back(
               {centre + random.between(0, 5) * random.direction(), some_radius(random)});

@@ -3,15 +3,6 @@
 /// A Morse-Smale complex by the words of the paper, slow and plain: the oracle of its
 /// simplification.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "morse/persistence.h"
 #include "tests/support/morse_complexes.h"
 
@@ -29,6 +20,22 @@ inline MorseSmaleComplex random_complex(unsigned seed, std::size_t largest = 40)
   const EmbeddedGraph graph = random_graph(random, 1 + random.below(largest));
   MorseSmaleComplex complex = complex_of(graph, random, seed % 4 == 3 ? 4 : 0);
   return seed % 2 == 1 ? upside_down(std::move(complex)) : complex;
+}
+
+/// Tries a law for random complexes. It takes the complex, with its seed before or draws after it.
+template <class Law>
+void for_complexes(const Seeds& seeds, Law law) {
+  for_seeds(seeds, [&](unsigned seed) {
+    const MorseSmaleComplex complex = random_complex(seed);
+    if constexpr (std::is_invocable_v<Law, const MorseSmaleComplex&>) {
+      law(complex);
+    } else if constexpr (std::is_invocable_v<Law, unsigned, const MorseSmaleComplex&>) {
+      law(seed, complex);
+    } else {
+      Random random(seed);
+      law(complex, random);
+    }
+  });
 }
 
 /// Those of an index.

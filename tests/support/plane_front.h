@@ -1,10 +1,7 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cmath>
-#include <vector>
-
 #include "front/front.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 

@@ -2,13 +2,7 @@
 
 /// Meshes as the sweep leaves them and as the refinement does, and what the latter must be.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "front/sweep.h"
-#include "morse/make_guide.h"
 #include "refine/refinement.h"
 #include "tests/support/meshes.h"
 
@@ -18,8 +12,7 @@ using namespace refine;
 
 /// What the sweep leaves for the refinement.
 inline Mesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  const morse::Guide guide = morse::make_guide(
-      skin.surface, skin.topology.skin_euler_characteristic(), {}, sizing.tangent_disk_share());
+  const morse::Guide guide = guide_for(skin, sizing);
   Mesh mesh;
   front::Sweep sweep(skin.surface, guide, {.sizing = sizing}, mesh);
   sweep.run();
@@ -28,9 +21,8 @@ inline Mesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
 }
 
 inline Mesh refined_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
-  morskin::MeshingOptions options = with(sizing);
-  options.has_safety_net = false;
-  return skin_mesh(skin.surface, morskin::make_mesh(skin, options));
+  return skin_mesh(skin.surface,
+                   morskin::make_mesh(skin, {.sizing = sizing, .has_safety_net = false}));
 }
 
 inline RefinementCounts refine_mesh(const PreparedSkin& skin, Mesh& mesh,
@@ -67,9 +59,7 @@ inline void check_refined(const PreparedSkin& skin, const Mesh& mesh, const Sizi
     REQUIRE(mesh.surface.outgoing(VertexId{v}).has_value());
   }
   CHECK(breaches(mesh, sizing) == Breaches{});
-  CHECK(static_cast<long>(mesh.surface.vertex_count()) -
-            static_cast<long>(mesh.surface.triangle_count() / 2) ==
-        skin.topology.skin_euler_characteristic());
+  CHECK(euler_characteristic(mesh.surface) == skin.topology.skin_euler_characteristic());
   CHECK(geometry::components(mesh.surface).count == skin.topology.skin_components());
 }
 
@@ -95,11 +85,11 @@ inline std::size_t entered_balls(const PreparedSkin& skin, const Mesh& mesh) {
   return entered;
 }
 
-inline std::vector<WeightedPoints> small_skins() {
-  return {{ball(0, 0, 0, 1)},
-          {ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)},
-          {ball(0, 0, 0, 1), ball(2, 0.1, 0.3, 0.9), ball(0.8, 1.6, 0, 0.8)},
-          tetrahedron_balls(2.3)};
+inline std::vector<PreparedSkin> small_skins() {
+  return {morskin::prepare_skin({ball(0, 0, 0, 1)}),
+          morskin::prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)}),
+          morskin::prepare_skin({ball(0, 0, 0, 1), ball(2, 0.1, 0.3, 0.9), ball(0.8, 1.6, 0, 0.8)}),
+          morskin::prepare_skin(tetrahedron_balls(2.3))};
 }
 
 }  // namespace morskin::support

@@ -6,11 +6,18 @@
 
 namespace morskin::support {
 
-/// Tries a law for each seed from 0 on, and names the seed of a failure. The law takes the seed, a
-/// fixture made of it, or both.
+/// The seeds from the first on, up to the end; a number alone is that many from 0 on.
+struct Seeds {
+  Seeds(unsigned count) : first(0), end(count) {}
+  Seeds(unsigned from, unsigned to) : first(from), end(to) {}
+  unsigned first, end;
+};
+
+/// Tries a law for each seed, and names the seed of a failure. The law takes the seed, a fixture
+/// made of it, or both.
 template <class Fixture = unsigned, class Law>
-void for_seeds(unsigned count, Law law) {
-  for (unsigned seed = 0; seed < count; ++seed) {
+void for_seeds(const Seeds& seeds, Law law) {
+  for (unsigned seed = seeds.first; seed < seeds.end; ++seed) {
     CAPTURE(seed);
     Fixture fixture(seed);
     if constexpr (std::is_invocable_v<Law, unsigned, Fixture&>) {

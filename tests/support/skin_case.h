@@ -1,11 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-
 #include "skin/skin_surface.h"
-#include "tests/support/molecules.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 
@@ -40,6 +36,23 @@ struct SkinCase {
   support::Box box;
   double span;
 };
+
+/// Tries a law at so many points of the box of each of 300 skins.
+template <class Law>
+void for_points(int count, Law law) {
+  for_seeds<SkinCase>(300, [&](SkinCase& test) {
+    for (int i = 0; i < count; ++i) law(test, test.box.sample(test.random));
+  });
+}
+/// The same at points of the skin, as many as are met.
+template <class Law>
+void for_surface_points(int count, Law law) {
+  for_seeds<SkinCase>(300, [&](SkinCase& test) {
+    for (int i = 0; i < count; ++i) {
+      if (const auto p = test.surface_point()) law(test, *p);
+    }
+  });
+}
 
 /// How far outside a cell x lies, Angstrom; negative inside.
 inline double outside(const MixedComplex& complex, CellId cell, const Point& x) {

@@ -2,13 +2,8 @@
 
 /// The laws of surface::Surface, for any surface.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "surface/surface.h"
-#include "tests/support/ball_sets.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 

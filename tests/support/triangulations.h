@@ -1,12 +1,7 @@
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <random>
-#include <vector>
-
 #include "geometry/regular_triangulation.h"
+#include "tests/support/test.h"
 
 namespace morskin::support {
 
@@ -107,6 +102,12 @@ inline void check_complex(const Points& points, const RegularTriangulation& t) {
   const auto count = [](const auto& simplices) { return static_cast<long>(simplices.size()); };
   CHECK(count(t.vertices) - count(t.edges) + count(t.triangles) - count(t.tetrahedra) ==
         (points.empty() ? 0 : 1));
+}
+
+inline RegularTriangulation checked_triangulation(const Points& points) {
+  RegularTriangulation t = regular_triangulation(points);
+  check_complex(points, t);
+  return t;
 }
 
 }  // namespace morskin::support

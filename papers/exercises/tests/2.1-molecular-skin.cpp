@@ -1,16 +1,14 @@
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/2.1-molecular-skin.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("2.1-molecular-skin, predict: nearer the two balls have one skin, farther they have two" *
           until(touching_distance)) {
   const auto components_at = [](double distance) {
-    const morskin::PreparedSkin skin =
-        morskin::prepare_skin({{{0, 0, 0}, 2}, {{geometry::on_exact_grid(distance), 0, 0}, 2}});
+    const PreparedSkin skin =
+        prepare_skin({{{0, 0, 0}, 2}, {{geometry::on_exact_grid(distance), 0, 0}, 2}});
     return skin.topology.skin_components();
   };
   CHECK(components_at(*touching_distance - 1e-6) == 1);
@@ -19,15 +17,14 @@ TEST_CASE("2.1-molecular-skin, predict: nearer the two balls have one skin, fart
 
 TEST_CASE("2.1-molecular-skin, run: the counts are those of the cube's dual complex" *
           until(cube_components, cube_euler_characteristic)) {
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper));
+  const PreparedSkin skin = prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper));
   CHECK(*cube_components == static_cast<long>(skin.topology.skin_components()));
   CHECK(*cube_euler_characteristic == skin.topology.skin_euler_characteristic());
 }
 
 TEST_CASE("2.1-molecular-skin, explain: the formula is the curvature along the meridian" *
           until(smaller_curvature)) {
-  support::for_skins(20, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(20, [](const PreparedSkin& skin) {
     const skin::MixedComplex& complex = skin.surface.complex();
     support::Random random(1);
     for (std::size_t i = 0; i < complex.size(); ++i) {

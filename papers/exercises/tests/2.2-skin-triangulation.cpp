@@ -1,10 +1,8 @@
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/2.2-skin-triangulation.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("2.2-skin-triangulation, predict: the numbers of triangles have this ratio, within 10 %" *
           until(times_as_many)) {

@@ -1,16 +1,13 @@
-#include "morse/critical_points.h"
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/3.1-morse-functions.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("3.1-morse-functions, predict: the counts are those of a neck between two balls" *
           until(dumbbell)) {
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin({support::ball(0, 0, 0, 1.5), support::ball(3, 0, 0, 1.5)});
+  const PreparedSkin skin =
+      prepare_skin({support::ball(0, 0, 0, 1.5), support::ball(3, 0, 0, 1.5)});
   const auto critical =
       morse::critical_points(skin.surface, morse::MorseFunction::height({0.02, 1, 0.03}));
   REQUIRE(critical.degeneracies.empty());
@@ -26,7 +23,7 @@ TEST_CASE("3.1-morse-functions, run: caffeine has as many saddles" * until(caffe
 
 TEST_CASE("3.1-morse-functions, explain: lambda is the length scale at every critical point" *
           until(squared_lambda)) {
-  support::for_skins(30, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(30, [](const PreparedSkin& skin) {
     const morse::MorseFunction f;
     for (const auto& p : morse::critical_points(skin.surface, f).points) {
       const skin::Patch& patch = skin.surface.complex().patch(p.point.cell);

@@ -1,11 +1,9 @@
+#include "answers/3.2-morse-smale-complex.h"
+
 #include "morse/morse_smale_complex.h"
 #include "papers/exercises/tests/course_support.h"
 
-// The answers: of papers/exercises or of papers/solutions.
-#include "answers/3.2-morse-smale-complex.h"
-
 using namespace morskin;
-using namespace morskin::course;
 
 namespace {
 
@@ -30,7 +28,7 @@ TEST_CASE("3.2-morse-smale-complex, run: so many arcs are traced on 9DNA" * unti
 
 TEST_CASE("3.2-morse-smale-complex, explain: the rise from an extremum is exact on its patch" *
           until(rise)) {
-  support::for_skins(30, [](const morskin::PreparedSkin& skin) {
+  support::for_skins(30, [](const PreparedSkin& skin) {
     support::Random random(1);
     for (const auto& f :
          {morse::MorseFunction{}, morse::MorseFunction::squared_distance({0.3, -7, 0.4})}) {

@@ -1,12 +1,10 @@
+#include "answers/3.2-simplification.h"
+
 #include "morse/simplification.h"
 #include "papers/exercises/tests/course_support.h"
 #include "tests/support/morse_complexes.h"
 
-// The answers: of papers/exercises or of papers/solutions.
-#include "answers/3.2-simplification.h"
-
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("3.2-simplification, predict: so many critical points are left on gramicidin A" *
           until(left_on_gramicidin)) {

@@ -1,18 +1,13 @@
-#include <random>
+#include "answers/4.1-algorithm.h"
 
 #include "morse/choose_function.h"
 #include "papers/exercises/tests/course_support.h"
 
-// The answers: of papers/exercises or of papers/solutions.
-#include "answers/4.1-algorithm.h"
-
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.1-algorithm, predict: the reversed function has these critical points" *
           until(from_above)) {
-  const morskin::PreparedSkin skin =
-      morskin::prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  const PreparedSkin skin = prepare_skin(support::molecule("5tmn_ligand.pdb", skin::Model::Paper));
   const auto function = morse::MorseFunction{}.reversed();
   const auto critical = morse::critical_points(skin.surface, function);
   REQUIRE(critical.degeneracies.empty());
@@ -31,14 +26,11 @@ TEST_CASE("4.1-algorithm, run: so many bowls are made on 9DNA from both ends" *
 TEST_CASE(
     "4.1-algorithm, explain: f rises by no more within the distance, and by no less along it" *
     until(largest_rise)) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> number(-2, 2);
-  const auto vector = [&] {
-    return geometry::Vector(number(random), number(random), number(random));
-  };
+  support::Random random(7);
+  const auto vector = [&] { return random.in_cube(-2, 2); };
   for (int i = 0; i < 200; ++i) {
     CAPTURE(i);
-    const double c = std::abs(number(random)), d = std::abs(number(random)) + 0.01;
+    const double c = random.between(0, 2), d = random.between(0.01, 2.01);
     const morse::MorseFunction f{vector(), vector(), c};
     const geometry::Point x = vector();
     const double rise = (*largest_rise)(f.gradient(x).norm(), c, d);

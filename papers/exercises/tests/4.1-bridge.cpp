@@ -1,13 +1,11 @@
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-bridge.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.1-bridge, predict: so many bridges are built on a ring" * until(ring_bridges)) {
-  const morskin::MeshResult ring = meshed("ring12.xyzr", one_front(), skin::Model::Vdw);
+  const MeshResult ring = meshed("ring12.xyzr", one_front(), skin::Model::Vdw);
   REQUIRE(ring.surviving_points[1] == 2);
   CHECK(*ring_bridges == static_cast<long>(ring.operations.bridge));
 }

@@ -1,18 +1,14 @@
-#include "certify/sizing.h"
-#include "front/two_fronts.h"
-#include "morse/guide.h"
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-creation.h"
 
+#include "front/two_fronts.h"
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the first creep" *
           until(triangles_of_bowls)) {
   // As they are at the first departure.
-  class Bowls : public morskin::Observer, public front::SweepObserver {
+  class Bowls : public Observer, public front::SweepObserver {
    public:
     long triangles = 0;
     std::vector<front::SweepObserver*> sweep_observers() override { return {this}; }
@@ -20,8 +16,8 @@ TEST_CASE("4.1-creation, predict: so many triangles lie on the cube before the f
       if (triangles == 0) triangles = static_cast<long>(front.mesh().surface.triangle_count());
     }
   } bowls_of_cube;
-  morskin::make_mesh(morskin::prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper)),
-                     one_front(), bowls_of_cube);
+  make_mesh(prepare_skin(support::molecule("cube8.xyzr", skin::Model::Paper)), one_front(),
+            bowls_of_cube);
   CHECK(*triangles_of_bowls == bowls_of_cube.triangles);
 }
 

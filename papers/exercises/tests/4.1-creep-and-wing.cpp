@@ -1,11 +1,9 @@
+#include "answers/4.1-creep-and-wing.h"
+
 #include "certify/triangle_geometry.h"
 #include "papers/exercises/tests/course_support.h"
 
-// The answers: of papers/exercises or of papers/solutions.
-#include "answers/4.1-creep-and-wing.h"
-
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.1-creep-and-wing, predict: a ring's mesh has as many triangles for its vertices" *
           until(torus_triangles)) {

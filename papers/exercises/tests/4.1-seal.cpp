@@ -1,11 +1,8 @@
-#include "certify/sizing.h"
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.1-seal.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.1-seal, predict: with a cap of 7 triangles this closes to a sphere" *
           until(triangles_of_7_edges)) {

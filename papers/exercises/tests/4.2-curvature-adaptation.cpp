@@ -1,11 +1,8 @@
-#include "certify/sizing.h"
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/4.2-curvature-adaptation.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.2-curvature-adaptation, predict: a lone ball has so many triangles, within 15 %" *
           until(triangles_on_a_ball)) {

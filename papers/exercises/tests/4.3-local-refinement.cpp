@@ -1,12 +1,10 @@
+#include "answers/4.3-local-refinement.h"
+
 #include "certify/triangle_geometry.h"
 #include "geometry/surface_mesh.h"
 #include "papers/exercises/tests/course_support.h"
 
-// The answers: of papers/exercises or of papers/solutions.
-#include "answers/4.3-local-refinement.h"
-
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("4.3-local-refinement, predict: a split adds so many triangles" *
           until(triangles_of_an_insertion)) {

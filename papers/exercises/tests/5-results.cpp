@@ -1,10 +1,8 @@
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/5-results.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("5-results, predict: so many seconds, with as many triangles in each, within 1 s" *
           until(linear_seconds)) {
@@ -13,9 +11,8 @@ TEST_CASE("5-results, predict: so many seconds, with as many triangles in each, 
 }
 
 TEST_CASE("5-results, run: the smallest angle of 9DNA as printed" * until(smallest_angle_deg)) {
-  morskin::MeshingOptions options = one_front();
-  options.angle_goal_deg = 0;
-  const double smallest = meshed("9dna.pdb", options).certificate.min_angle_deg;
+  const double smallest = meshed("9dna.pdb", {.sizing = {}, .angle_goal_deg = 0, .fronts = 1})
+                              .certificate.min_angle_deg;
   CHECK(std::abs(*smallest_angle_deg - smallest) < 0.01);
 }
 

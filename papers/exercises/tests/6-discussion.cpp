@@ -1,11 +1,8 @@
-#include "morse/critical_points.h"
-#include "papers/exercises/tests/course_support.h"
-
-// The answers: of papers/exercises or of papers/solutions.
 #include "answers/6-discussion.h"
 
+#include "papers/exercises/tests/course_support.h"
+
 using namespace morskin;
-using namespace morskin::course;
 
 TEST_CASE("6-discussion, predict: the critical points of a distance on the cube add up to this" *
           until(distance_sum)) {
@@ -18,9 +15,9 @@ TEST_CASE("6-discussion, predict: the critical points of a distance on the cube 
 
 TEST_CASE("6-discussion, run: the distance has so many minima, and the mesh is certified" *
           until(distance_minima)) {
-  morskin::MeshingOptions options;
-  options.function = morse::MorseFunction::squared_distance({0, 0, 0});
-  const morskin::MeshResult result = meshed("caffeine.xyz", options);
+  const MeshResult result =
+      meshed("caffeine.xyz",
+             {.sizing = {}, .function = morse::MorseFunction::squared_distance({0, 0, 0})});
   CHECK(result.certificate.certified);
   CHECK(*distance_minima == static_cast<long>(result.critical_points[0]));
 }
@@ -29,7 +26,7 @@ TEST_CASE("6-discussion, explain: from far away the distance is the height" * un
   support::Random random(1);
   for (int i = 0; i < 100; ++i) {
     const skin::Vector V = random.direction();
-    const skin::Point x(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
+    const skin::Point x = random.in_cube(-9, 9);
     for (const double R : {1e3, 1e4, 1e5}) {
       const auto f = morse::MorseFunction::squared_distance(-R * V);
       CHECK(std::abs((*as_height)(f(x), R) - V.dot(x)) <= x.squaredNorm() / R);

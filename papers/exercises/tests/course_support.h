@@ -2,14 +2,8 @@
 
 /// What the exercises' tests share. They run from the project's root.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "morskin/pipeline.h"
 #include "papers/exercises/course.h"
 #include "tests/support/meshes.h"
-#include "tests/support/molecules.h"
 
 namespace morskin::course {
 
@@ -20,11 +14,7 @@ doctest::skip until(const Answers&... answers) {
 }
 
 /// Algorithm 1 as printed.
-inline morskin::MeshingOptions one_front() {
-  morskin::MeshingOptions options;
-  options.fronts = 1;
-  return options;
-}
+inline morskin::MeshingOptions one_front() { return {.sizing = {}, .fronts = 1}; }
 
 inline morskin::MeshResult meshed(std::string_view file,
                                   const morskin::MeshingOptions& options = {},

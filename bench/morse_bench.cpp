@@ -1,29 +1,55 @@
-// Integral lines and the Morse-Smale complex of gramicidin and crambin. Each row counts what speed
-// could be traded for: the error of the lines, regions and lines that were lost. Run from the
-// project's root.
+// Morse theory on the skin: critical points per second of a height and of a squared distance, the
+// cost of their protecting spheres, integral lines and the Morse-Smale complex. Each row counts
+// what speed could be traded for: the error of the lines, regions and lines that were lost. Run
+// from the project's root.
 
 #include <benchmark/benchmark.h>
 
-#include <string>
-
+#include "bench/bundled.h"
+#include "certify/sizing.h"
 #include "morse/integral_lines.h"
 #include "morse/morse_smale_complex.h"
-#include "skin/model.h"
-#include "skin/molecule_files.h"
+#include "morse/skin_spheres.h"
 
 namespace {
 
 using namespace morskin;
+using benchmark::Counter;
 
-skin::SkinSurface skin_of(const std::string& file, skin::Model model) {
-  constexpr double probe = 1.4;  // Angstrom, as in section 2.1
-  return skin::SkinSurface(
-      skin::weighted_points(skin::read_molecule("bench/molecules/" + file), model, probe));
+void find(benchmark::State& state, const morse::MorseFunction& function) {
+  const skin::SkinSurface surface(bundled_balls("1grm_model1.pdb"));
+  std::size_t points = 0;
+  for (auto _ : state) {
+    const morse::CriticalPoints critical = morse::critical_points(surface, function);
+    points = critical.points.size();
+    if (!critical.degeneracies.empty()) state.SkipWithError(critical.degeneracies[0].c_str());
+  }
+  state.counters["points"] = static_cast<double>(points);
+  state.counters["cells"] = static_cast<double>(surface.complex().size());
+  state.counters["points/s"] =
+      Counter(static_cast<double>(points), Counter::kIsIterationInvariantRate);
+}
+
+void critical_points_of_height(benchmark::State& state) { find(state, {}); }
+
+/// From an origin near the middle of the molecule, off every axis.
+void critical_points_of_distance(benchmark::State& state) {
+  find(state, morse::MorseFunction::squared_distance({1.23, 4.56, 7.89}));
+}
+
+void protecting_spheres(benchmark::State& state) {
+  const skin::SkinSurface surface(bundled_balls("1grm_model1.pdb"));
+  const morse::CriticalPoints critical = morse::critical_points(surface, {});
+  const double share = certify::Sizing{}.tangent_disk_share();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(morse::protecting_spheres(surface, critical.points, share));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(critical.points.size()));
 }
 
 /// Tracing alone: the four lines of every saddle, with a step in hundredths of the length scale.
 void integral_lines(benchmark::State& state) {
-  const skin::SkinSurface skin = skin_of("1grm_model1.pdb", skin::Model::Paper);
+  const skin::SkinSurface skin(bundled_balls("1grm_model1.pdb"));
   const morse::MorseFunction f;
   const morse::CriticalPoints critical = morse::critical_points(skin, f);
   const morse::IntegralLines lines(skin, f, critical.points,
@@ -47,7 +73,6 @@ void integral_lines(benchmark::State& state) {
       }
     }
   }
-  using benchmark::Counter;
   state.counters["lines/s"] = Counter(static_cast<double>(traced), Counter::kIsRate);
   state.counters["nodes/line"] = static_cast<double>(nodes) / static_cast<double>(traced);
   state.counters["accuracy"] = lines.accuracy();
@@ -56,12 +81,11 @@ void integral_lines(benchmark::State& state) {
 
 /// The whole complex: lines, their order, regions, components.
 void complex(benchmark::State& state, const std::string& file, skin::Model model) {
-  const skin::SkinSurface skin = skin_of(file, model);
+  const skin::SkinSurface skin(bundled_balls(file, model));
   const morse::MorseFunction f;
   const morse::CriticalPoints critical = morse::critical_points(skin, f);
   morse::MorseSmaleComplex result;
   for (auto _ : state) result = morse::morse_smale_complex(skin, f, critical);
-  using benchmark::Counter;
   state.counters["lines/s"] =
       Counter(static_cast<double>(result.arcs.size()), Counter::kIsIterationInvariantRate);
   state.counters["saddles"] = static_cast<double>(critical.count(1));
@@ -70,6 +94,9 @@ void complex(benchmark::State& state, const std::string& file, skin::Model model
   state.counters["degeneracies"] = static_cast<double>(result.degeneracies.size());
 }
 
+BENCHMARK(critical_points_of_height)->Unit(benchmark::kMicrosecond);
+BENCHMARK(critical_points_of_distance)->Unit(benchmark::kMicrosecond);
+BENCHMARK(protecting_spheres)->Unit(benchmark::kMicrosecond);
 BENCHMARK(integral_lines)->Arg(30)->Arg(18)->Arg(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(complex, 1GRM_paper, std::string("1grm_model1.pdb"), skin::Model::Paper)
     ->Unit(benchmark::kMillisecond);
