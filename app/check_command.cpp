@@ -2,6 +2,7 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,20 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   return result;
 }
 
+/// Two proofs of one thing: with (c1) and (c2), an embedded mesh with one component on each of the
+/// skin's is homeomorphic, and one that is homeomorphic is embedded.
+/// @throws std::logic_error  where they contradict each other
+void check_agreement(const CheckReport& report) {
+  if (!report.against || !report.against->certificate.is_homeomorphic) return;
+  if (report.intersections && report.intersections->count > 0) {
+    throw std::logic_error("a mesh proved homeomorphic to the skin intersects itself");
+  }
+  const auto& covered = report.against->covered;
+  if (!std::ranges::all_of(covered, [](const auto& c) { return c.by.size() == 1; })) {
+    throw std::logic_error("a mesh proved homeomorphic to the skin misses a component of it");
+  }
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckArguments& arguments) {
@@ -92,6 +107,7 @@ ExitCode check_command(const CheckArguments& arguments) {
   report.topology = geometry::check_mesh(mesh);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) report.against = check_against(mesh, report.topology, arguments);
+  check_agreement(report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::cout << (arguments.json ? json_text(report) : people_text(report));
   const std::vector<Verdict> verdicts = report.verdicts();

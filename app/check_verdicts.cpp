@@ -43,6 +43,10 @@ Verdict on_intersections(const geometry::SelfIntersections& found) {
 
 Verdict on_components(const AgainstSkin& against) {
   Verdict verdict{"every component once", true, "", true};
+  if (against.covered.empty()) {
+    verdict.holds = verdict.is_required = false;
+    verdict.reason = "cannot be told: the skin's components are too close for rounding";
+  }
   for (const CoveredComponent& component : against.covered) {
     if (component.by.size() == 1) continue;
     verdict.holds = false;
@@ -60,7 +64,7 @@ Verdict on_components(const AgainstSkin& against) {
 
 void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdicts) {
   const certify::Certificate& c = against.certificate;
-  if (!against.covered.empty()) verdicts.push_back(on_components(against));
+  verdicts.push_back(on_components(against));
   using certify::Claim;
   for (const auto& [claim, name] :
        {std::pair(Claim::OnSkin, "vertices on the skin"),

@@ -128,6 +128,7 @@ class Search {
   /// Tries the first atoms as they are.
   void begin(std::span<const AtomId> atoms) {
     for (const AtomId a : atoms) add(a);
+    nearest_ = atoms.front();
     if (const auto s = best_shares({seen_.data(), count_})) take(upper({seen_.data(), count_}, *s));
   }
 
@@ -166,7 +167,7 @@ class Search {
   void take(const Upper& found) {
     if (!std::isfinite(found.bound)) return;
     const Point q = x_ - found.m;
-    const PowerTree::Least least = tree_.least(q);
+    const PowerTree::Least least = tree_.least(q, nearest_, points_[nearest_.index()]);
     nearest_ = least.atom;
     const double low = std::max(lower_bound(x_, q, least.lower_bound), best_.low);
     const double error =

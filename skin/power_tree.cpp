@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace morskin::skin {
 
+using geometry::AtomId;
 using geometry::Point;
 using geometry::Vector;
 using geometry::WeightedPoint;
 
 namespace {
 
-constexpr std::uint32_t max_leaf = 8;
+constexpr std::uint32_t max_leaf = 4;
 
 /// The power of an atom at an offset, rounded down but for the last subtraction. The computed
 /// square is at most (1 + 2^-53)^5 < 1 + 2^-50 times the true one: a difference of coordinates is
@@ -66,8 +66,8 @@ std::uint32_t PowerTree::build(std::span<const WeightedPoint> points, std::uint3
 
 struct PowerTree::Search {
   const Point q;
-  double least = std::numeric_limits<double>::infinity();
-  std::uint32_t atom = 0;
+  std::uint32_t atom;  ///< of the least power so far
+  double least;
 
   double bound(const Node& node) const {
     const Vector offset = (node.low - q).cwiseMax(q - node.high).cwiseMax(0.0);
@@ -75,32 +75,29 @@ struct PowerTree::Search {
   }
 };
 
-void PowerTree::search(Search& s, std::uint32_t index) const {
-  const Node& node = nodes_[index];
+void PowerTree::search(Search& s, const Node& node) const {
   if (node.right == 0) {
     for (std::uint32_t i = node.first; i < node.last; ++i) {
       const double power = power_below(points_[i].position - s.q, points_[i].weight);
-      if (power < s.least) {
-        s.least = power;
-        s.atom = i;
-      }
+      if (power >= s.least) continue;
+      s.least = power;
+      s.atom = ids_[i];
     }
     return;
   }
-  std::array children{std::pair(s.bound(nodes_[index + 1]), index + 1),
-                      std::pair(s.bound(nodes_[node.right]), node.right)};
-  if (children[1].first < children[0].first) std::swap(children[0], children[1]);
-  for (const auto& [bound, child] : children) {
-    if (bound < s.least) search(s, child);
-  }
+  const Node &left = *(&node + 1), &right = nodes_[node.right];
+  const double to_left = s.bound(left), to_right = s.bound(right);
+  const bool is_left_first = to_left <= to_right;
+  if (std::min(to_left, to_right) < s.least) search(s, is_left_first ? left : right);
+  if (std::max(to_left, to_right) < s.least) search(s, is_left_first ? right : left);
 }
 
-PowerTree::Least PowerTree::least(const Point& q) const {
-  Search s{q};
-  search(s, 0);
+PowerTree::Least PowerTree::least(const Point& q, AtomId guess, const WeightedPoint& point) const {
+  Search s{q, guess.value, power_below(point.position - q, point.weight)};
+  search(s, nodes_[0]);
   // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
   const double lower_bound = s.least - 0x1p-52 * std::abs(s.least) - 0x1p-1000;
-  return {geometry::AtomId{ids_[s.atom]}, lower_bound};
+  return {AtomId{s.atom}, lower_bound};
 }
 
 }  // namespace morskin::skin

@@ -25,7 +25,9 @@ class PowerTree {
     geometry::AtomId atom;  ///< with the least power, to rounding
     double lower_bound;     ///< on |q - z|^2 - w over all atoms, Angstrom^2
   };
-  Least least(const geometry::Point& q) const;
+  /// @param guess  an atom, and its point; the nearer to the one sought, the shorter the search
+  Least least(const geometry::Point& q, geometry::AtomId guess,
+              const geometry::WeightedPoint& point) const;
 
  private:
   struct Node {
@@ -37,7 +39,7 @@ class PowerTree {
   struct Search;
   std::uint32_t build(std::span<const geometry::WeightedPoint> points, std::uint32_t first,
                       std::uint32_t last);
-  void search(Search& s, std::uint32_t node) const;
+  void search(Search& s, const Node& node) const;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> ids_;               ///< in the order of the tree

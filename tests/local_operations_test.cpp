@@ -4,6 +4,7 @@
 
 using namespace morskin;
 using namespace morskin::refine;
+using namespace morskin::support;
 
 namespace {
 

@@ -9,6 +9,7 @@
 
 using namespace morskin;
 using namespace morskin::geometry;
+using namespace morskin::support;
 
 namespace {
 

@@ -6,6 +6,7 @@
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::skin;
+using namespace morskin::support;
 
 namespace {
 

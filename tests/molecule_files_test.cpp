@@ -10,6 +10,7 @@
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::skin;
+using namespace morskin::support;
 
 TEST_CASE("the ending stands for the format, in upper or lower case, gzipped or not") {
   CHECK(molecule_format_of("a/1CRN.PDB") == MoleculeFormat::Pdb);

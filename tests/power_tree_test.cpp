@@ -57,7 +57,8 @@ TEST_CASE("no atom has less power than the tree's bound, and the bound is the le
           const Point q = i == 0
                               ? points[0].position
                               : Point(centre + scale * random.between(0, 20) * random.direction());
-          const skin::PowerTree::Least found = tree.least(q);
+          const geometry::AtomId guess{random.below(points.size())};
+          const skin::PowerTree::Least found = tree.least(q, guess, points[guess.index()]);
           long double least = std::numeric_limits<long double>::infinity(), size = 0;
           for (const WeightedPoint& atom : points) least = std::min(least, power(atom, q));
           const WeightedPoint& nearest = points[found.atom.index()];

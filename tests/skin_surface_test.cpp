@@ -26,7 +26,7 @@ double lower_bound(const std::vector<WeightedPoint>& points, const Point& x, con
 }
 
 /// A bound from above on G(x): its value |x - c|^2 - w_c / 2 at one convex combination of balls.
-double upper_bound(const std::vector<WeightedPoint>& points, const std::vector<AtomId>& atoms,
+double upper_bound(const std::vector<WeightedPoint>& points, std::span<const AtomId> atoms,
                    const Eigen::VectorXd& shares, const Point& x) {
   Point c = Point::Zero();
   double lifted = 0;
@@ -42,7 +42,7 @@ double upper_bound(const std::vector<WeightedPoint>& points, const std::vector<A
 
 /// The convex combination of some balls whose centre is c, as nearly as there is one.
 Eigen::VectorXd shares_of(const std::vector<WeightedPoint>& points,
-                          const std::vector<AtomId>& atoms, const Point& c) {
+                          std::span<const AtomId> atoms, const Point& c) {
   const auto n = static_cast<Eigen::Index>(atoms.size());
   Eigen::MatrixXd system(4, n);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -4,6 +4,7 @@
 
 using namespace morskin;
 using namespace morskin::refine;
+using namespace morskin::support;
 
 TEST_CASE("a surface ball is centred on the skin and passes through its triangle's corners") {
   for (const PreparedSkin& skin : small_skins()) {

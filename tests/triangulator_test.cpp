@@ -4,6 +4,7 @@
 
 using namespace morskin;
 using namespace morskin::geometry;
+using namespace morskin::support;
 
 TEST_CASE("points added one by one give the triangulation of all at once") {
   std::vector<Points> sets{lattice(5, 5, 5), lattice(3, 4, 7, 0.1)};
