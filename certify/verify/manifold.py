@@ -8,45 +8,41 @@ class NotProved(Exception):
 
 
 def components(count, a, b):
-    """By node, the smallest node joined to it by the edges a - b."""
+    """By node, the smallest node that the edges a - b join it to."""
     label = np.arange(count)
     while True:
-        roots = np.sort(np.stack([label[a], label[b]]), axis=0)
-        differ = roots[0] != roots[1]
-        if not differ.any():
+        low, high = np.minimum(label[a], label[b]), np.maximum(label[a], label[b])
+        if (low == high).all():
             return label
-        label[roots[1, differ]] = roots[0, differ]  # a root gets a smaller label: no cycles
+        label[high[low < high]] = low[low < high]  # roots, to smaller labels: no cycles
         while (label[label] != label).any():
             label = label[label]
 
 
 def check_manifold(vertices, triangles):
     """Every vertex is used, every edge occurs once in each direction, and the triangles at each
-    vertex form one fan."""
-    if not len(triangles):
-        raise NotProved("manifold: there are no triangles")
-    unused = np.flatnonzero(np.bincount(triangles.ravel(), minlength=vertices) == 0)
-    if len(unused):
-        raise NotProved(f"manifold: vertex {unused[0]} is unused")
+    vertex form one fan. Returns the edges' ends."""
     tail, head = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    uses = np.bincount(tail, minlength=vertices)
+    if not vertices or not uses.all():
+        raise NotProved(f"manifold: vertex {uses.argmin() if vertices else 0} is unused")
     if (tail == head).any():
         raise NotProved(f"manifold: triangle {(tail == head).argmax() // 3} repeats a corner")
-    edge, twin = tail * vertices + head, head * vertices + tail
-    order = np.argsort(edge, kind="stable")
-    ascending = edge[order]
-    again = np.flatnonzero(ascending[1:] == ascending[:-1])
+    order = np.argsort(tail * vertices + head)
+    edges, twins = (tail * vertices + head)[order], head * vertices + tail
+    again = np.flatnonzero(edges[1:] == edges[:-1])
     if len(again):
-        a, b = divmod(int(ascending[again[0]]), vertices)
+        a, b = divmod(int(edges[again[0]]), vertices)
         raise NotProved(f"manifold: the edge from {a} to {b} occurs twice in one direction")
-    place = np.minimum(np.searchsorted(ascending, twin), len(edge) - 1)
-    lonely = np.flatnonzero(ascending[place] != twin)
-    if len(lonely):
-        raise NotProved(f"manifold: the edge {tail[lonely[0]]} - {head[lonely[0]]} has one side")
-    # The next corner at the same vertex starts with the twin of the half-edge that ends there.
-    before = np.arange(len(edge)).reshape(-1, 3)[:, [2, 0, 1]].ravel()
-    following = order[place][before]
-    fans = components(len(edge), np.arange(len(edge)), following)
-    per_vertex = np.bincount(tail[np.unique(fans)], minlength=vertices)
-    if (per_vertex != 1).any():
-        raise NotProved(f"manifold: the triangles at vertex {(per_vertex != 1).argmax()} "
-                        "form several fans")
+    index = np.minimum(np.searchsorted(edges, twins), len(edges) - 1)
+    lonely = edges[index] != twins
+    if lonely.any():
+        a, b = divmod(int(twins[lonely.argmax()]), vertices)
+        raise NotProved(f"manifold: the edge from {a} to {b} has one side")
+    # The next corner at a vertex starts with the twin of the half-edge that ends there.
+    before = np.arange(len(edges)).reshape(-1, 3)[:, [2, 0, 1]].ravel()
+    fans = np.unique(components(len(edges), np.arange(len(edges)), order[index][before]))
+    fans_at = np.bincount(tail[fans], minlength=vertices)
+    if fans_at.max() > 1:
+        raise NotProved(f"manifold: the triangles at vertex {fans_at.argmax()} form several fans")
+    return tail, head

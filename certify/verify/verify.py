@@ -2,7 +2,7 @@
 """Proves from the balls and the bytes of a mesh that it is isotopic to the balls' skin.
 
 A second opinion on papers/certificate.md: it shares no code with morskin and believes nothing it
-wrote. "proved" means that the theorem's conditions hold in exact arithmetic. Whether the vertices
+wrote. "Proved" means that the theorem's conditions hold in exact arithmetic. Whether the vertices
 lie on the skin, and the sizes [L] and [U], are verdicts of their own.
 Exit code 0: proved, and the vertices on the skin; 1: not, with the first reason; 2: unreadable.
 """
@@ -16,100 +16,83 @@ import numpy as np
 
 from covering import Covering
 from enclosure import Skin, down, up
-from files import Unreadable, read_balls, read_certificate, read_mesh
+from files import LARGEST, Unreadable, read_balls, read_certificate, read_mesh
 from manifold import NotProved, check_manifold, components
 from skin_components import Balls, Triangulation, regular_triangulation, skin_components
 
-MOST_BALLS_ALONE = 400  # beyond, the triangulation must come from a certificate
+MOST_BALLS_ALONE = 400  # more need a certificate with their triangulation
 
 
-def off_skin(positions, bounds):
-    """The first vertex with |G| above 2e-9 rho^2 and what rounding of the coordinates may change:
-    each by 2^-46 of the largest, or, if all are floats, each by 2^-24 of itself."""
-    single = positions.astype(np.float32).astype(float)
+def are_on_skin(positions, bounds):
+    """By vertex, whether |G| is below 2e-9 rho^2 and what rounding of the coordinates may change:
+    a vertex moves 2^-46 of the largest or, if all are floats, 2^-24 of its distance from 0."""
     moved = np.full(len(positions), np.abs(positions).max() * 2.0**-46)
-    if (single == positions).all():
+    if (positions.astype(np.float32) == positions).all():
         moved = np.linalg.norm(positions, axis=1) * 2.0**-24
     rho = np.maximum(bounds.low, 0)
-    far = np.flatnonzero(~(bounds.g <= down(2e-9 * rho**2 + (2 * rho + moved) * moved)))
-    return int(far[0]) if len(far) else None
+    return bounds.g <= down(2e-9 * rho**2 + (2 * rho + moved) * moved)
 
 
-def broken_size(covering, bounds, C, Q):
-    """The first edge or triangle that may break [L] or [U]."""
-    t, R, edges = covering.triangles, covering.shape.R, covering.shape.edges
-    largest = np.maximum(bounds.high[t][:, [1, 2, 0]], bounds.high[t][:, [2, 0, 1]])
-    short = ~(down(down(edges) / 2) > up(C / Q * largest)).all(1)
-    if short.any():
-        return f"[L]: triangle {short.argmax()} has too short an edge"
-    large = ~(R < down(C * Q * bounds.low[t].min(1)))
-    return f"[U]: triangle {large.argmax()} is too large" if large.any() else None
-
-
-def shape_of(p):
-    """Smallest angle in degrees and volume: plain floating point, no part of the proof."""
-    arms = [p[:, (k + 1) % 3] - p[:, k] for k in range(3)]
-    a, b = np.concatenate(arms), -np.concatenate(arms[2:] + arms[:2])
-    angles = np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), (a * b).sum(1))
-    p = p - p.mean((0, 1))
-    volume = (p[:, 0] * np.cross(p[:, 1], p[:, 2])).sum() / 6
-    return float(np.degrees(angles.min())), float(volume)
+def sizes(covering, C, Q):
+    """Whether [L] and [U] hold, in words."""
+    rho, below = covering.bounds.high[covering.triangles], covering.bounds.low[covering.triangles]
+    rho_ab = np.maximum(rho[:, [1, 2, 0]], rho[:, [2, 0, 1]])
+    short = ~(down(down(covering.edges) / 2) > up(C / Q * rho_ab)).all(1)
+    large = ~(covering.R < down(C * Q * below.min(1)))
+    return "hold" if not (short | large).any() else f"{short.sum()} [L] and {large.sum()} [U] broken"
 
 
 def prove(balls, positions, triangles, witness, report):
     """Fills the report. Raises NotProved for the first condition that is not proved."""
-    if not np.isfinite(positions).all() or np.abs(positions).max(initial=0) > 2.0**100:
+    if not (np.abs(positions) <= LARGEST).all():
         raise NotProved("manifold: a coordinate is not finite, or too large")
-    check_manifold(len(positions), triangles)
-    tail, head = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    tail, head = check_manifold(len(positions), triangles)
     label = components(len(positions), tail, head)
     report["components"] = len(np.unique(label))
-    report["min_angle_deg"], report["volume"] = shape_of(positions[triangles])
-
     skin, atoms = Skin(balls), None
     if witness.get("vertex_atoms"):
         atoms = np.array([row + [-1] * (4 - len(row)) for row in witness["vertex_atoms"]])
+    covering = Covering(positions, triangles, skin)
+    a, b, c = np.sort(covering.edges, axis=1).T
+    report["min_angle_deg"] = np.degrees(np.arccos((b * b + c * c - a * a) / (2 * b * c)).min())
+    p, q, r = (covering.corners - positions[0]).transpose(1, 0, 2)
+    report["volume"] = (p * np.cross(q, r)).sum() / 6
     bounds = skin.enclose(positions, atoms)
-    first_off = off_skin(positions, bounds)
-    report["on_skin"] = first_off is None
-    report["max_G"] = float(bounds.g.max())
-    covering = Covering(positions, triangles, skin, bounds)
+    on_skin, report["max_G"] = are_on_skin(positions, bounds), bounds.g.max()
+    report["on_skin"] = bool(on_skin.all())
+    covering.prove_tube(bounds)
     report["triangles_by_pieces"] = len(covering.by_pieces)
-    report["margins"] = {claim: float(margin) for claim, margin in covering.margins.items()}
 
     exact = Balls(balls)
-    simplices = witness.get("simplices")
-    if simplices is None:
-        if len(balls) > MOST_BALLS_ALONE:
-            raise NotProved("triangulation: so many balls need a certificate")
-        simplices = regular_triangulation(exact)
-    bodies, voids = skin_components(Triangulation(exact, simplices))
-    report["bodies"], report["voids"] = bodies, voids
-    if report["components"] != bodies + voids:
-        raise NotProved(f"degree: {report['components']} components, {bodies + voids} of the skin")
-    wanted = witness.get("component_vertices") or []
-    report["component_vertices"] = covering.prove_degree(label, wanted)
-    report["homeomorphic"] = True
-    C, Q = report["C"], report["Q"]
-    report["sizes"] = broken_size(covering, bounds, C, Q) or "hold" if C and Q else None
-    if first_off is not None:
-        raise NotProved(f"on skin: vertex {first_off} has |G| up to {bounds.g[first_off]:.3g}")
+    if "simplices" not in witness and len(balls) > MOST_BALLS_ALONE:
+        raise NotProved("triangulation: so many balls need a certificate")
+    simplices = witness.get("simplices") or regular_triangulation(exact)
+    report["bodies"], report["voids"] = skin_components(Triangulation(exact, simplices))
+    of_skin = report["bodies"] + report["voids"]
+    if report["components"] != of_skin:
+        raise NotProved(f"degree: {report['components']} components, {of_skin} of the skin")
+    chosen = covering.prove_degree(label, witness.get("component_vertices") or [])
+    report |= {"component_vertices": chosen, "homeomorphic": True}
+    if report["C"] and report["Q"]:
+        report["sizes"] = sizes(covering, report["C"], report["Q"])
+    if not on_skin.all():
+        v = on_skin.argmin()
+        raise NotProved(f"on skin: at vertex {v} |G| may be {bounds.g[v]:.3g} (homeomorphic)")
 
 
 def verify(balls_file, mesh_file, certificate=None, C=None, Q=None):
     """The report. Raises Unreadable."""
     start = time.time()
-    report = {"balls_file": balls_file, "mesh_file": mesh_file, "homeomorphic": False,
-              "on_skin": None, "reason": None, "C": C, "Q": Q}
     try:
         balls = read_balls(balls_file)
         positions, triangles = read_mesh(mesh_file)
-        report |= {"balls": len(balls), "vertices": len(positions), "triangles": len(triangles)}
-        witness = {} if certificate is None else read_certificate(
-            certificate, len(balls), len(positions), len(triangles))
-    except (OSError, ValueError, IndexError, KeyError, TypeError, OverflowError) as error:
+        counts = len(balls), len(positions), len(triangles)
+        witness = read_certificate(certificate, *counts) if certificate else {}
+    except (OSError, ValueError, LookupError, TypeError, StopIteration) as error:
         raise Unreadable(f"{balls_file}, {mesh_file}: {error!r}") from error
-    report["C"], report["Q"] = C or witness.get("C"), Q or witness.get("Q")
+    report = {"balls_file": balls_file, "mesh_file": mesh_file, "homeomorphic": False,
+              "on_skin": None, "reason": None, "C": C or witness.get("C"),
+              "Q": Q or witness.get("Q"), **dict(zip(("balls", "vertices", "triangles"), counts))}
     try:
         prove(balls, positions, triangles, witness, report)
     except NotProved as reason:
@@ -120,43 +103,37 @@ def verify(balls_file, mesh_file, certificate=None, C=None, Q=None):
 
 def text_of(report):
     if report["reason"]:
-        verdict = f"NOT PROVED: {report['reason']}"
-        if report["homeomorphic"]:
-            verdict = f"homeomorphic to the skin, but {report['reason']}"
-        return f"{report['mesh_file']}: {verdict}"
-    return (f"{report['mesh_file']}: proved homeomorphic to the skin of {report['balls']} balls: "
-            f"{report['triangles']} triangles, {report['components']} components, |G| at most "
-            f"{report['max_G']:.2g}, smallest angle {report['min_angle_deg']:.2f} degrees, volume "
-            f"{report['volume']:.6g}, sizes {report['sizes']}, {report['seconds']:.1f} s")
+        return f"{report['mesh_file']}: not proved: {report['reason']}"
+    return ("{mesh_file}: proved homeomorphic to the skin of {balls} balls: {triangles} triangles, "
+            "{components} components, |G| at most {max_G:.2g}, smallest angle {min_angle_deg:.2f} "
+            "degrees, volume {volume:.6g}, {seconds} s").format(**report)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", metavar="BALLS MESH", help="any number of pairs")
-    parser.add_argument("--certificate", help="the witness of a single pair")
-    parser.add_argument("--list", help="file with lines BALLS MESH [CERTIFICATE]")
+    parser.add_argument("--certificate", help="the witness, of one pair")
+    parser.add_argument("--list", help="a file of lines BALLS MESH [CERTIFICATE]")
     parser.add_argument("-C", type=float)
     parser.add_argument("-Q", type=float)
     parser.add_argument("--json", action="store_true", help="one report a line")
-    arguments = parser.parse_args()
-    jobs = [[*pair] for pair in zip(arguments.files[::2], arguments.files[1::2])]
-    if len(arguments.files) % 2 or (arguments.certificate and len(jobs) != 1):
+    given = parser.parse_args()
+    jobs = [[*pair, given.certificate] for pair in zip(given.files[::2], given.files[1::2])]
+    if len(given.files) % 2 or (given.certificate and len(jobs) != 1):
         parser.error("give pairs BALLS MESH, and a certificate with one pair only")
-    if arguments.certificate:
-        jobs[0].append(arguments.certificate)
-    worst = 0
+    is_proved = True
     try:
-        if arguments.list:
-            with open(arguments.list, encoding="utf-8") as file:
+        if given.list:
+            with open(given.list, encoding="utf-8") as file:
                 jobs += [line.split() for line in file if line.strip()]
         for job in jobs:
-            report = verify(*job, C=arguments.C, Q=arguments.Q)
-            print(json.dumps(report) if arguments.json else text_of(report), flush=True)
-            worst = max(worst, report["reason"] is not None)
+            report = verify(*job, C=given.C, Q=given.Q)
+            print(json.dumps(report, default=float) if given.json else text_of(report), flush=True)
+            is_proved = is_proved and not report["reason"]
     except (Unreadable, OSError, TypeError) as error:
         print(f"verify: {error}", file=sys.stderr)
         return 2
-    return worst
+    return 0 if is_proved else 1
 
 
 if __name__ == "__main__":
