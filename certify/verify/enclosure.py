@@ -130,7 +130,8 @@ class Skin:
         return result
 
     def enclose(self, x, balls=None):
-        """Bounds at points. While they are wide, the ball of least power at q joins the set."""
+        """Bounds at points. While they are wide the ball of least power at q joins the set,
+        which makes U smaller each time."""
         result = self.bounds(x, self.least_power(x)[1][:, None] if balls is None else balls)
         wide = np.arange(len(x))
         for _ in range(60):
@@ -139,8 +140,5 @@ class Skin:
             if not len(wide):
                 break
             more = np.column_stack([result.balls[wide], result.entering[wide]])
-            better = self.bounds(x[wide], more)
-            is_better = better.gap < result.gap[wide]
-            wide = wide[is_better]
-            result[wide] = better[is_better]
+            result[wide] = self.bounds(x[wide], more)
         return result
