@@ -250,8 +250,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (report_file != nullptr) report_file->write(json_text(report));
   std::string certificate;
   if (arguments.certificate) {
-    certificate = certificate_text(result.mesh,
-                                   certify::locate_vertices(result.mesh, skin.surface),
+    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
                                    skin.surface, report.molecule.model, arguments.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }

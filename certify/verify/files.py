@@ -34,9 +34,10 @@ def read_mesh(path):
         positions, faces = from_text(words[4:], int(words[1]), "xyz", int(words[2]))
     else:
         positions, faces = read_ply(data)
-    if not ((faces[:, 0] == 3).all() and (faces >= 0).all() and (faces < len(positions))[:, 1:].all()):
+    corners = faces[:, 1:]
+    if not ((faces[:, 0] == 3).all() and (corners >= 0).all() and (corners < len(positions)).all()):
         raise Unreadable(f"{path}: a face is no triangle, or names a vertex that is not there")
-    return positions, faces[:, 1:]
+    return positions, corners
 
 
 def from_text(words, vertices, names, faces):

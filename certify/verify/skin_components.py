@@ -14,7 +14,9 @@ import random
 from collections import defaultdict
 from itertools import combinations
 
-from manifold import NotProved
+import numpy as np
+
+from manifold import NotProved, components
 
 
 def det(m):
@@ -82,7 +84,14 @@ class Triangulation:
             for k in range(self.d + 1):
                 self.at_facet[without(corners, k)].append((s, k))
         for facet, sides in self.at_facet.items():
-            self.check_facet(facet, sides)
+            (s, k), (other, apex) = sides[0], sides[-1]
+            if len(sides) == 1:
+                is_right = not any(self.is_beyond(s, k, p) for p in balls.p)
+            else:
+                is_right = (len(sides) == 2 and self.side(s, k) * self.side(other, apex) < 0 and
+                            self.lies_above(s, self.simplices[other][apex]))
+            if not is_right:
+                raise NotProved(f"triangulation: overlaps, ends or is not regular at {facet}")
         # How many simplices cover a point is the same all over the hull, for it could change only
         # across a facet on the hull's boundary. It is one if no other covers this barycentre.
         point = [sum(x) for x in zip(*(balls.p[i] for i in self.simplices[0]))]
@@ -109,16 +118,6 @@ class Triangulation:
         """Whether ball i, lifted, is not below the plane of a lifted simplex."""
         return det(arms(self.balls.lifted, [*self.simplices[s], i])) * self.signs[s] >= 0
 
-    def check_facet(self, facet, sides):
-        (s, k), (other, apex) = sides[0], sides[-1]
-        if len(sides) == 1:
-            if any(self.is_beyond(s, k, p) for p in self.balls.p):
-                raise NotProved(f"triangulation: a ball lies beyond the facet {facet}")
-        elif len(sides) > 2 or self.side(s, k) * self.side(other, apex) > 0:
-            raise NotProved(f"triangulation: simplices overlap at the facet {facet}")
-        elif not self.lies_above(s, self.simplices[other][apex]):
-            raise NotProved(f"triangulation: not regular at the facet {facet}")
-
 
 def is_in_dual_complex(balls, corners, cofaces):
     """Whether the least power over the dual cell is below 0. It is the power at the orthocentre o,
@@ -144,16 +143,8 @@ def is_in_dual_complex(balls, corners, cofaces):
 
 
 def count_sets(elements, pairs):
-    root = {e: e for e in elements}
-
-    def find(e):
-        while root[e] != e:
-            root[e] = e = root[root[e]]
-        return e
-
-    for a, b in pairs:
-        root[find(a)] = find(b)
-    return sum(root[e] == e for e in elements)
+    a, b = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
+    return len(set(components(max(elements, default=0) + 1, a, b)[elements]))
 
 
 def skin_components(triangulation):
@@ -168,11 +159,13 @@ def skin_components(triangulation):
         level = facets
     bodies = count_sets([s[0] for s in is_in if len(s) == 1 and is_in[s]],
                         [s for s in is_in if len(s) == 2 and is_in[s]])
+    if triangulation.d < 3:
+        return bodies, 0  # nothing flat encloses anything
+    outside = len(triangulation.simplices)
     free = [s for s, corners in enumerate(triangulation.simplices) if not is_in[corners]]
-    walls = [(sides[0][0], sides[1][0] if len(sides) > 1 else "outside")
-             for facet, sides in triangulation.at_facet.items() if facet and not is_in[facet]]
-    voids = count_sets([*free, "outside"], walls) - 1
-    return bodies, voids if triangulation.d == 3 else 0  # nothing flat encloses anything
+    walls = [(sides[0][0], sides[1][0] if len(sides) > 1 else outside)
+             for facet, sides in triangulation.at_facet.items() if not is_in[facet]]
+    return bodies, count_sets([*free, outside], walls) - 1
 
 
 def regular_triangulation(balls):
@@ -197,7 +190,8 @@ def regular_triangulation(balls):
 
     add(tuple(range(n, n + balls.d + 1)))
     for i in range(n):
-        conflict = [c for c, plane in cells.items() if dot(plane, minus(lifted[i], lifted[c[0]])) < 0]
+        conflict = [cell for cell, plane in cells.items()
+                    if dot(plane, minus(lifted[i], lifted[cell[0]])) < 0]
         times = defaultdict(int)
         for cell in conflict:
             del cells[cell]

@@ -20,7 +20,7 @@ from files import LARGEST, Unreadable, read_balls, read_certificate, read_mesh
 from manifold import NotProved, check_manifold, components
 from skin_components import Balls, Triangulation, regular_triangulation, skin_components
 
-MOST_BALLS_ALONE = 400  # more need a certificate with their triangulation
+MOST_BALLS_ALONE = 1000  # more need a certificate with their triangulation
 
 
 def are_on_skin(positions, bounds):
@@ -39,7 +39,9 @@ def sizes(covering, C, Q):
     rho_ab = np.maximum(rho[:, [1, 2, 0]], rho[:, [2, 0, 1]])
     short = ~(down(down(covering.edges) / 2) > up(C / Q * rho_ab)).all(1)
     large = ~(covering.R < down(C * Q * below.min(1)))
-    return "hold" if not (short | large).any() else f"{short.sum()} [L] and {large.sum()} [U] broken"
+    if not (short | large).any():
+        return "hold"
+    return f"{short.sum()} triangles may break [L], {large.sum()} [U]"
 
 
 def prove(balls, positions, triangles, witness, report):
