@@ -78,6 +78,20 @@ class Verify(CommandTest):
                 report = verify.verify(names[0], mesh, witness)
                 self.assertIsNone(report["reason"])
 
+    def test_check_writes_the_certificate_that_mesh_writes(self):
+        words = ("--model", "vdw", "-C", "0.3")
+        names = self.made("caffeine.xyz", *words)
+        against = ("--against", MOLECULES / "caffeine.xyz", *words)
+        self.run_morskin("check", "mesh.ply", *against, "--certificate", "again.json")
+        self.assertEqual((self.folder / "again.json").read_bytes(), Path(names[2]).read_bytes())
+        done = self.run_morskin("check", "mesh.ply", *against, "--certificate", "no/folder.json",
+                                code=7)
+        self.assertIn(b"no/folder.json", done.stderr)
+        for wrong in (["check", "mesh.ply", "--certificate", "c.json"],
+                      ["check", "mesh.ply", *against, "--certificate", "mesh.ply"],
+                      ["mesh", MOLECULES / "caffeine.xyz", "-o", "a.ply", "--certificate", "a.ply"]):
+            self.run_morskin(*wrong, code=2)
+
     def test_the_command_prints_a_verdict_for_each_pair(self):
         names = self.made("two_balls.xyzr", "--model", "vdw", "-C", "0.3")
         script = Path(verify.__file__)
@@ -112,8 +126,8 @@ class Verify(CommandTest):
         self.refused("^degree: 2 components, 1 of the skin", balls, np.vstack([p, p]),
                      np.vstack([t, t + n]))
         self.refused("^degree: vertex .* (may be reached|once)", balls, *self.slit(p, t))
-        self.refused("^(on skin|upright|tube): ", np.column_stack([balls[::-1, :3], balls[:, 3]]), p,
-                     t)
+        swapped = np.column_stack([balls[::-1, :3], balls[:, 3]])
+        self.refused("^(on skin|upright|tube): ", swapped, p, t)
         self.assertIsNone(reason(balls, p.astype(np.float32).astype(float), t))
 
     def slit(self, p, t):
