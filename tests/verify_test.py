@@ -89,7 +89,7 @@ class Verify(CommandTest):
         self.assertIn(b"no/folder.json", done.stderr)
         for wrong in (["check", "mesh.ply", "--certificate", "c.json"],
                       ["check", "mesh.ply", *against, "--certificate", "mesh.ply"],
-                      ["mesh", MOLECULES / "caffeine.xyz", "-o", "a.ply", "--certificate", "a.ply"]):
+                      ["mesh", self.ring, "-o", "a.ply", "--certificate", "a.ply"]):
             self.run_morskin(*wrong, code=2)
 
     def test_the_command_prints_a_verdict_for_each_pair(self):
