@@ -189,6 +189,13 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   check_outputs(mesh);
 }
 
+void finish(const CheckArguments& check) {
+  if (!check.certificate) return;
+  if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");
+  check_not_input(*check.certificate, *check.against);
+  check_not_input(*check.certificate, {.input = check.mesh});
+}
+
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
@@ -215,6 +222,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   }
   check_timeout(all.check.timeout);
   if (!all.against.input.empty()) all.check.against = all.against;
+  finish(all.check);
   return all.check;
 }
 

@@ -49,6 +49,7 @@ struct MeshArguments {
   double angle_goal_deg = 30;  ///< of the smoothing, degrees; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
+  std::optional<std::filesystem::path> certificate;
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
@@ -96,7 +97,8 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::optional<MoleculeArguments> against;
   certify::Sizing sizing;
-  bool self_intersections = true;  ///< search for them
+  std::optional<std::filesystem::path> certificate;  ///< with `against` only
+  bool self_intersections = true;                    ///< search for them
   bool json = false;
   unsigned threads = 1;           ///< at most; the result is the same for any number
   std::optional<double> timeout;  ///< seconds of real time

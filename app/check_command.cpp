@@ -6,11 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "app/certificate_file.h"
 #include "app/check_report.h"
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/molecule_input.h"
 #include "app/report.h"
+#include "app/staged_outputs.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
@@ -57,8 +59,12 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
   return covered;
 }
 
+// Writes the certificate file too, if one is asked for.
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
                           const CheckArguments& arguments) {
+  std::vector<std::filesystem::path> names;
+  if (arguments.certificate) names.push_back(*arguments.certificate);
+  StagedOutputs outputs(names);
   const MoleculeInput input = read_input(*arguments.against);
   const morskin::Run run(arguments.threads);
   const morskin::PreparedSkin skin = prepare_skin(input, run);
@@ -70,6 +76,10 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
+  if (arguments.certificate) {
+    write_to_all(outputs, certificate_text(mesh, points, skin.surface, arguments.against->model,
+                                           arguments.sizing));
+  }
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/certificate_file.h"
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/mesh_delivery.h"
@@ -19,6 +20,7 @@
 #include "app/staged_outputs.h"
 #include "bench/baselines/dynamic_skin.h"
 #include "bench/baselines/marching_cubes.h"
+#include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/predicates.h"
@@ -116,6 +118,15 @@ std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
   return names;
 }
 
+// The last of the files if it is the one named, no longer among them then.
+PendingFile* take_last(std::span<PendingFile>& files,
+                       const std::optional<std::filesystem::path>& name) {
+  if (!name || geometry::is_written_directly(*name)) return nullptr;
+  PendingFile* const last = &files.back();
+  files = files.first(files.size() - 1);
+  return last;
+}
+
 constexpr std::string_view unverified = ".unverified";
 
 // Found out before the long work, as PendingFile does for the name itself.
@@ -206,12 +217,11 @@ ExitCode mesh_command(const MeshArguments& arguments) {
 
   std::vector<std::filesystem::path> names = arguments.outputs;
   if (arguments.report) names.push_back(*arguments.report);
+  if (arguments.certificate) names.push_back(*arguments.certificate);
   StagedOutputs outputs(names);
-  const bool is_report_staged =
-      arguments.report && !geometry::is_written_directly(*arguments.report);
   std::span<PendingFile> files = outputs.files();
-  PendingFile* const report_file = is_report_staged ? &files.back() : nullptr;
-  if (is_report_staged) files = files.first(files.size() - 1);
+  PendingFile* const certificate_file = take_last(files, arguments.certificate);
+  PendingFile* const report_file = take_last(files, arguments.report);
   check_unverified_names(files);
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
@@ -238,11 +248,21 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.peak_memory_bytes = peak_memory_bytes();
   report.floor_seconds = morskin::floor_seconds(skin.surface, result);
   if (report_file != nullptr) report_file->write(json_text(report));
+  std::string certificate;
+  if (arguments.certificate) {
+    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
+                                   skin.surface, report.molecule.model, arguments.sizing);
+    if (certificate_file != nullptr) certificate_file->write(certificate);
+  }
   time_limit.cancel();
   outputs.undisturbed([&] {
     for (PendingFile& file : files) file.commit(suffix);
     if (report_file != nullptr) report_file->commit();
+    if (certificate_file != nullptr) certificate_file->commit(suffix);
   });
+  if (arguments.certificate && certificate_file == nullptr) {
+    geometry::write_file_atomically(*arguments.certificate, certificate);
+  }
   publish(report, arguments);
   return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;
 }

@@ -90,6 +90,12 @@ void add_threads_option(CLI::App& command, unsigned& threads) {
       ->check(CLI::Range(1U, 1024U));
 }
 
+void add_certificate_option(CLI::App& command, std::optional<std::filesystem::path>& certificate) {
+  command.add_option("--certificate", certificate,
+                     "Also write what certify/verify/verify.py needs to prove the mesh\n"
+                     "anew, as JSON");
+}
+
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
@@ -146,6 +152,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->allow_extra_args(false);
   command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
+  add_certificate_option(command, mesh.certificate);
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet,
                    "Print nothing but errors, and the report if --json asks for it");
@@ -210,6 +217,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
                   "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
       ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
+  add_certificate_option(command, check.certificate);
   add_molecule_options(command, against, typed);
   add_sizing_options(command, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,

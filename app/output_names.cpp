@@ -62,6 +62,7 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
 void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
+  if (mesh.certificate) names.push_back(*mesh.certificate);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     check_not_input(names[i], mesh.molecule);

@@ -1,0 +1,62 @@
+#include "app/certificate_file.h"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace morskin::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Atoms>
+ordered_json indices(const Atoms& atoms) {
+  ordered_json list = ordered_json::array();
+  for (const geometry::AtomId atom : atoms) list.push_back(atom.value);
+  return list;
+}
+
+template <class Simplices>
+ordered_json lists(const Simplices& simplices) {
+  ordered_json list = ordered_json::array();
+  for (const auto& simplex : simplices) list.push_back(indices(simplex));
+  return list;
+}
+
+ordered_json top_simplices(const geometry::RegularTriangulation& triangulation) {
+  switch (triangulation.dimension) {
+    case 3:
+      return lists(triangulation.tetrahedra);
+    case 2:
+      return lists(triangulation.triangles);
+    case 1:
+      return lists(triangulation.edges);
+    default:
+      return ordered_json::array({indices(triangulation.vertices)});
+  }
+}
+
+}  // namespace
+
+std::string certificate_text(const geometry::IndexedMesh& mesh,
+                             std::span<const surface::SurfacePoint> points,
+                             const skin::SkinSurface& skin, skin::Model model,
+                             const certify::Sizing& sizing) {
+  const geometry::RegularTriangulation& triangulation = skin.triangulation();
+  ordered_json vertex_atoms = ordered_json::array();
+  for (const surface::SurfacePoint& point : points) {
+    vertex_atoms.push_back(indices(skin.atoms(point.cell)));
+  }
+  const ordered_json certificate{{"format", "morskin-certificate-1"},
+                                 {"balls", skin.points().size()},
+                                 {"vertices", mesh.positions.size()},
+                                 {"triangles", mesh.triangles.size()},
+                                 {"dimension", triangulation.dimension},
+                                 {"model", skin::name_of(model)},
+                                 {"C", sizing.C},
+                                 {"Q", sizing.Q},
+                                 {"simplices", top_simplices(triangulation)},
+                                 {"vertex_atoms", std::move(vertex_atoms)}};
+  return certificate.dump() + "\n";
+}
+
+}  // namespace morskin::app
