@@ -14,6 +14,7 @@
 #include "app/options.h"
 #include "app/output_names.h"
 #include "geometry/files/text_lines.h"
+#include "skin/molecule_files.h"
 
 namespace morskin::app {
 namespace {
@@ -81,8 +82,21 @@ void check_timeout(std::optional<double> seconds) {
   }
 }
 
-void finish(MoleculeArguments& molecule, const Typed& typed) {
-  molecule.model = *skin::parse_model(typed.model);
+/// @param file  the molecule; not molecule.input where that is a mesh
+void finish(MoleculeArguments& molecule, const std::filesystem::path& file, const Typed& typed) {
+  const bool gives_weights = skin::molecule_format_of(file) == skin::MoleculeFormat::Xyzw;
+  if (typed.model) {
+    molecule.model = *skin::parse_model(*typed.model);
+  } else if (gives_weights) {
+    molecule.model = skin::Model::Given;
+  }
+  if (gives_weights && molecule.model != skin::Model::Given) {
+    throw UsageError(file.string() + " gives weights; leave out --model");
+  }
+  if (molecule.model == skin::Model::Given && typed.probe) {
+    throw UsageError("weights that are given need no probe; leave out --probe");
+  }
+  molecule.probe = typed.probe.value_or(molecule.probe);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
     throw UsageError("--probe must be from 0 to 10000 Angstrom");
   }
@@ -108,6 +122,17 @@ void finish(MorseArguments& morse, const Typed& typed) {
     if (!(*typed.persistence >= 0)) throw UsageError("--persistence must not be below 0");
     morse.simplify = Simplify::ByPersistence;
     morse.persistence = *typed.persistence;
+  }
+}
+
+/// The ending must not say that the fourth numbers are what they are not.
+void finish(BallsArguments& balls, const Typed&) {
+  const auto format = skin::molecule_format_of(balls.output);
+  if (balls.weights && format == skin::MoleculeFormat::Xyzr) {
+    throw UsageError(balls.output.string() + ": with --weights the ending must be .xyzw");
+  }
+  if (!balls.weights && format == skin::MoleculeFormat::Xyzw) {
+    throw UsageError(balls.output.string() + ": only --weights writes .xyzw");
   }
 }
 
@@ -199,9 +224,10 @@ void finish(const CheckArguments& check) {
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
-                                      &all.info.molecule, &all.against, &all.view.molecule}) {
-    finish(*molecule, typed);
+                                      &all.info.molecule, &all.against}) {
+    finish(*molecule, molecule->input, typed);
   }
+  finish(all.view.molecule, all.view.against.value_or(all.view.molecule.input), typed);
   for (certify::Sizing* sizing :
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
     finish(*sizing, typed);
@@ -214,7 +240,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   if (app.got_subcommand("morse")) return finished(all.morse, typed);
   if (app.got_subcommand("view")) return finished(all.view, typed);
   if (app.got_subcommand("render")) return finished(all.render, typed.picture);
-  if (app.got_subcommand("balls")) return all.balls;
+  if (app.got_subcommand("balls")) return finished(all.balls, typed);
   if (app.got_subcommand("info")) return all.info;
   if (app.got_subcommand("figure")) {
     finish(all.figure);

@@ -84,6 +84,7 @@ struct MorseArguments {
 struct BallsArguments {
   MoleculeArguments molecule;
   std::filesystem::path output;
+  bool weights = false;  ///< in place of radii
   bool quiet = false;
 };
 

@@ -11,7 +11,8 @@ namespace morskin::app {
 ExitCode balls_command(const BallsArguments& arguments) {
   check_not_input(arguments.output, arguments.molecule);
   const MoleculeInput input = read_input(arguments.molecule);
-  const std::string text = skin::xyzr_text(input.points);
+  const std::string text =
+      arguments.weights ? skin::xyzw_text(input.points) : skin::xyzr_text(input.points);
   StagedOutputs outputs({arguments.output});
   write_to_all(outputs, text);
   if (!arguments.quiet && !outputs.files().empty()) {

@@ -23,7 +23,6 @@
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
-#include "geometry/predicates.h"
 #include "morskin/pipeline.h"
 
 namespace morskin::app {
@@ -160,6 +159,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.angle_goal_deg = arguments.angle_goal_deg;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
+  report.rounded_coordinates = input.rounded_coordinates;
   const RadiusRange radii = patch_radii(input.points);
   report.patch_radius_min = radii.smallest;
   report.patch_radius_max = radii.largest;
@@ -211,7 +211,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
 
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
-  for (auto& p : input.points) p.weight = geometry::on_exact_grid(p.weight + arguments.grow_to);
+  for (auto& p : input.points) p.weight += arguments.grow_to;
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
 

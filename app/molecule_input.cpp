@@ -1,16 +1,49 @@
 #include "app/molecule_input.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iostream>
 #include <utility>
 
+#include "geometry/exact_range.h"
 #include "skin/molecule_files.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::app {
 namespace {
 
-constexpr double largest_weight = 1 << 30;  // Angstrom^2; geometry/predicates.h
+using geometry::WeightedPoint;
+
+/// Files hold noise like 1e-25 for 0; rounding it moves an atom by 2^-121 Angstrom at most.
+std::size_t round_coordinates(const skin::Molecule& molecule, std::vector<WeightedPoint>& points) {
+  const auto first = std::ranges::find_if(points, [](const WeightedPoint& p) {
+    return !std::ranges::all_of(p.position, geometry::is_exact_coordinate);
+  });
+  if (first == points.end()) return 0;
+  const geometry::AtomId atom(static_cast<std::size_t>(first - points.begin()));
+  const std::size_t count = geometry::move_to_exact_grid(points);
+  if (count == 0) {
+    throw geometry::RefusedInput(
+        molecule.source + ": " + describe(molecule, atom) +
+        " has a coordinate with digits below 2^-120 Angstrom, and radii are too small for it to be "
+        "rounded; give larger lengths");
+  }
+  std::cerr << "morskin: note: " << molecule.source << ": coordinates below 2^-68 Angstrom were "
+            << "rounded to multiples of 2^-120: " << count << ", the first of "
+            << describe(molecule, atom) << "\n";
+  return count;
+}
+
+void check_weights(const MoleculeInput& input) {
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    const double weight = input.points[i].weight;
+    if (weight > 0 && geometry::is_exact_weight(weight)) continue;
+    throw geometry::RefusedInput(
+        input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
+        (weight > geometry::largest_exact
+             ? " has too big a radius; give lengths in Angstrom"
+             : " has so small a radius that its weight would lose digits below 2^-240; remove it"));
+  }
+}
 
 }  // namespace
 
@@ -19,15 +52,15 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   skin::ReadOptions options;
   options.waters = arguments.waters;
   input.molecule = skin::read_molecule(arguments.input, options);
-  input.points = skin::weighted_points(input.molecule, arguments.model, arguments.probe);
-  for (std::size_t i = 0; i < input.points.size(); ++i) {
-    const double weight = input.points[i].weight;
-    if (weight > 0 && weight <= largest_weight) continue;
-    throw geometry::RefusedInput(
-        input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
-        (weight > 0 ? " has too big a radius; give lengths in Angstrom"
-                    : " has so small a radius that its weight rounds to 0; remove it"));
+  const bool gives_weights = !input.molecule.weights.empty();
+  if (gives_weights != (arguments.model == skin::Model::Given)) {
+    throw UsageError(input.molecule.source + (gives_weights
+                                                  ? " gives weights; add --model given"
+                                                  : " gives no weights; take another --model"));
   }
+  input.points = skin::weighted_points(input.molecule, arguments.model, arguments.probe);
+  check_weights(input);
+  input.rounded_coordinates = round_coordinates(input.molecule, input.points);
   return input;
 }
 
@@ -42,6 +75,12 @@ morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Ru
     throw geometry::RefusedInput(
         input.molecule.source + ": the skin is singular at " + names +
         ": it touches itself there; change a radius or the probe a little");
+  } catch (const morskin::ScalesTooFarApart& apart) {
+    throw geometry::RefusedInput(
+        input.molecule.source + ": " + describe(input.molecule, apart.small) +
+        " has a patch over 2^36 times smaller than the largest coordinate, that of " +
+        describe(input.molecule, apart.largest) +
+        ": doubles cannot carry both; mesh them from two files");
   }
 }
 

@@ -13,14 +13,18 @@ namespace morskin::app {
 /// A molecule and its weighted points under a model.
 struct MoleculeInput {
   skin::Molecule molecule;
-  std::vector<geometry::WeightedPoint> points;  ///< by atom
+  std::vector<geometry::WeightedPoint> points;  ///< by atom, in the range of the exact predicates
+  std::size_t rounded_coordinates = 0;          ///< to multiples of 2^-120 Angstrom
 };
 
-/// @throws geometry::UnreadableInput, geometry::RefusedInput  also for an atom so big that its
-///         weight is out of the range of the exact predicates
+/// A note on standard error tells of coordinates that had to be rounded.
+/// @throws geometry::UnreadableInput
+/// @throws geometry::RefusedInput  also for an atom whose weight is out of the range of the exact
+///                                 predicates
+/// @throws UsageError              the model is Given and the file gives radii, or the other way
 MoleculeInput read_input(const MoleculeArguments& arguments);
 
-/// morskin::prepare_skin, but a singular skin is refused with its atoms called by their names.
+/// morskin::prepare_skin, but a refusal calls the atoms by their names.
 /// @throws geometry::RefusedInput
 morskin::PreparedSkin prepare_skin(const MoleculeInput& input,
                                    const morskin::Run& run = morskin::Run());

@@ -14,10 +14,10 @@ constexpr const char* about =
     "the\n"
     "surface, has no angle below 21 degrees, and can be checked again from the written file.\n"
     "\n"
-    "INPUT is PDB, mmCIF, PQR, XYZ or XYZR, each also gzipped; \"-\" is standard input. Lengths "
-    "are\n"
-    "in Angstrom, angles in degrees. The first model is read, of alternate locations the\n"
-    "likeliest, and no water unless asked.\n";
+    "INPUT is PDB, mmCIF, PQR, XYZ, XYZR (x y z r) or XYZW (x y z w, w the weight), each also\n"
+    "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. The first "
+    "model\n"
+    "is read, of alternate locations the likeliest, and no water unless asked.\n";
 
 constexpr const char* closing =
     "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
@@ -25,6 +25,7 @@ constexpr const char* closing =
     "  paper   W = sqrt(2) (r + p), as the paper prints it (default)\n"
     "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
     "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part\n"
+    "  given   W as in the file, of XYZW only\n"
     "\n"
     "Examples:\n"
     "  morskin mesh 1crn.pdb -o 1crn.ply\n"
@@ -41,11 +42,14 @@ constexpr const char* closing =
     "  4  input refused (names atoms)   70  internal error\n";
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
-  command.add_option("--model", typed.model, "How radii become weights: paper, sas or vdw")
-      ->check(CLI::IsMember({"paper", "sas", "vdw"}))
-      ->capture_default_str();
-  command.add_option("--probe", molecule.probe, "Probe radius, Angstrom; 0 for none")
-      ->capture_default_str();
+  command
+      .add_option("--model", typed.model,
+                  "How radii become weights: paper, sas or vdw; given for an INPUT of\n"
+                  "weights, which XYZW has without it")
+      ->check(CLI::IsMember({"paper", "sas", "vdw", "given"}))
+      ->default_str("paper");
+  command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
+      ->default_str("1.4");
   command.add_flag("--waters", molecule.waters, "Keep the waters");
 }
 
@@ -194,8 +198,10 @@ void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
   CLI::App& command = *app.add_subcommand(
       "balls", "Write the balls really used, x y z r, r the radius of the atom's patch");
   command.add_option("INPUT", balls.molecule.input, "The molecule")->required();
-  command.add_option("-o,--output", balls.output, "XYZR file, or - for standard output")
+  command.add_option("-o,--output", balls.output, "XYZR or XYZW file, or - for standard output")
       ->required();
+  command.add_flag("--weights", balls.weights,
+                   "Write XYZW, x y z w, w the weight: read again, it gives the very same skin");
   add_molecule_options(command, balls.molecule, typed);
   command.add_flag("-q,--quiet", balls.quiet, "Print nothing but errors");
 }

@@ -15,7 +15,8 @@ namespace morskin::app {
 
 /// Options as typed, before conversion.
 struct Typed {
-  std::string model = "paper";
+  std::optional<std::string> model;
+  std::optional<double> probe;
   std::optional<std::string> height, function;
   std::optional<double> persistence;
   bool is_raw = false;

@@ -129,6 +129,7 @@ std::string json_text(const MeshReport& report) {
                        {"atoms_skipped_by_reason", skipped_json(report.reading)},
                        {"atoms_duplicate", report.reading.duplicates},
                        {"atoms_hidden", report.atoms_hidden},
+                       {"coordinates_rounded", report.rounded_coordinates},
                        {"patch_radius_min", rounded(report.patch_radius_min)},
                        {"patch_radius_max", rounded(report.patch_radius_max)},
                        {"method", name_of(report.method)},
@@ -300,14 +301,20 @@ std::string people_text(const MeshReport& report) {
       report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
   text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
                             " left out" + (words.empty() ? "" : " (" + words + ")"));
-  text +=
-      line("skin", "model " + std::string(skin::name_of(report.molecule.model)) + ", probe " +
-                       brief(report.molecule.probe) + " A, patch radii " +
-                       brief(report.patch_radius_min) + " to " + brief(report.patch_radius_max) +
-                       " A, C " + brief(report.sizing.C) + ", Q " + brief(report.sizing.Q) +
-                       (std::isfinite(report.sizing.largest_length_scale)
-                            ? ", edges of " + brief(report.sizing.edge_length()) + " A"
-                            : ""));
+  const bool is_given = report.molecule.model == skin::Model::Given;
+  if (report.rounded_coordinates > 0) {
+    text += line("rounded", counted(report.rounded_coordinates, "coordinate", "coordinates") +
+                                " to multiples of 2^-120 A");
+  }
+  text += line("skin", (is_given ? "weights as given"
+                                 : "model " + std::string(skin::name_of(report.molecule.model)) +
+                                       ", probe " + brief(report.molecule.probe) + " A") +
+                           ", patch radii " + brief(report.patch_radius_min) + " to " +
+                           brief(report.patch_radius_max) + " A, C " + brief(report.sizing.C) +
+                           ", Q " + brief(report.sizing.Q) +
+                           (std::isfinite(report.sizing.largest_length_scale)
+                                ? ", edges of " + brief(report.sizing.edge_length()) + " A"
+                                : ""));
   if (const std::string doubts = doubts_about(report.sizing); !doubts.empty()) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));

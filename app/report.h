@@ -32,6 +32,7 @@ struct MeshReport {
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;
+  std::size_t rounded_coordinates = 0;  ///< MoleculeInput::rounded_coordinates
   double patch_radius_min = 0, patch_radius_max = 0;
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
   std::string certified_file;

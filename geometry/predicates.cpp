@@ -157,11 +157,6 @@ Sign symbolic_orthosphere(const std::array<const Point*, 5>& points,
 
 }  // namespace internal
 
-double on_exact_grid(double x) {
-  if (!(std::fabs(x) < 0x1p-12)) return x;
-  return std::round(x * 0x1p64) * 0x1p-64;
-}
-
 Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (const auto sign = internal::filtered_orientation(a, b, c, d)) return *sign;
   if (const auto sign = internal::integer_orientation(a, b, c, d)) return *sign;

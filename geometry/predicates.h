@@ -10,13 +10,13 @@
 /// The two exact predicates of a regular triangulation (section 2.1): the orientation of four
 /// points, and the side of an orthosphere on which a fifth lies.
 ///
-/// Range: every coordinate and weight is a multiple of 2^-64 and at most 2^30 in magnitude, so that
-/// polynomials of degree 8 neither overflow nor underflow (`on_exact_grid`). In this range results
-/// are those of real arithmetic on the stored doubles. Each predicate is a chain of tiers, cheapest
-/// first; predicates_internal.h names them.
+/// Range: every coordinate is a multiple of 2^-120, every weight one of 2^-240, both of at most
+/// 2^30 (exact_range.h), so that no polynomial over- or underflows. In this range results are those
+/// of real arithmetic on the stored doubles. Each predicate is a chain of tiers, cheapest first;
+/// predicates_internal.h names them.
 namespace morskin::geometry {
 
-/// The multiple of 2^-64 nearest to x; x itself whenever |x| >= 2^-12.
+/// The multiple of 2^-120 nearest to x; x itself whenever |x| >= 2^-68.
 ///
 /// @pre x is finite.
 double on_exact_grid(double x);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/exact_range.h"
 #include "geometry/spatial_order.h"
 #include "geometry/triangulator.h"
 
@@ -92,7 +93,7 @@ void Triangulator::add_apexes(std::span<const WeightedPoint> points) {
   for (int known = dimension_; known < 3; ++known) {
     for (int axis = 0; axis < 3; ++axis) {
       Point apex = points_[0].position;
-      const double shift = std::max({step, scaled_power_of_two(apex[axis], -40), 0x1p-64});
+      const double shift = std::max({step, scaled_power_of_two(apex[axis], -40), coordinate_unit});
       apex[axis] += apex[axis] > 0 ? -shift : shift;
       const Point& second = points_[1].position;
       const bool is_independent =

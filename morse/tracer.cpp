@@ -71,15 +71,13 @@ void Tracer::leave_through(LocalWall wall) {
   const Vector velocity = flow_.to_space(velocity_);
   CellId cell = wall.beyond, before = cell_;
   constexpr int max_crossed = 64;
-  // A cell that the line would leave again within this distance has no width; the largest error
-  // seen in walls of flat simplices is 17 tolerances.
-  const double no_width = 64 * tolerance_;
+  const double flat = no_width * tolerance_;
   for (int crossed = 0; crossed < max_crossed; ++crossed) {
     std::optional<CellId> passed;
-    double farthest = -no_width;
+    double farthest = -flat;
     for (const skin::Wall& other : complex.walls(cell)) {
       const double distance = other.normal.dot(x) - other.offset;
-      const bool is_far_beyond = distance > no_width;
+      const bool is_far_beyond = distance > flat;
       const bool may_pass = is_far_beyond || other.normal.dot(velocity) > 0;
       if (other.beyond == before || distance < farthest || !may_pass) continue;
       farthest = distance;

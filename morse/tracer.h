@@ -10,6 +10,10 @@ namespace morskin::morse {
 
 class Tracer {
  public:
+  /// A cell that a line would leave again within so many wall tolerances counts as one without
+  /// width; the largest error seen in walls of flat simplices is 17 of them.
+  static constexpr double no_width = 64;
+
   /// @param points, cells  receive the nodes; both or neither may be null
   Tracer(const IntegralLines& lines, Direction direction, std::vector<Point>* points,
          std::vector<skin::CellId>* cells);

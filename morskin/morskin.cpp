@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "certify/located_vertices.h"
+#include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/union_find.h"
 #include "morskin/pipeline.h"
@@ -167,12 +168,17 @@ std::uint32_t nearest_atom(const skin::SkinSurface& skin, const surface::Surface
 
 struct Skin::Prepared {
   PreparedSkin skin;
+  std::size_t rounded_coordinates;
 };
 
 std::vector<Atom> read_molecule(const std::filesystem::path& file) {
   return with_errors([&] {
+    const skin::Molecule molecule = skin::read_molecule(file);
+    if (!molecule.weights.empty()) {
+      throw geometry::RefusedInput(molecule.source + ": gives weights; Skin is made of radii");
+    }
     std::vector<Atom> atoms;
-    for (const skin::Atom& atom : skin::read_molecule(file).atoms) {
+    for (const skin::Atom& atom : molecule.atoms) {
       atoms.push_back({outside(atom.position), atom.radius});
     }
     return atoms;
@@ -189,10 +195,13 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
 
 Skin::Skin(std::span<const Atom> atoms, const SkinOptions& options, const RunOptions& run)
     : prepared_(with_errors([&] {
+        std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
+        const std::size_t rounded = geometry::move_to_exact_grid(points);
         return std::make_shared<const Prepared>(
-            Prepared{prepare_skin(weighted_points(atoms, options), inside(run))});
+            Prepared{prepare_skin(std::move(points), inside(run)), rounded});
       })) {}
 
+std::size_t Skin::rounded_coordinates() const { return prepared_->rounded_coordinates; }
 std::size_t Skin::components() const { return prepared_->skin.topology.skin_components(); }
 std::size_t Skin::genus() const { return prepared_->skin.topology.skin_genus(); }
 

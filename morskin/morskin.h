@@ -149,6 +149,9 @@ class Skin {
 
   std::size_t components() const;
   std::size_t genus() const;  ///< summed over components
+  /// Of the atoms' coordinates, those below 2^-68 that lost digits to the range of the exact
+  /// predicates: they are rounded to multiples of 2^-120, and the skin is that of the rounded ones.
+  std::size_t rounded_coordinates() const;
 
   /// Meshes and certifies. Parts of a sweep that are not certified are made anew by other means;
   /// what is not certified even then is there all the same, and its certificate says why.

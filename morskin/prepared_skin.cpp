@@ -1,35 +1,70 @@
 #include "morskin/prepared_skin.h"
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <utility>
 
-#include "geometry/predicates.h"
+#include "geometry/exact_range.h"
+#include "morse/tracer.h"
 
 namespace morskin {
 
 namespace {
 
-constexpr double max_input = 1 << 30;  // the range of the exact predicates
-
 bool is_in_range(const geometry::WeightedPoint& p) {
-  return p.position.allFinite() && std::isfinite(p.weight) &&
-         p.position.cwiseAbs().maxCoeff() <= max_input && std::abs(p.weight) <= max_input;
+  return std::ranges::all_of(p.position, geometry::is_exact_coordinate) &&
+         geometry::is_exact_weight(p.weight);
+}
+
+double largest_coordinate(const geometry::WeightedPoint& p) {
+  return p.position.cwiseAbs().maxCoeff() + std::sqrt(std::abs(p.weight));
+}
+
+/// @throws ScalesTooFarApart  for the first ball too small that shares skin with another
+void check_scales(const skin::SkinSurface& skin) {
+  const std::vector<geometry::WeightedPoint>& points = skin.points();
+  const double least_radius = morse::Tracer::no_width * skin.complex().wall_tolerance();
+  const double least_weight = 2 * least_radius * least_radius;
+  const auto is_too_small = [&](geometry::AtomId atom) {
+    const double weight = points[atom.index()].weight;
+    return weight > 0 && weight < least_weight;
+  };
+  // Hardly ever is there one, and then the cells are not looked at.
+  if (std::ranges::none_of(skin.triangulation().vertices, is_too_small)) return;
+  for (std::size_t i = 0; i < skin.cell_count(); ++i) {
+    const geometry::CellId cell(i);
+    if (skin.complex().dimension(cell) != 1) continue;
+    for (const geometry::AtomId atom : skin.atoms(cell)) {
+      if (!is_too_small(atom)) continue;
+      const auto farthest = std::ranges::max_element(points, {}, largest_coordinate);
+      throw ScalesTooFarApart(
+          atom, geometry::AtomId(static_cast<std::size_t>(farthest - points.begin())));
+    }
+  }
 }
 
 }  // namespace
 
+ScalesTooFarApart::ScalesTooFarApart(geometry::AtomId too_small, geometry::AtomId far_out)
+    : geometry::RefusedInput(
+          "weighted point " + std::to_string(too_small.value) +
+          " has a patch over 2^36 times smaller than the largest coordinate, of weighted point " +
+          std::to_string(far_out.value) + ": doubles cannot carry both; mesh them apart"),
+      small(too_small),
+      largest(far_out) {}
+
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run& run) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    geometry::WeightedPoint& p = points[i];
-    if (!is_in_range(p)) {
-      throw geometry::RefusedInput("weighted point " + std::to_string(i) +
-                                   " has a coordinate or weight that is no number or beyond 2^30");
-    }
-    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
-    p.weight = geometry::on_exact_grid(p.weight);
+    if (is_in_range(points[i])) continue;
+    throw geometry::RefusedInput(
+        "weighted point " + std::to_string(i) +
+        " has a coordinate or weight that is no number, above 2^30, or has digits below 2^-120 (a "
+        "weight: 2^-240)");
   }
   skin::SkinSurface surface(std::move(points), skin::MixedComplex::Keep::NearSkin, run);
+  check_scales(surface);
   skin::DualComplex topology =
       run.stage("dual complex", [&] { return skin::dual_complex(surface, run); });
   surface.forget_facets();

@@ -18,10 +18,24 @@ struct PreparedSkin {
   skin::DualComplex topology;
 };
 
+/// The balls differ so much in size, or lie so far out, that doubles cannot carry both ends.
+///
+/// A wall of the mixed complex is known to 2^-42 of the largest coordinate, and a cell narrower
+/// than 64 of these tolerances counts as one without width (morse::Tracer::no_width). So a ball
+/// that shares skin with another must have a patch of at least that radius, 2^-36 of the largest
+/// coordinate.
+class ScalesTooFarApart : public geometry::RefusedInput {
+ public:
+  ScalesTooFarApart(geometry::AtomId too_small, geometry::AtomId far_out);
+
+  geometry::AtomId small;    ///< its patch is too small
+  geometry::AtomId largest;  ///< beside the coordinate and radius of this one
+};
+
 /// In the stages "triangulate", "mixed complex" and "dual complex".
-/// @param points  coordinates and weights of at most 2^30, Angstrom and Angstrom^2; they are
-///                rounded to multiples of 2^-64, the grid of the exact predicates
-/// @throws skin::SingularSkin, geometry::RefusedInput
+/// @param points  Angstrom and Angstrom^2; used as they are, never rounded
+/// @throws skin::SingularSkin, ScalesTooFarApart
+/// @throws geometry::RefusedInput  also for a number out of the range of the exact predicates
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run& run = Run());
 
 /// Radius of a protecting sphere over the length scale: that of the front's disks, on the largest

@@ -7,16 +7,33 @@
 #include <utility>
 
 #include "geometry/files/text_lines.h"
-#include "geometry/predicates.h"
+#include "skin/molecule_formats.h"
 
 namespace morskin::skin {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Model>, 3> names = {{
+constexpr std::array<std::pair<std::string_view, Model>, 4> names = {{
     {"paper", Model::Paper},
     {"sas", Model::Sas},
     {"vdw", Model::Vdw},
+    {"given", Model::Given},
 }};
+
+/// A line for each point: its coordinates and what is made of its weight.
+template <class FromWeight>
+std::string table_text(const std::vector<geometry::WeightedPoint>& points, FromWeight from_weight) {
+  std::string text;
+  text.reserve(48 * points.size());
+  for (const geometry::WeightedPoint& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      geometry::append_number(text, point.position[axis]);
+      text += ' ';
+    }
+    geometry::append_number(text, from_weight(point.weight));
+    text += '\n';
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -38,6 +55,8 @@ double weight(double radius, Model model, double probe) {
       return 2 * (radius + probe) * (radius + probe);
     case Model::Vdw:
       return 2 * radius * radius;
+    case Model::Given:
+      break;
   }
   return 0;
 }
@@ -46,31 +65,24 @@ double patch_radius(double weight) { return std::sqrt(weight / 2); }
 
 std::vector<geometry::WeightedPoint> weighted_points(const Molecule& molecule, Model model,
                                                      double probe) {
+  assert((model == Model::Given) == !molecule.weights.empty());
   std::vector<geometry::WeightedPoint> points;
   points.reserve(molecule.atoms.size());
-  for (const Atom& atom : molecule.atoms) {
-    geometry::WeightedPoint point;
-    for (int axis = 0; axis < 3; ++axis) {
-      point.position[axis] = geometry::on_exact_grid(atom.position[axis]);
-    }
-    point.weight = geometry::on_exact_grid(weight(atom.radius, model, probe));
-    points.push_back(point);
+  for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+    const Atom& atom = molecule.atoms[i];
+    points.push_back({atom.position, model == Model::Given ? molecule.weights[i]
+                                                           : weight(atom.radius, model, probe)});
   }
   return points;
 }
 
 std::string xyzr_text(const std::vector<geometry::WeightedPoint>& points) {
-  std::string text;
-  text.reserve(48 * points.size());
-  for (const geometry::WeightedPoint& point : points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      geometry::append_number(text, point.position[axis]);
-      text += ' ';
-    }
-    geometry::append_number(text, patch_radius(point.weight));
-    text += '\n';
-  }
-  return text;
+  return table_text(points, [](double weight) { return patch_radius(weight); });
+}
+
+std::string xyzw_text(const std::vector<geometry::WeightedPoint>& points) {
+  return std::string(molecule_formats::weights_line) + "\n" +
+         table_text(points, [](double weight) { return weight; });
 }
 
 }  // namespace morskin::skin

@@ -17,12 +17,13 @@ namespace morskin::skin {
 ///     Paper   W = sqrt(2) (r + p)    as printed; the only reading that gives Table 1's counts
 ///     Sas     W = 2 (r + p)^2        patches have the solvent-accessible radius r + p
 ///     Vdw     W = 2 r^2              patches have the radius r; the probe plays no part
+///     Given   W as in the file       of a file of weights (XYZW), which has no radii
 ///
 /// Source:  Cheng & Shi 2004, section 2.1.
 /// Erratum: the weight printed there is a length; Paper takes its number as Angstrom^2.
-enum class Model { Paper, Sas, Vdw };
+enum class Model { Paper, Sas, Vdw, Given };
 
-/// The model called "paper", "sas" or "vdw"; nothing for other words.
+/// The model called "paper", "sas", "vdw" or "given"; nothing for other words.
 std::optional<Model> parse_model(std::string_view name);
 std::string_view name_of(Model model);
 
@@ -30,20 +31,26 @@ std::string_view name_of(Model model);
 ///
 /// @param radius  r, Angstrom.
 /// @param probe   p, Angstrom.
-/// @pre  radius > 0 and probe >= 0, both finite
+/// @pre  radius > 0 and probe >= 0, both finite; the model is not Given
 double weight(double radius, Model model, double probe);
 
 /// The radius of the sphere patch that a weight gives at shrink factor 1/2, Angstrom.
 /// @pre  weight >= 0
 double patch_radius(double weight);
 
-/// The weighted points of all atoms, in the atoms' order, every number on the grid of the exact
-/// predicates. The caller checks that none exceeds 2^30 (morskin::prepare_skin does).
+/// The weighted points of all atoms, in the atoms' order: each coordinate as in the file, each
+/// weight the formula's value in doubles or, with Given, as in the file. Not all of them need be in
+/// the range of the exact predicates (geometry/exact_range.h).
+/// @pre  the model is Given if and only if the molecule has weights
 std::vector<geometry::WeightedPoint> weighted_points(const Molecule& molecule, Model model,
                                                      double probe);
 
 /// The balls as an XYZR file, "x y z r" per line, r the patch radius. Every number is the shortest
 /// that reads back as the same double.
 std::string xyzr_text(const std::vector<geometry::WeightedPoint>& points);
+
+/// The weighted points as an XYZW file, "x y z w" per line, w the weight: each number the shortest
+/// that reads back as the same double, so that all of the skin comes back.
+std::string xyzw_text(const std::vector<geometry::WeightedPoint>& points);
 
 }  // namespace morskin::skin

@@ -55,6 +55,9 @@ struct ReadingCounts {
 /// The atoms of the first model of a file, in the file's order.
 struct Molecule {
   std::vector<Atom> atoms;
+  /// By atom, Angstrom^2, of a file that gives weights, which are no model's; their radii are those
+  /// of the patches, sqrt(w / 2). Empty for all other files.
+  std::vector<double> weights;
   std::string source;  ///< the file's name
   ReadingCounts counts;
 };

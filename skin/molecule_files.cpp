@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "geometry/exact_range.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/gzip.h"
 #include "geometry/files/text_lines.h"
+#include "skin/model.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 
@@ -26,7 +28,7 @@ using molecule_formats::ParsedFile;
 
 constexpr double largest_number = 1e6;  // Angstrom; coordinates and radii
 
-constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 8> endings = {{
+constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 9> endings = {{
     {".pdb", MoleculeFormat::Pdb},
     {".ent", MoleculeFormat::Pdb},
     {".pdb1", MoleculeFormat::Pdb},
@@ -35,6 +37,7 @@ constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 8> endings = {
     {".pqr", MoleculeFormat::Pqr},
     {".xyz", MoleculeFormat::Xyz},
     {".xyzr", MoleculeFormat::Xyzr},
+    {".xyzw", MoleculeFormat::Xyzw},
 }};
 
 constexpr std::array<std::string_view, 15> water_residues = {"HOH", "DOD", "WAT",  "H2O",  "D2O",
@@ -72,6 +75,7 @@ std::optional<MoleculeFormat> format_by_content(std::string_view bytes) {
     const std::string_view line = lines.line();
     std::string_view fields = line;
     const std::string_view word = take_field(fields);
+    if (trimmed(line) == molecule_formats::weights_line) return MoleculeFormat::Xyzw;
     if (word.empty() || word[0] == '#') continue;
     if (word == "ATOM" || word.starts_with("HETATM")) {
       return is_pqr_atom(line) ? MoleculeFormat::Pqr : MoleculeFormat::Pdb;
@@ -100,6 +104,8 @@ ParsedFile parse(std::string_view bytes, const std::string& source, MoleculeForm
       return molecule_formats::parse_xyz(bytes, source);
     case MoleculeFormat::Xyzr:
       return molecule_formats::parse_xyzr(bytes, source);
+    case MoleculeFormat::Xyzw:
+      return molecule_formats::parse_xyzw(bytes, source);
   }
   return {};
 }
@@ -134,6 +140,12 @@ void check_range(const Atom& atom, const std::string& source) {
   }
 }
 
+void check_weight(const AtomRecord& record, const std::string& source) {
+  if (record.weight > 0 && record.weight <= geometry::largest_exact) return;
+  refuse(source, record.atom,
+         "has a weight that is not above 0 and at most 2^30 Angstrom^2; correct it");
+}
+
 // How many atoms have the position and radius of an earlier one.
 std::size_t count_duplicates(const std::vector<Atom>& atoms) {
   std::vector<std::array<double, 4>> balls;
@@ -162,13 +174,19 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
   molecule.counts.alternates = molecule_formats::keep_likeliest_locations(file.atoms);
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
-    if (!file.has_radii) give_radius(record.atom, source);
+    if (file.has_weights) {
+      check_weight(record, source);
+      record.atom.radius = patch_radius(record.weight);
+    } else if (!file.has_radii) {
+      give_radius(record.atom, source);
+    }
     check_range(record.atom, source);
     if (record.atom.radius == 0) {
       ++molecule.counts.zero_radii;
-    } else {
-      molecule.atoms.push_back(record.atom);
+      continue;
     }
+    molecule.atoms.push_back(record.atom);
+    if (file.has_weights) molecule.weights.push_back(record.weight);
   }
   if (molecule.atoms.empty()) {
     throw RefusedInput(source + ": has no atom" +
@@ -206,8 +224,8 @@ Molecule parse_molecule(std::string_view bytes, const std::string& source,
   if (!format) format = format_by_content(bytes);
   if (!format) {
     throw UnreadableInput(source +
-                          ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ or "
-                          "XYZR and the ending of that name");
+                          ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ, "
+                          "XYZR or XYZW and the ending of that name");
   }
   return finish(parse(bytes, source, *format), source, options);
 }

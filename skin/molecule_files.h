@@ -4,7 +4,8 @@
 //
 // A reader keeps the first model, of alternate locations the likeliest, and hydrogens if present.
 // It drops water, unless asked to keep it or there is nothing else, and atoms of the element X
-// (unknown). Radii come from the file (PQR, XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h).
+// (unknown). Radii come from the file (PQR, XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h);
+// a file of weights (XYZW) has those in their place.
 // Molecule::counts lists what was left out.
 
 #include <cstddef>
@@ -23,6 +24,7 @@ enum class MoleculeFormat {
   Pqr,   ///< PDB-like words with charge and radius, separated by white space
   Xyz,   ///< a count, a comment, "element x y z" per line
   Xyzr,  ///< "x y z r" per line, # for comments
+  Xyzw,  ///< "x y z w" per line, w the weight, Angstrom^2; on standard input after "# x y z w"
 };
 
 /// The format that a file's ending stands for, in upper or lower case, with or without .gz.
@@ -40,7 +42,7 @@ struct ReadOptions {
 /// name.
 ///
 /// Law:    every atom's coordinates are finite and at most 10^6 Angstrom in magnitude, and its
-///         radius is positive and at most 10^6 Angstrom.
+///         radius is positive and at most 10^6 Angstrom, its weight, if given, at most 2^30.
 /// @throws UnreadableInput  for a file that is missing, empty, damaged or of no format known here
 /// @throws RefusedInput     if no atom is left, a number is out of range, or an element has no
 ///                          radius; names the atom and its line

@@ -17,7 +17,8 @@ constexpr std::string_view unknown_element = "X";
 
 /// An atom as in the file.
 struct AtomRecord {
-  Atom atom;  ///< without a radius if the format has none
+  Atom atom;          ///< without a radius if the format has none
+  double weight = 0;  ///< Angstrom^2, in a file that gives weights
   double occupancy = 1;
   char alternate = ' ';  ///< letter of the alternate location; blank if the atom has only one
 };
@@ -26,6 +27,7 @@ struct ParsedFile {
   std::vector<AtomRecord> atoms;
   std::size_t other_models = 0;
   bool has_radii = false;
+  bool has_weights = false;
 };
 
 /// Each parses all bytes of a file; `source` is its name for messages. @throws UnreadableInput
@@ -34,6 +36,10 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source);
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source);
 ParsedFile parse_xyz(std::string_view bytes, const std::string& source);
 ParsedFile parse_xyzr(std::string_view bytes, const std::string& source);
+ParsedFile parse_xyzw(std::string_view bytes, const std::string& source);
+
+/// Begins a file of weights, which nothing else tells from one of radii.
+constexpr std::string_view weights_line = "# x y z w";
 
 /// The element of an atom in a PDB file whose element columns are missing or wrong.
 ///

@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 #include "skin/exact_vectors.h"
 
@@ -38,11 +37,17 @@ struct Fraction {
   Vec normal;  ///< of the points' line or plane; anything for four
 };
 
+/// The first point's edges, and the powers that go with them.
 template <class Vec, class Number>
-Fraction<Vec, Number> fraction(const std::array<Vec, 3>& edges, const std::array<Number, 3>& powers,
-                               std::size_t points) {
-  const auto& [e, f, g] = edges;
-  const auto& [p, q, r] = powers;
+struct Arms {
+  std::array<Vec, 3> edges;
+  std::array<Number, 3> powers{};
+};
+
+template <class Vec, class Number>
+Fraction<Vec, Number> fraction(const Arms<Vec, Number>& arms, std::size_t points) {
+  const auto& [e, f, g] = arms.edges;
+  const auto& [p, q, r] = arms.powers;
   if (points == 2) return {p * e, e.dot(e), e};
   if (points == 3) {
     const Vec n = e.cross(f);
@@ -53,25 +58,25 @@ Fraction<Vec, Number> fraction(const std::array<Vec, 3>& edges, const std::array
 }
 
 Fraction<Wide, long double> wide_fraction(Simplex simplex) {
-  std::array<Wide, 3> edges;
-  std::array<long double, 3> powers{};
+  Arms<Wide, long double> arms;
+  auto& [edges, powers] = arms;
   for (std::size_t i = 1; i < simplex.size(); ++i) {
     edges[i - 1] = wide(simplex[i].position) - wide(simplex[0].position);
     powers[i - 1] = edges[i - 1].squaredNorm() + static_cast<long double>(simplex[0].weight) -
                     simplex[i].weight;
   }
-  return fraction(edges, powers, simplex.size());
+  return fraction(arms, simplex.size());
 }
 
-Fraction<ExactVector, Expansion> exact_fraction(Simplex simplex) {
-  std::array<ExactVector, 3> edges;
-  std::array<Expansion, 3> powers;
+Arms<ExactVector, Expansion> exact_arms(Simplex simplex) {
+  Arms<ExactVector, Expansion> arms;
+  auto& [edges, powers] = arms;
   for (std::size_t i = 1; i < simplex.size(); ++i) {
     edges[i - 1] = ExactVector(simplex[0].position, simplex[i].position);
     powers[i - 1] = edges[i - 1].dot(edges[i - 1]) +
                     Expansion::difference(simplex[0].weight, simplex[i].weight);
   }
-  return fraction(edges, powers, simplex.size());
+  return arms;
 }
 
 /// Whether the product of the edges, whose square is a triangle's denominator, has cancelled.
@@ -84,10 +89,19 @@ bool is_flat(Simplex simplex, long double denominator) {
   return !((simplex.size() == 3 ? denominator : denominator * denominator) >= squares);
 }
 
-/// w - |numerator / (2 denominator)|^2 as one fraction.
-long double exact_weight(double weight, const Fraction<ExactVector, Expansion>& at) {
-  const Expansion square = Expansion(4.0) * (at.denominator * at.denominator);
-  return rounded(Expansion(weight) * square - at.numerator.dot(at.numerator)) / rounded(square);
+/// w - |numerator / (2 denominator)|^2 as one fraction. A triangle's numerator is the product of
+/// p f - q e and the normal, which are orthogonal, so the normal's square cancels: degree 6 not 10.
+long double exact_weight(Simplex simplex, const Arms<ExactVector, Expansion>& arms,
+                         const Fraction<ExactVector, Expansion>& at) {
+  const Expansion weight(simplex[0].weight), four(4.0);
+  if (simplex.size() == 3) {
+    const auto& [e, f, g] = arms.edges;
+    const ExactVector m = arms.powers[0] * f + -arms.powers[1] * e;
+    const Expansion denominator = four * at.denominator;
+    return rounded(weight * denominator - m.dot(m)) / rounded(denominator);
+  }
+  const Expansion square = four * (at.denominator * at.denominator);
+  return rounded(weight * square - at.numerator.dot(at.numerator)) / rounded(square);
 }
 
 }  // namespace
@@ -101,17 +115,16 @@ Orthocentre orthocentre(Simplex simplex) {
   const auto quick = wide_fraction(simplex);
   Wide offset = quick.numerator / (2 * quick.denominator);
   Wide normal = quick.normal;
-  std::optional<Fraction<ExactVector, Expansion>> exact;
   if (is_flat(simplex, quick.denominator)) {
-    exact = exact_fraction(simplex);
-    offset = exact->numerator.rounded() / (2 * rounded(exact->denominator));
-    normal = exact->normal.rounded();
+    const auto exact = fraction(exact_arms(simplex), simplex.size());
+    offset = exact.numerator.rounded() / (2 * rounded(exact.denominator));
+    normal = exact.normal.rounded();
   }
   const long double square = offset.squaredNorm();
   long double weight = first_weight - square;
   if (std::abs(weight) < thin * (std::abs(first_weight) + square)) {
-    if (!exact) exact = exact_fraction(simplex);
-    weight = exact_weight(first_weight, *exact);
+    const auto arms = exact_arms(simplex);
+    weight = exact_weight(simplex, arms, fraction(arms, simplex.size()));
   }
   return {first + offset, weight,
           simplex.size() == 4 ? Wide(Wide::Zero()) : Wide(normal.normalized())};
@@ -121,8 +134,8 @@ Orthocentre orthocentre(Simplex simplex) {
 /// a few u |f| |g| (|e|^2 + |w_0 - w_1|), so the offset o one of at most 2^-39 (extent + |o|), and
 /// its square of 2^-37 (extent + |o|)^2.
 double rough_weight(const std::array<WeightedPoint, 4>& tetrahedron) {
-  std::array<Vector, 3> edge;
-  std::array<double, 3> power;
+  Arms<Vector, double> arms;
+  auto& [edge, power] = arms;
   double extent = 0, squares = flat * flat;
   const double first_weight = tetrahedron[0].weight;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -132,7 +145,7 @@ double rough_weight(const std::array<WeightedPoint, 4>& tetrahedron) {
     extent += (square + std::abs(more)) / std::sqrt(square);
     squares *= square;
   }
-  const auto at = fraction(edge, power, 4);
+  const auto at = fraction(arms, 4);
   const double square = (at.numerator / (2 * at.denominator)).squaredNorm();
   const double far = extent + std::sqrt(square);
   if (at.denominator * at.denominator >= squares && far * far <= 0x1p17 * std::abs(first_weight)) {

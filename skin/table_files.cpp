@@ -1,5 +1,6 @@
-// PQR, XYZ and XYZR: words separated by white space.
+// PQR, XYZ, XYZR and XYZW: words separated by white space.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -89,6 +90,27 @@ AtomRecord xyz_atom(const TextLines& lines) {
   return record;
 }
 
+/// The numbers of a line, of which there must be four; nothing for a line of comment.
+std::optional<std::array<double, 4>> four_numbers(const TextLines& lines, std::string_view what) {
+  std::string_view fields = lines.line().substr(0, lines.line().find('#'));
+  std::string_view field = take_field(fields);
+  if (field.empty()) return std::nullopt;
+  std::array<double, 4> numbers;
+  for (double& number : numbers) {
+    number = number_in(field, what, lines);
+    field = take_field(fields);
+  }
+  return numbers;
+}
+
+Atom ball(const std::array<double, 4>& row, double radius, const TextLines& lines) {
+  Atom atom;
+  atom.position = {row[0], row[1], row[2]};
+  atom.radius = radius;
+  atom.line = line_number(lines);
+  return atom;
+}
+
 }  // namespace
 
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source) {
@@ -147,17 +169,24 @@ ParsedFile parse_xyzr(std::string_view bytes, const std::string& source) {
   file.has_radii = true;
   TextLines lines(bytes, source);
   while (lines.advance()) {
-    std::string_view fields = lines.line().substr(0, lines.line().find('#'));
-    std::string_view field = take_field(fields);
-    if (field.empty()) continue;
-    AtomRecord record;
-    record.atom.line = line_number(lines);
-    for (int axis = 0; axis < 3; ++axis) {
-      record.atom.position[axis] = number_in(field, "x y z r", lines);
-      field = take_field(fields);
+    if (trimmed(lines.line()) == weights_line) {
+      lines.fail("the fourth numbers are weights, not radii; end the file's name with .xyzw");
     }
-    record.atom.radius = number_in(field, "x y z r", lines);
-    file.atoms.push_back(record);
+    if (const auto row = four_numbers(lines, "x y z r")) {
+      file.atoms.push_back({.atom = ball(*row, (*row)[3], lines)});
+    }
+  }
+  return file;
+}
+
+ParsedFile parse_xyzw(std::string_view bytes, const std::string& source) {
+  ParsedFile file;
+  file.has_weights = true;
+  TextLines lines(bytes, source);
+  while (lines.advance()) {
+    if (const auto row = four_numbers(lines, "x y z w")) {
+      file.atoms.push_back({.atom = ball(*row, 0, lines), .weight = (*row)[3]});
+    }
   }
   return file;
 }

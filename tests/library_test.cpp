@@ -160,6 +160,14 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   CHECK(kind_of([&] { skin.certify({{{0, 0, 0}}, {{0, 1, 2}}}); }) == Kind::Refused);
 }
 
+TEST_CASE("noise in the place of zero is rounded and counted, and weights are no radii") {
+  CHECK(Skin(three_atoms, balls).rounded_coordinates() == 0);
+  CHECK(Skin(std::vector<Atom>{{{1e-25, 0, -3e-300}, 1}}, balls).rounded_coordinates() == 2);
+  const morskin::support::TemporaryFolder folder;
+  const auto weights = folder.file("a.xyzw", "0 0 0 1\n");
+  CHECK(kind_of([&] { morskin::read_molecule(weights); }) == Error::Kind::Refused);
+}
+
 TEST_CASE("two balls that just touch are singular, and the error knows them") {
   // The skin's balls are sqrt 2 times as large as their patches, and so 2 sqrt 2 apart.
   try {

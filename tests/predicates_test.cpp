@@ -249,29 +249,6 @@ TEST_CASE("points on a line are collinear and their neighbours by one bit are no
   });
 }
 
-TEST_CASE("rounding to the exact grid moves tiny numbers only") {
-  CHECK(on_exact_grid(0.001) == 0.001);
-  CHECK(on_exact_grid(-123.456) == -123.456);
-  CHECK(on_exact_grid(0x1p-64) == 0x1p-64);
-  CHECK(on_exact_grid(0x1.8p-64) == 0x1p-63);
-  CHECK(on_exact_grid(1e-300) == 0);
-  CHECK(on_exact_grid(-0x1p-30 - 0x1p-80) == -0x1p-30);
-}
-
-TEST_CASE("the predicates are exact at both ends of their range") {
-  for (const double unit : {0x1p-64, 0x1p29}) {
-    support::for_seeds<std::mt19937_64>(300, [&](std::mt19937_64& random) {
-      Balls p = five([&] { return whole_ball(random, 2); });
-      for (WeightedPoint& q : p) q.weight = 0;
-      const Sign volume = oracle_orientation(p);
-      const Sign power = oracle_orthosphere(p);
-      for (WeightedPoint& q : p) q.position *= unit;
-      CHECK(orientation_of(p) == volume);
-      check_tiers(p, volume, power);
-    });
-  }
-}
-
 TEST_CASE("expansions longer than their inline storage stay exact") {
   std::mt19937_64 random(1);
   Expansion sum;

@@ -3,6 +3,7 @@
 #include "skin/skin_surface.h"
 
 #include <Eigen/Dense>
+#include <span>
 
 #include "geometry/error.h"
 #include "tests/support/skin_case.h"

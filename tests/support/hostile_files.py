@@ -154,6 +154,45 @@ def number_cases():
                {"r.xyzr": "0 0 0 1e6\n"}, [mesh("r.xyzr", "--model", "vdw")], code=4,
                says="too big a radius")
     yield Case("a radius of 20,000", {"r.xyzr": "0 0 0 2e4\n"}, all_models("r.xyzr"))
+    for word in ("1e300", "nan", "-inf"):
+        yield Case(f"a coordinate {word} in PQR, XYZ and XYZW",
+                   {"a.pqr": f"ATOM 1 C ALA 1 {word} 0 0 0 1\n", "a.xyz": f"1\n\nC 0 {word} 0\n",
+                    "a.xyzw": f"{word} 0 0 1\n"},
+                   [mesh("a.pqr"), mesh("a.xyz"), mesh("a.xyzw")], code=4,
+                   says="more than 10^6" if word == "1e300" else "has a coordinate that is not")
+        yield Case(f"a coordinate {word} in mmCIF", {"a.cif": MMCIF.format(residue="ALA", x=word)},
+                   code=4 if word == "1e300" else 3,
+                   says="more than 10^6" if word == "1e300" else "which is no number")
+    for word in ("0", "-1", "nan", "inf", "1e300"):
+        yield Case(f"a weight {word}", {"w.xyzw": f"0 0 0 1\n1 0 0 {word}\n"}, code=4,
+                   says="w.xyzw:2: ball (line 2) has a weight that is not above 0")
+    yield Case("a weight 1e-60 with all its digits", {"w.xyzw": "0 0 0 1.23e-60\n"}, code=4,
+               says="would lose digits below 2^-240")
+    yield Case("weights and a model", {"w.xyzw": "0 0 0 1\n"},
+               [mesh("w.xyzw", "--model", "vdw"), mesh("w.xyzw", "--probe", "1")], code=2,
+               says="leave out --")
+    yield Case("weights named as radii", {"w.xyzr": "# x y z w\n0 0 0 1\n"}, code=3,
+               says="w.xyzr:1: the fourth numbers are weights")
+    yield Case("weights on standard input", {},
+               [("mesh", "-", "-o", "out.ply", "--model", "given")], stdin=b"# x y z w\n0 0 0 1\n")
+    yield Case("the same without --model given", {}, [("mesh", "-", "-o", "out.ply")], code=2,
+               says="- gives weights; add --model given", stdin=b"# x y z w\n0 0 0 1\n")
+    yield Case("noise of 1e-25 in the place of 0, with a note", {"r.xyzr": "1e-25 0 -2e-30 1\n"},
+               all_models("r.xyzr"))
+    yield Case("the same where radii are as small",
+               {"r.xyzr": "0 0 0 1e-25\n1.23e-25 0 0 1e-25\n"}, [mesh("r.xyzr", "--model", "vdw")],
+               code=4, says="ball (line 2) has a coordinate with digits below 2^-120")
+    yield Case("radii of 1e-6 side by side, and a ball 10^6 Angstrom away",
+               {"r.xyzr": xyzr([(0, 0, 0, 1e-6), (2e-6, 0, 0, 1e-6), (1e6, 0, 0, 1)])},
+               [mesh("r.xyzr", "--model", "vdw")], code=4,
+               says="r.xyzr: ball (line 1) has a patch over 2^36 times smaller")
+    yield Case("the same, not side by side",
+               {"r.xyzr": xyzr([(0, 0, 0, 1e-6), (1e-3, 0, 0, 1e-6), (1e6, 0, 0, 1)])},
+               [mesh("r.xyzr", "--model", "vdw")])
+    yield Case("radii of 1e-6 apart or joined by 2e-9 of their distance, 2 runs",
+               {"apart.xyzr": xyzr([(0, 0, 0, 1e-6), (2.8284271304e-6, 0, 0, 1e-6)]),
+                "joined.xyzr": xyzr([(0, 0, 0, 1e-6), (2.8284271190e-6, 0, 0, 1e-6)])},
+               [mesh("apart.xyzr", "--model", "vdw"), mesh("joined.xyzr", "--model", "vdw")])
     yield Case("a radius of 1e-9", {"r.xyzr": "1 2 3 1e-9\n"}, all_models("r.xyzr"))
     yield Case("a radius of 1e-300", {"r.xyzr": "1 2 3 1\n0 0 0 1e-300\n"},
                [mesh("r.xyzr", "--model", "vdw")], code=4,
