@@ -36,7 +36,7 @@ Verdict on_intersections(const geometry::SelfIntersections& found) {
   if (found.count == 0) return verdict;
   verdict.reason = "triangles " + std::to_string(found.pairs[0].first) + " and " +
                    std::to_string(found.pairs[0].second) + " meet where they should not (" +
-                   (found.is_complete ? "" : "more than ") +
+                   (found.is_complete ? "" : "at least ") +
                    counted(found.count, "such pair", "such pairs") + ")";
   return verdict;
 }

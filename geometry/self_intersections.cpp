@@ -1,10 +1,13 @@
 #include "geometry/self_intersections.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <tuple>
 
+#include "geometry/box_tree.h"
+#include "geometry/edge_fan.h"
 #include "geometry/predicates.h"
 #include "geometry/spatial_order.h"
 #include "geometry/triangle_contact.h"
@@ -13,156 +16,252 @@ namespace morskin::geometry {
 
 namespace {
 
-/// An axis-parallel box in single precision, rounded outwards.
-struct FloatBox {
-  std::array<float, 3> low, high;
-
-  static constexpr float infinite = std::numeric_limits<float>::infinity();
-  static FloatBox empty() {
-    return {{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
-  }
-  void add(const Point& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double x = p[static_cast<Eigen::Index>(k)];
-      const auto near = static_cast<float>(x);
-      const float below = static_cast<double>(near) > x ? std::nextafter(near, -infinite) : near;
-      const float above = static_cast<double>(near) < x ? std::nextafter(near, infinite) : near;
-      low[k] = std::min(low[k], below);
-      high[k] = std::max(high[k], above);
-    }
-  }
-  void add(const FloatBox& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], other.low[k]);
-      high[k] = std::max(high[k], other.high[k]);
-    }
-  }
-  bool meets(const FloatBox& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
-  }
-};
-
-/// The triangles that are not degenerate, along a Hilbert curve through their centroids.
-std::vector<std::uint32_t> ordered_triangles(const IndexedMesh& mesh, const ExactPositions& at) {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Point& p : at.all()) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  constexpr int bits = 20;
-  const double extent = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min());
-  const auto cell = [&](double x, double from) {
-    return static_cast<std::uint32_t>(
-        std::clamp((x - from) / extent * ((1 << bits) - 1), 0.0, double((1 << bits) - 1)));
-  };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-  order.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    if (a == b || b == c || c == a || are_collinear(at[a], at[b], at[c])) continue;
-    const Point centroid = (at[a] + at[b] + at[c]) / 3;
-    order.emplace_back(hilbert_index(cell(centroid.x(), low.x()), cell(centroid.y(), low.y()),
-                                     cell(centroid.z(), low.z()), bits),
-                       t);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<std::uint32_t> result(order.size());
-  std::transform(order.begin(), order.end(), result.begin(),
-                 [](const auto& o) { return o.second; });
-  return result;
-}
-
-/// A binary tree of boxes over triangles in spatial order, with a few consecutive ones in each
-/// leaf. Node i of a level covers nodes 2 i and 2 i + 1 of the one below.
-class BoxTree {
+/// Leaves with keys to sort them by.
+class LeafOrder {
  public:
-  static constexpr std::size_t leaf_size = 4;
-
-  BoxTree(const IndexedMesh& mesh, const ExactPositions& at)
-      : triangles_(ordered_triangles(mesh, at)), boxes_(triangles_.size(), FloatBox::empty()) {
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      for (const std::uint32_t v : mesh.triangles[triangles_[i]]) boxes_[i].add(at[v]);
-    }
-    std::span<const FloatBox> below = boxes_;
-    std::size_t arity = leaf_size;
-    while (below.size() > 1 || levels_.empty()) {
-      std::vector<FloatBox> level((below.size() + arity - 1) / arity, FloatBox::empty());
-      for (std::size_t i = 0; i < below.size(); ++i) level[i / arity].add(below[i]);
-      levels_.push_back(std::move(level));
-      below = levels_.back();
-      arity = 2;
-    }
+  LeafOrder(const Eigen::AlignedBox3d& box, std::size_t count)
+      : low_(box.min()), extent_(box.sizes().maxCoeff()) {
+    keyed_.reserve(count);
   }
 
-  /// Calls visit(s, t) for each two triangles whose boxes meet, until it returns false.
-  template <class Visit>
-  void for_each_pair(Visit visit) const {
-    if (triangles_.empty()) return;
-    std::vector<Pair> open{{levels_.size() - 1, 0, 0}};
-    while (!open.empty()) {
-      const Pair p = open.back();
-      open.pop_back();
-      if (p.level == 0) {
-        if (!visit_leaves(p.i, p.j, visit)) return;
-        continue;
-      }
-      const std::vector<FloatBox>& below = levels_[p.level - 1];
-      const std::size_t i_end = std::min(2 * p.i + 2, below.size());
-      const std::size_t j_end = std::min(2 * p.j + 2, below.size());
-      for (std::size_t i = 2 * p.i; i < i_end; ++i) {
-        for (std::size_t j = p.i == p.j ? i : 2 * p.j; j < j_end; ++j) {
-          if (i == j || below[i].meets(below[j])) open.push_back({p.level - 1, i, j});
-        }
-      }
-    }
+  /// Adds a triangle at a point of the box. Those with the same exempt corners become neighbours,
+  /// so that whole nodes of the tree share them.
+  template <class IsExempt>
+  void add(const Point& p, const BoxTree::Leaf& leaf, const Corners& corners,
+           const IsExempt& is_exempt) {
+    Corners exempt{no_index, no_index, no_index};
+    std::ranges::copy_if(corners, exempt.begin(), is_exempt);
+    std::ranges::sort(exempt);
+    keyed_.push_back({std::uint64_t{exempt[0]} << 32 | exempt[1], along_curve(p), leaf});
+  }
+
+  std::vector<BoxTree::Leaf> leaves() {
+    std::ranges::sort(keyed_, {}, [](const Keyed& k) {
+      return std::tuple(k.group, k.along_curve, k.leaf.triangle);
+    });
+    std::vector<BoxTree::Leaf> result;
+    result.reserve(keyed_.size());
+    for (const Keyed& k : keyed_) result.push_back(k.leaf);
+    return result;
   }
 
  private:
-  struct Pair {
-    std::size_t level, i, j;
+  struct Keyed {
+    std::uint64_t group, along_curve;
+    BoxTree::Leaf leaf;
   };
 
-  template <class Visit>
-  bool visit_leaves(std::size_t first, std::size_t second, Visit visit) const {
-    const std::size_t i_end = std::min((first + 1) * leaf_size, triangles_.size());
-    const std::size_t j_end = std::min((second + 1) * leaf_size, triangles_.size());
-    for (std::size_t i = first * leaf_size; i < i_end; ++i) {
-      for (std::size_t j = first == second ? i + 1 : second * leaf_size; j < j_end; ++j) {
-        if (boxes_[i].meets(boxes_[j]) && !visit(triangles_[i], triangles_[j])) return false;
-      }
+  std::uint64_t along_curve(const Point& p) const {
+    constexpr int bits = 20;
+    constexpr double last = (1 << bits) - 1;
+    const auto cell = [&](Eigen::Index k) {
+      const double share = extent_ > 0 ? (p[k] - low_[k]) / extent_ : 0;
+      return static_cast<std::uint32_t>(std::clamp(share * last, 0.0, last));
+    };
+    return hilbert_index(cell(0), cell(1), cell(2), bits);
+  }
+
+  Point low_;
+  double extent_;
+  std::vector<Keyed> keyed_;
+};
+
+/// Axes along the normals of the largest triangles, so that the boxes of large parallel triangles
+/// are flat, however these are tilted.
+Eigen::Matrix3d frame_of(const IndexedMesh& mesh, const ExactPositions& at) {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  for (const int k : {0, 1}) {
+    constexpr double across = 0.5;  // most of the second normal along the first axis
+    double largest = 0;
+    Vector best = Vector::Zero();
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vector doubled = (at[b] - at[a]).cross(at[c] - at[a]);
+      const double area = doubled.norm();
+      if (area <= largest) continue;
+      if (k == 1 && std::abs(doubled.dot(axes.row(0))) > across * area) continue;
+      largest = area;
+      best = doubled;
+    }
+    if (!(largest > 0)) return Eigen::Matrix3d::Identity();
+    if (k == 1) best -= best.dot(axes.row(0)) * axes.row(0).transpose();
+    axes.row(k) = best.normalized();
+  }
+  axes.row(2) = axes.row(0).cross(axes.row(1));
+  return axes;
+}
+
+/// Visits every pair of triangles that may be in contact. Boxes of triangles that share a corner
+/// always meet, so a crowded corner, with many triangles, has a search of its own, among directions
+/// from it; and so has a crowded edge, with its triangles by the angle about it.
+///
+/// A pair belongs to the least crowded corner v that both have. If both have a crowded edge at v,
+/// it belongs to that with the least other end.
+class Search {
+ public:
+  Search(const IndexedMesh& mesh, const SelfIntersectionLimits& limits)
+      : mesh_(mesh), at_(mesh.positions), limits_(limits), degree_(mesh.positions.size()) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      if (a == b || b == c || c == a || are_collinear(at_[a], at_[b], at_[c])) continue;
+      solid_.push_back(t);
+      for (const std::uint32_t v : mesh.triangles[t]) ++degree_[v];
+    }
+  }
+
+  SelfIntersections run() {
+    if (search_corners()) search_apart();
+    std::sort_heap(result_.pairs.begin(), result_.pairs.end());
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr std::uint32_t crowd = 64;  // triangles
+
+  bool is_crowded(std::uint32_t v) const { return degree_[v] >= crowd; }
+
+  /// Notes a contact. @return false if there are as many as shall be counted
+  bool note(std::uint32_t s, std::uint32_t t) {
+    if (result_.count == limits_.counted) return result_.is_complete = false;
+    ++result_.count;
+    // Lists the smallest pairs: a heap with the largest on top.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>& smallest = result_.pairs;
+    smallest.emplace_back(std::min(s, t), std::max(s, t));
+    std::push_heap(smallest.begin(), smallest.end());
+    if (smallest.size() > limits_.listed) {
+      std::pop_heap(smallest.begin(), smallest.end());
+      smallest.pop_back();
     }
     return true;
   }
 
-  std::vector<std::uint32_t> triangles_;
-  std::vector<FloatBox> boxes_;  ///< by index in triangles_
-  std::vector<std::vector<FloatBox>> levels_;
+  bool note_if_improper(std::uint32_t s, std::uint32_t t) {
+    return !is_improper_contact(at_, mesh_.triangles[s], mesh_.triangles[t]) || note(s, t);
+  }
+
+  template <class IsExempt>
+  bool search(LeafOrder order, const IsExempt& is_exempt) {
+    return BoxTree(order.leaves(), mesh_.triangles)
+        .for_each_pair(is_exempt,
+                       [this](std::uint32_t s, std::uint32_t t) { return note_if_improper(s, t); });
+  }
+
+  /// Pairs without a crowded corner in common.
+  void search_apart() {
+    const Eigen::Matrix3d frame = frame_of(mesh_, at_);
+    Eigen::AlignedBox3d box;
+    for (const Point& p : at_.all()) box.extend(Point(frame * p));
+    const auto is_exempt = [this](std::uint32_t v) { return is_crowded(v); };
+    LeafOrder order(box, solid_.size());
+    constexpr double rounding = 0x1p-49;  // of a product with the frame, over |p|_1; with a margin
+    for (const std::uint32_t t : solid_) {
+      BoxTree::Leaf leaf{t, {}};
+      Point sum = Point::Zero();
+      for (const std::uint32_t v : mesh_.triangles[t]) {
+        const Point p = frame * at_[v];
+        leaf.box.add(p, rounding * at_[v].lpNorm<1>());
+        sum += p;
+      }
+      order.add(sum / 3, leaf, mesh_.triangles[t], is_exempt);
+    }
+    search(std::move(order), is_exempt);
+  }
+
+  /// Pairs with a crowded corner in common.
+  bool search_corners() {
+    if (std::ranges::none_of(degree_, [](std::uint32_t n) { return n >= crowd; })) return true;
+    std::vector<std::vector<std::uint32_t>> stars(degree_.size());
+    for (const std::uint32_t t : solid_) {
+      for (const std::uint32_t v : mesh_.triangles[t]) {
+        if (is_crowded(v)) stars[v].push_back(t);
+      }
+    }
+    shared_.assign(degree_.size(), 0);
+    for (std::uint32_t v = 0; v < stars.size(); ++v) {
+      if (is_crowded(v) && !search_star(v, stars[v])) return false;
+    }
+    return true;
+  }
+
+  bool search_star(std::uint32_t v, const std::vector<std::uint32_t>& star) {
+    const auto for_each_other = [&](auto visit) {
+      for (const std::uint32_t t : star) {
+        for (const std::uint32_t w : mesh_.triangles[t]) {
+          if (w != v) visit(w);
+        }
+      }
+    };
+    std::vector<std::uint32_t> edges;  // crowded ones, by their other ends
+    for_each_other([&](std::uint32_t w) {
+      if (++shared_[w] == crowd && w > v) edges.push_back(w);
+    });
+    std::ranges::sort(edges);
+    bool goes_on = true;
+    for (std::size_t i = 0; i < edges.size() && goes_on; ++i)
+      goes_on = search_fan(v, edges[i], star);
+    goes_on = goes_on && search_directions(v, star);
+    for_each_other([&](std::uint32_t w) { shared_[w] = 0; });
+    return goes_on;
+  }
+
+  /// Pairs that share v and no crowded edge: their directions from v are arcs on a sphere.
+  bool search_directions(std::uint32_t v, const std::vector<std::uint32_t>& star) {
+    const auto is_exempt = [&](std::uint32_t w) {
+      return w != v && (shared_[w] >= crowd || (w < v && is_crowded(w)));
+    };
+    LeafOrder order(Eigen::AlignedBox3d(Point(-1, -1, -1), Point(1, 1, 1)), star.size());
+    for (const std::uint32_t t : star) {
+      std::vector<Vector> ends;
+      for (const std::uint32_t w : mesh_.triangles[t]) {
+        if (w != v) ends.push_back((at_[w] - at_[v]).stableNormalized());
+      }
+      // No point of the arc is farther from its chord.
+      const Vector middle = (ends[0] + ends[1]) / 2;
+      constexpr double rounding = 1e-12;
+      const double margin = std::max(0.0, 1 - middle.norm()) + rounding;
+      BoxTree::Leaf leaf{t, {}};
+      for (const Vector& end : ends) leaf.box.add(end, margin);
+      order.add(middle, leaf, mesh_.triangles[t], is_exempt);
+    }
+    return search(std::move(order), is_exempt);
+  }
+
+  /// Pairs that share the edge vw: improper if they lie in one half-plane.
+  bool search_fan(std::uint32_t v, std::uint32_t w, const std::vector<std::uint32_t>& star);
+
+  const IndexedMesh& mesh_;
+  const ExactPositions at_;
+  const SelfIntersectionLimits limits_;
+  SelfIntersections result_;
+  std::vector<std::uint32_t> solid_;   ///< triangles that are not degenerate
+  std::vector<std::uint32_t> degree_;  ///< by vertex, how many of them have it
+  std::vector<std::uint32_t> shared_;  ///< by vertex, how many of the star at work; else 0
 };
+
+bool Search::search_fan(std::uint32_t v, std::uint32_t w, const std::vector<std::uint32_t>& star) {
+  EdgeFan fan(at_, v, w);
+  for (const std::uint32_t t : star) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    if (a == w || b == w || c == w) fan.add(t, a ^ b ^ c ^ v ^ w);
+  }
+  // Copies of a triangle belong to the least of its edges.
+  const auto is_exempt = [&](std::uint32_t apex) {
+    return (apex < v && is_crowded(apex)) || (apex < w && shared_[apex] >= crowd);
+  };
+  const std::vector<EdgeFan::Blade>& blades = fan.sorted();
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    for (std::size_t j = i + 1; j < blades.size() && fan.are_alike(blades[i], blades[j]); ++j) {
+      if (blades[i].apex == blades[j].apex && is_exempt(blades[i].apex)) continue;
+      if (!note(blades[i].triangle, blades[j].triangle)) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
 SelfIntersections self_intersections(const IndexedMesh& mesh,
                                      const SelfIntersectionLimits& limits) {
-  SelfIntersections result;
-  const ExactPositions positions(mesh.positions);
-  // Lists the smallest pairs found: a heap with the largest on top.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>& smallest = result.pairs;
-  const BoxTree tree(mesh, positions);
-  tree.for_each_pair([&](std::uint32_t s, std::uint32_t t) {
-    if (!is_improper_contact(positions, mesh.triangles[s], mesh.triangles[t])) return true;
-    if (result.count == limits.counted) return result.is_complete = false;
-    ++result.count;
-    smallest.emplace_back(std::min(s, t), std::max(s, t));
-    std::push_heap(smallest.begin(), smallest.end());
-    if (smallest.size() > limits.listed) {
-      std::pop_heap(smallest.begin(), smallest.end());
-      smallest.pop_back();
-    }
-    return true;
-  });
-  std::sort_heap(smallest.begin(), smallest.end());
-  return result;
+  return Search(mesh, limits).run();
 }
 
 }  // namespace morskin::geometry

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,10 +63,102 @@ IndexedMesh soup(unsigned seed) {
   return mesh;
 }
 
+// Triangles that crowd about two hubs, of few corners: with folds, copies, and many contacts.
+IndexedMesh crowded_soup(unsigned seed) {
+  Random random(seed);
+  IndexedMesh mesh = soup(seed);
+  mesh.positions.resize(std::min<std::size_t>(mesh.positions.size(), 6 + seed % 30));
+  mesh.triangles.clear();
+  for (std::size_t t = 0; t < 250; ++t) {
+    const auto corner = [&] {
+      return static_cast<std::uint32_t>(random.below(mesh.positions.size()));
+    };
+    const std::uint32_t hub = t % 3 == 0 ? 0 : 1;
+    mesh.triangles.push_back({corner(), t % 5 == 0 ? corner() : hub, t % 2 == 0 ? 2 : corner()});
+  }
+  return mesh;
+}
+
+constexpr std::uint32_t many = 100000;
+
+// Many points on a circle about the z axis, after the two on the axis.
+IndexedMesh circle() {
+  IndexedMesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (std::uint32_t i = 0; i < many; ++i) {
+    const double azimuth = 2 * M_PI * i / many;
+    mesh.positions.push_back({std::cos(azimuth), std::sin(azimuth), 0});
+  }
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("the tree finds the pairs that asking all pairs finds, degenerate triangles among them") {
   support::for_seeds(300, [&](unsigned seed) { check_against_all_pairs(soup(seed)); });
+}
+
+TEST_CASE("about crowded corners and edges the pairs are those that asking all pairs finds") {
+  support::for_seeds(60, [&](unsigned seed) { check_against_all_pairs(crowded_soup(seed)); });
+}
+
+TEST_CASE("a hundred thousand triangles about one edge, or one corner, are searched in no time") {
+  IndexedMesh fan = circle(), star = circle();
+  for (std::uint32_t i = 0; i < many; ++i) {
+    fan.triangles.push_back({0, 1, i + 2});
+    star.triangles.push_back({0, i + 2, (i + 1) % many + 2});
+  }
+  for (IndexedMesh* mesh : {&fan, &star}) {
+    CHECK(geometry::self_intersections(*mesh).count == 0);
+    // One more triangle, whose last corner is beside that of another.
+    mesh->positions.push_back(mesh->positions[99] / 2);
+    mesh->triangles.push_back({0, mesh == &fan ? 1U : 100U, many + 2});
+    const SelfIntersections found = geometry::self_intersections(*mesh);
+    // The star has a neighbour on whose edge that corner lies.
+    CHECK(found.count == (mesh == &fan ? 1 : 2));
+    CHECK(found.pairs[0].second == many);
+  }
+}
+
+TEST_CASE("of the same triangle a hundred thousand times as many pairs are counted as are asked") {
+  const IndexedMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+  IndexedMesh shared = one, apart;
+  for (std::uint32_t i = 0; i < many; ++i) {
+    shared.triangles.push_back({0, 1, 2});
+    apart.positions.insert(apart.positions.end(), one.positions.begin(), one.positions.end());
+    apart.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  for (const IndexedMesh* mesh : {&shared, &apart}) {
+    const SelfIntersections found = geometry::self_intersections(*mesh, {5, 1000});
+    CHECK(found.count == 1000);
+    CHECK_FALSE(found.is_complete);
+    CHECK(found.pairs == geometry::self_intersections(*mesh, {5, 1000}).pairs);
+  }
+}
+
+TEST_CASE("thousands of large boxes one in the other, upright or tilted, do not meet") {
+  for (const double tilt : {0.0, 0.3}) {
+    CAPTURE(tilt);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(tilt, Point(1, 2, 3).normalized()).toRotationMatrix();
+    IndexedMesh mesh;
+    for (std::uint32_t box = 0; box < 5000; ++box) {
+      const std::uint32_t first = 8 * box;
+      for (std::uint32_t i = 0; i < 8; ++i) {
+        const Point corner(i & 4U ? 1 : -1, i & 2U ? 1 : -1, i & 1U ? 1 : -1);
+        mesh.positions.push_back((1 + box * 1e-3) * (turn * corner));
+      }
+      for (const auto& [a, b, c, d] : {std::array{0U, 2U, 3U, 1U},
+                                       {4U, 5U, 7U, 6U},
+                                       {0U, 1U, 5U, 4U},
+                                       {2U, 6U, 7U, 3U},
+                                       {0U, 4U, 6U, 2U},
+                                       {1U, 3U, 7U, 5U}}) {
+        mesh.triangles.push_back({first + a, first + b, first + c});
+        mesh.triangles.push_back({first + a, first + c, first + d});
+      }
+    }
+    CHECK(geometry::self_intersections(mesh).count == 0);
+  }
 }
 
 TEST_CASE("meshes of a few triangles or none are searched") {

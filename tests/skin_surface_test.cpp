@@ -42,8 +42,8 @@ double upper_bound(const std::vector<WeightedPoint>& points, std::span<const Ato
 }
 
 /// The convex combination of some balls whose centre is c, as nearly as there is one.
-Eigen::VectorXd shares_of(const std::vector<WeightedPoint>& points,
-                          std::span<const AtomId> atoms, const Point& c) {
+Eigen::VectorXd shares_of(const std::vector<WeightedPoint>& points, std::span<const AtomId> atoms,
+                          const Point& c) {
   const auto n = static_cast<Eigen::Index>(atoms.size());
   Eigen::MatrixXd system(4, n);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -53,6 +53,7 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
       // Another member follows, or padding, which gzip ignores too.
       if (!is_gzip(bytes.substr(taken))) {
         text.resize(made);
+        if (is_gzip(text)) fail(source, "is a gzip file inside a gzip file; unpack it once");
         return text;
       }
       inflateReset(&stream);
