@@ -13,8 +13,8 @@ struct TriangleBounds {
 
 /// The cross product of two edges from one corner is off by 8 u |e| |f| at most, u = 2^-53: each
 /// difference of coordinates is rounded once, so a component e_y f_z - e_z f_y is off by 4 u (|e_y
-/// f_z| + |e_z f_y|), and these sums make a vector no longer than sqrt(2) |e| |f|
-/// (tests/rounding/cross.g). The two shorter edges are taken, so needles lose the least.
+/// f_z| + |e_z f_y|), and these sums make a vector no longer than sqrt(2) |e| |f|.
+/// The two shorter edges are taken, so needles lose the least.
 TriangleBounds triangle_bounds(const Point& a, const Point& b, const Point& c);
 
 }  // namespace morskin::certify

@@ -89,8 +89,7 @@ std::optional<Shares> best_shares(std::span<const Seen> atoms) {
 /// A convex combination and the bound on G(x) that it gives.
 ///
 /// With u = 2^-53 and size = sum s_i (|u_i|^2 + |w_i|), the computed m is off by at most 5 u
-/// sqrt(size): a difference, a product, three sums. The computed bound is off by 14 u size
-/// (tests/rounding/enclosure.g).
+/// sqrt(size): a difference, a product, three sums. The computed bound is off by 14 u size.
 struct Upper {
   Vector m = Vector::Zero();
   double bound = infinity;

@@ -19,7 +19,7 @@ constexpr std::uint32_t max_leaf = 4;
 
 /// The power of an atom at an offset, rounded down but for the last subtraction. The computed
 /// square is at most (1 + 2^-53)^5 < 1 + 2^-50 times the true one: a difference of coordinates is
-/// rounded once and squared, the square and two sums once each (tests/rounding/power.g).
+/// rounded once and squared, the square and two sums once each.
 ///
 /// Rounding is monotone: with no component of the offset larger in magnitude and no smaller weight
 /// the result is not larger. So a box bounds its atoms without any margin.
