@@ -75,10 +75,11 @@ void finish(certify::Sizing& sizing, const Typed& typed) {
   if (typed.size) sizing.set_edge_length(*typed.size);
 }
 
-void check_timeout(std::optional<double> seconds) {
-  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::max_seconds)) {
+void finish(Limits& limits, const Typed& typed) {
+  if (limits.timeout && !(*limits.timeout > 0 && *limits.timeout <= Limits::max_timeout)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
+  if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
 }
 
 void finish(MoleculeArguments& molecule, const Typed& typed) {
@@ -184,8 +185,6 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.size && !is_smoothed) {
     throw UsageError("--size is for the methods sweep and static");
   }
-  check_timeout(mesh.timeout);
-  if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
   check_outputs(mesh);
 }
 
@@ -198,6 +197,10 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   for (certify::Sizing* sizing :
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
     finish(*sizing, typed);
+  }
+  for (Limits* limits :
+       {&all.mesh.limits, &all.check.limits, &all.view.limits, &all.render.limits}) {
+    finish(*limits, typed);
   }
   const auto finished = [&](auto& arguments, const auto& as_typed) {
     finish(arguments, as_typed);
@@ -213,7 +216,6 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
     finish(all.figure);
     return all.figure;
   }
-  check_timeout(all.check.timeout);
   if (!all.against.input.empty()) all.check.against = all.against;
   return all.check;
 }

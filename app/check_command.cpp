@@ -75,8 +75,7 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
 
 ExitCode check_command(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const TimeLimit time_limit(arguments.timeout, arguments.mesh,
-                             "leave out the search with --no-self-intersections");
+  const TimeLimit time_limit(arguments.limits, arguments.mesh);
   const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
   if (mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +
