@@ -76,10 +76,11 @@ void finish(certify::Sizing& sizing, const Typed& typed) {
   if (typed.size) sizing.set_edge_length(*typed.size);
 }
 
-void check_timeout(std::optional<double> seconds) {
-  if (seconds && !(*seconds > 0 && *seconds <= TimeLimit::max_seconds)) {
+void finish(Limits& limits, const Typed& typed) {
+  if (limits.timeout && !(*limits.timeout > 0 && *limits.timeout <= Limits::max_timeout)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
+  if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
 }
 
 /// @param file  the molecule; not molecule.input where that is a mesh
@@ -209,8 +210,6 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.size && !is_smoothed) {
     throw UsageError("--size is for the methods sweep and static");
   }
-  check_timeout(mesh.timeout);
-  if (!typed.max_memory.empty()) mesh.max_memory = parsed_bytes(typed.max_memory);
   check_outputs(mesh);
 }
 
@@ -232,6 +231,10 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
     finish(*sizing, typed);
   }
+  for (Limits* limits :
+       {&all.mesh.limits, &all.check.limits, &all.view.limits, &all.render.limits}) {
+    finish(*limits, typed);
+  }
   const auto finished = [&](auto& arguments, const auto& as_typed) {
     finish(arguments, as_typed);
     return arguments;
@@ -246,7 +249,6 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
     finish(all.figure);
     return all.figure;
   }
-  check_timeout(all.check.timeout);
   if (!all.against.input.empty()) all.check.against = all.against;
   finish(all.check);
   return all.check;

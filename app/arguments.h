@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/exit_codes.h"
+#include "app/limits.h"
 #include "app/picture_arguments.h"
 #include "certify/sizing.h"
 #include "front/experimental_guards.h"
@@ -62,10 +63,9 @@ struct MeshArguments {
   std::vector<double> snapshot_values;  ///< and at these
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
-  int fronts = 2;                           ///< morskin::MeshingOptions::fronts
-  unsigned threads = 1;                     ///< at most; the result is the same for any number
-  std::optional<double> timeout;            ///< seconds of real time
-  std::optional<std::uint64_t> max_memory;  ///< bytes
+  int fronts = 2;        ///< morskin::MeshingOptions::fronts
+  unsigned threads = 1;  ///< at most; the result is the same for any number
+  Limits limits{.advice = "make a coarser mesh with a larger -C"};
 };
 
 /// The treatment of critical points whose protecting spheres overlap.
@@ -101,8 +101,8 @@ struct CheckArguments {
   std::optional<std::filesystem::path> certificate;  ///< with `against` only
   bool self_intersections = true;                    ///< search for them
   bool json = false;
-  unsigned threads = 1;           ///< at most; the result is the same for any number
-  std::optional<double> timeout;  ///< seconds of real time
+  unsigned threads = 1;  ///< at most; the result is the same for any number
+  Limits limits{.advice = "leave out the search with --no-self-intersections"};
 };
 
 struct ViewArguments {
@@ -115,6 +115,7 @@ struct ViewArguments {
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
   unsigned threads = 1;  ///< at most; the result is the same for any number
+  Limits limits{.advice = "show a coarser mesh"};
 };
 
 /// Whether a file's ending, with or without .gz, is that of a mesh.

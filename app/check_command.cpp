@@ -101,8 +101,7 @@ void check_agreement(const CheckReport& report) {
 
 ExitCode check_command(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const TimeLimit time_limit(arguments.timeout, arguments.mesh,
-                             "leave out the search with --no-self-intersections");
+  const TimeLimit time_limit(arguments.limits, arguments.mesh);
   const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
   if (mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +

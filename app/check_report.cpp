@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/report.h"
+#include "app/strict_json.h"
 
 namespace morskin::app {
 namespace {
@@ -45,9 +47,13 @@ ordered_json verdicts_json(const CheckReport& report) {
   return result;
 }
 
+// Each triangle that repeats a corner is a component of its own, and there may be millions.
+constexpr std::size_t most_components = 10000;
+
 ordered_json components_json(const geometry::MeshCheck& topology) {
   ordered_json result = ordered_json::array();
-  for (const geometry::MeshComponent& c : topology.components) {
+  const std::size_t count = std::min(most_components, topology.components.size());
+  for (const geometry::MeshComponent& c : std::span(topology.components).first(count)) {
     ordered_json entry = {{"first_triangle", c.first_triangle},
                           {"triangles", c.triangles},
                           {"vertices", c.vertices},
@@ -78,6 +84,14 @@ ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
     }
   }
   return result;
+}
+
+void add_angles_json(ordered_json& json, const CheckReport& report) {
+  for (const auto& [name, angle] : {std::pair("min_angle_deg", report.shape.min_angle_deg),
+                                    std::pair("max_angle_deg", report.shape.max_angle_deg)}) {
+    json[name] = report.triangles > 0 ? ordered_json(angle) : nullptr;
+    if (report.triangles == 0) json[std::string(name) + "_reason"] = "the mesh has no triangle";
+  }
 }
 
 void add_skin_json(ordered_json& json, const AgainstSkin& against) {
@@ -211,9 +225,7 @@ std::string json_text(const CheckReport& report) {
     json["defects"][name_of(defect.kind)] = {{"count", defect.count}, {"first", defect.first}};
   }
   json["component_list"] = components_json(report.topology);
-  const bool has_angles = report.triangles > 0;
-  json["min_angle_deg"] = has_angles ? ordered_json(report.shape.min_angle_deg) : nullptr;
-  json["max_angle_deg"] = has_angles ? ordered_json(report.shape.max_angle_deg) : nullptr;
+  add_angles_json(json, report);
   json["angle_histogram"] = report.angles;
   json["area"] = rounded(report.shape.area, 12);
   json["volume"] = rounded(report.shape.volume, 12);
@@ -224,7 +236,7 @@ std::string json_text(const CheckReport& report) {
   }
   if (report.against) add_skin_json(json, *report.against);
   json["seconds"] = rounded(report.seconds);
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return strict_json(json);
 }
 
 std::string people_text(const CheckReport& report) {

@@ -53,7 +53,7 @@ struct CheckReport {
   std::vector<Verdict> verdicts() const;
 };
 
-/// One JSON object over several lines, ended by a newline.
+/// As strict_json writes it.
 std::string json_text(const CheckReport& report);
 std::string people_text(const CheckReport& report);
 

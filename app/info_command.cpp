@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/molecule_input.h"
 #include "app/report.h"
+#include "app/strict_json.h"
 #include "geometry/regular_triangulation.h"
 
 namespace morskin::app {
@@ -102,7 +103,7 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                                  {"Q", arguments.sizing.Q},
                                  {"estimated_triangles", std::round(rounded(info.triangles, 2))},
                                  {"estimated_bytes", std::round(rounded(info.bytes, 2))}};
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return strict_json(json);
 }
 
 std::string people_text(const MoleculeInput& input, const InfoArguments& arguments,

@@ -15,6 +15,7 @@
 #include "app/exit_codes.h"
 #include "app/interruption.h"
 #include "app/report.h"
+#include "app/standard_streams.h"
 
 namespace morskin::app {
 namespace {
@@ -59,38 +60,35 @@ std::uint64_t held_bytes() {
 
 }  // namespace
 
-void limit_memory(std::optional<std::uint64_t> bytes) {
-  const std::uint64_t most = bytes.value_or(machine_bytes());
+void limit_memory(const Limits& limits) {
+  const std::uint64_t most = limits.max_memory.value_or(machine_bytes());
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, held_bytes() + most);
   ::setrlimit(RLIMIT_DATA, &limit);
-  if (bytes) {
-    std::snprintf(
-        memory_text, sizeof memory_text,
-        "the memory limit of %llu bytes (--max-memory) was reached; allow more, or make a "
-        "coarser mesh with a larger -C",
-        static_cast<unsigned long long>(*bytes));
-  }
+  if (!limits.max_memory) return;
+  std::snprintf(memory_text, sizeof memory_text,
+                "the memory limit of %llu bytes (--max-memory) was reached; allow more, or %s",
+                static_cast<unsigned long long>(*limits.max_memory), limits.advice);
 }
 
 const char* out_of_memory_text() { return memory_text; }
 
-TimeLimit::TimeLimit(std::optional<double> seconds, const std::filesystem::path& input,
-                     const char* advice) {
-  if (!seconds) return;
+TimeLimit::TimeLimit(const Limits& limits, const std::filesystem::path& input) {
+  if (!limits.timeout) return;
   // On a terminal the line of progress is wiped first.
   const std::string wipe = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
   std::snprintf(time_text, sizeof time_text,
                 "%smorskin: %.300s: the time limit of %s s (--timeout) was reached; allow more, or "
                 "%s\n",
-                wipe.c_str(), input.c_str(), brief(*seconds).c_str(), advice);
+                wipe.c_str(), printable(input.string()).c_str(), brief(*limits.timeout).c_str(),
+                limits.advice);
   struct sigaction action {};
   action.sa_handler = end_for_lack_of_time;
   ::sigfillset(&action.sa_mask);
   ::sigaction(SIGALRM, &action, nullptr);
   constexpr double least = 1e-6;  // the timer's unit; 0 would stop it
-  const double rounded_up = std::max(*seconds, least);
+  const double rounded_up = std::max(*limits.timeout, least);
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(rounded_up);
   timer.it_value.tv_usec = static_cast<suseconds_t>((rounded_up - std::floor(rounded_up)) * 1e6);

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/interruption.h"
 #include "app/limits.h"
+#include "app/standard_streams.h"
 #include "geometry/error.h"
 
 namespace morskin::app {
@@ -71,11 +72,20 @@ ExitCode fail(const std::exception& error) {
   return fail_inside(error.what());
 }
 
+/// The limits that were given, to a command that takes any.
+Limits limits_of(const Arguments& arguments) {
+  return std::visit(
+      []([[maybe_unused]] const auto& given) {
+        if constexpr (requires { given.limits; }) return given.limits;
+        return Limits{};
+      },
+      arguments);
+}
+
 ExitCode run(int count, const char* const* words) {
   try {
     const Arguments arguments = parse_arguments(count, words);
-    const auto* mesh = std::get_if<MeshArguments>(&arguments);
-    limit_memory(mesh != nullptr ? mesh->max_memory : std::nullopt);
+    limit_memory(limits_of(arguments));
     const ExitCode code = std::visit(Run{}, arguments);
     if (std::cout.flush()) return code;
     return fail(ExitCode::UnwritableOutput,
@@ -105,5 +115,7 @@ ExitCode run(int count, const char* const* words) {
 
 int main(int count, char** words) {
   std::set_terminate(morskin::app::end_without_traces);
+  morskin::app::fill_closed_streams();
+  const morskin::app::PrintableStream output(std::cout), errors(std::cerr);
   return static_cast<int>(morskin::app::run(count, words));
 }

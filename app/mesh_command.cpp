@@ -203,8 +203,7 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
 
 ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
-  TimeLimit time_limit(arguments.timeout, arguments.molecule.input,
-                       "make a coarser mesh with a larger -C");
+  TimeLimit time_limit(arguments.limits, arguments.molecule.input);
   MeshReport report;
   const std::string doubts = doubts_about(arguments.sizing);
   if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";

@@ -81,8 +81,12 @@ void add_progress_option(CLI::App& command, Typed& typed) {
       ->capture_default_str();
 }
 
-void add_timeout_option(CLI::App& command, std::optional<double>& timeout) {
-  command.add_option("--timeout", timeout, "Seconds after which to give up, with exit code 6");
+void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
+  command.add_option("--timeout", limits.timeout,
+                     "Seconds after which to give up, with exit code 6");
+  command.add_option("--max-memory", typed.max_memory,
+                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
+                     "2 GiB (default: what the machine has)");
 }
 
 void add_threads_option(CLI::App& command, unsigned& threads) {
@@ -161,10 +165,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_flag("-q,--quiet", mesh.quiet,
                    "Print nothing but errors, and the report if --json asks for it");
   add_threads_option(command, mesh.threads);
-  add_timeout_option(command, mesh.timeout);
-  command.add_option("--max-memory", typed.max_memory,
-                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
-                     "2 GiB (default: what the machine has)");
+  add_limit_options(command, mesh.limits, typed);
   add_progress_option(command, typed);
   command.footer(
       "The mesh takes its name only when the bytes written have been read back and certified:\n"
@@ -230,7 +231,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
                    "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
   add_threads_option(command, check.threads);
-  add_timeout_option(command, check.timeout);
+  add_limit_options(command, check.limits, typed);
   command.footer(
       "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
       "triangles and, with --against, certified; 5: not, and the reason names the first element.");
@@ -255,6 +256,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
   add_sizing_options(command, typed);
   add_function_option(command, typed);
   add_threads_option(command, view.threads);
+  add_limit_options(command, view.limits, typed);
   command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
   add_progress_option(command, typed);
   command.footer(
@@ -276,6 +278,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   add_check(app, all.check, all.against, typed);
   add_view(app, all.view, typed);
   add_render(app, all.render, typed.picture);
+  add_limit_options(*app.get_subcommand("render"), all.render.limits, typed);
   add_figure(app, all.figure);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/limits.h"
 #include "app/pictures/image.h"
 #include "geometry/point.h"
 
@@ -39,6 +40,7 @@ struct RenderArguments {
   bool flat = false;  ///< triangles as they are, not shaded as a smooth surface
   bool shadows = true;
   int columns = 3;  ///< panels in a row
+  Limits limits{.advice = "draw a coarser mesh"};
 };
 
 struct FigureArguments {

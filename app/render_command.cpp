@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/limits.h"
 #include "app/pictures/png.h"
 #include "app/pictures/render.h"
 #include "app/staged_outputs.h"
@@ -67,6 +68,7 @@ pictures::Scene scene_of(geometry::IndexedMesh mesh, const RenderArguments& argu
   }
   pictures::MeshLayer layer;
   if (!arguments.flat) layer.normals = pictures::smooth_normals(mesh);
+  pictures::drop_copies(mesh);
   if (arguments.by == ColourBy::Angle) layer.triangle_colours = colours_by_angle(mesh);
   if (arguments.by == ColourBy::Component) layer.triangle_colours = colours_by_component(mesh);
   layer.coat.colour = arguments.colour;
@@ -155,6 +157,7 @@ void check_sheet(const RenderArguments& arguments) {
 }  // namespace
 
 ExitCode render_command(const RenderArguments& arguments) {
+  TimeLimit time_limit(arguments.limits, arguments.meshes.front());
   check_sheet(arguments);
   std::vector<geometry::IndexedMesh> meshes;
   for (const std::filesystem::path& path : arguments.meshes) {
@@ -172,7 +175,9 @@ ExitCode render_command(const RenderArguments& arguments) {
     draw_box(panels.back(), {1, 1, camera.width - 1.0, camera.height - 1.0}, {pictures::ink, 2});
   }
   if (arguments.inset) std::rotate(panels.begin() + 1, panels.begin() + 2, panels.end());
-  write_to_all(outputs, pictures::png(pictures::in_rows(panels, arguments.columns, gap)));
+  const std::string picture = pictures::png(pictures::in_rows(panels, arguments.columns, gap));
+  time_limit.cancel();
+  write_to_all(outputs, picture);
   return ExitCode::Success;
 }
 

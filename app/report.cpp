@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
+#include "app/strict_json.h"
 
 namespace morskin::app {
 namespace {
@@ -164,7 +165,7 @@ std::string json_text(const MeshReport& report) {
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));
   json["peak_memory_bytes"] = report.peak_memory_bytes;
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return strict_json(json);
 }
 
 std::string doubts_about(const certify::Sizing& sizing) {

@@ -49,7 +49,7 @@ struct MeshReport {
   long long peak_memory_bytes = 0;
 };
 
-/// One JSON object over several lines, ended by a newline.
+/// As strict_json writes it.
 std::string json_text(const MeshReport& report);
 /// A dozen aligned lines.
 std::string people_text(const MeshReport& report);

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/function_argument.h"
+#include "app/limits.h"
 #include "app/molecule_input.h"
 #include "app/progress.h"
 #include "app/report.h"
@@ -209,6 +210,7 @@ std::string people_text(const ViewArguments& arguments, const Viewed& viewed, co
 }  // namespace
 
 ExitCode view_command(const ViewArguments& arguments) {
+  TimeLimit time_limit(arguments.limits, arguments.molecule.input);
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, progress.callback());
@@ -226,6 +228,7 @@ ExitCode view_command(const ViewArguments& arguments) {
   const bool has_failed = !is_mesh && !viewed.certificate->certified;
   const std::string bytes = page.page();
   std::filesystem::path name = arguments.output;
+  time_limit.cancel();
   for (geometry::PendingFile& file : outputs.files()) {
     file.write(bytes);
     name = file.commit(has_failed ? ".unverified" : "");

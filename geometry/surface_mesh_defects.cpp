@@ -1,8 +1,8 @@
 // What is wrong with a mesh, in words, and meshes from lists of triangles where nothing is.
 
 #include <algorithm>
-#include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -87,19 +87,17 @@ std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect) {
 namespace {
 
 /// Glues each half-edge to its opposite. While a half-edge waits for its twin it stands in a list
-/// at that end which comes first by `rank`, and then by id.
+/// at the end with the smaller id.
 /// @param max_steps  from one waiting half-edge to the next, in all
 /// @return whether none is left waiting; nothing if the search took more steps
-template <class Rank>
-std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t max_steps) {
+std::optional<bool> glue_by_lists(SurfaceMesh& mesh, std::size_t max_steps) {
   const std::size_t count = 3 * mesh.triangle_count();
   std::vector<std::uint32_t> first(mesh.vertex_count(), no_index);
   const auto next = std::make_unique_for_overwrite<std::uint32_t[]>(count);
   std::size_t waiting = 0, steps = 0;
   for (std::uint32_t h = 0; h < count; ++h) {
     const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
-    const bool is_at_a = std::pair(rank(a), a) < std::pair(rank(b), b);
-    std::uint32_t& list = first[is_at_a ? a.index() : b.index()];
+    std::uint32_t& list = first[std::min(a, b).index()];
     std::uint32_t* link = &list;
     while (*link != no_index &&
            (mesh.target(HalfEdgeId{*link}) != a || mesh.origin(HalfEdgeId{*link}) != b)) {
@@ -118,16 +116,31 @@ std::optional<bool> glue_all(SurfaceMesh& mesh, Rank rank, std::size_t max_steps
   return waiting == 0;
 }
 
-/// The same at the end that has fewer triangles. Lists so stay short even where one vertex is in
-/// all triangles, and this is O(n) for every mesh on a surface of little genus.
-bool glue_by_triangles(SurfaceMesh& mesh) {
-  std::vector<std::uint32_t> triangles(mesh.vertex_count(), 0);
-  for (std::size_t h = 0; h < 3 * mesh.triangle_count(); ++h) {
-    ++triangles[mesh.origin(HalfEdgeId{h}).index()];
+/// The same by sorting: O(n log n) however many triangles are about a vertex or an edge.
+bool glue_by_edges(SurfaceMesh& mesh) {
+  std::vector<std::tuple<VertexId, VertexId, HalfEdgeId>> order;
+  order.reserve(3 * mesh.triangle_count());
+  for (std::uint32_t h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    const VertexId a = mesh.origin(HalfEdgeId{h}), b = mesh.target(HalfEdgeId{h});
+    order.emplace_back(std::min(a, b), std::max(a, b), HalfEdgeId{h});
   }
-  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-  return *glue_all(
-      mesh, [&](VertexId v) { return triangles[v.index()]; }, no_limit);
+  std::ranges::sort(order);
+  std::vector<HalfEdgeId> waiting;  // all of one edge run the same way
+  bool is_all = true;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& [low, high, h] = order[i];
+    if (i > 0 && (low != std::get<0>(order[i - 1]) || high != std::get<1>(order[i - 1]))) {
+      is_all = is_all && waiting.empty();
+      waiting.clear();
+    }
+    if (waiting.empty() || mesh.origin(waiting.back()) == mesh.origin(h)) {
+      waiting.push_back(h);
+    } else {
+      mesh.glue(h, waiting.back());
+      waiting.pop_back();
+    }
+  }
+  return is_all && waiting.empty();
 }
 
 /// Why some half-edge has no twin, in words: for the first edge that lacks one.
@@ -234,13 +247,12 @@ MeshOrDefect glued_mesh(std::size_t vertices,
     }
   }
   result.mesh = SurfaceMesh(vertices, triangles);
-  // By ids alone lists are short but for a vertex that comes before all its many neighbours.
+  // Lists are short but for a vertex that comes before its many neighbours, or a crowded edge.
   const std::size_t many_steps = 1000 + 12 * triangles.size();
-  std::optional<bool> is_glued = glue_all(
-      result.mesh, [](VertexId) { return 0; }, many_steps);
+  std::optional<bool> is_glued = glue_by_lists(result.mesh, many_steps);
   if (!is_glued) {
     result.mesh = SurfaceMesh(vertices, triangles);
-    is_glued = glue_by_triangles(result.mesh);
+    is_glued = glue_by_edges(result.mesh);
   }
   if (!*is_glued) result.defect = gluing_defect(result.mesh);
   return result;

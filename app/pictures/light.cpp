@@ -1,5 +1,7 @@
 #include "app/pictures/light.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -125,6 +127,30 @@ class DepthMap {
   std::vector<float> heights_;
 };
 
+double extent_of(const std::vector<Spot>& spots) {
+  Eigen::AlignedBox3f box;
+  for (const Spot& spot : spots) box.extend(spot.position);
+  return std::max<double>(box.sizes().maxCoeff(), 1);
+}
+
+// The resolution, halved until the triangles take no more steps (rows and samples) of each map than
+// `most`: so thousands of triangles as long as the picture do not take hours.
+int affordable_resolution(int resolution, const Occluders& occluders, double extent) {
+  constexpr int least = 64;
+  const double steps_of_small = 16;  // of a triangle of a fine mesh, with a margin
+  const double most = 0x1p24 + steps_of_small * static_cast<double>(occluders.triangles.size());
+  double rows = 0, samples = 0;  // in shares of the extent and its square
+  for (const auto& [i, j, k] : occluders.triangles) {
+    const Vector &a = occluders.corners[i], &b = occluders.corners[j], &c = occluders.corners[k];
+    const double side = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) / extent;
+    const double area = (b - a).cross(c - a).norm() / 2 / (extent * extent);
+    rows += std::min(side, 1.0);
+    samples += std::min(area, 1.0);
+  }
+  while (resolution > least && resolution * (rows + resolution * samples) > most) resolution /= 2;
+  return std::max(resolution, least);
+}
+
 // The bias of a spot along its normal, in samples of the map, since a sample's height may be that
 // of a point one sample away.
 constexpr double lift = 1.6;
@@ -158,6 +184,7 @@ Vector lamp_direction() { return Vector(-0.48, -0.62, 0.62).normalized(); }
 Illumination illuminated(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,
                          bool shadows) {
   if (spots.empty()) return {};
+  if (shadows) resolution = affordable_resolution(resolution, occluders, extent_of(spots));
   const std::vector<Beam> beams = all_beams();
   const std::span<const Beam> all = beams;
   const std::size_t half = beams.size() / 2;

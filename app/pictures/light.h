@@ -41,7 +41,7 @@ struct Illumination {
 /// Directions, towards the light, of the lamp's middle.
 Vector lamp_direction();
 
-/// @param resolution  of the depth maps, an axis
+/// @param resolution  of the depth maps, an axis; they are coarser if large triangles are many
 /// @param shadows     whether things cast shadows
 Illumination illuminated(const Occluders& occluders, const std::vector<Spot>& spots, int resolution,
                          bool shadows);

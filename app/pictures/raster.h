@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/point.h"
@@ -33,6 +34,45 @@ inline double seen_area(const Vector& a, const Vector& b, const Vector& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+/// The columns that a triangle may cover in each row, so that the cost of a long thin triangle is
+/// that of its rows and not that of its box.
+class RowSpans {
+ public:
+  RowSpans(const Vector& a, const Vector& b, const Vector& c, const Range& columns)
+      : columns_(columns), corners_{&a, &b, &c} {
+    std::ranges::sort(corners_, {}, [](const Vector* p) { return p->y(); });
+    long_ = slope(0, 2);
+    upper_ = slope(0, 1);
+    lower_ = slope(1, 2);
+  }
+
+  Range at(int y) const {
+    const double row = y + 0.5;
+    const Vector &low = *corners_[0], &middle = *corners_[1];
+    const double x = low.x() + (row - low.y()) * long_;
+    const double other = row < middle.y() ? low.x() + (row - low.y()) * upper_
+                                          : middle.x() + (row - middle.y()) * lower_;
+    constexpr double margin = 1e-3;  // far above rounding on a grid
+    const double first = std::min(x, other) - margin, last = std::max(x, other) + margin;
+    return {column(first), column(last)};
+  }
+
+ private:
+  double slope(std::size_t i, std::size_t j) const {
+    const double height = corners_[j]->y() - corners_[i]->y();
+    return height > 0 ? (corners_[j]->x() - corners_[i]->x()) / height : 0;
+  }
+  /// The first column beyond x, within the box; of NaN, which covers nothing, that of the box.
+  int column(double x) const {
+    const double begin = columns_.first, end = columns_.last;
+    return static_cast<int>(x > begin ? (x < end ? x + 0.5 : end) : begin);
+  }
+
+  Range columns_;
+  std::array<const Vector*, 3> corners_;
+  double long_ = 0, upper_ = 0, lower_ = 0;  ///< columns a row along the edges
+};
+
 /// visit(x, y, depth, u, v): u and v are the weights of the first and second corner.
 template <class Visit>
 void for_each_sample_of_triangle(const Grid& grid, const Vector& a, const Vector& b,
@@ -43,11 +83,15 @@ void for_each_sample_of_triangle(const Grid& grid, const Vector& a, const Vector
                                      std::max({a.y(), b.y(), c.y()}), grid.height);
   const Range columns =
       samples_between(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}), grid.width);
+  if (columns.first == columns.last) return;
   const double du = (b.y() - c.y()) / area, dv = (c.y() - a.y()) / area;
+  const RowSpans spans(a, b, c, columns);
   for (int y = rows.first; y < rows.last; ++y) {
-    const Vector p(columns.first + 0.5, y + 0.5, 0);
+    const Range span = spans.at(y);
+    if (span.first >= span.last) continue;
+    const Vector p(span.first + 0.5, y + 0.5, 0);
     double u = seen_area(p, b, c) / area, v = seen_area(a, p, c) / area;
-    for (int x = columns.first; x < columns.last; ++x, u += du, v += dv) {
+    for (int x = span.first; x < span.last; ++x, u += du, v += dv) {
       const double w = 1 - u - v;
       if (u >= 0 && v >= 0 && w >= 0) visit(x, y, u * a.z() + v * b.z() + w * c.z(), u, v);
     }

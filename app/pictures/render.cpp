@@ -31,6 +31,17 @@ std::uint8_t byte(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
+// The columns in which row y may meet the strip of a half width about the line from a along d.
+Range span_of_strip(const Vector& a, const Eigen::Vector2d& d, double half_width, int y,
+                    const Range& columns) {
+  constexpr double level = 1e-6;  // few rows
+  if (!(std::abs(d.y()) > level * std::abs(d.x()))) return columns;
+  const double x = a.x() + (y + 0.5 - a.y()) * (d.x() / d.y());
+  const double reach = half_width * d.norm() / std::abs(d.y()) + 1;  // 1: far above rounding
+  const Range span = samples_between(x - reach, x + reach, columns.last);
+  return {std::max(span.first, columns.first), span.last};
+}
+
 double smooth_step(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -235,7 +246,8 @@ class Painter {
       const Range columns = samples_between(std::min(a.x(), b.x()) - half_width,
                                             std::max(a.x(), b.x()) + half_width, grid_.width);
       for (int y = rows.first; y < rows.last; ++y) {
-        for (int x = columns.first; x < columns.last; ++x) {
+        const Range span = span_of_strip(a, d, half_width, y, columns);
+        for (int x = span.first; x < span.last; ++x) {
           const Eigen::Vector2d p = Eigen::Vector2d(x + 0.5, y + 0.5) - a.head<2>();
           const double t = squared > 0 ? std::clamp(p.dot(d) / squared, 0.0, 1.0) : 0;
           if ((p - t * d).norm() > half_width) continue;

@@ -67,7 +67,12 @@ struct Scene {
 /// Unit normals by vertex: the mean of its triangles', weighted by their angles.
 std::vector<Vector> smooth_normals(const geometry::IndexedMesh& mesh);
 
-/// The edges that only one triangle has, as pairs of vertices.
+/// The edges that only one triangle has, as pairs of vertices; of those between the same positions
+/// the first.
 std::vector<std::array<std::uint32_t, 2>> boundary_edges(const geometry::IndexedMesh& mesh);
+
+/// Takes out each triangle with the positions and the orientation of an earlier one, which hides
+/// it.
+void drop_copies(geometry::IndexedMesh& mesh);
 
 }  // namespace morskin::pictures

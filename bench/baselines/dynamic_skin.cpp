@@ -1,5 +1,7 @@
 #include "bench/baselines/dynamic_skin.h"
 
+#include "geometry/error.h"
+
 namespace morskin::baselines {
 
 morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts) {
@@ -22,6 +24,11 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
       if (counts != nullptr) *counts = grown.counts();
       has_failed = grown.counts().failed > 0;
     });
+    if (result.mesh.surface.triangle_count() == 0) {
+      throw geometry::LimitReached(
+          "growth finds no mesh: the balls begin nearer to each other than doubles resolve; use "
+          "--method sweep or static");
+    }
     if (has_failed) return result;  // not certified, and not to be refined: there may be a hole
     run.stage("refine", [&] {
       refine::Refinement refinement(skin.surface, options.sizing, result.mesh, run);

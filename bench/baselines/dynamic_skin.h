@@ -13,6 +13,8 @@ namespace morskin::baselines {
 ///
 /// @param growth  its sizing is the mesher's
 /// @param counts  where to leave what the growth counted, or nullptr
+/// @throws geometry::LimitReached  if doubles do not resolve a state of the skin on its way: then
+///                                 the mesh is empty, or grows out of all proportion
 /// @pre growth.end == 0
 morskin::Mesher dynamic_mesher(const GrowthOptions& growth = {}, GrowthCounts* counts = nullptr);
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
 #include <utility>
+
+#include "geometry/error.h"
 
 namespace morskin::baselines {
 
@@ -20,12 +24,21 @@ constexpr double suspect_intrusion = 0.01;
 /// moved once for all its triangles.
 double tick(double length_scale) { return std::exp2(2 * std::floor(std::log2(length_scale)) - 4); }
 
+/// Twice as many vertices as [L] allows on a whole sphere for each metamorphosis. Growth that ended
+/// well had a fifth of that at most; one that has folded its mesh inserts without end.
+double max_vertices(std::size_t metamorphoses, const GrowthOptions& options) {
+  const double shortest = options.slack.least_L * 2 * options.sizing.C / options.sizing.Q;
+  const double on_sphere = 4 * std::numbers::pi / (std::sqrt(0.75) * shortest * shortest);
+  return 2 * on_sphere * static_cast<double>(metamorphoses);
+}
+
 }  // namespace
 
 Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
     : skin_(skin),
       options_(options),
       mesh_(skin, options.sizing),
+      least_step_(tick(least_half_width(skin))),
       metamorphoses_(find_metamorphoses(skin, options.end, longest_edge(options.sizing))),
       is_over_(metamorphoses_.size(), 0),
       next_look_(mesh_.surface(), never),
@@ -59,10 +72,19 @@ void Growth::run() {
       if (next_look_[next.triangle] != next.time) continue;
       look(next.triangle, next.time);
       mend_changed(next.time);
+      require_sane_size();
     }
   }
   counts_.operations = mesh_.counts;
   for (; shown < options_.snapshot_times.size(); ++shown) show(options_.end);
+}
+
+void Growth::require_sane_size() const {
+  const std::size_t vertices = mesh_.surface().vertex_count() - mesh_.dead_count();
+  if (static_cast<double>(vertices) <= max_vertices(metamorphoses_.size(), options_)) return;
+  throw geometry::LimitReached("the growing mesh has run away, to " + std::to_string(vertices) +
+                               " vertices: the skin passes a state that doubles do not resolve; "
+                               "use --method sweep or static");
 }
 
 surface::Mesh Growth::mesh() {
@@ -83,7 +105,7 @@ void Growth::schedule(TriangleId t, double time) {
 
 /// At the last tick before `time` that is still to come.
 void Growth::schedule(TriangleId t, double time, double length_scale) {
-  const double step = tick(length_scale);
+  const double step = std::max(tick(length_scale), least_step_);
   schedule(t, std::max(std::floor(time / step), std::floor(mesh_.time() / step) + 1) * step);
 }
 
@@ -104,7 +126,7 @@ void Growth::mend_changed(double time) {
     if (mesh_.surface().is_removed(*t)) continue;
     if (left == 0) {
       const double rho = mesh_.at(mesh_.surface().corners(*t)[0]).length_scale;
-      schedule(*t, time + least_wait * rho * rho);
+      schedule(*t, time + std::max(least_wait * rho * rho, least_step_));
       continue;
     }
     --left;

@@ -39,6 +39,7 @@ class Growth {
   Growth(const SkinSurface& skin, const GrowthOptions& options);
 
   /// Grows from the empty mesh to options.end.
+  /// @throws geometry::LimitReached  if the mesh grows out of all proportion
   void run();
 
   /// The mesh at the end, removed elements dropped.
@@ -62,6 +63,7 @@ class Growth {
   void schedule(TriangleId t, double time);
   void schedule(TriangleId t, double time, double length_scale);
   void compact();
+  void require_sane_size() const;
 
   void undergo(const Metamorphosis& m, std::uint32_t watch);
   HotRegion hot_region(const Metamorphosis& m, std::uint32_t watch, double radius);
@@ -73,6 +75,9 @@ class Growth {
   const SkinSurface& skin_;
   const GrowthOptions options_;
   MovingMesh mesh_;
+  /// Between two looks. Where the skin passes a singular state that is no event, the length scale
+  /// falls below what doubles resolve, and shorter steps would round to none.
+  const double least_step_;
   std::vector<Metamorphosis> metamorphoses_;
   std::vector<char> is_over_;  ///< by metamorphosis
   LookQueue queue_;

@@ -79,6 +79,12 @@ def reading_cases():
     yield Case("a gzipped file with a wrong bit",
                {"bit.pdb.gz": packed[:2000] + bytes([packed[2000] ^ 16]) + packed[2001:]}, code=3,
                says="is damaged")
+    face = PLY.format(vertices=3, faces=1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+    yield Case("a gzip file inside a gzip file",
+               {"twice.pdb.gz": gzip.compress(packed, mtime=0),
+                "twice.ply.gz": gzip.compress(gzip.compress(face.encode(), mtime=0), mtime=0)},
+               [mesh("twice.pdb.gz"), ("check", "twice.ply.gz")], code=3,
+               says="is a gzip file inside a gzip file; unpack it once")
     bomb = gzip.compress(b"0 0 0 1\n" * (10 << 20), mtime=0)
     yield Case("a gzip bomb: 80 MiB in 80 kB", {"bomb.xyzr.gz": bomb}, code=3,
                says="unpacks from")

@@ -150,7 +150,7 @@ def output_cases():
 
 
 def cone(count):
-    """An open cone: the boxes of all its triangles overlap, so they are all held against all."""
+    """An open cone, whose triangles all meet."""
     rim = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count))
            for i in range(count)]
     return ("OFF\n" + f"{count + 1} {count - 1} 0\n0 0 1\n" +
@@ -164,14 +164,21 @@ def limit_cases():
     yield Case("Ctrl-C in the middle", crambin, [fine], code=-signal.SIGINT, interrupt=True)
     yield Case("--timeout", crambin, [(*fine, "--timeout", "0.5")], code=6,
                says="the time limit of 0.5 s (--timeout) was reached")
-    yield Case("--timeout of check, a mesh whose triangles all meet", {"cone.off": cone(200000)},
-               [("check", "cone.off", "--timeout", "2")], code=6,
-               says="the time limit of 2 s (--timeout) was reached")
+    yield Case("--timeout of check, render and view", {"cone.off": cone(200000)},
+               [(*words, "--timeout", "0.01") for words in
+                (("check", "cone.off"), ("render", "cone.off", "-o", "x.png"),
+                 ("view", "cone.off", "-o", "x.html"))], code=6,
+               says="the time limit of 0.01 s (--timeout) was reached")
     yield Case("--max-memory", crambin, [(*fine, "--max-memory", "40M")], code=6,
                says="the memory limit of 41943040 bytes (--max-memory) was reached", memory=True)
     yield Case("--max-memory of next to nothing", crambin,
                [(*fine, "--max-memory", size) for size in ("1", "1M", "2M", "4M", "8M")], code=6,
                says="bytes (--max-memory) was reached", memory=True)
+    yield Case("--max-memory of check, render and view", {"cone.off": cone(200000)},
+               [(*words, "--max-memory", "4M") for words in
+                (("check", "cone.off"), ("render", "cone.off", "-o", "x.png"),
+                 ("view", "cone.off", "-o", "x.html"))], code=6,
+               says="the memory limit of 4194304 bytes (--max-memory) was reached", memory=True)
     yield Case("--timeout and --max-memory that make no sense", crambin,
                [(*fine, "--timeout", word) for word in ("0", "-1", "nan", "1e300", "soon")] +
                [(*fine, "--max-memory", word) for word in ("0", "-1", "nan", "1e300", "2X")],
