@@ -121,13 +121,14 @@ int main(int count, char** words) {
     return EXIT_SUCCESS;
   }
   morskin::MeshingOptions options;
-  const auto method = count >= 4 ? morskin::parse_method(words[3]) : options.method;
+  const std::string_view method = count >= 4 ? words[3] : "sweep";
+  const bool is_method = method == "sweep" || method == "static";
   if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
-  if (count < 2 || count > 5 || number(words[1]) == 0 || !method || !(options.sizing.C > 0)) {
+  if (count < 2 || count > 5 || number(words[1]) == 0 || !is_method || !(options.sizing.C > 0)) {
     std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
     return 2;
   }
-  options.method = *method;
+  if (method == "static") options.method = morskin::Method::Static;
   options.sizing.Q = certify::Sizing::quality_for(options.sizing.C);
   return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, options);
 }
