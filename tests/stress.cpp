@@ -121,14 +121,14 @@ int main(int count, char** words) {
     return EXIT_SUCCESS;
   }
   morskin::MeshingOptions options;
-  const std::string_view word = count >= 4 ? words[3] : "sweep";
+  const std::string_view method = count >= 4 ? words[3] : "sweep";
+  const bool is_method = method == "sweep" || method == "static";
   if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
-  if (count < 2 || count > 5 || number(words[1]) == 0 || (word != "sweep" && word != "static") ||
-      !(options.sizing.C > 0)) {
+  if (count < 2 || count > 5 || number(words[1]) == 0 || !is_method || !(options.sizing.C > 0)) {
     std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
     return 2;
   }
-  options.method = word == "sweep" ? morskin::Method::Sweep : morskin::Method::Static;
+  if (method == "static") options.method = morskin::Method::Static;
   options.sizing.Q = certify::Sizing::quality_for(options.sizing.C);
   return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, options);
 }
