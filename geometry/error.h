@@ -27,8 +27,8 @@ class UnwritableOutput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A limit was reached: of memory, of time, of what 32-bit ids can tell apart. The text names it
-/// and tells what to do.
+/// A limit was reached: of memory, of time, of what 32-bit ids or doubles can tell apart. The text
+/// names it and tells what to do.
 class LimitReached : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
