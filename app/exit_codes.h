@@ -9,7 +9,7 @@ enum class ExitCode {
   UnreadableInput = 3,
   RefusedInput = 4,  ///< understood, but it has no smooth skin; the atoms are named
   NotCertified = 5,  ///< meshed, but the certificate failed: written as OUT.unverified
-  LimitReached = 6,  ///< a limit was reached: memory or time
+  LimitReached = 6,  ///< a limit was reached: memory, time, what growth can resolve
   UnwritableOutput = 7,
   InternalError = 70,
 };

@@ -10,7 +10,8 @@ from html.parser import HTMLParser
 
 from support.command import MOLECULES, CommandTest, main
 
-ESCAPES = ["\x1b[31mred", "\x1b]0;title\x07", "a\tb", "\x9b2J", "\x7f", "back\x08space", "carriage\rreturn"]
+ESCAPES = ["\x1b[31mred", "\x1b]0;title\x07", "a\tb", "\x9b2J", "\x7f", "back\x08space",
+           "carriage\rreturn"]
 MARKUP = ["</script><script>alert(1)</script>", "<!--<script>", "]]>", "\"'><img src=x>",
           "&lt;/script&gt;"]
 # All control characters but the line's end, of ASCII and of Unicode.

@@ -83,6 +83,26 @@ TEST_CASE("a triangle covers the samples inside it, at the depth of its plane") 
   });
 }
 
+TEST_CASE("copies of a triangle are drawn once, and their edges with them") {
+  // Each of the three triangles twice, with its own corners and turned; the last two face apart.
+  const std::vector<Vector> p{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  geometry::IndexedMesh mesh;
+  for (const auto& [a, b, c] : {std::array{0U, 1U, 2U},
+                                {1U, 2U, 0U},
+                                {0U, 1U, 3U},
+                                {3U, 0U, 1U},
+                                {0U, 3U, 1U},
+                                {1U, 0U, 3U}}) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {p[a], p[b], p[c]});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  CHECK(boundary_edges(mesh).size() == 5);
+  drop_copies(mesh);
+  CHECK(mesh.triangles ==
+        std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {6, 7, 8}, {12, 13, 14}});
+}
+
 TEST_CASE("every sample of a stick lies on its cylinder, and no ray misses it") {
   for_seeds<Random>(200, [&](Random& random) {
     const Vector from = random.in_cube(5, 35), to = random.in_cube(5, 35);

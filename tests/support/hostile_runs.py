@@ -121,6 +121,15 @@ def ball_cases():
     far = [(5 * i, 5 * j, 5 * k, 1) for i in range(8) for j in range(8) for k in range(5)]
     yield Case("320 components", {"many.xyzr": xyzr(far)}, [mesh("many.xyzr", "--model", "vdw")])
     yield Case("30 balls of radius 3 in a clump", {"clump.xyzr": xyzr(scattered(30, 4, 3, 1))})
+    corners = ((0, 0, 0), (0, 2, 2), (2, 0, 2), (2, 2, 0))  # of the lattice, in quarters
+    diamond = [(*(0.75 * (4 * n + x + shift) for n, x in zip(cell, corner)), 1.7)
+               for cell in grid(1, (2, 2, 2)) for corner in corners for shift in (0, 1)]
+    yield Case("a diamond lattice of 64 atoms, grown", {"diamond.xyzr": xyzr(diamond)},
+               [mesh("diamond.xyzr", "--method", "dynamic", "-C", "0.2", "-q")], code=6,
+               says="the growing mesh has run away")
+    yield Case("50 balls within a millionth of an Angstrom, grown",
+               {"clump.xyzr": xyzr(scattered(50, 1e-6, 1.5, 1))},
+               [mesh("clump.xyzr", "--method", "dynamic")], code=6, says="growth finds no mesh")
 
 
 def output_cases():
