@@ -60,10 +60,10 @@ TEST_CASE("a query visits few of many candidates, however many there are") {
   // A capsid's mesh has thousands of components with sixteen candidates each. Buckets limited to
   // 65,536 once showed every vertex a hundred of them.
   Random random(1);
+  std::vector<Point> points(100'000);
+  for (Point& p : points) p = random.in_cube(0, 40);
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < 100'000; ++i) {
-    candidates.push_back({VertexId{i}, random.in_cube(0, 40), 1});
-  }
+  for (std::size_t i = 0; i < points.size(); ++i) candidates.push_back({VertexId{i}, points[i], 1});
   const double radius = 0.3;
   const CandidateGrid grid(radius, candidates);
   std::size_t visits = 0;
