@@ -8,6 +8,7 @@
 
 #include "geometry/exact_range.h"
 #include "morse/tracer.h"
+#include "skin/singular_skin.h"
 
 namespace morskin {
 
@@ -45,6 +46,25 @@ void check_scales(const skin::SkinSurface& skin) {
   }
 }
 
+/// Where the orthocentre of balls lies in their cell, the skin comes as near to it as the root of
+/// half its weight. The certificate encloses G to some 2^-49 of the balls' weights, and needs that
+/// to be small beside the square of the length scale.
+/// @throws skin::SingularSkin  where a neck is so thin that its length scale is lost in that
+void check_necks(const skin::SkinSurface& skin) {
+  constexpr double thinnest = 0x1p-47;
+  for (std::size_t i = 0; i < skin.cell_count(); ++i) {
+    const geometry::CellId cell(i);
+    const skin::Patch& patch = skin.complex().kept_patch(cell);
+    const skin::CellAtoms atoms = skin.atoms(cell);
+    double heaviest = 0;
+    for (const geometry::AtomId atom : atoms) {
+      heaviest = std::max(heaviest, std::abs(skin.points()[atom.index()].weight));
+    }
+    if (std::abs(patch.half_weight) >= thinnest * heaviest || atoms.size() == 1) continue;
+    if (skin.is_in(patch.centre, cell)) throw skin::SingularSkin({atoms.begin(), atoms.end()});
+  }
+}
+
 }  // namespace
 
 ScalesTooFarApart::ScalesTooFarApart(geometry::AtomId too_small, geometry::AtomId far_out)
@@ -67,6 +87,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run
   check_scales(surface);
   skin::DualComplex topology =
       run.stage("dual complex", [&] { return skin::dual_complex(surface, run); });
+  check_necks(surface);
   surface.forget_facets();
   return {std::move(surface), topology};
 }

@@ -8,8 +8,9 @@
 
 namespace morskin::skin {
 
-/// The skin is singular: a simplex that meets its dual has weight exactly zero, so the surface has
-/// a point without a tangent plane, as for two balls that touch at a point.
+/// The skin is singular: a simplex that meets its dual has weight zero, so the surface has a point
+/// without a tangent plane, as for two balls that touch at a point. Or so nearly zero that doubles
+/// cannot prove anything of the neck there.
 class SingularSkin : public geometry::RefusedInput {
  public:
   explicit SingularSkin(std::vector<geometry::AtomId> singular_atoms)
