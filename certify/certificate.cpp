@@ -188,8 +188,9 @@ void Certifier::check_vertices(unsigned threads) {
   out_.max_relative_distance_to_skin = found.max_relative_distance;
   if (!found.first_off_skin) return;
   const auto& [v, distance] = *found.first_off_skin;
-  fail(Claim::OnSkin,
-       "vertex " + std::to_string(v) + " lies " + number(distance) + " Angstrom off the skin");
+  fail(Claim::OnSkin, "vertex " + std::to_string(v) +
+                          (distance > 0 ? " lies " + number(distance) + " Angstrom off the skin"
+                                        : " is not known to lie on the skin"));
 }
 
 void Certifier::check_triangles(unsigned threads, DelaunayFilter& filter) {

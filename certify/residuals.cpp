@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "certify/tube.h"
@@ -36,12 +35,12 @@ Residuals residuals(std::span<const surface::SurfacePoint> points,
     // A hundred times the mesher's tolerance, for the last digits of other programs: far below the
     // needs of the theorem. Rounding to floats moves a vertex by d, at most 2^-24 of its distance
     // from the origin, and changes G by 2 rho d + d^2. What rounding hides of G is not held against
-    // the vertex: it counts as off where even the least |G| within the bounds is too large.
+    // the vertex: it counts as off where even the least |G| within the bounds is too large, or
+    // where they are so wide that no distance is known.
     const double moved = is_single_precision ? std::ldexp(points[v].position.norm(), -24) : 0;
     const double least = std::max({0.0F, bounds[v].low, -bounds[v].high});
-    const bool is_known = bounds[v].high <= std::numeric_limits<float>::max();
-    const bool is_on_skin =
-        is_known && least <= 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
+    const double tolerance = 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
+    const bool is_on_skin = std::isfinite(distance) && least <= tolerance;
     if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, least / (2 * rho)};
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));

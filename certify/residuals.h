@@ -16,7 +16,8 @@ bool is_single_precision(std::span<const surface::Point> positions);
 struct Residuals {
   double max_distance = 0;           ///< bound on a vertex's distance to the skin, Angstrom
   double max_relative_distance = 0;  ///< the same over the length scale
-  /// The first vertex farther off than residual_bound() and rounding allow, with its distance.
+  /// The first vertex farther off than residual_bound() and rounding allow, with its distance; 0
+  /// where nothing is known of it.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
 

@@ -47,11 +47,11 @@ void check_scales(const skin::SkinSurface& skin) {
 }
 
 /// Where the orthocentre of balls lies in their cell, the skin comes as near to it as the root of
-/// half its weight. The certificate encloses G to some 2^-49 of the balls' weights, and needs that
-/// to be small beside the square of the length scale.
-/// @throws skin::SingularSkin  where a neck is so thin that its length scale is lost in that
+/// half its weight, which is the length scale there. The certificate encloses G to some 2^-47 of the
+/// balls' weights, and can prove nothing unless that is less than the length scale's square.
+/// @throws skin::SingularSkin  for a neck, tunnel or void that is too thin for it
 void check_necks(const skin::SkinSurface& skin) {
-  constexpr double thinnest = 0x1p-47;
+  constexpr double thinnest = 4 * 0x1p-47;
   for (std::size_t i = 0; i < skin.cell_count(); ++i) {
     const geometry::CellId cell(i);
     const skin::Patch& patch = skin.complex().kept_patch(cell);

@@ -170,6 +170,17 @@ TEST_CASE("a tiny pair beside a far ball is told joined from apart") {
   }
 }
 
+TEST_CASE("a vertex of which rounding hides all is not called on the skin") {
+  // Two balls that all but touch, and a mesh in the gap: |G| is about 1e-16 at its vertices, which
+  // is less than the last digits of the balls' weights.
+  const double half = std::sqrt(2.0);
+  const Skin skin({{Point(0, 0, 0), 2}, {Point(2 * half, 0, 0), 2}});
+  const IndexedMesh mesh = support::sphere_mesh(Point(half, 0, 0), 1e-8, 2);
+  const Certificate certificate = skin.certify(mesh);
+  CHECK_FALSE(certificate.is_homeomorphic);
+  CHECK(certificate.broken_by(Claim::OnSkin) == "vertex 0 is not known to lie on the skin");
+}
+
 TEST_CASE("a vertex that is no number, or far beyond the skin, is named and nothing is proved") {
   const Skin skin({ball(0, 0, 0, 1)});
   for (const double bad : {1e9, 1e160, 1e300, std::nan(""), std::numeric_limits<double>::infinity(),
