@@ -8,7 +8,6 @@
 
 #include "geometry/exact_range.h"
 #include "morse/tracer.h"
-#include "skin/singular_skin.h"
 
 namespace morskin {
 
@@ -47,21 +46,22 @@ void check_scales(const skin::SkinSurface& skin) {
 }
 
 /// Where the orthocentre of balls lies in their cell, the skin comes as near to it as the root of
-/// half its weight, which is the length scale there. The certificate encloses G to some 2^-47 of the
-/// balls' weights, and can prove nothing unless that is less than the length scale's square.
-/// @throws skin::SingularSkin  for a neck, tunnel or void that is too thin for it
+/// half its weight: half the width of a neck, a tunnel or a gap.
+/// @throws RefusedInput  where that is less than the coordinates there can tell apart
 void check_necks(const skin::SkinSurface& skin) {
-  constexpr double thinnest = 4 * 0x1p-47;
   for (std::size_t i = 0; i < skin.cell_count(); ++i) {
     const geometry::CellId cell(i);
     const skin::Patch& patch = skin.complex().kept_patch(cell);
-    const skin::CellAtoms atoms = skin.atoms(cell);
-    double heaviest = 0;
-    for (const geometry::AtomId atom : atoms) {
-      heaviest = std::max(heaviest, std::abs(skin.points()[atom.index()].weight));
-    }
-    if (std::abs(patch.half_weight) >= thinnest * heaviest || atoms.size() == 1) continue;
-    if (skin.is_in(patch.centre, cell)) throw skin::SingularSkin({atoms.begin(), atoms.end()});
+    const double rounding = 0x1p-53 * patch.centre.cwiseAbs().maxCoeff();
+    const double thinnest = 8 * rounding;
+    if (std::abs(patch.half_weight) >= thinnest * thinnest || skin.atoms(cell).size() == 1)
+      continue;
+    if (!skin.is_in(patch.centre, cell)) continue;
+    std::string atoms;
+    for (const geometry::AtomId a : skin.atoms(cell)) atoms += ' ' + std::to_string(a.value);
+    throw geometry::RefusedInput(
+        "between the weighted points" + atoms +
+        " the skin is thinner than their coordinates resolve: move them to the origin");
   }
 }
 

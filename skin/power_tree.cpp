@@ -18,15 +18,16 @@ namespace {
 constexpr std::uint32_t max_leaf = 4;
 
 /// The power of an atom at an offset, rounded down but for the last subtraction. The computed
-/// square is at most (1 + 2^-53)^5 < 1 + 2^-50 times the true one: a difference of coordinates is
-/// rounded once and squared, the square and two sums once each.
+/// square is at most (1 + u)^5 < 1 + 8 u times the true one: a difference of coordinates is rounded
+/// once and squared, the square and two sums once each.
 ///
 /// Rounding is monotone: with no component of the offset larger in magnitude and no smaller weight
 /// the result is not larger. So a box bounds its atoms without any margin.
-double power_below(const Vector& offset, double weight) {
-  constexpr double down = 1 - 0x1p-50;
-  const double square = offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z();
-  return square * down - weight;
+template <class Real>
+Real power_below(const Vector3<Real>& offset, double weight) {
+  constexpr Real down = 1 - 8 * unit_roundoff<Real>;
+  const Real square = offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z();
+  return square * down - Real(weight);
 }
 
 }  // namespace
@@ -64,21 +65,26 @@ std::uint32_t PowerTree::build(std::span<const WeightedPoint> points, std::uint3
   return index;
 }
 
+template <class Real>
 struct PowerTree::Search {
-  const Point q;
+  const Vector3<Real> q;
   std::uint32_t atom;  ///< of the least power so far
-  double least;
+  Real least;
 
-  double bound(const Node& node) const {
-    const Vector offset = (node.low - q).cwiseMax(q - node.high).cwiseMax(0.0);
+  Real bound(const Node& node) const {
+    const Vector3<Real> offset = (node.low.cast<Real>() - q)
+                                     .cwiseMax(q - node.high.cast<Real>())
+                                     .cwiseMax(Vector3<Real>::Zero());
     return power_below(offset, node.max_weight);
   }
 };
 
-void PowerTree::search(Search& s, const Node& node) const {
+template <class Real>
+void PowerTree::search(Search<Real>& s, const Node& node) const {
   if (node.right == 0) {
     for (std::uint32_t i = node.first; i < node.last; ++i) {
-      const double power = power_below(points_[i].position - s.q, points_[i].weight);
+      const Vector3<Real> offset = points_[i].position.cast<Real>() - s.q;
+      const Real power = power_below(offset, points_[i].weight);
       if (power >= s.least) continue;
       s.least = power;
       s.atom = ids_[i];
@@ -86,18 +92,26 @@ void PowerTree::search(Search& s, const Node& node) const {
     return;
   }
   const Node &left = *(&node + 1), &right = nodes_[node.right];
-  const double to_left = s.bound(left), to_right = s.bound(right);
+  const Real to_left = s.bound(left), to_right = s.bound(right);
   const bool is_left_first = to_left <= to_right;
   if (std::min(to_left, to_right) < s.least) search(s, is_left_first ? left : right);
   if (std::max(to_left, to_right) < s.least) search(s, is_left_first ? right : left);
 }
 
-PowerTree::Least PowerTree::least(const Point& q, AtomId guess, const WeightedPoint& point) const {
-  Search s{q, guess.value, power_below(point.position - q, point.weight)};
+template <class Real>
+PowerTree::Least<Real> PowerTree::least(const Vector3<Real>& q, AtomId guess,
+                                        const WeightedPoint& point) const {
+  const Vector3<Real> offset = point.position.cast<Real>() - q;
+  Search<Real> s{q, guess.value, power_below(offset, point.weight)};
   search(s, nodes_[0]);
   // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
-  const double lower_bound = s.least - 0x1p-52 * std::abs(s.least) - 0x1p-1000;
+  const Real lower_bound = s.least - 2 * unit_roundoff<Real> * magnitude(s.least) - 0x1p-1000;
   return {AtomId{s.atom}, lower_bound};
 }
+
+template PowerTree::Least<double> PowerTree::least(const Vector3<double>&, AtomId,
+                                                   const WeightedPoint&) const;
+template PowerTree::Least<Quad> PowerTree::least(const Vector3<Quad>&, AtomId,
+                                                 const WeightedPoint&) const;
 
 }  // namespace morskin::skin

@@ -13,6 +13,7 @@
 
 #include "geometry/id.h"
 #include "geometry/point.h"
+#include "skin/quad.h"
 
 namespace morskin::skin {
 
@@ -21,13 +22,16 @@ class PowerTree {
   /// @pre there is a point; all are finite.
   explicit PowerTree(std::span<const geometry::WeightedPoint> points);
 
+  template <class Real>
   struct Least {
     geometry::AtomId atom;  ///< with the least power, to rounding
-    double lower_bound;     ///< on |q - z|^2 - w over all atoms, Angstrom^2
+    Real lower_bound;       ///< on |q - z|^2 - w over all atoms, Angstrom^2
   };
+  /// @tparam Real  double or Quad: what q is given in and all is computed in
   /// @param guess  an atom, and its point; the nearer to the one sought, the shorter the search
-  Least least(const geometry::Point& q, geometry::AtomId guess,
-              const geometry::WeightedPoint& point) const;
+  template <class Real>
+  Least<Real> least(const Vector3<Real>& q, geometry::AtomId guess,
+                    const geometry::WeightedPoint& point) const;
 
  private:
   struct Node {
@@ -36,10 +40,12 @@ class PowerTree {
     std::uint32_t first, last;  ///< atoms, in the order of the tree
     std::uint32_t right;        ///< the second child; the first follows its parent. 0 for a leaf
   };
+  template <class Real>
   struct Search;
   std::uint32_t build(std::span<const geometry::WeightedPoint> points, std::uint32_t first,
                       std::uint32_t last);
-  void search(Search& s, const Node& node) const;
+  template <class Real>
+  void search(Search<Real>& s, const Node& node) const;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> ids_;               ///< in the order of the tree

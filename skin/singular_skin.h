@@ -8,9 +8,8 @@
 
 namespace morskin::skin {
 
-/// The skin is singular: a simplex that meets its dual has weight zero, so the surface has a point
-/// without a tangent plane, as for two balls that touch at a point. Or so nearly zero that doubles
-/// cannot prove anything of the neck there.
+/// The skin is singular: a simplex that meets its dual has weight exactly zero, so the surface has
+/// a point without a tangent plane, as for two balls that touch at a point.
 class SingularSkin : public geometry::RefusedInput {
  public:
   explicit SingularSkin(std::vector<geometry::AtomId> singular_atoms)

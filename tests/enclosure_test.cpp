@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "skin/quad.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/seeds.h"
 
@@ -128,6 +129,36 @@ TEST_CASE("an enclosure holds G and N, whichever atoms are tried first, and is n
                          rounding * 8 * std::sqrt(static_cast<double>(g.size));
       CHECK(found.high - found.low <= width);
       CHECK(found.error <= 2 * std::sqrt(width));
+    }
+  });
+}
+
+TEST_CASE("necks and gaps too thin for doubles are enclosed narrowly") {
+  using skin::Quad;
+  support::for_seeds(200, [&](unsigned seed) {
+    // Two balls at distance a to both sides of the origin. With d their weight less a^2, about the
+    // origin G = y^2 + z^2 - h^2 - d / 2 and N = (-h, y, z), h along the axis.
+    support::Random random(seed);
+    const double a = random.between(1, 2), weight = a * a;
+    const Quad d = Quad(weight) - Quad(a) * Quad(a);
+    const Point shift = seed % 2 == 0 ? Point(0, 0, 0) : Point(0, 512, -4096);
+    const std::vector<WeightedPoint> points{{shift + Point(-a, 0, 0), weight},
+                                            {shift + Point(a, 0, 0), weight}};
+    const skin::PowerTree tree(points);
+    const double rho = std::sqrt(static_cast<double>(skin::magnitude(d)) / 2);
+    REQUIRE(rho < 2e-8);
+    const std::vector<AtomId> atoms{AtomId{0U}, AtomId{1U}};
+    for (int i = 0; i < 20; ++i) {
+      const Point x = shift + rho * random.between(0.5, 2) * random.direction();
+      const Point offset = x - shift;
+      const Eigen::Matrix<Quad, 3, 1> N(-offset.x(), offset.y(), offset.z());
+      const Quad value = N[1] * N[1] + N[2] * N[2] - N[0] * N[0] - d / 2;
+      const Enclosure found = skin::enclose(points, tree, x, {atoms.data(), 1 + random.below(2)});
+      CHECK(found.low <= value);
+      CHECK(found.high >= value);
+      CHECK((found.half_gradient.cast<Quad>() - N).cast<double>().norm() <= found.error);
+      CHECK(found.high - found.low < 1e-6 * rho * rho);
+      CHECK(found.error < 1e-3 * rho);
     }
   });
 }

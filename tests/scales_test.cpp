@@ -54,6 +54,27 @@ TEST_CASE("tiny balls that share skin are refused beside a far one, which the re
   CHECK(is_certified(points));
 }
 
+TEST_CASE("necks and gaps are meshed as thin as coordinates resolve, and thinner ones refused") {
+  const double a = 0x1.8p0 + 0x1p-33;
+  const double gap = a * a, neck = std::nextafter(gap, 10.0);  // weights
+  const double width = std::fma(a, a, -gap);
+  REQUIRE(width > 0);
+  REQUIRE(width < 1e-19);
+  for (const double w : {gap, neck}) {
+    CAPTURE(w);
+    for (const double far : {1.0, 32.0, 1e9}) {
+      CAPTURE(far);
+      const WeightedPoints points{{geometry::Point(-a, far, 0), w},
+                                  {geometry::Point(a, far, 0), w}};
+      if (far > 1e6) {
+        CHECK_THROWS_AS(prepare_skin(points), geometry::RefusedInput);
+      } else {
+        CHECK(is_certified(points));
+      }
+    }
+  }
+}
+
 TEST_CASE("whatever scales coordinates in Angstrom may have, they are no reason for a refusal") {
   const std::vector<double> gaps{1e-3, -1e-3, 1e-6, -1e-6, 1e-8, -1e-8};
   for (const double gap : gaps) {
