@@ -132,7 +132,7 @@ Real lower_bound(const Point& x, const Vector3<Real>& q, Real least_power) {
   const Vector3<Real> d = x.cast<Real>() - q;
   const Real square = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
   const Real half = least_power / 2;
-  return half - square - (16 * u * square + 2 * u * magnitude(half) + underflow);
+  return half - square - (16 * u * square + 4 * u * magnitude(half) + underflow);
 }
 
 /// Atoms that were tried, and what they gave.

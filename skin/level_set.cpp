@@ -10,7 +10,7 @@ namespace morskin::skin {
 
 surface::Enclosure LevelSet::enclose(const Point& x, CellId hint) const {
   surface::Enclosure e = skin_->enclose(x, hint);
-  const auto rounding = [](double value) { return 0x1p-52 * std::abs(value); };
+  const auto rounding = [](double value) { return 0x1p-51 * std::abs(value); };
   e.low -= half_time_, e.high -= half_time_;
   e.low -= rounding(e.low), e.high += rounding(e.high);
   return e;

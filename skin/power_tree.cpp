@@ -105,7 +105,7 @@ PowerTree::Least<Real> PowerTree::least(const Vector3<Real>& q, AtomId guess,
   Search<Real> s{q, guess.value, power_below(offset, point.weight)};
   search(s, nodes_[0]);
   // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
-  const Real lower_bound = s.least - 2 * unit_roundoff<Real> * magnitude(s.least) - 0x1p-1000;
+  const Real lower_bound = s.least - 4 * unit_roundoff<Real> * magnitude(s.least) - 0x1p-1000;
   return {AtomId{s.atom}, lower_bound};
 }
 
