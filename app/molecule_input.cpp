@@ -45,6 +45,14 @@ void check_weights(const MoleculeInput& input) {
   }
 }
 
+std::string listed(const skin::Molecule& molecule, const std::vector<geometry::AtomId>& atoms) {
+  std::string names;
+  for (const geometry::AtomId atom : atoms) {
+    names += (names.empty() ? "" : ", ") + describe(molecule, atom);
+  }
+  return names;
+}
+
 }  // namespace
 
 MoleculeInput read_input(const MoleculeArguments& arguments) {
@@ -68,13 +76,14 @@ morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Ru
   try {
     return morskin::prepare_skin(input.points, run);
   } catch (const skin::SingularSkin& singular) {
-    std::string names;
-    for (const geometry::AtomId atom : singular.atoms) {
-      names += (names.empty() ? "" : ", ") + describe(input.molecule, atom);
-    }
     throw geometry::RefusedInput(
-        input.molecule.source + ": the skin is singular at " + names +
+        input.molecule.source + ": the skin is singular at " +
+        listed(input.molecule, singular.atoms) +
         ": it touches itself there; change a radius or the probe a little");
+  } catch (const morskin::UnresolvedNeck& neck) {
+    throw geometry::RefusedInput(
+        input.molecule.source + ": between " + listed(input.molecule, neck.atoms) +
+        " the skin is thinner than coordinates resolve there: move the molecule to the origin");
   } catch (const morskin::ScalesTooFarApart& apart) {
     throw geometry::RefusedInput(
         input.molecule.source + ": " + describe(input.molecule, apart.small) +

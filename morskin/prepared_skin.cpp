@@ -47,7 +47,7 @@ void check_scales(const skin::SkinSurface& skin) {
 
 /// Where the orthocentre of balls lies in their cell, the skin comes as near to it as the root of
 /// half its weight: half the width of a neck, a tunnel or a gap.
-/// @throws RefusedInput  where that is less than the coordinates there can tell apart
+/// @throws UnresolvedNeck
 void check_necks(const skin::SkinSurface& skin) {
   for (std::size_t i = 0; i < skin.cell_count(); ++i) {
     const geometry::CellId cell(i);
@@ -57,11 +57,8 @@ void check_necks(const skin::SkinSurface& skin) {
     if (std::abs(patch.half_weight) >= thinnest * thinnest || skin.atoms(cell).size() == 1)
       continue;
     if (!skin.is_in(patch.centre, cell)) continue;
-    std::string atoms;
-    for (const geometry::AtomId a : skin.atoms(cell)) atoms += ' ' + std::to_string(a.value);
-    throw geometry::RefusedInput(
-        "between the weighted points" + atoms +
-        " the skin is thinner than their coordinates resolve: move them to the origin");
+    const skin::CellAtoms atoms = skin.atoms(cell);
+    throw UnresolvedNeck({atoms.begin(), atoms.end()});
   }
 }
 
@@ -74,6 +71,12 @@ ScalesTooFarApart::ScalesTooFarApart(geometry::AtomId too_small, geometry::AtomI
           std::to_string(far_out.value) + ": doubles cannot carry both; mesh them apart"),
       small(too_small),
       largest(far_out) {}
+
+UnresolvedNeck::UnresolvedNeck(std::vector<geometry::AtomId> between)
+    : geometry::RefusedInput("between weighted point " + std::to_string(between.front().value) +
+                             " and its neighbours the skin is thinner than coordinates resolve: "
+                             "move the molecule to the origin"),
+      atoms(std::move(between)) {}
 
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run& run) {
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -32,9 +32,18 @@ class ScalesTooFarApart : public geometry::RefusedInput {
   geometry::AtomId largest;  ///< beside the coordinate and radius of this one
 };
 
+/// A neck, a tunnel or a gap between two sheets is half as wide as four units in the last place of
+/// the coordinates there: no double lies inside.
+class UnresolvedNeck : public geometry::RefusedInput {
+ public:
+  explicit UnresolvedNeck(std::vector<geometry::AtomId> between);
+
+  std::vector<geometry::AtomId> atoms;  ///< between which it lies
+};
+
 /// In the stages "triangulate", "mixed complex" and "dual complex".
 /// @param points  Angstrom and Angstrom^2; used as they are, never rounded
-/// @throws skin::SingularSkin, ScalesTooFarApart
+/// @throws skin::SingularSkin, ScalesTooFarApart, UnresolvedNeck
 /// @throws geometry::RefusedInput  also for a number out of the range of the exact predicates
 PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run& run = Run());
 

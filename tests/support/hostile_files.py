@@ -199,6 +199,13 @@ def number_cases():
                {"apart.xyzr": xyzr([(0, 0, 0, 1e-6), (2.8284271304e-6, 0, 0, 1e-6)]),
                 "joined.xyzr": xyzr([(0, 0, 0, 1e-6), (2.8284271190e-6, 0, 0, 1e-6)])},
                [mesh("apart.xyzr", "--model", "vdw"), mesh("joined.xyzr", "--model", "vdw")])
+    thin = 1.5 + 2.0**-33
+    touching = f"{-thin!r} {{0}} 0 {thin * thin!r}\n{thin!r} {{0}} 0 {thin * thin!r}\n"
+    yield Case("balls 1e-10 Angstrom from touching, near the origin",
+               {"w.xyzw": touching.format(1)}, [mesh("w.xyzw")])
+    yield Case("the same, 10^5 Angstrom away", {"w.xyzw": touching.format(99999)},
+               [mesh("w.xyzw")], code=4,
+               says="the skin is thinner than coordinates resolve there")
     yield Case("a radius of 1e-9", {"r.xyzr": "1 2 3 1e-9\n"}, all_models("r.xyzr"))
     yield Case("a radius of 1e-300", {"r.xyzr": "1 2 3 1\n0 0 0 1e-300\n"},
                [mesh("r.xyzr", "--model", "vdw")], code=4,
