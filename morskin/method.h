@@ -13,6 +13,8 @@
 #include "morskin/mesh_method.h"
 #include "morskin/observer.h"
 #include "morskin/prepared_skin.h"
+#include "refine/angle_improvement.h"
+#include "refine/angle_refinement.h"
 #include "refine/refinement.h"
 #include "refine/smoothing.h"
 
@@ -29,6 +31,8 @@ struct RunCounts {
   front::Operations operations;       ///< of the sweep
   refine::RefinementCounts refinement;
   refine::SmoothingCounts smoothing;
+  refine::AngleImprovementCounts improvement;
+  refine::AngleRefinementCounts angles;
   std::size_t open_edges = 0;  ///< of a surface that could not be closed; 0 in a good mesh
 };
 
@@ -41,6 +45,9 @@ struct MeshingOptions;
 /// A way of meshing. It throws what `make_mesh` does.
 using Mesher =
     std::function<MethodResult(const PreparedSkin&, const MeshingOptions&, Observer&, const Run&)>;
+
+/// Degrees: the largest angle that refinement provably reaches (refine/angle_refinement.h).
+inline constexpr double guaranteed_angle_deg = 30;
 
 struct MeshingOptions {
   certify::Sizing sizing;

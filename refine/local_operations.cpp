@@ -86,6 +86,7 @@ void LocalOperations::inspect_again(TriangleId t, std::initializer_list<HalfEdge
 /// Counts a flip and inspects both triangles.
 void LocalOperations::note_flip(HalfEdgeId h) {
   ++counts_.flip;
+  if (journal_ != nullptr) journal_->note_flip(h);
   for (const HalfEdgeId side : {h, mesh_.surface.twin(h)}) {
     inspect_again(SurfaceMesh::triangle(side),
                   {SurfaceMesh::next(side), SurfaceMesh::previous(side)});
@@ -181,7 +182,6 @@ bool LocalOperations::contract(HalfEdgeId h) {
   return is_removed;
 }
 
-/// Takes a vertex out, if what it leaves can be covered by triangles that face outward.
 bool LocalOperations::remove(VertexId v) {
   SurfaceMesh& connectivity = mesh_.surface;
   const auto size = [&](VertexId a, VertexId b, VertexId c) {
@@ -193,8 +193,10 @@ bool LocalOperations::remove(VertexId v) {
   };
   const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
   if (!removal_.plan(connectivity, v, size, is_any_allowed)) return false;
+  const SurfacePoint point = mesh_.at(v);
   free_slots_.push_back(removal_.carry_out(connectivity, [&](HalfEdgeId h) { note_flip(h); }));
   const TriangleId left = removal_.triangle_left();
+  if (journal_ != nullptr) journal_->note_removal(v, point, left);
   inspect_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),
                        SurfaceMesh::half_edge(left, 2)});
   return true;
@@ -227,16 +229,12 @@ bool LocalOperations::insert(TriangleId t) {
   const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
   if (!is_big(t, circle)) return true;
   if (!subdomain_.is_whole() && free_slots_.empty()) return false;
-  const auto may_cross = [&](HalfEdgeId h) {
-    return subdomain_.contains(connectivity.origin(h)) ||
-           subdomain_.contains(connectivity.target(h));
+  const auto is_far_enough = [&](const Insertion& where) {
+    const auto corners = connectivity.corners(where.under);
+    return std::ranges::none_of(
+        corners, [&](VertexId v) { return sizing_.is_too_short(mesh_.at(v), where.point); });
   };
-  const auto where = find_insertion(surface_, connectivity, points(), t, may_cross);
-  if (!where || !subdomain_.contains(connectivity, where->under)) return false;
-  for (const VertexId v : connectivity.corners(where->under)) {
-    if (sizing_.is_too_short(mesh_.at(v), where->point)) return false;
-  }
-  insert(*where);
+  if (!insert_ball_centre(t, is_far_enough)) return false;
   ++counts_.insert;
   flip_where_needed();
   return true;
@@ -248,6 +246,7 @@ void LocalOperations::insert(const Insertion& where) {
   free_slots_.pop_back();
   mesh_.points[slots.vertex] = where.point;
   mesh_.surface.split(where.under, slots);
+  if (journal_ != nullptr) journal_->note_insertion(slots.vertex);
   for (const TriangleId changed : {where.under, slots.second, slots.third}) {
     inspect_again(changed, {SurfaceMesh::half_edge(changed, 0)});
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/run.h"
+#include "refine/journal.h"
 #include "refine/mesh_operations.h"
 
 namespace morskin::refine {
@@ -44,7 +45,28 @@ class LocalOperations {
   /// Reports now and then what share of the work known so far is done; insertions may make more.
   void report_to(const geometry::Run& run) { run_ = run; }
 
+  /// Notes all changes from now on.
+  void record_in(Journal& journal) { journal_ = &journal; }
+
   void flip_where_needed();
+  /// Takes a vertex out, if what it leaves can be covered by triangles that face outward. Edges
+  /// that ought to be flipped then are left as work.
+  bool remove(VertexId v);
+  /// Breaks a triangle with the centre of its surface ball, if that goes in where `may_go` allows
+  /// it. Edges that ought to be flipped then are left as work.
+  /// @tparam MayGo  Insertion -> bool
+  template <class MayGo>
+  bool insert_ball_centre(TriangleId t, const MayGo& may_go) {
+    const auto may_cross = [&](HalfEdgeId h) {
+      return subdomain_.contains(mesh_.surface.origin(h)) ||
+             subdomain_.contains(mesh_.surface.target(h));
+    };
+    const auto where = find_insertion(surface_, mesh_.surface, points(), t, may_cross);
+    if (!where || !subdomain_.contains(mesh_.surface, where->under) || !may_go(*where))
+      return false;
+    insert(*where);
+    return true;
+  }
   void contract_short_edges();
   void insert_into_big_triangles(std::size_t max_insertions);
 
@@ -67,7 +89,6 @@ class LocalOperations {
   bool flip_if_better(HalfEdgeId h);
   void defer(HalfEdgeId h);
   bool contract(HalfEdgeId h);
-  bool remove(VertexId v);
   bool insert(TriangleId t);
   void insert(const Insertion& where);
   void report_progress(std::size_t left);
@@ -87,6 +108,7 @@ class LocalOperations {
   std::vector<SurfaceMesh::FreeSlots> free_slots_;
   RefinementCounts counts_;
   VertexRemoval removal_;
+  Journal* journal_ = nullptr;
   std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;
 };

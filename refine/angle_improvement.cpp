@@ -1,0 +1,209 @@
+#include "refine/angle_improvement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "refine/local_operations.h"
+#include "refine/vertex_mover.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// A triangle by its corners, the smallest id first: its own id may change when changes are taken
+/// back.
+using Corners = std::array<VertexId, 3>;
+Corners ordered(Corners corners) {
+  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  return corners;
+}
+
+/// Something to try: to take a vertex out, or to put one in over a triangle.
+struct Trial {
+  VertexId to_remove = VertexId::none();
+  Corners to_break{};
+};
+
+class AngleImprovement {
+ public:
+  AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal)
+      : sizing_(sizing),
+        mesh_(mesh),
+        goal_(goal),
+        operations_(surface, sizing, mesh),
+        mover_(surface, sizing, mesh, goal, {}),
+        journal_(mesh) {
+    operations_.record_in(journal_);
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const TriangleId triangle{t};
+      if (mesh.surface.is_removed(triangle)) continue;
+      if (VertexMover::is_below(mesh, triangle, goal)) {
+        below_.insert(ordered(mesh.surface.corners(triangle)));
+      }
+    }
+  }
+
+  AngleImprovementCounts run(const geometry::Run& run) {
+    AngleImprovementCounts counts{below_.size(), 0, 0};
+    for (int depth = 1; depth <= max_depth && !below_.empty(); ++depth) {
+      const std::vector<Corners> all(below_.begin(), below_.end());
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        run.report(static_cast<double>(i) / static_cast<double>(all.size()));
+        if (below_.contains(all[i]) && improve(all[i], depth)) ++counts.changed;
+        journal_.clear();
+      }
+    }
+    counts.left = below_.size();
+    return counts;
+  }
+
+ private:
+  /// So many changes are tried at once, and so many triangles moved into shape after each.
+  static constexpr int max_depth = 2;
+  static constexpr int max_rounds = 8;
+  static constexpr std::size_t max_waiting = 100;
+
+  /// Tries one change after another at a triangle that is below the goal, with up to depth - 1 more
+  /// where that leaves another.
+  bool improve(const Corners& corners, int depth) {
+    for (const Trial& trial : trials(corners)) {
+      const std::size_t before = journal_.size();
+      if (!carry_out(trial)) continue;
+      move_around(before);
+      const std::optional<std::vector<Corners>> now = below_around();
+      if (now && accept(*now)) return true;
+      if (now && depth > 1 && !now->empty() && improve(now->front(), depth - 1)) return true;
+      journal_.undo(before, operations_.free_slots());
+    }
+    return false;
+  }
+
+  /// To take out each corner and each vertex across an edge, those with few neighbours first; to
+  /// break the triangle and those across its edges.
+  std::vector<Trial> trials(const Corners& corners) const {
+    const SurfaceMesh& connectivity = mesh_.surface;
+    std::vector<VertexId> around(corners.begin(), corners.end());
+    std::vector<Trial> result;
+    const TriangleId t = SurfaceMesh::triangle(*half_edge(corners));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      around.push_back(connectivity.apex(connectivity.twin(SurfaceMesh::half_edge(t, k))));
+    }
+    std::ranges::stable_sort(around, {}, [&](VertexId v) { return connectivity.degree(v); });
+    for (const VertexId v : around) result.push_back({.to_remove = v});
+    result.push_back({.to_break = corners});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId twin = connectivity.twin(SurfaceMesh::half_edge(t, k));
+      result.push_back({.to_break = connectivity.corners(SurfaceMesh::triangle(twin))});
+    }
+    return result;
+  }
+
+  bool carry_out(const Trial& trial) {
+    bool is_done = false;
+    if (trial.to_remove != VertexId::none()) {
+      is_done = operations_.remove(trial.to_remove);
+    } else if (const auto h = half_edge(trial.to_break)) {
+      is_done = operations_.insert_ball_centre(SurfaceMesh::triangle(*h),
+                                               [](const Insertion&) { return true; });
+    }
+    operations_.flip_where_needed();
+    operations_.work() = {};
+    return is_done;
+  }
+
+  /// A half-edge of the triangle with these corners, if there is one.
+  std::optional<HalfEdgeId> half_edge(const Corners& corners) const {
+    std::optional<HalfEdgeId> found;
+    if (!mesh_.surface.outgoing(corners[0])) return found;
+    mesh_.surface.for_each_outgoing(corners[0], [&](HalfEdgeId h) {
+      if (mesh_.surface.target(h) == corners[1] && mesh_.surface.apex(h) == corners[2]) found = h;
+    });
+    return found;
+  }
+
+  template <class Visit>
+  void for_each_triangle_at(VertexId v, const Visit& visit) const {
+    mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) { visit(SurfaceMesh::triangle(h)); });
+  }
+
+  /// Moves corners of triangles that changed and are below the goal, and so on.
+  void move_around(std::size_t before) {
+    std::vector<TriangleId> waiting;
+    for (const VertexId v : journal_.touched(before)) {
+      for_each_triangle_at(v, [&](TriangleId t) { waiting.push_back(t); });
+    }
+    for (int round = 0; round < max_rounds; ++round) {
+      std::ranges::sort(waiting);
+      const auto repeated = std::ranges::unique(waiting);
+      waiting.erase(repeated.begin(), repeated.end());
+      std::erase_if(waiting, [this](TriangleId t) { return !is_below(t); });
+      if (waiting.empty() || waiting.size() > max_waiting) return;
+      std::vector<TriangleId> next;
+      for (const TriangleId t : waiting) {
+        for (const VertexId v : mesh_.surface.corners(t)) {
+          if (!is_below(t)) break;
+          const SurfacePoint from = mesh_.at(v);
+          if (mover_.move(v) != VertexMover::Moved::Yes) continue;
+          journal_.note_move(v, from);
+          for_each_triangle_at(v, [&](TriangleId changed) { next.push_back(changed); });
+        }
+      }
+      waiting = std::move(next);
+    }
+  }
+
+  /// The triangles around all that was touched that are below the goal; nothing where one breaks
+  /// [L] or [U].
+  std::optional<std::vector<Corners>> below_around() {
+    std::set<Corners> found;
+    Work broken;
+    for (const VertexId v : journal_.touched()) {
+      for_each_triangle_at(v, [&](TriangleId t) {
+        operations_.inspect(t, broken);
+        if (is_below(t)) found.insert(ordered(mesh_.surface.corners(t)));
+      });
+    }
+    if (!broken.big.empty() || !broken.too_short.empty()) return std::nullopt;
+    return std::vector(found.begin(), found.end());
+  }
+
+  /// Keeps all changes if they leave fewer triangles below the goal.
+  bool accept(const std::vector<Corners>& now) {
+    std::vector<VertexId> touched = journal_.touched();
+    std::vector<Corners> before;
+    for (const Corners& corners : below_) {
+      const bool is_changed = !half_edge(corners) || std::ranges::any_of(corners, [&](VertexId v) {
+        return std::ranges::binary_search(touched, v);
+      });
+      if (is_changed) before.push_back(corners);
+    }
+    if (now.size() >= before.size()) return false;
+    for (const Corners& corners : before) below_.erase(corners);
+    below_.insert(now.begin(), now.end());
+    return true;
+  }
+
+  bool is_below(TriangleId t) const { return VertexMover::is_below(mesh_, t, goal_); }
+
+  const Sizing sizing_;
+  Mesh& mesh_;
+  const double goal_;  ///< squared sine
+  LocalOperations operations_;
+  VertexMover mover_;
+  Journal journal_;
+  std::set<Corners> below_;
+};
+
+}  // namespace
+
+AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
+                                      Mesh& mesh, double goal_deg, const geometry::Run& run) {
+  const double goal = std::pow(std::sin(goal_deg * M_PI / 180), 2);
+  const AngleImprovementCounts counts = AngleImprovement(surface, sizing, mesh, goal).run(run);
+  if (counts.changed > 0) mesh.surface.compact(run.threads());
+  return counts;
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,101 @@
+#include "refine/angle_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "geometry/kd_tree.h"
+#include "refine/local_operations.h"
+#include "refine/vertex_mover.h"
+
+namespace morskin::refine {
+
+namespace {
+
+/// All vertices, for questions how near one is.
+class NearVertices {
+ public:
+  explicit NearVertices(const Mesh& mesh) {
+    positions_.reserve(mesh.points.size());
+    for (const SurfacePoint& p : mesh.points) positions_.push_back(p.position);
+    tree_.emplace(positions_);
+  }
+
+  bool is_any_within(const Point& x, double distance) const {
+    bool is_any = false;
+    tree_->for_each_within(x, distance, [&](const auto&) { is_any = true; });
+    return is_any || std::any_of(positions_.begin() + in_tree(), positions_.end(),
+                                 [&](const Point& p) { return (p - x).norm() <= distance; });
+  }
+
+  void add(const Point& x) {
+    constexpr std::size_t max_outside = 256;
+    positions_.push_back(x);
+    if (++outside_ <= max_outside) return;
+    tree_.emplace(positions_);
+    outside_ = 0;
+  }
+
+ private:
+  std::ptrdiff_t in_tree() const {
+    return static_cast<std::ptrdiff_t>(positions_.size() - outside_);
+  }
+
+  std::vector<Point> positions_;
+  std::size_t outside_ = 0;  ///< the last positions, not in the tree yet
+  std::optional<geometry::KdTree<VertexId>> tree_;
+};
+
+double shortest_edge(const Mesh& mesh, TriangleId t) {
+  const auto [a, b, c] = mesh.surface.corners(t);
+  const Point &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
+  return std::sqrt(std::min({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
+}
+
+}  // namespace
+
+AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
+                                    Mesh& mesh, double bound_deg, const geometry::Run& run) {
+  const double bound = std::pow(std::sin(bound_deg * M_PI / 180), 2);
+  std::vector<TriangleId> waiting;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    if (mesh.surface.is_removed(TriangleId{t})) continue;
+    if (VertexMover::is_below(mesh, TriangleId{t}, bound)) waiting.push_back(TriangleId{t});
+  }
+  AngleRefinementCounts counts;
+  if (waiting.empty()) return counts;
+  NearVertices near(mesh);
+  LocalOperations operations(surface, sizing, mesh);
+  Journal journal(mesh);
+  operations.record_in(journal);
+  while (!waiting.empty()) {
+    const TriangleId t = waiting.back();
+    waiting.pop_back();
+    if (mesh.surface.is_removed(t) || !VertexMover::is_below(mesh, t, bound)) continue;
+    run.report(geometry::unknown_share, std::to_string(counts.inserted) + " insertions");
+    const double least = shortest_edge(mesh, t);
+    Point at;
+    const bool is_in = operations.insert_ball_centre(t, [&](const Insertion& where) {
+      at = where.point.position;
+      return !near.is_any_within(at, least);
+    });
+    if (!is_in) {
+      ++counts.left;
+      continue;
+    }
+    ++counts.inserted;
+    near.add(at);
+    operations.flip_where_needed();
+    operations.work() = {};
+    for (const VertexId v : journal.touched()) {
+      mesh.surface.for_each_outgoing(
+          v, [&](HalfEdgeId h) { waiting.push_back(SurfaceMesh::triangle(h)); });
+    }
+    journal.clear();
+  }
+  mesh.surface.compact(run.threads());
+  return counts;
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,30 @@
+#pragma once
+
+/// The angle that is guaranteed: Delaunay refinement (Chew 1993; Cheng, Dey & Ramos 2007). While a
+/// triangle has an angle below the bound, the centre of its surface ball goes in.
+///
+/// With a bound of at most 30 degrees such a ball is larger than the triangle's shortest edge e,
+/// for R = |e| / (2 sin a). Where it is empty, the new vertex is farther than |e| from all others,
+/// so along a chain of insertions, each into a triangle that the one before made, edges never get
+/// shorter, and a closed surface has no room for an endless one. Before each insertion all
+/// vertices are asked; where one is nearer, the triangle is left.
+
+#include <cstddef>
+
+#include "geometry/run.h"
+#include "refine/names.h"
+
+namespace morskin::refine {
+
+struct AngleRefinementCounts {
+  std::size_t inserted = 0;
+  std::size_t left = 0;  ///< triangles below the bound that could not be broken
+};
+
+/// @param bound_deg  at most 30
+/// @pre the mesh is closed, its edges are Delaunay. It comes out compacted.
+AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
+                                    Mesh& mesh, double bound_deg,
+                                    const geometry::Run& run = geometry::Run());
+
+}  // namespace morskin::refine

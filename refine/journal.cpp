@@ -1,0 +1,79 @@
+#include "refine/journal.h"
+
+#include <algorithm>
+
+namespace morskin::refine {
+
+void Journal::note_flip(HalfEdgeId h) {
+  const SurfaceMesh& connectivity = mesh_.surface;
+  const VertexId from = connectivity.origin(h);
+  changes_.push_back({Kind::Flip,
+                      {from, connectivity.target(h), connectivity.apex(h),
+                       connectivity.apex(connectivity.twin(h))},
+                      mesh_.at(from)});
+}
+
+void Journal::note_insertion(VertexId v) {
+  Change change{Kind::Insertion, {v, v, v, v}, mesh_.at(v)};
+  std::size_t corner = 0;
+  mesh_.surface.for_each_outgoing(
+      v, [&](HalfEdgeId h) { change.vertices[++corner] = mesh_.surface.target(h); });
+  changes_.push_back(change);
+}
+
+void Journal::note_removal(VertexId v, const SurfacePoint& point, TriangleId left) {
+  const auto [a, b, c] = mesh_.surface.corners(left);
+  changes_.push_back({Kind::Removal, {v, a, b, c}, point});
+}
+
+void Journal::note_move(VertexId v, const SurfacePoint& from) {
+  changes_.push_back({Kind::Move, {v, v, v, v}, from});
+}
+
+HalfEdgeId Journal::half_edge(VertexId from, VertexId to) const {
+  HalfEdgeId found = HalfEdgeId::none();
+  mesh_.surface.for_each_outgoing(from, [&](HalfEdgeId h) {
+    if (mesh_.surface.target(h) == to) found = h;
+  });
+  return found;
+}
+
+void Journal::undo(std::size_t first, std::vector<SurfaceMesh::FreeSlots>& free_slots) {
+  while (changes_.size() > first) {
+    const auto& [kind, vertices, point] = changes_.back();
+    const auto [v, a, b, c] = vertices;
+    switch (kind) {
+      case Kind::Flip:
+        mesh_.surface.flip(half_edge(v, a));
+        break;
+      case Kind::Insertion:
+        free_slots.push_back(mesh_.surface.unsplit(v));
+        break;
+      case Kind::Removal: {
+        HalfEdgeId h = half_edge(a, b);
+        mesh_.surface.split(SurfaceMesh::triangle(h), free_slots.back());
+        free_slots.pop_back();
+        mesh_.points[v] = point;
+        break;
+      }
+      case Kind::Move:
+        mesh_.points[v] = point;
+        break;
+    }
+    changes_.pop_back();
+  }
+}
+
+std::vector<VertexId> Journal::touched(std::size_t first) const {
+  std::vector<VertexId> found;
+  for (std::size_t i = first; i < changes_.size(); ++i) {
+    found.insert(found.end(), changes_[i].vertices.begin(), changes_[i].vertices.end());
+  }
+  std::ranges::sort(found);
+  const auto repeated = std::ranges::unique(found);
+  found.erase(repeated.begin(), repeated.end());
+  std::erase_if(found, [this](VertexId v) { return !mesh_.surface.outgoing(v); });
+  return found;
+}
+
+}  // namespace morskin::refine

@@ -1,0 +1,96 @@
+#include "refine/angle_refinement.h"
+
+#include "certify/restricted_delaunay.h"
+#include "refine/angle_improvement.h"
+#include "refine/smoothing.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::certify;
+using namespace morskin::refine;
+using namespace morskin::support;
+
+namespace {
+
+struct Case {
+  PreparedSkin skin;
+  Sizing sizing;
+};
+
+/// Small molecules and random balls, fine and coarse.
+template <class Check>
+void for_cases(const Check& check) {
+  for (const double C : {0.08, 0.2, 0.3, 0.4}) {
+    CAPTURE(C);
+    const Sizing sizing{.C = C, .Q = Sizing::quality_for(C)};
+    for_molecules({"benzene.pdb", "5tmn_ligand.pdb"},
+                  [&](const auto& balls) { check(prepare_skin(balls), sizing); });
+    for_skins(8, [&](const PreparedSkin& skin) { check(skin, sizing); });
+  }
+}
+
+/// A mesh of the sweep, refined, its angles as they came.
+Mesh rough_mesh(const PreparedSkin& skin, const Sizing& sizing) {
+  return skin_mesh(skin.surface, make_mesh(skin, {.sizing = sizing, .angle_goal_deg = 0}));
+}
+
+double smallest_angle(const Mesh& mesh) {
+  double least = 60;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+    least = std::min(
+        least, angle_range(mesh.position(a), mesh.position(b), mesh.position(c)).smallest_deg);
+  }
+  return least;
+}
+
+double shortest_edge(const Mesh& mesh) {
+  double least = 1e300;
+  for (std::size_t h = 0; h < 3 * mesh.surface.triangle_count(); ++h) {
+    const HalfEdgeId e{h};
+    least = std::min(
+        least,
+        (mesh.position(mesh.surface.origin(e)) - mesh.position(mesh.surface.target(e))).norm());
+  }
+  return least;
+}
+
+Certificate certificate(const PreparedSkin& skin, const Mesh& mesh, const Sizing& sizing) {
+  return certify::certify(indexed_mesh(mesh), skin.surface, skin.topology, sizing);
+}
+
+}  // namespace
+
+TEST_CASE("refinement leaves no angle below 30 degrees and no edge shorter, from any mesh") {
+  for_cases([](const PreparedSkin& skin, const Sizing& sizing) {
+    Mesh mesh = rough_mesh(skin, sizing);
+    const double before = smallest_angle(mesh), shortest = shortest_edge(mesh);
+    const AngleRefinementCounts counts = refine_angles(skin.surface, sizing, mesh, 30);
+    CHECK(counts.left == 0);
+    CHECK((counts.inserted > 0) == (before < 30));
+    CHECK(smallest_angle(mesh) >= 30 - 1e-9);
+    CHECK(shortest_edge(mesh) >= (1 - 1e-9) * shortest);
+    const Certificate c = certificate(skin, mesh, sizing);
+    CHECK(c.is_homeomorphic);
+    CHECK(c.violations_U == 0);
+    CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
+  });
+}
+
+TEST_CASE("improvement leaves fewer angles below the goal, and a certified mesh") {
+  std::size_t before = 0, left = 0;
+  for_cases([&](const PreparedSkin& skin, const Sizing& sizing) {
+    constexpr double goal_deg = 38;
+    Mesh mesh = rough_mesh(skin, sizing);
+    const std::size_t below = smooth(skin.surface, sizing, mesh, goal_deg).left;
+    const AngleImprovementCounts counts = improve_angles(skin.surface, sizing, mesh, goal_deg);
+    CHECK(counts.below == below);
+    CHECK(counts.left <= below);
+    before += below;
+    left += counts.left;
+    CHECK(certificate(skin, mesh, sizing).reason == "");
+    CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
+  });
+  CHECK(before > 50);
+  CHECK(left < before / 4);
+}
