@@ -12,6 +12,9 @@ using surface::Point;
 using surface::SurfacePoint;
 using surface::Vector;
 
+/// Degrees: the largest angle that Delaunay refinement provably reaches (Chew 1993).
+inline constexpr double guaranteed_angle_deg = 30;
+
 /// The two size conditions of section 2.2,
 ///
 ///     [L]  R_ab  > (C/Q) rho_ab     for every edge,      rho_ab  = max of the two length scales

@@ -43,6 +43,12 @@ inline bool is_upright(const Vector& n, const SurfacePoint& a, const SurfacePoin
   return n.dot(a.normal) > bound && n.dot(b.normal) > bound && n.dot(c.normal) > bound;
 }
 
+/// The squared sine of a triangle's smallest angle: that edge over the circumcircle's diameter.
+inline double smallest_squared_sine(const Point& a, const Point& b, const Point& c) {
+  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  return (b - a).cross(c - a).squaredNorm() * std::min({ab, bc, ca}) / (ab * bc * ca);
+}
+
 /// The smallest and the largest of a triangle's three angles.
 struct AngleRange {
   double smallest_deg, largest_deg;

@@ -46,9 +46,6 @@ struct MeshingOptions;
 using Mesher =
     std::function<MethodResult(const PreparedSkin&, const MeshingOptions&, Observer&, const Run&)>;
 
-/// Degrees: the largest angle that refinement provably reaches (refine/angle_refinement.h).
-inline constexpr double guaranteed_angle_deg = 30;
-
 struct MeshingOptions {
   certify::Sizing sizing;
   /// Degrees. Meshes of the sweep and of the static method are smoothed until no angle is smaller,
@@ -75,6 +72,15 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
 /// @throws morse::DegenerateFunction
 MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options,
                            Observer& observer, const Run& run);
+
+/// The vertices of a mesh again, as samples of restricted Delaunay refinement until no facet has a
+/// smaller angle: the last resort where refine::refine_angles() leaves triangles.
+/// @param min_angle_deg  at most 30
+/// @return nothing where the facets do not become a surface
+std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
+                                                    const surface::Mesh& mesh,
+                                                    const certify::Sizing& sizing,
+                                                    double min_angle_deg, const Run& run);
 
 /// The sweep, then refinement.
 /// @throws morse::DegenerateFunction

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "geometry/predicates.h"
 #include "morskin/method.h"
 
 namespace morskin {
@@ -40,6 +41,26 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
   });
   observer.refined(result.mesh);
   return result;
+}
+
+std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
+                                                    const surface::Mesh& mesh,
+                                                    const certify::Sizing& sizing,
+                                                    double min_angle_deg, const Run& run) {
+  const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All, run);
+  std::vector<surface::SurfacePoint> seeds(mesh.points.begin(), mesh.points.end());
+  for (surface::SurfacePoint& p : seeds) {
+    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+    p.cell = surface.complex().same(p.cell, skin.surface.complex());
+  }
+  refine::DelaunayRefinement refinement(surface, sizing, seeds, min_angle_deg);
+  refinement.run(run);
+  surface::Mesh refined = refinement.mesh();
+  if (geometry::validate(refined.surface)) return std::nullopt;
+  for (surface::SurfacePoint& p : refined.points) {
+    p.cell = skin.surface.complex().same(p.cell, surface.complex());
+  }
+  return refined;
 }
 
 }  // namespace morskin

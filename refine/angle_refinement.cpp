@@ -63,6 +63,8 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
     if (mesh.surface.is_removed(TriangleId{t})) continue;
     if (VertexMover::is_below(mesh, TriangleId{t}, bound)) waiting.push_back(TriangleId{t});
   }
+  // The bound may be a little above 30 degrees, and the ball's centre is known to rounding.
+  constexpr double rounding = 1e-9;
   AngleRefinementCounts counts;
   if (waiting.empty()) return counts;
   NearVertices near(mesh);
@@ -78,7 +80,7 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
     Point at;
     const bool is_in = operations.insert_ball_centre(t, [&](const Insertion& where) {
       at = where.point.position;
-      return !near.is_any_within(at, least);
+      return !near.is_any_within(at, (1 - rounding) * least);
     });
     if (!is_in) {
       ++counts.left;

@@ -26,9 +26,10 @@ WeightedPoint unweighted(const Point& p) { return {p, 0}; }
 }  // namespace
 
 DelaunayRefinement::DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,
-                                       std::span<const SurfacePoint> seeds)
+                                       std::span<const SurfacePoint> seeds, double min_angle_deg)
     : surface_(surface),
       sizing_(sizing),
+      min_angle_(std::pow(std::sin(min_angle_deg * M_PI / 180), 2)),
       body_(surface.bounding_ball()),
       delaunay_([&] {
         std::vector<WeightedPoint> points;
@@ -105,8 +106,17 @@ void DelaunayRefinement::inspect(Facet f) {
   const Facet inner = is_inner ? f : g;
   std::optional<Ball> ball = ball_of(inner);
   if (!ball) return;
-  ball->keeps_off = ball->ratio < 1;
-  if (ball->ratio >= 1 || !is_proved(inner)) push(*ball, inner);
+  const bool must_go = ball->ratio >= 1 || is_thin(inner);
+  ball->keeps_off = !must_go;
+  if (must_go || !is_proved(inner)) push(*ball, inner);
+}
+
+/// Whether a facet has an angle below the bound.
+bool DelaunayRefinement::is_thin(Facet facet) const {
+  if (min_angle_ == 0) return false;
+  const auto [a, b, c] = triangle(facet);
+  return smallest_squared_sine(samples_[a].position, samples_[b].position, samples_[c].position) <
+         min_angle_;
 }
 
 /// Whether the certificate could prove a facet that meets [U] by itself. Where C Q is too large
@@ -241,9 +251,9 @@ void DelaunayRefinement::insert_all(const geometry::Run& run) {
         ++counts_.refused;
         continue;
       }
-      ++counts_.too_big;
+      ++(work.ball.ratio < 1 && !work.ball.keeps_off ? counts_.thin : counts_.too_big);
       constexpr std::size_t samples_between_reports = 4096;
-      if (counts_.too_big % samples_between_reports == 0) {
+      if (samples_.size() % samples_between_reports == 0) {
         run.report(geometry::unknown_share, std::to_string(samples_.size()) + " samples");
       }
       bucket = buckets;

@@ -14,6 +14,10 @@
 /// of the inside tetrahedra: closed, whatever rounding does to flat ones. Dual edges that cross the
 /// skin an even number of times are found by following them piece by piece (skin/line_crossings.h).
 ///
+/// Facets with an angle below a bound are broken as well, if one is given: the last step of any
+/// method where a mesh alone does not get there (angle_refinement.h). The centre of a ball larger
+/// than the facet's shortest edge is farther than that edge from all samples, whatever they are.
+///
 /// No point is ever deleted. Where Q^2 > 2 + 4 C Q no ball too big for [U] makes a pair too short
 /// for [L], and seeds are kept apart, so short edges could come only from samples that the topology
 /// took; `front/static_method` sees to both. For all other constants the spacing of the points
@@ -37,6 +41,7 @@ namespace morskin::refine {
 struct DelaunayRefinementCounts {
   std::size_t seeds = 0;
   std::size_t too_big = 0;           ///< insertions into surface balls too big for [U]
+  std::size_t thin = 0;              ///< insertions into facets with too small an angle
   std::size_t topological = 0;       ///< insertions because the facets at a vertex were no disk
   std::size_t hidden_crossings = 0;  ///< of these, found only by following whole dual edges
   std::size_t refused = 0;           ///< balls too big that could not be broken
@@ -45,13 +50,13 @@ struct DelaunayRefinementCounts {
 
 class DelaunayRefinement {
  public:
-  /// @param seeds  points of the skin, among them on every component three with a surface ball
-  /// small
-  ///               enough for [U]; should they lie in one plane, as only seeds without those can,
-  ///               nothing is done and the mesh is empty
+  /// @param seeds      points of the skin, among them on every component three with a surface ball
+  ///                   small enough for [U]; should they lie in one plane, as only seeds without
+  ///                   those can, nothing is done and the mesh is empty
+  /// @param min_angle  degrees, at most 30: facets with a smaller one are broken
   /// @throws geometry::LimitReached
   DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,
-                     std::span<const SurfacePoint> seeds);
+                     std::span<const SurfacePoint> seeds, double min_angle_deg = 0);
 
   /// Refines until every surface ball is small enough and the facets are a surface.
   /// @param run  receives the number of samples. Their share of the final number is unknown.
@@ -115,6 +120,7 @@ class DelaunayRefinement {
   void inspect(Facet f);
   std::optional<Ball> ball_of(Facet inner) const;
   bool is_proved(Facet inner) const;
+  bool is_thin(Facet facet) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
   bool insert(const Ball& ball, Facet facet);
   bool stands(const Work& work) const;
@@ -128,6 +134,7 @@ class DelaunayRefinement {
 
   const surface::Surface& surface_;
   const Sizing sizing_;
+  const double min_angle_;  ///< squared sine
   const surface::BoundingBall body_;
   std::vector<SurfacePoint> samples_;  ///< by corner
   geometry::Triangulator delaunay_;

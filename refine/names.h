@@ -23,6 +23,7 @@ using certify::is_certainly_delaunay;
 using certify::is_upright;
 using certify::LazySurfaceBall;
 using certify::Sizing;
+using certify::smallest_squared_sine;
 using certify::SurfaceBall;
 using certify::triangle_under;
 using geometry::HalfEdgeId;

@@ -38,7 +38,7 @@ Shape shape(const Point& a, const Point& b, const Point& c) {
 
 bool VertexMover::is_below(const Mesh& mesh, TriangleId t, double goal) {
   const auto [a, b, c] = mesh.surface.corners(t);
-  return shape(mesh.position(a), mesh.position(b), mesh.position(c)).squared_sine < goal;
+  return smallest_squared_sine(mesh.position(a), mesh.position(b), mesh.position(c)) < goal;
 }
 
 /// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.

@@ -1,6 +1,7 @@
 #include "refine/angle_refinement.h"
 
 #include "certify/restricted_delaunay.h"
+#include "morskin/method.h"
 #include "refine/angle_improvement.h"
 #include "refine/smoothing.h"
 #include "tests/support/meshes.h"
@@ -74,6 +75,19 @@ TEST_CASE("refinement leaves no angle below 30 degrees and no edge shorter, from
     CHECK(c.is_homeomorphic);
     CHECK(c.violations_U == 0);
     CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
+  });
+}
+
+TEST_CASE("refinement in space does the same") {
+  for_cases([](const PreparedSkin& skin, const Sizing& sizing) {
+    const Mesh mesh = rough_mesh(skin, sizing);
+    const auto refined = refine_angles_in_space(skin, mesh, sizing, 30, geometry::Run(1));
+    REQUIRE(refined);
+    CHECK(smallest_angle(*refined) >= 30 - 1e-9);
+    CHECK(shortest_edge(*refined) >= (1 - 1e-9) * shortest_edge(mesh));
+    const Certificate c = certificate(skin, *refined, sizing);
+    CHECK(c.is_homeomorphic);
+    CHECK(c.violations_U == 0);
   });
 }
 
