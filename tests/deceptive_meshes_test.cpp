@@ -109,6 +109,17 @@ TEST_CASE("a branched double cover with a vertex pushed out over the other sheet
   }
 }
 
+TEST_CASE("a branched double cover is no proof at whichever vertex, branch points too") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const int levels : {2, 3}) {
+    const IndexedMesh cover = support::double_cover(support::sphere_mesh(Point::Zero(), 1, levels));
+    for (std::uint32_t v = 0; v < cover.positions.size(); ++v) {
+      CAPTURE(v);
+      CHECK_FALSE(skin.certify(support::begun_at(cover, v)).is_homeomorphic);
+    }
+  }
+}
+
 TEST_CASE("a mesh wound twice or thrice round a ring is no proof though all its counts are right") {
   const support::Good ring = support::vdw("ring12.xyzr");
   REQUIRE(ring.skin.topology.skin_genus() == 1);

@@ -26,11 +26,11 @@ SMALL = ["two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "be
 
 
 def reason(balls, positions, triangles, simplices=()):
-    """Why a mesh is not proved; None if it is."""
+    """Why a mesh is not proved, at whichever vertices; None if it is."""
     finite = np.where(np.isfinite(positions), positions, 0)
     nearest = Skin(balls).least_power(finite)[1]
     witness = {"simplices": simplices, "vertex_atoms": np.repeat(nearest[:, None], 4, axis=1),
-               "component_vertices": [], "C": 1, "Q": 1}
+               "component_vertices": range(len(positions)), "C": 1, "Q": 1}
     try:
         verify.prove(balls, positions, triangles, witness, {})
     except NotProved as error:
