@@ -77,8 +77,8 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
-    write_to_all(outputs, certificate_text(mesh, points, skin.surface, arguments.against->model,
-                                           arguments.sizing));
+    write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices,
+                                           skin.surface, arguments.sizing));
   }
   return result;
 }

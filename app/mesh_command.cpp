@@ -249,8 +249,9 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (report_file != nullptr) report_file->write(json_text(report));
   std::string certificate;
   if (arguments.certificate) {
-    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
-                                   skin.surface, report.molecule.model, arguments.sizing);
+    certificate =
+        certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
+                         report.certificate.degree_vertices, skin.surface, arguments.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }
   time_limit.cancel();

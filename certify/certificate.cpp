@@ -267,12 +267,16 @@ void Certifier::check_covering_degree() {
   if (!holds(Claim::Upright) || !holds(Claim::Tube)) {
     return fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
   }
-  const std::optional<std::size_t> unproved =
-      CoveringDegree(located(), built_.mesh, components_, flow_).first_unproved();
-  out_.covering_degree_ok = !unproved;
-  if (!unproved) return;
-  fail(Claim::Degree,
-       "component " + std::to_string(*unproved) + " could not be shown to cover the skin once");
+  const auto proved = CoveringDegree(located(), built_.mesh, components_, flow_).proved_vertices();
+  for (std::size_t i = 0; i < proved.size(); ++i) {
+    if (proved[i]) {
+      out_.degree_vertices.push_back(*proved[i]);
+    } else {
+      fail(Claim::Degree,
+           "component " + std::to_string(i) + " could not be shown to cover the skin once");
+    }
+  }
+  out_.covering_degree_ok = out_.degree_vertices.size() == proved.size();
 }
 
 void Certifier::compare_counts() {

@@ -201,15 +201,16 @@ void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates
   }
 }
 
-std::optional<std::size_t> CoveringDegree::first_unproved() const {
+std::vector<std::optional<VertexId>> CoveringDegree::proved_vertices() const {
   const Candidates all = candidates();
   const std::vector<char> is_free = free_candidates(all);
+  std::vector<std::optional<VertexId>> result(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool is_proved =
-        std::ranges::any_of(all[i], [&](VertexId v) { return is_free[v.index()] != 0; });
-    if (!is_proved) return i;
+    const auto free =
+        std::ranges::find_if(all[i], [&](VertexId v) { return is_free[v.index()] != 0; });
+    if (free != all[i].end()) result[i] = *free;
   }
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace morskin::certify

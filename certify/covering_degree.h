@@ -86,8 +86,8 @@ class CoveringDegree {
                  const geometry::Components& components, const FlowBounds& bounds)
       : on_(mesh), connectivity_(connectivity), components_(components), bounds_(bounds) {}
 
-  /// The first component without a proof of (c3).
-  std::optional<std::size_t> first_unproved() const;
+  /// By component, a vertex for which (c3) is proved, if there is one.
+  std::vector<std::optional<VertexId>> proved_vertices() const;
 
  private:
   /// By component, vertices at which to try (c3).
