@@ -47,8 +47,8 @@ void check_scales(const skin::SkinSurface& skin) {
 }
 
 /// Where the orthocentre of balls lies in their cell, the skin comes as near to it as the root of
-/// half its weight, which is the length scale there. The certificate encloses G to some 2^-47 of the
-/// balls' weights, and can prove nothing unless that is less than the length scale's square.
+/// half its weight, which is the length scale there. The certificate encloses G to some 2^-47 of
+/// the balls' weights, and can prove nothing unless that is less than the length scale's square.
 /// @throws skin::SingularSkin  for a neck, tunnel or void that is too thin for it
 void check_necks(const skin::SkinSurface& skin) {
   constexpr double thinnest = 4 * 0x1p-47;
