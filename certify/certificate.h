@@ -77,6 +77,11 @@ struct Certificate {
   const std::string& broken_by(Claim claim) const {
     return broken[static_cast<std::size_t>(claim)];
   }
+  /// Records why a claim does not hold; the first reason stays.
+  void fail(Claim claim, const std::string& why) {
+    std::string& first = broken[static_cast<std::size_t>(claim)];
+    if (first.empty()) first = why;
+  }
 };
 
 /// The mesher's hints: checked, never trusted. A right hint saves a search, a wrong one changes
