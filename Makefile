@@ -95,7 +95,7 @@ corpus: command  ## mesh every molecule of MOLECULES in every model (see bench/c
 morse-corpus: command  ## trace Morse-Smale complexes of MOLECULES (see bench/morse_corpus.py --help)
 	python3 bench/morse_corpus.py --molecules $(MOLECULES) $(CORPUS)
 
-prediction: command  ## count which touches of the front theory foretells (see bench/prediction.py --help)
+prediction: command  ## count which touches of the front theory predicts (see bench/prediction.py --help)
 	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
 
 # The plots take matplotlib, which Debian installs for its own Python.

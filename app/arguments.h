@@ -2,7 +2,6 @@
 
 /// The command line as values: parsed, checked, with the defaults filled in.
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>

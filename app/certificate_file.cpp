@@ -8,10 +8,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class Atoms>
-ordered_json indices(const Atoms& atoms) {
+template <class Ids>
+ordered_json indices(const Ids& ids) {
   ordered_json list = ordered_json::array();
-  for (const geometry::AtomId atom : atoms) list.push_back(atom.value);
+  for (const auto id : ids) list.push_back(id.value);
   return list;
 }
 
@@ -39,8 +39,8 @@ ordered_json top_simplices(const geometry::RegularTriangulation& triangulation) 
 
 std::string certificate_text(const geometry::IndexedMesh& mesh,
                              std::span<const surface::SurfacePoint> points,
-                             const skin::SkinSurface& skin, skin::Model model,
-                             const certify::Sizing& sizing) {
+                             std::span<const geometry::VertexId> component_vertices,
+                             const skin::SkinSurface& skin, const certify::Sizing& sizing) {
   const geometry::RegularTriangulation& triangulation = skin.triangulation();
   ordered_json vertex_atoms = ordered_json::array();
   for (const surface::SurfacePoint& point : points) {
@@ -51,10 +51,10 @@ std::string certificate_text(const geometry::IndexedMesh& mesh,
                                  {"vertices", mesh.positions.size()},
                                  {"triangles", mesh.triangles.size()},
                                  {"dimension", triangulation.dimension},
-                                 {"model", skin::name_of(model)},
                                  {"C", sizing.C},
                                  {"Q", sizing.Q},
                                  {"simplices", top_simplices(triangulation)},
+                                 {"component_vertices", indices(component_vertices)},
                                  {"vertex_atoms", std::move(vertex_atoms)}};
   return certificate.dump() + "\n";
 }

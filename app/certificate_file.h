@@ -5,18 +5,19 @@
 #include <span>
 #include <string>
 
-#include "app/arguments.h"
+#include "certify/sizing.h"
 #include "geometry/indexed_mesh.h"
 #include "skin/skin_surface.h"
 
 namespace morskin::app {
 
-/// JSON: the top-dimensional simplices of the regular triangulation and, by vertex of the mesh,
-/// the corners of the mixed cell that it lies in.
+/// JSON: the top-dimensional simplices of the regular triangulation; by component of the mesh a
+/// vertex at which it covers the skin once; by vertex the corners of the mixed cell it lies in.
 /// @param points  by vertex, as certify::locate_vertices() finds them
+/// @param component_vertices  as certify::certify() finds them; none where it finds none
 std::string certificate_text(const geometry::IndexedMesh& mesh,
                              std::span<const surface::SurfacePoint> points,
-                             const skin::SkinSurface& skin, skin::Model model,
-                             const certify::Sizing& sizing);
+                             std::span<const geometry::VertexId> component_vertices,
+                             const skin::SkinSurface& skin, const certify::Sizing& sizing);
 
 }  // namespace morskin::app

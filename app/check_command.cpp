@@ -1,10 +1,7 @@
 #include <algorithm>
-#include <chrono>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "app/certificate_file.h"
 #include "app/check_report.h"
@@ -16,6 +13,7 @@
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/stopwatch.h"
 
 namespace morskin::app {
 namespace {
@@ -77,8 +75,8 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
-    write_to_all(outputs, certificate_text(mesh, points, skin.surface, arguments.against->model,
-                                           arguments.sizing));
+    write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices,
+                                           skin.surface, arguments.sizing));
   }
   return result;
 }
@@ -100,7 +98,7 @@ void check_agreement(const CheckReport& report) {
 }  // namespace
 
 ExitCode check_command(const CheckArguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  const geometry::Stopwatch stopwatch;
   const TimeLimit time_limit(arguments.limits, arguments.mesh);
   const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
   if (mesh.triangles.size() > max_triangles) {
@@ -117,7 +115,7 @@ ExitCode check_command(const CheckArguments& arguments) {
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) report.against = check_against(mesh, report.topology, arguments);
   check_agreement(report);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = stopwatch.seconds();
   std::cout << (arguments.json ? json_text(report) : people_text(report));
   const std::vector<Verdict> verdicts = report.verdicts();
   const bool passes =

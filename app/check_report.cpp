@@ -1,6 +1,7 @@
 #include "app/check_report.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -10,32 +11,18 @@
 namespace morskin::app {
 namespace {
 
-using geometry::MeshDefect;
 using nlohmann::ordered_json;
 
-const char* name_of(MeshDefect kind) {
-  switch (kind) {
-    case MeshDefect::NoTriangles:
-      return "no_triangles";
-    case MeshDefect::RepeatedCorner:
-      return "triangles_with_repeated_corners";
-    case MeshDefect::Collinear:
-      return "triangles_with_collinear_corners";
-    case MeshDefect::DuplicateTriangle:
-      return "duplicate_triangles";
-    case MeshDefect::BoundaryEdge:
-      return "boundary_edges";
-    case MeshDefect::CrowdedEdge:
-      return "crowded_edges";
-    case MeshDefect::DisagreeingTriangles:
-      return "disagreeing_edges";
-    case MeshDefect::SplitVertex:
-      return "split_vertices";
-    case MeshDefect::UnusedVertex:
-      return "unused_vertices";
-  }
-  return "";
-}
+/// By MeshDefect.
+constexpr std::array defect_names{"no_triangles",
+                                  "triangles_with_repeated_corners",
+                                  "triangles_with_collinear_corners",
+                                  "duplicate_triangles",
+                                  "boundary_edges",
+                                  "crowded_edges",
+                                  "disagreeing_edges",
+                                  "split_vertices",
+                                  "unused_vertices"};
 
 ordered_json verdicts_json(const CheckReport& report) {
   ordered_json result = ordered_json::array();
@@ -132,9 +119,9 @@ std::string histogram_text(const CheckReport& report) {
 }
 
 std::string components_text(const geometry::MeshCheck& topology) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t max_shown = 12;
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, topology.components.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_shown, topology.components.size()); ++i) {
     const geometry::MeshComponent& c = topology.components[i];
     std::string words = grouped(c.triangles) + " triangles, area " + brief(c.area, 6) + " A^2";
     if (c.is_closed_and_oriented) {
@@ -145,8 +132,8 @@ std::string components_text(const geometry::MeshCheck& topology) {
     }
     text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + words);
   }
-  if (topology.components.size() > most) {
-    text += line("", "and " + grouped(topology.components.size() - most) + " more");
+  if (topology.components.size() > max_shown) {
+    text += line("", "and " + grouped(topology.components.size() - max_shown) + " more");
   }
   return text;
 }
@@ -222,7 +209,8 @@ std::string json_text(const CheckReport& report) {
   }
   json["defects"] = ordered_json::object();
   for (const geometry::DefectCount& defect : report.topology.defects) {
-    json["defects"][name_of(defect.kind)] = {{"count", defect.count}, {"first", defect.first}};
+    json["defects"][defect_names[static_cast<std::size_t>(defect.kind)]] = {
+        {"count", defect.count}, {"first", defect.first}};
   }
   json["component_list"] = components_json(report.topology);
   add_angles_json(json, report);

@@ -22,49 +22,40 @@ using morse::CriticalPoint;
 using nlohmann::ordered_json;
 
 template <class Include>
-CriticalCounts counts(const morse::Simplification& simplified, Include include) {
-  CriticalCounts result;
+morskin::CriticalCounts counts(const morse::Simplification& simplified, Include include) {
+  morskin::CriticalCounts result{};
   for (std::size_t i = 0; i < simplified.complex.points.size(); ++i) {
-    if (!include(i)) continue;
-    const int index = simplified.complex.points[i].index;
-    ++(index == 0 ? result.minima : index == 1 ? result.saddles : result.maxima);
+    result[static_cast<std::size_t>(simplified.complex.points[i].index)] += include(i);
   }
   return result;
 }
 
-ordered_json counts_json(const CriticalCounts& counts, std::size_t arcs, std::size_t regions) {
-  return {{"minima", counts.minima},
-          {"saddles", counts.saddles},
-          {"maxima", counts.maxima},
-          {"arcs", arcs},
-          {"regions", regions}};
+ordered_json counts_json(const morskin::CriticalCounts& counts, std::size_t arcs,
+                         std::size_t regions) {
+  ordered_json json = critical_json(counts);
+  json["arcs"] = arcs;
+  json["regions"] = regions;
+  return json;
 }
 
-std::string_view name_of(Simplify simplify) {
-  switch (simplify) {
-    case Simplify::Not:
-      return "raw";
-    case Simplify::BySpheres:
-      return "spheres";
-    case Simplify::ByPersistence:
-      return "persistence";
-  }
-  return "";
-}
+constexpr std::array<std::string_view, 3> simplifications{"raw", "spheres", "persistence"};
 
 ordered_json head(const ComplexReport& report) {
   const MorseArguments& asked = report.arguments;
   const morse::Simplification& left = report.simplified;
   ordered_json json = {
-      {"input", asked.molecule.input.string()}, {"model", skin::name_of(asked.molecule.model)},
-      {"probe", asked.molecule.probe},          {"function", function_json(report.function)},
-      {"unit", unit_of(report.function)},       {"simplification", name_of(asked.simplify)}};
+      {"input", asked.molecule.input.string()},
+      {"model", skin::name_of(asked.molecule.model)},
+      {"probe", asked.molecule.probe},
+      {"function", function_json(report.function)},
+      {"unit", unit_of(report.function)},
+      {"simplification", simplifications[static_cast<std::size_t>(asked.simplify)]}};
   // JSON has no infinity.
   if (asked.simplify == Simplify::ByPersistence && asked.persistence <= 1e300) {
     json["persistence"] = asked.persistence;
   }
-  const CriticalCounts after = counts_after(report);
-  json["euler_characteristic"] = after.euler_characteristic();
+  const morskin::CriticalCounts after = counts_after(report);
+  json["euler_characteristic"] = euler_characteristic(after);
   json["components"] = left.complex.components;
   json["before"] = counts_json(counts_before(report), report.arcs, report.regions);
   json["after"] = counts_json(after, left.complex.arcs.size(), left.complex.regions.size());
@@ -159,11 +150,11 @@ std::optional<ComplexFormat> complex_format_of(const std::filesystem::path& path
   return std::nullopt;
 }
 
-CriticalCounts counts_before(const ComplexReport& report) {
+morskin::CriticalCounts counts_before(const ComplexReport& report) {
   return counts(report.simplified, [](std::size_t) { return true; });
 }
 
-CriticalCounts counts_after(const ComplexReport& report) {
+morskin::CriticalCounts counts_after(const ComplexReport& report) {
   return counts(report.simplified, [&](std::size_t i) { return report.simplified.survives[i]; });
 }
 

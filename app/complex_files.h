@@ -10,6 +10,7 @@
 
 #include "app/arguments.h"
 #include "morse/simplification.h"
+#include "morskin/method.h"
 #include "skin/mixed_complex.h"
 
 namespace morskin::app {
@@ -31,16 +32,9 @@ struct ComplexReport {
   morse::Simplification simplified;
 };
 
-/// Minima, saddles and maxima: all, or those that survive.
-struct CriticalCounts {
-  std::size_t minima = 0, saddles = 0, maxima = 0;
-
-  long euler_characteristic() const {
-    return static_cast<long>(minima + maxima) - static_cast<long>(saddles);
-  }
-};
-CriticalCounts counts_before(const ComplexReport& report);
-CriticalCounts counts_after(const ComplexReport& report);
+/// Of all points, or of those that survive.
+morskin::CriticalCounts counts_before(const ComplexReport& report);
+morskin::CriticalCounts counts_after(const ComplexReport& report);
 
 /// One JSON object, one critical point, arc, region or pair to a line, every number to the last
 /// bit. Ids are indices in `critical_points`, which lists all of them.

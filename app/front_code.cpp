@@ -9,12 +9,11 @@ namespace morskin::app {
 namespace {
 
 using geometry::no_index;
-
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using geometry::TriangleList;
 
 // By half-edge 3 t + k its twin; none at a border, an edge with more than two triangles, or one
 // that two triangles traverse in the same direction.
-std::vector<std::uint32_t> twins(const Triangles& triangles) {
+std::vector<std::uint32_t> twins(const TriangleList& triangles) {
   struct HalfEdge {
     std::uint32_t low, high;  // its ends
     std::uint32_t id;
@@ -44,10 +43,6 @@ std::vector<std::uint32_t> twins(const Triangles& triangles) {
   return twin;
 }
 
-bool is_degenerate(const std::array<std::uint32_t, 3>& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 struct Edge {
   std::uint32_t origin, target, apex;  // new numbers; apex: of the triangle on the mesh's side
   std::uint32_t half_edge;             // of that triangle
@@ -58,14 +53,14 @@ struct Edge {
 
 class Encoder {
  public:
-  Encoder(const Triangles& triangles, std::size_t vertex_count)
+  Encoder(const TriangleList& triangles, std::size_t vertex_count)
       : triangles_(triangles),
         twin_(twins(triangles)),
         number_(vertex_count, no_index),
         is_laid_(triangles.size(), false),
         leaving_(vertex_count, no_index) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      if (!is_degenerate(triangles[t])) continue;
+      if (!geometry::repeats_a_corner(triangles[t])) continue;
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         if (twin_[h] != no_index) twin_[twin_[h]] = no_index;
         twin_[h] = no_index;
@@ -216,7 +211,7 @@ class Encoder {
     }
   }
 
-  const Triangles& triangles_;
+  const TriangleList& triangles_;
   std::vector<std::uint32_t> twin_;
   std::vector<std::uint32_t> number_;   // by old vertex the new number
   std::vector<bool> is_laid_;           // by old triangle
@@ -228,7 +223,7 @@ class Encoder {
 
 }  // namespace
 
-FrontCode front_code(const Triangles& triangles, std::size_t vertex_count) {
+FrontCode front_code(const TriangleList& triangles, std::size_t vertex_count) {
   return Encoder(triangles, vertex_count).run();
 }
 

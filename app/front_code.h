@@ -41,7 +41,6 @@ struct FrontCode {
   std::vector<std::array<std::uint32_t, 3>> predictors;
 };
 
-FrontCode front_code(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                     std::size_t vertex_count);
+FrontCode front_code(const geometry::TriangleList& triangles, std::size_t vertex_count);
 
 }  // namespace morskin::app

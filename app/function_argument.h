@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "morse/morse_function.h"
+#include "app/arguments.h"
+#include "morse/choose_function.h"
 
 namespace morskin::app {
 
@@ -18,6 +19,20 @@ morse::MorseFunction parsed_function(std::string_view text);
 /// Parses the "x,y,z" after --height.
 /// @throws UsageError
 morse::MorseFunction parsed_height(std::string_view text);
+
+/// Does a piece of work along a Morse function. Where that is degenerate, the exit code depends on
+/// who chose it.
+/// @param asked  for by the user, if any
+/// @throws UsageError, morse::DegenerateFunction
+template <class Work>
+auto along_function(const std::optional<morse::MorseFunction>& asked, const Work& work) {
+  try {
+    return work();
+  } catch (const morse::DegenerateFunction& error) {
+    if (asked) throw UsageError(error.what());
+    throw;
+  }
+}
 
 /// "height along (0.02, 1, 0.01)" or "squared distance from (1, 2, 3)".
 std::string in_words(const morse::MorseFunction& function);

@@ -13,12 +13,12 @@ namespace {
 using morskin::app::grain;
 using morskin::app::rounded_up;
 
-constexpr std::size_t least_large = 2 * grain;
+constexpr std::size_t min_large = 2 * grain;
 
 constinit morskin::app::PagePool pool;
 
 void* allocate(std::size_t size, std::size_t alignment) {
-  if (size >= least_large && alignment <= grain) {
+  if (size >= min_large && alignment <= grain) {
     if (void* memory = pool.take(size)) return memory;
   }
   const std::size_t whole = rounded_up(std::max(size, alignment), alignment);

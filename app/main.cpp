@@ -2,7 +2,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <system_error>
 #include <variant>
 

@@ -1,15 +1,13 @@
 #include <sys/resource.h>
 
-#include <chrono>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "app/certificate_file.h"
 #include "app/commands.h"
+#include "app/function_argument.h"
 #include "app/limits.h"
 #include "app/mesh_delivery.h"
 #include "app/molecule_input.h"
@@ -23,22 +21,14 @@
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/stopwatch.h"
 #include "morskin/pipeline.h"
 
 namespace morskin::app {
 namespace {
 
 using geometry::PendingFile;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+using geometry::Stopwatch;
 
 // The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
 morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
@@ -91,18 +81,6 @@ morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
       break;
   }
   return options;
-}
-
-morskin::MeshResult mesh(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
-                         const morskin::MeshingOptions& options, MeshDelivery& delivery,
-                         const morskin::Run& run) {
-  try {
-    return morskin::make_mesh(skin, options, delivery, run);
-  } catch (const morse::DegenerateFunction& error) {
-    // Which exit code depends on whose choice the function was.
-    if (arguments.function) throw UsageError(error.what());
-    throw;
-  }
 }
 
 // Feeds what is no regular file, which gets certified meshes only.
@@ -230,7 +208,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
   MeshDelivery delivery(arguments, outputs, files);
-  const morskin::MeshResult result = mesh(skin, arguments, options, delivery, run);
+  const morskin::MeshResult result = along_function(
+      arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
   report.method = arguments.method;
   report.fronts = arguments.fronts;
   describe_run(report, result, delivery, run);
@@ -249,8 +228,9 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (report_file != nullptr) report_file->write(json_text(report));
   std::string certificate;
   if (arguments.certificate) {
-    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
-                                   skin.surface, report.molecule.model, arguments.sizing);
+    certificate =
+        certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
+                         report.certificate.degree_vertices, skin.surface, arguments.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }
   time_limit.cancel();

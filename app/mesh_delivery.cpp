@@ -16,10 +16,6 @@ bool keeps_coordinates(MeshFormat format) {
   return format != MeshFormat::Stl && format != MeshFormat::Vtu;
 }
 
-bool is_same(const IndexedMesh& a, const IndexedMesh& b) {
-  return a.positions == b.positions && a.triangles == b.triangles;
-}
-
 IndexedMesh content_of(const geometry::PendingFile& file) {
   return geometry::parse_mesh(geometry::read_file(file.temporary_name()).view(),
                               file.path().string());
@@ -69,7 +65,7 @@ void MeshDelivery::read_back(Delivery& delivery) {
       certified_file_ = file.path().string();
       delivery.mesh = {};  // one copy at a time
       delivery.mesh = content_of(file);
-    } else if (!is_same(delivery.mesh, content_of(file))) {
+    } else if (delivery.mesh != content_of(file)) {
       delivery.defect = file.path().string() + " does not hold the mesh of " + certified_file_;
     }
   }

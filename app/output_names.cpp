@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -44,6 +45,10 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 bool is_standard_output(const std::filesystem::path& path) {
   return path == "-" || path == "/dev/stdout";
+}
+
+void print_beside(const std::filesystem::path& output, const std::string& report) {
+  (is_standard_output(output) ? std::cerr : std::cout) << report;
 }
 
 bool is_special(const std::filesystem::path& path) {

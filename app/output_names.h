@@ -15,6 +15,9 @@ std::string lower_extension(const std::filesystem::path& path);
 /// "-" and /dev/stdout.
 bool is_standard_output(const std::filesystem::path& path);
 
+/// Prints a report on standard output, or on standard error where the output takes that.
+void print_beside(const std::filesystem::path& output, const std::string& report);
+
 /// Standard output, a device, a pipe: no regular file.
 bool is_special(const std::filesystem::path& path);
 

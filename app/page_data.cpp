@@ -100,6 +100,7 @@ Grid grid_about(std::span<const geometry::Point> points, double wanted) {
 }
 
 Grid grid_of(const geometry::IndexedMesh& mesh) {
+  constexpr double min_edge_steps = 64;
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -119,7 +120,7 @@ void PageData::add_entry(const std::string& name, std::string_view kind, std::si
                       {"planes", planes}});
 }
 
-void PageData::add(const std::string& name, std::span<const std::uint32_t> numbers) {
+void PageData::add(const std::string& name, const std::vector<std::uint32_t>& numbers) {
   std::uint32_t all = 0;
   for (const std::uint32_t n : numbers) all |= n;
   const auto planes = static_cast<std::size_t>(std::bit_width(all) + 7) / 8;
@@ -129,30 +130,30 @@ void PageData::add(const std::string& name, std::span<const std::uint32_t> numbe
   }
 }
 
-void PageData::add(const std::string& name, std::span<const std::int32_t> numbers) {
+void PageData::add(const std::string& name, const std::vector<std::int32_t>& numbers) {
   std::vector<std::uint32_t> folded;
   folded.reserve(numbers.size());
   for (const std::int32_t n : numbers) {
     const auto twice = static_cast<std::uint32_t>(n) << 1;
     folded.push_back(n < 0 ? ~twice : twice);
   }
-  add(name, std::span<const std::uint32_t>(folded));
+  add(name, folded);
   entries_.back()["kind"] = "signed";
 }
 
-void PageData::add(const std::string& name, std::span<const std::uint8_t> bytes) {
+void PageData::add(const std::string& name, const std::vector<std::uint8_t>& bytes) {
   add_entry(name, "unsigned", bytes.size(), 1);
   bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-void PageData::add(const std::string& name, std::span<const double> numbers) {
+void PageData::add(const std::string& name, const std::vector<double>& numbers) {
   add_entry(name, "double", numbers.size(), 8);
-  bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]);
 }
 
-void PageData::add(const std::string& name, std::span<const float> numbers) {
+void PageData::add(const std::string& name, const std::vector<float>& numbers) {
   add_entry(name, "float", numbers.size(), 4);
-  bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]);
 }
 
 std::string PageData::page() const {

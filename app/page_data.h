@@ -25,21 +25,19 @@ struct Grid {
 /// @return a grid about the points with a step of at most `wanted` and at least 1,024 steps, as
 ///         far as 24 bits go
 Grid grid_about(std::span<const geometry::Point> points, double wanted);
-/// @return a grid about the mesh on which its shortest edge is `min_edge_steps` steps long or more,
-/// as
-///         far as 24 bits go
+/// @return a grid about the mesh on which its shortest edge is at least 64 steps long, as far as 24
+///         bits go
 Grid grid_of(const geometry::IndexedMesh& mesh);
-constexpr double min_edge_steps = 64;
 
 class PageData {
  public:
   /// Integers, split by byte so that deflate finds the high bytes, which are mostly zero.
-  void add(const std::string& name, std::span<const std::uint32_t> numbers);
+  void add(const std::string& name, const std::vector<std::uint32_t>& numbers);
   /// The same for signed ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
-  void add(const std::string& name, std::span<const std::int32_t> numbers);
-  void add(const std::string& name, std::span<const std::uint8_t> bytes);
-  void add(const std::string& name, std::span<const double> numbers);
-  void add(const std::string& name, std::span<const float> numbers);
+  void add(const std::string& name, const std::vector<std::int32_t>& numbers);
+  void add(const std::string& name, const std::vector<std::uint8_t>& bytes);
+  void add(const std::string& name, const std::vector<double>& numbers);
+  void add(const std::string& name, const std::vector<float>& numbers);
 
   nlohmann::ordered_json about;  ///< for people and for the page: names, counts, options
 

@@ -4,9 +4,9 @@
 ///
 /// Meshing walks over a few arrays of tens of megabytes in an order that follows the front, and
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
-/// time goes into page faults, address translation and the clearing of pages. What lies idle goes
-/// back to the system when an array does not fit there, or when it is more than what is in use, or
-/// so much that clearing new pages costs little beside what is done with them.
+/// time goes into page faults, address translation and the clearing of pages. Free memory goes back
+/// to the system when no array fits into it, when it exceeds the memory in use, or when there is so
+/// much of it that clearing new pages costs little beside the work on them.
 
 #include <sys/mman.h>
 
@@ -46,8 +46,8 @@ class Ranges {
   std::size_t size() const { return size_; }
   bool is_full() const { return size_ == ranges_.size(); }
   Range& operator[](std::size_t i) { return ranges_[i]; }
-  /// The first that does not begin before an address.
-  std::size_t place(const char* address) const {
+  /// The index of the first that does not begin before an address.
+  std::size_t index_of(const char* address) const {
     const auto begins_before = [](const Range& r, const char* a) {
       return std::less<>()(r.begin, a);
     };
@@ -57,7 +57,7 @@ class Ranges {
   }
   /// @pre not full
   void insert(const Range& range) {
-    const std::size_t i = place(range.begin);
+    const std::size_t i = index_of(range.begin);
     std::move_backward(&ranges_[i], ranges_.data() + size_, ranges_.data() + size_ + 1);
     ranges_[i] = range;
     ++size_;
@@ -79,14 +79,14 @@ class PagePool {
   /// Memory for an array of so many bytes, at a multiple of `grain`; nullptr where there is none,
   /// or too many arrays have some.
   void* take(std::size_t asked) {
-    if (asked > most) return nullptr;
+    if (asked > max_size) return nullptr;
     const std::size_t size = rounded_up(asked, grain);
     const std::lock_guard lock(mutex_);
     if (in_use_.is_full()) return nullptr;
-    std::size_t best = smallest_with_room(size);
+    std::size_t best = smallest_of_at_least(size);
     if (best == free_.size()) {
       if (!map(rounded_up(size, huge_page))) return nullptr;
-      best = smallest_with_room(size);
+      best = smallest_of_at_least(size);
       if (best == free_.size()) return nullptr;
     }
     Range& from = free_[best];
@@ -95,7 +95,7 @@ class PagePool {
     if (from.size == 0) free_.erase(best);
     in_use_.insert(array);
     in_use_bytes_ += size;
-    idle_bytes_ -= size;
+    free_bytes_ -= size;
     return array.begin;
   }
 
@@ -104,22 +104,22 @@ class PagePool {
     auto* const begin = static_cast<char*>(memory);
     if (beyond(begin, grain) != 0) return false;
     const std::lock_guard lock(mutex_);
-    const std::size_t i = in_use_.place(begin);
+    const std::size_t i = in_use_.index_of(begin);
     if (i == in_use_.size() || in_use_[i].begin != begin) return false;
     const Range array = in_use_[i];
     in_use_.erase(i);
     in_use_bytes_ -= array.size;
     add_free(array);
-    idle_bytes_ += array.size;
-    if (idle_bytes_ > std::min(in_use_bytes_, most_idle)) unmap_idle();
+    free_bytes_ += array.size;
+    if (free_bytes_ > std::min(in_use_bytes_, max_free)) unmap_free();
     return true;
   }
 
  private:
-  static constexpr std::size_t most = PTRDIFF_MAX / 2;  // what no system has
-  static constexpr std::size_t most_idle = std::size_t{128} << 20;
+  static constexpr std::size_t max_size = PTRDIFF_MAX / 2;  // more than any system has
+  static constexpr std::size_t max_free = std::size_t{128} << 20;
 
-  std::size_t smallest_with_room(std::size_t size) {
+  std::size_t smallest_of_at_least(std::size_t size) {
     std::size_t best = free_.size();
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (free_[i].size >= size && (best == free_.size() || free_[i].size < free_[best].size)) {
@@ -130,7 +130,7 @@ class PagePool {
   }
 
   void add_free(Range range) {
-    const std::size_t after = free_.place(range.begin);
+    const std::size_t after = free_.index_of(range.begin);
     if (after < free_.size() && range.end() == free_[after].begin) {
       range.size += free_[after].size;
       free_.erase(after);
@@ -141,13 +141,13 @@ class PagePool {
       free_.insert(range);
     } else {
       unmap(range.begin, range.end());
-      idle_bytes_ -= range.size;
+      free_bytes_ -= range.size;
     }
   }
 
-  /// Gets huge pages from the system. What lies idle, and was too small, goes back to it first.
+  /// Gets huge pages from the system. Free memory, which was too small, goes back to it first.
   bool map(std::size_t size) {
-    unmap_idle();
+    unmap_free();
     void* memory =
         mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return false;
@@ -157,21 +157,21 @@ class PagePool {
     unmap(pages.end(), got + size + huge_page);
     madvise(pages.begin, pages.size, MADV_HUGEPAGE);
     add_free(pages);
-    idle_bytes_ += size;
+    free_bytes_ += size;
     return true;
   }
 
-  void unmap_idle() {
+  void unmap_free() {
     for (std::size_t i = free_.size(); i-- > 0;) {
-      const Range idle = free_[i];
-      char* const begin = rounded_up(idle.begin, huge_page);
-      char* const end = idle.end() - beyond(idle.end(), huge_page);
+      const Range range = free_[i];
+      char* const begin = rounded_up(range.begin, huge_page);
+      char* const end = range.end() - beyond(range.end(), huge_page);
       if (begin >= end) continue;
       unmap(begin, end);
-      idle_bytes_ -= size_between(begin, end);
+      free_bytes_ -= size_between(begin, end);
       free_.erase(i);
-      if (begin > idle.begin) add_free({idle.begin, size_between(idle.begin, begin)});
-      if (end < idle.end()) add_free({end, size_between(end, idle.end())});
+      if (begin > range.begin) add_free({range.begin, size_between(range.begin, begin)});
+      if (end < range.end()) add_free({end, size_between(end, range.end())});
     }
   }
 
@@ -184,7 +184,7 @@ class PagePool {
 
   std::mutex mutex_;
   Ranges in_use_, free_;
-  std::size_t in_use_bytes_ = 0, idle_bytes_ = 0;
+  std::size_t in_use_bytes_ = 0, free_bytes_ = 0;
 };
 
 }  // namespace morskin::app

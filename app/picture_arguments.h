@@ -2,7 +2,6 @@
 
 /// The arguments of the commands that draw: render and figure.
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -172,7 +172,7 @@ ExitCode render_command(const RenderArguments& arguments) {
     if (i > 0 || !arguments.inset) continue;
     const Camera detail = inset_camera(camera, *arguments.inset, panels[0]);
     panels.push_back(panel(scene, detail, arguments));
-    draw_box(panels.back(), {1, 1, camera.width - 1.0, camera.height - 1.0}, {pictures::ink, 2});
+    draw_border(panels.back(), {pictures::ink, 2});
   }
   if (arguments.inset) std::rotate(panels.begin() + 1, panels.begin() + 2, panels.end());
   const std::string picture = pictures::png(pictures::in_rows(panels, arguments.columns, gap));

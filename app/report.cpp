@@ -10,7 +10,6 @@
 namespace morskin::app {
 namespace {
 
-using certify::Certificate;
 using nlohmann::ordered_json;
 
 ordered_json operations_json(const MeshReport& report) {
@@ -31,10 +30,6 @@ ordered_json operations_json(const MeshReport& report) {
           {"refused", report.counts.refinement.refused}};
 }
 
-ordered_json critical_json(const morskin::CriticalCounts& counts) {
-  return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
-}
-
 ordered_json growth_json(const baselines::GrowthCounts& growth) {
   return {{"births", growth.metamorphoses[0]},
           {"necks", growth.metamorphoses[1]},
@@ -44,7 +39,7 @@ ordered_json growth_json(const baselines::GrowthCounts& growth) {
           {"flip", growth.operations.flip},
           {"contract", growth.operations.contract},
           {"insert", growth.operations.insert},
-          {"looks", growth.looks}};
+          {"looks", growth.inspections}};
 }
 
 ordered_json seconds_json(const RunSeconds& seconds) {
@@ -93,32 +88,13 @@ double floor_ratio(const MeshReport& report) {
 
 }  // namespace
 
-ordered_json certificate_json(const Certificate& c) {
-  ordered_json json = {{"vertices", c.vertices},
-                       {"triangles", c.triangles},
-                       {"components", c.components},
-                       {"euler_characteristic", c.euler_characteristic},
-                       {"genus", c.genus},
-                       {"expected_euler_characteristic", c.expected_euler_characteristic},
-                       {"expected_components", c.expected_components},
-                       {"expected_genus", c.expected_genus},
-                       {"min_angle_deg", c.min_angle_deg},
-                       {"max_angle_deg", c.max_angle_deg},
-                       {"worst_L", c.worst_L},
-                       {"worst_U", c.worst_U},
-                       {"violations_L", c.violations_L},
-                       {"violations_U", c.violations_U},
-                       {"max_distance_to_skin", rounded(c.max_distance_to_skin)},
-                       {"max_relative_distance_to_skin", rounded(c.max_relative_distance_to_skin)},
-                       {"single_precision", c.is_single_precision},
-                       {"area", rounded(c.area, 12)},
-                       {"volume", rounded(c.volume, 12)},
-                       {"covering_degree_ok", c.covering_degree_ok},
-                       {"restricted_delaunay_violations", c.restricted_delaunay_violations},
-                       {"homeomorphic", c.is_homeomorphic},
-                       {"certified", c.certified}};
-  if (!c.certified) json["reason"] = c.reason;
-  return json;
+ordered_json critical_json(const morskin::CriticalCounts& counts) {
+  return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
+}
+
+std::string critical_text(const morskin::CriticalCounts& counts) {
+  return counted(counts[0], "minimum", "minima") + " - " + counted(counts[1], "saddle", "saddles") +
+         " + " + counted(counts[2], "maximum", "maxima");
 }
 
 std::string json_text(const MeshReport& report) {
@@ -168,66 +144,12 @@ std::string json_text(const MeshReport& report) {
   return strict_json(json);
 }
 
-std::string doubts_about(const certify::Sizing& sizing) {
-  std::string doubts;
-  const auto add = [&](bool is_proved, const std::string& text) {
-    if (!is_proved) doubts += (doubts.empty() ? "" : ", and ") + text;
-  };
-  add(sizing.is_refinement_proved_to_end(),
-      "Q^2 is not above 2 + 4 C Q, so [L] and [U] may be in each other's way");
-  if (!sizing.is_tube_proved()) {
-    add(false, "C Q = " + brief(sizing.C * sizing.Q, 3) +
-                   " is above 0.377, so [U] does not imply what the certificate asks of triangles");
-  } else {
-    add(sizing.is_sample_proved_dense(),
-        "C Q = " + brief(sizing.C * sizing.Q, 3) +
-            " is above 0.215, up to which sampling theory reaches; the certificate decides");
-  }
-  return doubts;
-}
-
-std::string certificate_text(const Certificate& c, const certify::Sizing& sizing) {
-  const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
-                            c.euler_characteristic == c.expected_euler_characteristic;
-  std::string text;
-  text += line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
-                           counted(c.vertices, "vertex", "vertices"));
-  text +=
-      line("topology", counted(c.components, "component", "components") + ", genus " +
-                           grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
-                           grouped(static_cast<long long>(c.euler_characteristic)) +
-                           (counts_agree ? ", as the dual complex says" : ""));
-  if (!counts_agree) {
-    text += line("expected", counted(c.expected_components, "component", "components") +
-                                 ", genus " + grouped(static_cast<long long>(c.expected_genus)) +
-                                 ", Euler characteristic " +
-                                 grouped(static_cast<long long>(c.expected_euler_characteristic)));
-  }
-  if (c.triangles > 0) {
-    text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                               " degrees (bound " + brief(sizing.angle_bound_deg()) + ")");
-    text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
-                              brief(c.worst_U, 6) + " (good below 1), " +
-                              counted(c.violations_L + c.violations_U, "violation", "violations"));
-  }
-  text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
-                               " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
-                               " of the length scale");
-  if (c.is_single_precision) text += line("", "(all coordinates are single precision)");
-  text +=
-      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3");
-  return text;
-}
-
 namespace {
 
-std::string critical_text(const MeshReport& report) {
-  const auto& [minima, saddles, maxima] = report.counts.critical_points;
+std::string function_text(const MeshReport& report) {
   const morskin::CriticalCounts& left = report.counts.surviving_points;
   return line("function", in_words(report.counts.function)) +
-         line("critical", counted(minima, "minimum", "minima") + " - " +
-                              counted(saddles, "saddle", "saddles") + " + " +
-                              counted(maxima, "maximum", "maxima") + "; " + grouped(left[0]) +
+         line("critical", critical_text(report.counts.critical_points) + "; " + grouped(left[0]) +
                               " - " + grouped(left[1]) + " + " + grouped(left[2]) + " survive");
 }
 
@@ -238,7 +160,7 @@ std::string sweep_text(const front::Operations& done) {
          line("touches", grouped(done.guard_inside_protecting) + " in protecting spheres, " +
                              grouped(done.guard_outside_protecting) + " outside, of which " +
                              grouped(done.futile_inside_protecting) + " and " +
-                             grouped(done.futile_outside_protecting) + " in vain") +
+                             grouped(done.futile_outside_protecting) + " futile") +
          (done.coarsen == 0
               ? ""
               : line("coarsening", counted(done.coarsen, "vertex", "vertices") + " taken out"));
@@ -254,7 +176,7 @@ std::string growth_text(const baselines::GrowthCounts& growth) {
          line("", counted(growth.operations.flip, "flip", "flips") + ", " +
                       counted(growth.operations.contract, "contraction", "contractions") + ", " +
                       counted(growth.operations.insert, "insertion", "insertions") + " in " +
-                      counted(growth.looks, "look", "looks"));
+                      counted(growth.inspections, "inspection", "inspections"));
 }
 
 /// What the method did.
@@ -265,7 +187,7 @@ std::string method_text(const MeshReport& report) {
   if (report.growth) return growth_text(*report.growth);
   const bool is_sweep = report.method == MeshMethod::Sweep;
   return (is_sweep ? "" : line("method", std::string(name_of(report.method)))) +
-         critical_text(report) + (is_sweep ? sweep_text(report.counts.operations) : "") +
+         function_text(report) + (is_sweep ? sweep_text(report.counts.operations) : "") +
          line("refinement",
               counted(report.counts.refinement.flip, "flip", "flips") + ", " +
                   counted(report.counts.refinement.contract, "contraction", "contractions") + ", " +
@@ -276,17 +198,17 @@ std::string method_text(const MeshReport& report) {
 
 /// What was replaced; first what could not be, which is why the mesh is not certified.
 std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
-  constexpr std::size_t most_lines = 5;
+  constexpr std::size_t max_lines = 5;
   std::stable_partition(fallbacks.begin(), fallbacks.end(),
                         [](const morskin::Fallback& f) { return !f.replacement; });
   std::string text;
-  for (std::size_t i = 0; i < std::min(fallbacks.size(), most_lines); ++i) {
+  for (std::size_t i = 0; i < std::min(fallbacks.size(), max_lines); ++i) {
     const morskin::Fallback& f = fallbacks[i];
     text += line("fallback", "component " + std::to_string(f.component) + ", from sweep to " +
                                  replacement_text(f) + ": " + f.reason);
   }
-  if (fallbacks.size() <= most_lines) return text;
-  return text + line("fallback", grouped(fallbacks.size() - most_lines) +
+  if (fallbacks.size() <= max_lines) return text;
+  return text + line("fallback", grouped(fallbacks.size() - max_lines) +
                                      " components more; --report lists them");
 }
 

@@ -58,6 +58,12 @@ std::string people_text(const MeshReport& report);
 /// theory.
 std::string doubts_about(const certify::Sizing& sizing);
 
+nlohmann::ordered_json critical_json(const morskin::CriticalCounts& counts);
+/// "2 minima - 1 saddle + 1 maximum"
+std::string critical_text(const morskin::CriticalCounts& counts);
+
+// certificate_report.cpp
+
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
 std::string certificate_text(const certify::Certificate& certificate,

@@ -1,7 +1,6 @@
 #include "app/staged_outputs.h"
 
 #include <string>
-#include <utility>
 
 namespace morskin::app {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <string>
 
@@ -7,6 +6,7 @@
 #include "app/function_argument.h"
 #include "app/limits.h"
 #include "app/molecule_input.h"
+#include "app/output_names.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
@@ -48,22 +48,18 @@ Context context(const MoleculeArguments& molecule, const ViewArguments& argument
   MoleculeInput input = read_input(molecule);
   morskin::PreparedSkin skin = prepare_skin(input, run);
   Context result{std::move(input), std::move(skin), {}, {}, {}};
-  try {
-    const morse::ChosenFunction chosen = run.stage("critical points", [&] {
+  const morse::ChosenFunction chosen = along_function(arguments.function, [&] {
+    return run.stage("critical points", [&] {
       return morse::choose_function(result.skin.surface,
                                     result.skin.topology.skin_euler_characteristic(),
                                     arguments.function);
     });
-    result.function = chosen.function;
-    result.complex = run.stage("integral lines", [&] {
-      return morse::morse_smale_complex(result.skin.surface, chosen.function, chosen.critical,
-                                        morse::Polylines::Keep, run);
-    });
-  } catch (const morse::DegenerateFunction& error) {
-    // Which exit code depends on whose choice the function was.
-    if (arguments.function) throw UsageError(error.what());
-    throw;
-  }
+  });
+  result.function = chosen.function;
+  result.complex = run.stage("integral lines", [&] {
+    return morse::morse_smale_complex(result.skin.surface, chosen.function, chosen.critical,
+                                      morse::Polylines::Keep, run);
+  });
   const double share = morskin::sphere_share(result.skin.surface, arguments.sizing);
   const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
   result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
@@ -111,7 +107,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
   options.function = context.function;
-  RecordedMesh recorded = mesh_and_record(context.skin, options, run);
+  figures::RecordedSweep recorded = figures::recorded_sweep(context.skin, options, run);
   morskin::MeshResult& result = recorded.result;
 
   page.about["kind"] = "molecule";
@@ -197,7 +193,7 @@ std::string people_text(const ViewArguments& arguments, const Viewed& viewed, co
   text += line("mesh", counted(viewed.mesh.triangles.size(), "triangle", "triangles") + ", " +
                            counted(viewed.mesh.positions.size(), "vertex", "vertices"));
   text += line("page", brief(static_cast<double>(bytes) / 1e6, 3) + " MB, of which the mesh's " +
-                           "places are rounded to " +
+                           "positions are rounded to " +
                            brief(page.about["mesh"]["grid"]["step"].get<double>(), 3) + " A");
   if (viewed.certificate) {
     text += viewed.certificate->certified ? "certified: homeomorphic to the skin, [L] and [U] hold"
@@ -243,8 +239,7 @@ ExitCode view_command(const ViewArguments& arguments) {
               << "\n";
   }
   if (!arguments.quiet) {
-    const bool is_taken = arguments.output == "-" || arguments.output == "/dev/stdout";
-    (is_taken ? std::cerr : std::cout) << people_text(arguments, viewed, page, bytes.size(), name);
+    print_beside(arguments.output, people_text(arguments, viewed, page, bytes.size(), name));
   }
   return has_failed ? ExitCode::NotCertified : ExitCode::Success;
 }

@@ -44,8 +44,7 @@ void add_path(PageData& page, const std::string& name, const Grid& grid,
     for (std::size_t k = 0; k < 3; ++k) axes[k].push_back(at[k] - last[k]);
     last = at;
   }
-  for (std::size_t k = 0; k < 3; ++k)
-    page.add(name + "." + "xyz"[k], std::span(std::as_const(axes[k])));
+  for (std::size_t k = 0; k < 3; ++k) page.add(name + "." + "xyz"[k], axes[k]);
 }
 
 double distance_from_line(const Point& p, const Point& a, const Point& b) {
@@ -93,8 +92,8 @@ void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleC
   }
   const Grid grid = grid_about(points, line_tolerance / 10);
   page.about[name] = {{"count", lengths.size()}, {"grid", json(grid)}};
-  page.add(name + ".lengths", std::span(std::as_const(lengths)));
-  page.add(name + ".index", std::span(std::as_const(indices)));
+  page.add(name + ".lengths", lengths);
+  page.add(name + ".index", indices);
   add_path(page, name, grid, points);
 }
 
@@ -115,8 +114,8 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
   page.about[name] = {{"triangles", code.triangles.size()},
                       {"vertices", code.vertices.size()},
                       {"grid", json(grid)}};
-  page.add(name + ".cases", std::span(std::as_const(code.cases)));
-  page.add(name + ".references", std::span(std::as_const(code.references)));
+  page.add(name + ".cases", code.cases);
+  page.add(name + ".references", code.references);
   for (std::size_t k = 0; k < 3; ++k) {
     SignedNumbers off;
     off.reserve(at.size());
@@ -125,7 +124,7 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
       const std::int32_t predicted = v == 0 ? 0 : at[p][k] + at[q][k] - at[r][k];
       off.push_back(at[v][k] - predicted);
     }
-    page.add(name + "." + "xyz"[k], std::span(std::as_const(off)));
+    page.add(name + "." + "xyz"[k], off);
   }
   return code;
 }
@@ -139,32 +138,31 @@ void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& 
     off.push_back(static_cast<std::int32_t>(cell - last));
     last = cell;
   }
-  page.add("mesh.cell", std::span(std::as_const(off)));
+  page.add("mesh.cell", off);
 }
 
-void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded) {
+void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSweep& recorded) {
   const auto count = recorded.laid;
   const std::uint32_t each = std::max(1U, (count + max_steps - 1) / max_steps);
   const std::uint32_t steps = (count + each - 1) / each;
   std::vector<std::uint8_t> operation(count, 0);  // by swept triangle
   std::array<Numbers, 5> done;                    // by operation and step
   for (Numbers& counts : done) counts.assign(steps, 0);
-  std::uint32_t from = 0;
-  for (const RecordedStep& step : recorded.steps) {
-    const auto kind = static_cast<std::uint8_t>(step.operation);
-    std::fill(operation.begin() + from, operation.begin() + step.triangles, kind);
-    from = step.triangles;
-    if (step.triangles > 0) ++done[kind][(step.triangles - 1) / each];
+  for (const figures::Event& event : recorded.events) {
+    const auto kind = static_cast<std::uint8_t>(event.operation);
+    std::fill(operation.begin() + static_cast<std::ptrdiff_t>(event.before),
+              operation.begin() + static_cast<std::ptrdiff_t>(event.after), kind);
+    if (event.after > 0) ++done[kind][(event.after - 1) / each];
   }
   page.about["sweep"] = {{"steps", steps}, {"triangles_per_step", each}, {"triangles", count}};
   for (std::size_t kind = 0; kind < done.size(); ++kind) {
-    page.add("sweep.done." + std::to_string(kind), std::span(std::as_const(done[kind])));
+    page.add("sweep.done." + std::to_string(kind), done[kind]);
   }
-  page.add("mesh.birth", std::span<const std::int32_t>(against_parents(
-                             code, [&](std::uint32_t t) { return recorded.birth[t] / each; })));
+  page.add("mesh.birth",
+           against_parents(code, [&](std::uint32_t t) { return recorded.birth[t] / each; }));
   std::vector<std::uint8_t> of_triangle;
   for (const std::uint32_t t : code.triangles) of_triangle.push_back(operation[recorded.birth[t]]);
-  page.add("mesh.operation", std::span(std::as_const(of_triangle)));
+  page.add("mesh.operation", of_triangle);
 }
 
 void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regions) {
@@ -173,10 +171,10 @@ void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regio
     minima.push_back(region.minimum);
     maxima.push_back(region.maximum);
   }
-  page.add("regions.minimum", std::span(std::as_const(minima)));
-  page.add("regions.maximum", std::span(std::as_const(maxima)));
-  page.add("mesh.region", std::span<const std::int32_t>(against_parents(
-                              code, [&](std::uint32_t t) { return regions.of_triangle[t]; })));
+  page.add("regions.minimum", minima);
+  page.add("regions.maximum", maxima);
+  page.add("mesh.region",
+           against_parents(code, [&](std::uint32_t t) { return regions.of_triangle[t]; }));
 }
 
 void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::SkinSurface& skin) {
@@ -200,9 +198,9 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
     element_of.push_back(found == index_of.end() ? std::uint8_t{254} : found->second);
   }
   page.about["elements"] = elements;
-  page.add("atoms.balls", std::span(std::as_const(balls)));
-  page.add("atoms.radius", std::span(std::as_const(radii)));
-  page.add("atoms.element", std::span(std::as_const(element_of)));
+  page.add("atoms.balls", balls);
+  page.add("atoms.radius", radii);
+  page.add("atoms.element", element_of);
 
   const geometry::RegularTriangulation& triangulation = skin.triangulation();
   page.about["complex"] = {{"cells", skin.complex().size()}};
@@ -218,7 +216,7 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
             static_cast<std::int32_t>(atom.value - std::exchange(before, atom.value)));
       }
     }
-    page.add("complex." + name, std::span(std::as_const(numbers)));
+    page.add("complex." + name, numbers);
   };
   std::vector<std::array<geometry::AtomId, 1>> vertices;
   for (const geometry::AtomId atom : triangulation.vertices) vertices.push_back({atom});
@@ -251,10 +249,10 @@ void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
     heirs[c.extremum.index()] = c.heir.value;
   }
   page.about["critical"] = {{"found", counts}, {"left", left}};
-  page.add("critical.points", std::span(std::as_const(values)));
-  page.add("critical.index", std::span(std::as_const(indices)));
-  page.add("critical.survives", std::span(std::as_const(survives)));
-  page.add("critical.heir", std::span(std::as_const(heirs)));
+  page.add("critical.points", values);
+  page.add("critical.index", indices);
+  page.add("critical.survives", survives);
+  page.add("critical.heir", heirs);
   if (!traced.arcs.empty()) {
     add_lines(page, "lines", traced);
     add_lines(page, "kept_lines", simplified.complex);

@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "app/figures/recorded_sweep.h"
 #include "app/flow_regions.h"
 #include "app/front_code.h"
 #include "app/page_data.h"
-#include "app/recorded_sweep.h"
 #include "morse/simplification.h"
 #include "skin/molecule.h"
 
@@ -23,7 +23,7 @@ void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& 
                const std::vector<geometry::CellId>& cells);
 
 /// By triangle the step of its birth and the operation that laid it; by step what was done.
-void add_sweep(PageData& page, const FrontCode& code, const RecordedMesh& recorded);
+void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSweep& recorded);
 
 /// By triangle its region.
 void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regions);

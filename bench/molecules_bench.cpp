@@ -4,10 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
-
 #include "bench/bundled.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/stopwatch.h"
 #include "morskin/pipeline.h"
 
 namespace {
@@ -34,14 +33,14 @@ void whole_run(benchmark::State& state, const std::string& file, skin::Model mod
   double morse = 0, smooth = 0;  // critical points, integral lines, simplification; smoothing
   certify::Certificate certificate;
   for (auto _ : state) {
-    const auto start = std::chrono::steady_clock::now();
+    const geometry::Stopwatch stopwatch;
     const morskin::Run run(2);
     const morskin::PreparedSkin skin = morskin::prepare_skin(bundled_balls(file, model), run);
     AsFile as_file;
     const morskin::MeshResult result =
         morskin::make_mesh(skin, {.sizing = {}, .method = method}, as_file, run);
     certificate = result.certificate;
-    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds += stopwatch.seconds();
     morse += run.seconds("critical points") + run.seconds("integral lines");
     smooth += run.seconds("smooth");
     state.PauseTiming();

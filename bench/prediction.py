@@ -79,7 +79,7 @@ def compare_guards(options, folder, runs):
                sum(o[i] is None for o in outcomes), f"{sum(o[i] for o in common):.2f}"]
               for i, guard in enumerate(GUARDS)]
     first = table(["molecule", "model", "saddles", "surviving", "inside", "outside",
-                   "in vain inside", "in vain outside", "share inside"], touches)
+                   "futile inside", "futile outside", "share inside"], touches)
     second = table(["guard", "runs", "certified", "failed",
                     f"seconds of sweep, {len(common)} runs"], guards)
     return first + "\n" + second, sum(o[0] is None for o in outcomes)

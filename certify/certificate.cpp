@@ -1,11 +1,9 @@
 #include "certify/certificate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,27 +34,22 @@ std::string number(double x) {
 class Certifier {
  public:
   Certifier(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
-            const Sizing& sizing, Certificate& certificate)
-      : mesh_(mesh), surface_(surface), sizing_(sizing), out_(certificate), hints_(hints) {}
+            const Sizing& sizing, const geometry::Run& run)
+      : mesh_(mesh), surface_(surface), sizing_(sizing), hints_(hints), run_(run) {}
 
-  void run(const surface::Topology& expected, unsigned threads) {
+  Certificate prove(const surface::Topology& expected) {
     out_.vertices = mesh_.positions.size();
     out_.triangles = mesh_.triangles.size();
     out_.expected_euler_characteristic = expected.euler_characteristic;
     out_.expected_components = expected.components;
     out_.expected_genus = static_cast<long>(expected.genus);
-    prove(threads);
-  }
-
- private:
-  void prove(unsigned threads) {
-    locate_and_glue(threads);
+    locate_and_glue();
     DelaunayFilter filter(mesh_.triangles.size());
-    check_triangles(threads, filter);
-    check_fans(threads);
+    check_triangles(filter);
+    check_fans();
     if (built_.defect) {
-      fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
-      fail(Claim::Degree, "not asked, for the mesh is no manifold");
+      out_.fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
+      out_.fail(Claim::Degree, "not asked, for the mesh is no manifold");
       measure_shape();
     } else {
       const auto check_covering = [&] {
@@ -68,14 +61,16 @@ class Certifier {
         out_.restricted_delaunay_violations =
             local_delaunay_violations(mesh_, built_.mesh, surface_, points_, filter);
       };
-      geometry::do_both(threads, check_covering, check_balls);
+      geometry::do_both(run_.threads(), check_covering, check_balls);
     }
-    check_vertices(threads);
+    check_vertices();
     conclude();
+    return std::move(out_);
   }
 
+ private:
+  bool holds(Claim claim) const { return out_.broken_by(claim).empty(); }
   void conclude() {
-    const auto holds = [&](Claim claim) { return out_.broken_by(claim).empty(); };
     out_.is_homeomorphic = holds(Claim::Manifold) && holds(Claim::Upright) && holds(Claim::Tube) &&
                            holds(Claim::Degree) && holds(Claim::Counts);
     out_.certified =
@@ -89,11 +84,6 @@ class Certifier {
     }
   }
 
-  void fail(Claim claim, const std::string& reason) { fail(out_, claim, reason); }
-  static void fail(Certificate& out, Claim claim, const std::string& reason) {
-    std::string& first = out.broken[static_cast<std::size_t>(claim)];
-    if (first.empty()) first = reason;
-  }
   /// Records the first element that breaks [L] or [U], which is no reason against homeomorphy.
   static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
     out.broken[static_cast<std::size_t>(claim)] =
@@ -101,17 +91,13 @@ class Certifier {
   }
   LocatedMesh located() const { return {mesh_, points_, bounds_, surface_}; }
 
-  /// Angles, area and volume.
-  void measure_shape();
-  /// Locates the vertices and glues the triangles; neither needs the other.
-  void locate_and_glue(unsigned threads);
+  void measure_shape();  ///< angles, area and volume
+  void locate_and_glue();
   void glue();
-  /// The triangles at each vertex form one fan.
-  void check_fans(unsigned threads);
-  /// Each vertex's distance to the skin.
-  void check_vertices(unsigned threads);
+  void check_fans();      ///< the triangles at each vertex form one fan
+  void check_vertices();  ///< each vertex's distance to the skin
   /// [L], [U], and the conditions c1 and c2 of the theorem.
-  void check_triangles(unsigned threads, DelaunayFilter& filter);
+  void check_triangles(DelaunayFilter& filter);
   /// The results of one block of triangles.
   struct TriangleFindings {
     Certificate out;  ///< the members that check_triangle() changes
@@ -126,8 +112,9 @@ class Certifier {
   const IndexedMesh& mesh_;
   const surface::Surface& surface_;
   const Sizing sizing_;
-  Certificate& out_;
   const Hints& hints_;
+  const geometry::Run& run_;
+  Certificate out_;
   geometry::MeshOrDefect built_;
   bool is_built_by_hints_ = false;
   geometry::Components components_;
@@ -144,7 +131,8 @@ void Certifier::measure_shape() {
   out_.max_angle_deg = shape.max_angle_deg;
 }
 
-void Certifier::locate_and_glue(unsigned threads) {
+/// Locates the vertices and glues the triangles; neither needs the other.
+void Certifier::locate_and_glue() {
   const std::size_t count = mesh_.positions.size();
   const bool has_cells = hints_.cells.size() == count;
   VertexLocator locator(mesh_, surface_);
@@ -153,7 +141,7 @@ void Certifier::locate_and_glue(unsigned threads) {
     locator.locate_rest();  // all vertices, as one block
   };
   geometry::for_each_block_beside(
-      threads, [&] { glue(); }, count, locate,
+      run_.threads(), [&] { glue(); }, count, locate,
       has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
   locator.locate_rest();
   points_ = locator.take_points();
@@ -173,31 +161,32 @@ void Certifier::glue() {
   if (!built_.defect) components_ = geometry::components(built_.mesh);
 }
 
-void Certifier::check_fans(unsigned threads) {
-  if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, threads);
+void Certifier::check_fans() {
+  if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, run_.threads());
   // Gluing is unique only if no edge occurs twice; the defect must not depend on hints.
   if (built_.defect && is_built_by_hints_) {
     built_ = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
   }
 }
 
-void Certifier::check_vertices(unsigned threads) {
+void Certifier::check_vertices() {
   out_.is_single_precision = is_single_precision(mesh_.positions);
-  const Residuals found = residuals(points_, bounds_, surface_, out_.is_single_precision, threads);
+  const Residuals found = residuals(points_, bounds_, surface_, out_.is_single_precision, run_);
   out_.max_distance_to_skin = found.max_distance;
   out_.max_relative_distance_to_skin = found.max_relative_distance;
   if (!found.first_off_skin) return;
   const auto& [v, distance] = *found.first_off_skin;
-  fail(Claim::OnSkin, "vertex " + std::to_string(v) +
-                          (distance > 0 ? " lies " + number(distance) + " Angstrom off the skin"
-                                        : " is not known to lie on the skin"));
+  out_.fail(Claim::OnSkin,
+            "vertex " + std::to_string(v) +
+                (distance > 0 ? " lies " + number(distance) + " Angstrom off the skin"
+                              : " is not known to lie on the skin"));
 }
 
-void Certifier::check_triangles(unsigned threads, DelaunayFilter& filter) {
+void Certifier::check_triangles(DelaunayFilter& filter) {
   out_.worst_L = std::numeric_limits<double>::infinity();
   const std::size_t count = mesh_.triangles.size();
   std::vector<TriangleFindings> found(geometry::block_count(count));
-  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto block) {
+  geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
     found[block].out.worst_L = out_.worst_L;
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
@@ -249,13 +238,12 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   const TriangleBounds shape = on.shape(corner);
   const TubeProof proof = prove_tube(surface_, p, shape, bounds);
   if (!proof.is_upright) {
-    fail(out, Claim::Upright,
-         "triangle " + std::to_string(t) + " does not face the way the skin does");
+    out.fail(Claim::Upright,
+             "triangle " + std::to_string(t) + " does not face the way the skin does");
   }
   if (!proof.is_in_tube) {
-    fail(out, Claim::Tube,
-         "triangle " + std::to_string(t) +
-             " is too big for its length scale to be proved near the skin");
+    out.fail(Claim::Tube, "triangle " + std::to_string(t) +
+                              " is too big for its length scale to be proved near the skin");
   }
   found.flow.add(static_cast<std::uint32_t>(t), shape.circumradius, proof.max_path,
                  rho - bounds.max_error, bounds.max_error);
@@ -263,16 +251,19 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
 
 void Certifier::check_covering_degree() {
   out_.components = components_.count;
-  const auto holds = [&](Claim claim) { return out_.broken_by(claim).empty(); };
   if (!holds(Claim::Upright) || !holds(Claim::Tube)) {
-    return fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
+    return out_.fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
   }
-  const std::optional<std::size_t> unproved =
-      CoveringDegree(located(), built_.mesh, components_, flow_).first_unproved();
-  out_.covering_degree_ok = !unproved;
-  if (!unproved) return;
-  fail(Claim::Degree,
-       "component " + std::to_string(*unproved) + " could not be shown to cover the skin once");
+  const auto proved = CoveringDegree(located(), built_.mesh, components_, flow_).proved_vertices();
+  for (std::size_t i = 0; i < proved.size(); ++i) {
+    if (proved[i]) {
+      out_.degree_vertices.push_back(*proved[i]);
+    } else {
+      out_.fail(Claim::Degree,
+                "component " + std::to_string(i) + " could not be shown to cover the skin once");
+    }
+  }
+  out_.covering_degree_ok = out_.degree_vertices.size() == proved.size();
 }
 
 void Certifier::compare_counts() {
@@ -290,7 +281,7 @@ void Certifier::compare_counts() {
   compare("the Euler characteristic", out_.euler_characteristic,
           out_.expected_euler_characteristic);
   compare("the genus", out_.genus, out_.expected_genus);
-  if (!differences.empty()) fail(Claim::Counts, differences);
+  if (!differences.empty()) out_.fail(Claim::Counts, differences);
 }
 
 }  // namespace
@@ -304,9 +295,7 @@ Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
 Certificate certify(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing,
                     const geometry::Run& run) {
-  Certificate certificate;
-  Certifier(mesh, hints, surface, sizing, certificate).run(expected, run.threads());
-  return certificate;
+  return Certifier(mesh, hints, surface, sizing, run).prove(expected);
 }
 
 }  // namespace morskin::certify

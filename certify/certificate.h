@@ -58,6 +58,8 @@ struct Certificate {
   double area = 0;                           ///< Angstrom^2
   double volume = 0;                         ///< Angstrom^3, without voids
   bool covering_degree_ok = false;
+  /// A vertex of each component at which its covering is shown to have one sheet, where it is.
+  std::vector<geometry::VertexId> degree_vertices;
   /// Triangles with the far corner of a neighbour in their surface ball; 0 if the mesh is not
   /// closed. Not part of the proof (restricted_delaunay.h).
   std::size_t restricted_delaunay_violations = 0;
@@ -74,6 +76,11 @@ struct Certificate {
 
   const std::string& broken_by(Claim claim) const {
     return broken[static_cast<std::size_t>(claim)];
+  }
+  /// Records why a claim does not hold; the first reason stays.
+  void fail(Claim claim, const std::string& why) {
+    std::string& first = broken[static_cast<std::size_t>(claim)];
+    if (first.empty()) first = why;
   }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <limits>
 
 #include "certify/candidate_grid.h"
 #include "certify/distance_bounds.h"
@@ -103,7 +102,7 @@ bool CoveringDegree::turns_once(VertexId v) const {
 /// and at v. On a path of length s from v N changes by at most s, so the path's direction differs
 /// from v's normal by a sine of at most s / rho: it ends within s^2 / (2 rho) of the line along
 /// that normal.
-bool CoveringDegree::may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const {
+bool CoveringDegree::may_cover(const geometry::TriangleCorners& triangle, VertexId v) const {
   const SurfacePoint& at = on_.points[v.index()];
   const VertexBounds& bounds = on_.bounds[v.index()];
   const TriangleBounds shape = on_.shape(triangle);
@@ -143,7 +142,7 @@ std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates) 
   for (const auto& list : candidates) all.insert(all.end(), list.begin(), list.end());
   std::vector<char> is_free(on_.mesh.positions.size(), 0);
   for (const VertexId v : all) is_free[v.index()] = 1;
-  const auto test = [&](const std::array<std::uint32_t, 3>& t, VertexId v) {
+  const auto test = [&](const geometry::TriangleCorners& t, VertexId v) {
     const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
     if (!is_own && is_free[v.index()] && may_cover(t, v)) is_free[v.index()] = 0;
   };
@@ -201,15 +200,16 @@ void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates
   }
 }
 
-std::optional<std::size_t> CoveringDegree::first_unproved() const {
+std::vector<std::optional<VertexId>> CoveringDegree::proved_vertices() const {
   const Candidates all = candidates();
   const std::vector<char> is_free = free_candidates(all);
+  std::vector<std::optional<VertexId>> result(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool is_proved =
-        std::ranges::any_of(all[i], [&](VertexId v) { return is_free[v.index()] != 0; });
-    if (!is_proved) return i;
+    const auto free =
+        std::ranges::find_if(all[i], [&](VertexId v) { return is_free[v.index()] != 0; });
+    if (free != all[i].end()) result[i] = *free;
   }
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace morskin::certify

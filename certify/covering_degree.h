@@ -60,15 +60,15 @@ struct LocatedMesh {
   const surface::Surface& surface;
 
   const Point& position(std::uint32_t v) const { return mesh.positions[v]; }
-  Corners corners(const std::array<std::uint32_t, 3>& triangle) const {
+  Corners corners(const geometry::TriangleCorners& triangle) const {
     const auto& [a, b, c] = triangle;
     return {&points[a], &points[b], &points[c]};
   }
-  TriangleBounds shape(const std::array<std::uint32_t, 3>& triangle) const {
+  TriangleBounds shape(const geometry::TriangleCorners& triangle) const {
     const auto& [a, b, c] = triangle;
     return triangle_bounds(position(a), position(b), position(c));
   }
-  CornerBounds corner_bounds(const std::array<std::uint32_t, 3>& triangle) const {
+  CornerBounds corner_bounds(const geometry::TriangleCorners& triangle) const {
     CornerBounds result{0, 0};
     for (const std::uint32_t v : triangle) {
       result.max_value = std::max(result.max_value, bounds[v].max_value());
@@ -86,8 +86,8 @@ class CoveringDegree {
                  const geometry::Components& components, const FlowBounds& bounds)
       : on_(mesh), connectivity_(connectivity), components_(components), bounds_(bounds) {}
 
-  /// The first component without a proof of (c3).
-  std::optional<std::size_t> first_unproved() const;
+  /// By component, a vertex for which (c3) is proved, if there is one.
+  std::vector<std::optional<VertexId>> proved_vertices() const;
 
  private:
   /// By component, vertices at which to try (c3).
@@ -102,7 +102,7 @@ class CoveringDegree {
   void test_far_triangles(const std::vector<VertexId>& candidates, Test test) const;
   template <class Test>
   void test_near_triangles(const std::vector<VertexId>& candidates, Test test) const;
-  bool may_cover(const std::array<std::uint32_t, 3>& triangle, VertexId v) const;
+  bool may_cover(const geometry::TriangleCorners& triangle, VertexId v) const;
   double min_length_scale(VertexId v) const {
     return on_.points[v.index()].length_scale - on_.bounds[v.index()].error;
   }

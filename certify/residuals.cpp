@@ -25,7 +25,7 @@ bool is_single_precision(std::span<const surface::Point> positions) {
 
 Residuals residuals(std::span<const surface::SurfacePoint> points,
                     std::span<const VertexBounds> bounds, const surface::Surface& surface,
-                    bool is_single_precision, unsigned threads) {
+                    bool is_single_precision, const geometry::Run& run) {
   const auto check = [&](std::size_t v, Residuals& found) {
     const double rho = points[v].length_scale;
     // |N| falls along the way to the skin, so its length is no less than the distance.
@@ -44,7 +44,7 @@ Residuals residuals(std::span<const surface::SurfacePoint> points,
     if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, least / (2 * rho)};
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));
-  geometry::for_each_block(threads, points.size(), [&](auto begin, auto end, auto block) {
+  geometry::for_each_block(run.threads(), points.size(), [&](auto begin, auto end, auto block) {
     for (std::size_t v = begin; v < end; ++v) check(v, found[block]);
   });
   Residuals whole;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/located_vertices.h"
+#include "geometry/run.h"
 
 namespace morskin::certify {
 
@@ -23,9 +24,8 @@ struct Residuals {
 
 /// @param points, bounds       by vertex
 /// @param is_single_precision  whether vertices may be off by the rounding to floats
-/// @param threads              at most; the result is the same for any number
 Residuals residuals(std::span<const surface::SurfacePoint> points,
                     std::span<const VertexBounds> bounds, const surface::Surface& surface,
-                    bool is_single_precision, unsigned threads);
+                    bool is_single_precision, const geometry::Run& run);
 
 }  // namespace morskin::certify

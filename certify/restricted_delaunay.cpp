@@ -1,7 +1,6 @@
 #include "certify/restricted_delaunay.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "certify/ball_pencil.h"

@@ -39,8 +39,8 @@ class TangentDisk {
 
   /// Angstrom, for a length scale.
   double radius(double length_scale) const { return share_ * sizing_.scale(length_scale); }
-  /// In one direction: for the smaller of the length scales at both ends, which is the one that
-  /// [U] goes by. The far end's is read off the patch, which mostly goes on.
+  /// In one direction, for the smaller length scale of centre and rim, as in [U]. The rim's is
+  /// extrapolated from the patch of the centre.
   double radius(const SurfacePoint& centre, const Vector& direction) const;
   /// The rim's point in one direction, projected to the surface; nothing where that fails.
   std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector& direction) const;

@@ -27,8 +27,8 @@ bool is_exact_coordinate(double x) { return is_exact(x, coordinate_unit); }
 bool is_exact_weight(double w) { return is_exact(w, weight_unit); }
 
 std::size_t move_to_exact_grid(std::span<WeightedPoint> points) {
-  constexpr double least_weight = 0x1p-136;
-  const auto is_tiny = [](const WeightedPoint& p) { return std::fabs(p.weight) < least_weight; };
+  constexpr double min_weight = 0x1p-136;
+  const auto is_tiny = [](const WeightedPoint& p) { return std::fabs(p.weight) < min_weight; };
   if (std::ranges::any_of(points, is_tiny)) return 0;
   std::size_t moved = 0;
   for (WeightedPoint& p : points) {

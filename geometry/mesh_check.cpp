@@ -66,8 +66,7 @@ class MeshChecker {
   static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   std::uint32_t apex(std::uint32_t h) const { return corner(next(next(h))); }
   bool repeats_a_corner(std::size_t t) const {
-    const auto [a, b, c] = mesh_.triangles[t];
-    return a == b || b == c || c == a;
+    return geometry::repeats_a_corner(mesh_.triangles[t]);
   }
 
   const IndexedMesh& mesh_;

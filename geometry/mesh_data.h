@@ -36,7 +36,7 @@ class MeshData : public IdVector<Index, T>, public MeshFollower {
   void reset(Index i) { (*this)[i] = fill_; }
   void append(MeshFollower* other, std::size_t size) {
     if (auto* data = dynamic_cast<MeshData*>(other)) {
-      this->reserve(SurfaceMesh::with_room(size));
+      this->reserve(SurfaceMesh::capacity_for(size));
       this->insert(this->end(), data->begin(), data->end());
       *data = Table();
     }
@@ -100,9 +100,9 @@ class TriangleData : public MeshData<TriangleId, T> {
   }
 };
 
-/// By triangle, how many had been laid before it came to be: the time at which a replay shows it. A
-/// flip leaves both triangles theirs; those round an inserted vertex come with the last of the
-/// triangles it was put among. What is appended keeps the times of its own mesh.
+/// By triangle, the number of triangles laid before it, which is when a replay shows it. A flip
+/// changes none. Triangles about an inserted vertex take the latest birth of the triangle split and
+/// its neighbours. Appended triangles keep the births of their own mesh.
 class TriangleBirths : public TriangleData<std::uint32_t> {
  public:
   using TriangleData<std::uint32_t>::TriangleData;

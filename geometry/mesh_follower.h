@@ -29,11 +29,6 @@ class Renaming {
     const TriangleId t{h.value / 3};
     return t.index() < first_ ? h : HalfEdgeId{3 * (*this)(t).value + h.value % 3};
   }
-  /// Drops the vertices of a list that go, and renames the others.
-  void apply_to(std::vector<VertexId>& list) const {
-    std::erase_if(list, [this](VertexId v) { return !vertices[v]; });
-    for (VertexId& v : list) v = *vertices[v];
-  }
 
  private:
   friend class SurfaceMesh;

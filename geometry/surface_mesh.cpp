@@ -9,8 +9,7 @@
 
 namespace morskin::geometry {
 
-SurfaceMesh::SurfaceMesh(std::size_t vertices,
-                         std::span<const std::array<std::uint32_t, 3>> triangles)
+SurfaceMesh::SurfaceMesh(std::size_t vertices, std::span<const TriangleCorners> triangles)
     : half_edges_(3 * triangles.size()), outgoing_(vertices, HalfEdgeId::none()) {
   if (triangles.size() > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
   HalfEdgeId h;
@@ -22,9 +21,9 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices,
   }
 }
 
-std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
-    std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
-    std::span<const HalfEdgeId> twins) {
+std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(std::size_t vertices,
+                                                       std::span<const TriangleCorners> triangles,
+                                                       std::span<const HalfEdgeId> twins) {
   if (triangles.size() > max_triangles || twins.size() != 3 * triangles.size()) {
     return std::nullopt;
   }
@@ -34,9 +33,7 @@ std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(
   std::size_t edges = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& corners = triangles[t];
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
-      return std::nullopt;
-    }
+    if (repeats_a_corner(corners)) return std::nullopt;
     const std::size_t later = std::min(t + prefetch_ahead, triangles.size() - 1);
     for (std::size_t h = 3 * later; h < 3 * later + 3; ++h) {
       prefetch(mesh.half_edges_.data() + twins[h].index());
@@ -89,15 +86,12 @@ VertexId SurfaceMesh::add_vertex() {
 TriangleId SurfaceMesh::add_triangle(VertexId a, VertexId b, VertexId c) {
   assert(a != b && b != c && c != a);
   require_capacity(half_edges_.size() / 3, max_triangles, "triangles");
-  const HalfEdgeId first{half_edges_.size()};
-  half_edges_.push_back({a, HalfEdgeId::none()});
-  half_edges_.push_back({b, HalfEdgeId::none()});
-  half_edges_.push_back({c, HalfEdgeId::none()});
-  outgoing_[a] = first;
-  outgoing_[b] = HalfEdgeId{first.value + 1};
-  outgoing_[c] = HalfEdgeId{first.value + 2};
+  for (const VertexId v : {a, b, c}) {
+    outgoing_[v] = HalfEdgeId{half_edges_.size()};
+    half_edges_.push_back({v, HalfEdgeId::none()});
+  }
   tell_triangle_count();
-  return triangle(first);
+  return TriangleId{triangle_count() - 1};
 }
 
 SurfaceMesh::FreeSlots SurfaceMesh::slots_for(VertexId v) {
@@ -124,7 +118,7 @@ void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
     const auto moved = [](auto id, std::size_t by) {
       return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
     };
-    reserve(with_room(all_vertices));
+    reserve(capacity_for(all_vertices));
     for (const HalfEdge& h : other.half_edges_) {
       half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, 3 * triangles)});
     }
@@ -256,8 +250,8 @@ bool SurfaceMesh::has_edge(VertexId a, VertexId b) const {
   return false;
 }
 
-std::vector<std::array<std::uint32_t, 3>> SurfaceMesh::triangle_list() const {
-  std::vector<std::array<std::uint32_t, 3>> list;
+TriangleList SurfaceMesh::triangle_list() const {
+  TriangleList list;
   list.reserve(triangle_count());
   for (std::size_t t = 0; t < triangle_count(); ++t) {
     if (is_removed(TriangleId{t})) continue;

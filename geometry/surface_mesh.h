@@ -16,6 +16,7 @@
 
 #include "geometry/id.h"
 #include "geometry/id_vector.h"
+#include "geometry/indexed_mesh.h"
 #include "geometry/mesh_follower.h"
 #include "geometry/prefetch.h"
 
@@ -31,14 +32,14 @@ class SurfaceMesh {
   SurfaceMesh& operator=(SurfaceMesh other);
   /// Triangles of a list, in its order, none glued to another yet.
   /// @pre every corner is below `vertices`; at most max_triangles.
-  SurfaceMesh(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
+  SurfaceMesh(std::size_t vertices, std::span<const TriangleCorners> triangles);
 
   /// The same glued by hinted twins, which are checked: nothing unless each edge is between two
   /// triangles that agree on orientation.
   /// @param twins  by half-edge; any size, any values
-  static std::optional<SurfaceMesh> glued_by_twins(
-      std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
-      std::span<const HalfEdgeId> twins);
+  static std::optional<SurfaceMesh> glued_by_twins(std::size_t vertices,
+                                                   std::span<const TriangleCorners> triangles,
+                                                   std::span<const HalfEdgeId> twins);
 
   std::size_t vertex_count() const { return outgoing_.size(); }
   std::size_t triangle_count() const { return half_edges_.size() / 3; }
@@ -60,9 +61,9 @@ class SurfaceMesh {
   HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h].twin; }
   /// A half-edge that leaves v, or nothing for a vertex without triangles.
   std::optional<HalfEdgeId> outgoing(VertexId v) const;
-  /// Asks for what prefetch_fan() looks up.
+  /// Prefetches what prefetch_fan() reads.
   void prefetch_outgoing(VertexId v) const { prefetch(&outgoing_[v]); }
-  /// Asks for what a walk round v begins with, where there is something to walk round.
+  /// Prefetches the first half-edge of a walk round v, if v has triangles.
   void prefetch_fan(VertexId v) const {
     const HalfEdgeId first = outgoing_[v];
     if (first != HalfEdgeId::none()) prefetch(&half_edges_[first]);
@@ -94,13 +95,13 @@ class SurfaceMesh {
   /// oppositely.
   void glue(HalfEdgeId h, HalfEdgeId g);
 
-  /// Adds all vertices and triangles of another mesh, in their order, behind those there are, and
-  /// reserves a little more than the whole: refinement adds one vertex to every fifteen, and
-  /// growing would double the arrays. Of the followers each takes over the values of the other's
-  /// that was made in the same turn, if it is of the same type. Nothing is left of the other.
-  /// @param threads  at most; for a big mesh one, so that not all is there twice at once
+  /// Appends all vertices and triangles of another mesh, in their order, and empties it. The k-th
+  /// follower takes over the values of the other mesh's k-th, if both have one type.
+  /// @param threads  at most; one for a big mesh, so that not all is there twice at once
   void append(SurfaceMesh&& other, unsigned threads = 1);
-  static constexpr std::size_t with_room(std::size_t count) { return count + count / 12; }
+  /// What append() reserves for a count of elements: refinement adds one vertex to every fifteen,
+  /// and growth would double the arrays.
+  static constexpr std::size_t capacity_for(std::size_t count) { return count + count / 12; }
 
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).
@@ -152,7 +153,7 @@ class SurfaceMesh {
   Renaming compact(unsigned threads = 1);
 
   /// The triangles as a file holds them.
-  std::vector<std::array<std::uint32_t, 3>> triangle_list() const;
+  TriangleList triangle_list() const;
 
   /// By half-edge its twin, or the last id of all for none.
   std::vector<HalfEdgeId> twins() const;
@@ -218,13 +219,11 @@ struct MeshOrDefect {
   SurfaceMesh mesh;
   std::optional<std::string> defect;
 };
-MeshOrDefect closed_mesh(std::size_t vertices,
-                         const std::vector<std::array<std::uint32_t, 3>>& triangles);
+MeshOrDefect closed_mesh(std::size_t vertices, const TriangleList& triangles);
 
 /// The same in two steps. First edges: each triangle glued to its neighbours, or the first edge
 /// without two triangles that agree.
-MeshOrDefect glued_mesh(std::size_t vertices,
-                        const std::vector<std::array<std::uint32_t, 3>>& triangles);
+MeshOrDefect glued_mesh(std::size_t vertices, const TriangleList& triangles);
 /// Then vertices: what is wrong at the first that is not in the middle of one fan of triangles,
 /// with as many neighbours.
 /// @param threads  at most; the answer is the same for any number

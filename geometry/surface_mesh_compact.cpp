@@ -1,7 +1,6 @@
 // Taking what was removed out of a mesh's arrays.
 
 #include <cstdint>
-#include <utility>
 
 #include "geometry/parallel.h"
 #include "geometry/surface_mesh.h"

@@ -1,7 +1,6 @@
 // What is wrong with a mesh, in words, and meshes from lists of triangles where nothing is.
 
 #include <algorithm>
-#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -236,12 +235,10 @@ std::optional<std::string> fan_defect(const SurfaceMesh& mesh, unsigned threads)
   }
 }
 
-MeshOrDefect glued_mesh(std::size_t vertices,
-                        const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+MeshOrDefect glued_mesh(std::size_t vertices, const TriangleList& triangles) {
   MeshOrDefect result;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto [a, b, c] = triangles[t];
-    if (a == b || b == c || c == a) {
+    if (repeats_a_corner(triangles[t])) {
       result.defect = "triangle " + std::to_string(t) + " repeats a corner";
       return result;
     }
@@ -258,8 +255,7 @@ MeshOrDefect glued_mesh(std::size_t vertices,
   return result;
 }
 
-MeshOrDefect closed_mesh(std::size_t vertices,
-                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+MeshOrDefect closed_mesh(std::size_t vertices, const TriangleList& triangles) {
   MeshOrDefect result = glued_mesh(vertices, triangles);
   if (!result.defect) result.defect = fan_defect(result.mesh);
   return result;

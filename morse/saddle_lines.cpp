@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <thread>
-#include <utility>
 
 #include "geometry/parallel.h"
 

@@ -1,6 +1,5 @@
 #include "morse/simplification.h"
 
-#include <algorithm>
 #include <optional>
 #include <span>
 

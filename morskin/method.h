@@ -23,6 +23,10 @@ namespace morskin {
 /// Critical points by index: minima, saddles, maxima.
 using CriticalCounts = std::array<std::size_t, 3>;
 
+inline long euler_characteristic(const CriticalCounts& counts) {
+  return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1]);
+}
+
 /// What a method counts of its run.
 struct RunCounts {
   CriticalCounts critical_points{};

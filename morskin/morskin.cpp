@@ -1,7 +1,6 @@
 #include "morskin/morskin.h"
 
 #include <cmath>
-#include <mutex>
 
 #include "certify/located_vertices.h"
 #include "geometry/exact_range.h"

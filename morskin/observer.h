@@ -10,30 +10,30 @@
 
 namespace morskin {
 
-/// Watches the pipeline (pipeline.h): its first run, not those of the safety net. Nothing that it
-/// is shown lives longer than the call, unless it says so.
+/// Observes the first run of the pipeline (pipeline.h), not those of the safety net. Arguments of a
+/// callback live for the call only, unless stated otherwise.
 class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// What a sweep is about to follow; it lives until the sweep has ended.
+  /// The guide of a sweep that is about to start; it lives until the sweep has ended.
   virtual void guided(const morse::Guide&) {}
   /// Whether Mesh::births is to be recorded.
   virtual bool wants_births() { return false; }
-  /// Who is to watch a sweep from one front, for as long as it takes.
+  /// The observers of a sweep from one front; they outlive it.
   virtual std::vector<front::SweepObserver*> sweep_observers() { return {}; }
   /// The mesh as it was swept. It may have open edges.
   virtual void swept(const surface::Mesh&) {}
   /// The mesh as it was refined, before any vertex is moved.
   virtual void refined(const surface::Mesh&) {}
 
-  /// A mesh on its way to those who will read it.
+  /// A mesh as its readers get it.
   struct Delivery {
-    geometry::IndexedMesh mesh;  ///< as they will read it
-    std::string defect;          ///< what kept it from arriving whole; empty if nothing did
+    geometry::IndexedMesh mesh;
+    std::string defect;  ///< why it did not arrive whole; empty if it did
   };
-  /// Delivers a finished mesh. What arrives is certified in its place; where that fails, a mended
-  /// mesh may be delivered once more.
+  /// Delivers a finished mesh. The delivered mesh is certified; if that fails, a mended one may be
+  /// delivered in its place.
   virtual Delivery deliver(geometry::IndexedMesh mesh) { return {std::move(mesh), {}}; }
 };
 

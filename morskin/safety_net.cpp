@@ -25,13 +25,8 @@ struct Piece {
   std::vector<geometry::CellId> cells;
 
   void append(const Piece& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), other.mesh.positions.begin(),
-                          other.mesh.positions.end());
+    mesh.append(other.mesh);
     cells.insert(cells.end(), other.cells.begin(), other.cells.end());
-    for (const auto& [a, b, c] : other.mesh.triangles) {
-      mesh.triangles.push_back({first + a, first + b, first + c});
-    }
   }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "certify/tube.h"
 
@@ -106,7 +105,7 @@ bool Coarsening::remove(VertexId v, double limit) {
 double Coarsening::ear(VertexId a, VertexId b, VertexId c, double limit) const {
   const SurfacePoint &p = mesh_.at(a), &q = mesh_.at(b), &r = mesh_.at(c);
   const Circumcircle circle = circumcircle(p.position, q.position, r.position);
-  const double rho = std::min({p.length_scale, q.length_scale, r.length_scale});
+  const double rho = surface::min_length_scale({&p, &q, &r});
   const bool is_good = sizing_.triangle_ratio(circle.radius, rho) < limit &&
                        is_upright(circle.doubled_area, p, q, r);
   return is_good ? circle.radius / rho : VertexRemoval::never;

@@ -1,15 +1,13 @@
 #pragma once
 
-/// Coarsening: makes a mesh with a larger C out of one that was laid finer, by taking vertices out
-/// for as long as [U] holds and the certificate could still prove every triangle. Each step leaves
-/// a mesh as good as the last, so nothing has to be right about where the front laid its vertices,
-/// and no front has to be laid where nothing is proved of it (papers/4.3-large-molecules.md).
+/// Coarsening turns a fine mesh into one for a larger C: it removes vertices as long as [U] holds
+/// and the certificate could still prove every triangle. Each removal leaves a valid mesh, so
+/// coarsening assumes nothing about where the front laid its vertices, and no front is laid with a
+/// C for which nothing is proved (papers/4.3-large-molecules.md).
 ///
-/// Contraction in refinement also takes vertices out, but because [L] demands it, whatever becomes
-/// of the triangles; what it breaks is then mended by insertion. Here [L] and [U] are both met
-/// beforehand for all but a few vertices.
+/// Refinement contracts edges because [L] demands it, and mends the triangles by insertion.
+/// Coarsening expects [L] and [U] to hold already at all but a few vertices.
 
-#include <cstdint>
 #include <vector>
 
 #include "refine/mesh_operations.h"
@@ -23,12 +21,12 @@ class Coarsening {
   ///                compacted or have another appended between runs
   Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh);
 
-  /// Tries the vertices that are new since the last run and those that had to wait, and takes out
-  /// what can be spared: first those nearer to a neighbour than [L] allows, then others as long as
-  /// all triangles stay well below [U]. Ids stay free until the mesh is compacted.
-  /// @param subdomain  whose vertices it may take out, if it has their neighbours too; the others
+  /// Tries the vertices that are new since the last run or had to wait. Removes first those nearer
+  /// to a neighbour than [L] allows, then others while all triangles stay well below [U]. Ids stay
+  /// free until the mesh is compacted.
+  /// @param subdomain  only vertices that it contains with their neighbours are removed; the others
   ///                   wait. The whole mesh if that is closed.
-  /// @return how many it took out
+  /// @return the number removed
   std::size_t run(const Subdomain& subdomain = {});
 
  private:

@@ -124,9 +124,8 @@ bool DelaunayRefinement::is_thin(Facet facet) const {
 bool DelaunayRefinement::is_proved(Facet inner) const {
   if (sizing_.is_tube_proved()) return true;
   const FacetGeometry facet = geometry_of(inner);
-  const auto& [a, b, c] = facet.corners;
-  const double rho = std::max({a->length_scale, b->length_scale, c->length_scale});
-  return expects_tube(surface_, facet.corners, facet.circle, surface_.residual_bound(rho));
+  return expects_tube(surface_, facet.corners, facet.circle,
+                      surface_.residual_bound(max_length_scale(facet.corners)));
 }
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {
@@ -155,8 +154,7 @@ DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const
   const auto& [a, b, c] = facet.corners;
   facet.circle = circumcircle(a->position, b->position, c->position);
   facet.normal = facet.circle.doubled_area.normalized();
-  facet.largest = sizing_.C * sizing_.Q *
-                  sizing_.scale(std::min({a->length_scale, b->length_scale, c->length_scale}));
+  facet.largest = sizing_.C * sizing_.Q * sizing_.scale(min_length_scale(facet.corners));
   return facet;
 }
 

@@ -9,10 +9,11 @@
 /// and so does that of a facet too coarse for the certificate to prove, where [L] allows it.
 /// The restricted facets that are left are the mesh.
 ///
-/// A tetrahedron is inside or outside by the sign of G at its circumcentre, found once. A facet
-/// between an inside and an outside one has an odd number of crossings, so the mesh is the boundary
-/// of the inside tetrahedra: closed, whatever rounding does to flat ones. Dual edges that cross the
-/// skin an even number of times are found by following them piece by piece (skin/line_crossings.h).
+/// The sign of G at its circumcentre, computed once, makes a tetrahedron inside or outside. The
+/// dual edge of a facet between an inside and an outside one crosses the skin an odd number of
+/// times, so the mesh is the boundary of the inside tetrahedra: closed, even where rounding
+/// misplaces the circumcentre of a flat one. Dual edges with an even number of crossings are found
+/// by following them piece by piece (skin/line_crossings.h).
 ///
 /// Facets with an angle below a bound are broken as well, if one is given: the last step of any
 /// method where a mesh alone does not get there (angle_refinement.h). The centre of a ball larger
@@ -50,9 +51,9 @@ struct DelaunayRefinementCounts {
 
 class DelaunayRefinement {
  public:
-  /// @param seeds      points of the skin, among them on every component three with a surface ball
-  ///                   small enough for [U]; should they lie in one plane, as only seeds without
-  ///                   those can, nothing is done and the mesh is empty
+  /// @param seeds      points of the skin; every component has a triangle of them with a surface
+  ///                   ball small enough for [U]. Seeds in one plane have none, and make an empty
+  ///                   mesh.
   /// @param min_angle  degrees, at most 30: facets with a smaller one are broken
   /// @throws geometry::LimitReached
   DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,

@@ -171,30 +171,20 @@ void LocalOperations::contract_short_edges() {
   }
 }
 
-/// Deletes one end of a short edge; the other stays in place.
 bool LocalOperations::contract(HalfEdgeId h) {
-  const VertexId a = mesh_.surface.origin(h), b = mesh_.surface.target(h);
-  // The bound in [L] is that of the end with the larger length scale.
-  const bool a_first = mesh_.at(a).length_scale >= mesh_.at(b).length_scale;
-  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
+  const bool is_removed =
+      contract_edge(mesh_.surface, points(), h, [&](VertexId v) { return remove(v); });
   flip_where_needed();
   counts_.contract += is_removed;
   return is_removed;
 }
 
 bool LocalOperations::remove(VertexId v) {
-  SurfaceMesh& connectivity = mesh_.surface;
-  const auto size = [&](VertexId a, VertexId b, VertexId c) {
-    const Circumcircle circle =
-        circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-    return is_upright(circle.doubled_area, mesh_.at(a), mesh_.at(b), mesh_.at(c))
-               ? circle.radius
-               : VertexRemoval::never;
-  };
-  const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
-  if (!removal_.plan(connectivity, v, size, is_any_allowed)) return false;
   const SurfacePoint point = mesh_.at(v);
-  free_slots_.push_back(removal_.carry_out(connectivity, [&](HalfEdgeId h) { note_flip(h); }));
+  const auto slots =
+      removal_.remove(mesh_.surface, points(), v, [&](HalfEdgeId h) { note_flip(h); });
+  if (!slots) return false;
+  free_slots_.push_back(*slots);
   const TriangleId left = removal_.triangle_left();
   if (journal_ != nullptr) journal_->note_removal(v, point, left);
   inspect_again(left, {SurfaceMesh::half_edge(left, 0), SurfaceMesh::half_edge(left, 1),

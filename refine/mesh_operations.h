@@ -30,6 +30,16 @@ bool can_flip(const SurfaceMesh& mesh, const At& at, HalfEdgeId h) {
   return c != d && faces_outward(at, a, d, c) && faces_outward(at, b, c, d) && !mesh.has_edge(c, d);
 }
 
+/// Removes one end of a short edge, the other stays in place. The bound in [L] is that of the end
+/// with the larger length scale, so that one is tried first.
+/// @param remove  VertexId -> whether it could be removed
+template <class At, class Remove>
+bool contract_edge(const SurfaceMesh& mesh, const At& at, HalfEdgeId h, const Remove& remove) {
+  const VertexId a = mesh.origin(h), b = mesh.target(h);
+  const bool a_first = at(a).length_scale >= at(b).length_scale;
+  return remove(a_first ? a : b) || remove(a_first ? b : a);
+}
+
 /// Where a triangle is broken: at the centre of its surface ball, in the triangle that this lies
 /// over.
 struct Insertion {
@@ -50,14 +60,28 @@ std::optional<Insertion> find_insertion(const surface::Surface& surface, const S
   return Insertion{*x, *under};
 }
 
-/// Takes a vertex out of a mesh. The polygon of its neighbours is cut into triangles beforehand,
-/// the smallest ear first, as Delaunay triangles have small circles; edges are flipped away in that
-/// order only if all turn out well. So what is refused changes nothing, and no triangle that v
-/// still has on the way is asked to be good.
+/// Removes a vertex. plan() cuts the polygon of its neighbours into triangles, the smallest ear
+/// first because Delaunay triangles have small circles; carry_out() flips edges away in that order.
+/// A refused plan changes nothing, and triangles on the way need not be good.
 class VertexRemoval {
  public:
-  /// Size of what may not be cut off.
+  /// Size of an ear that must not be cut off.
   static constexpr double never = std::numeric_limits<double>::infinity();
+
+  /// Removes v if triangles that face outward can replace it, those with the smallest circles.
+  /// @return what is free now; nothing where v has to stay
+  template <class At, class Flipped>
+  std::optional<SurfaceMesh::FreeSlots> remove(SurfaceMesh& mesh, const At& at, VertexId v,
+                                               const Flipped& flipped) {
+    const auto size = [&](VertexId a, VertexId b, VertexId c) {
+      return faces_outward(at, a, b, c)
+                 ? circumcircle(at(a).position, at(b).position, at(c).position).radius
+                 : never;
+    };
+    const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
+    if (!plan(mesh, v, size, is_any_allowed)) return std::nullopt;
+    return carry_out(mesh, flipped);
+  }
 
   /// Cuts the polygon.
   /// @param size        of the triangle (a, b, c) that would cut off b, or never
@@ -67,7 +91,7 @@ class VertexRemoval {
   template <class Size, class IsAllowed>
   bool plan(const SurfaceMesh& mesh, VertexId v, const Size& size, const IsAllowed& is_allowed);
 
-  /// Takes out the vertex of the last plan.
+  /// Removes the vertex of the last plan.
   /// @param flipped  called with each half-edge flipped on the way
   /// @return what is free now
   template <class Flipped>

@@ -63,7 +63,7 @@ std::optional<double> VertexMover::quality(const SurfacePoint& x, double asked) 
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
     const Shape s = shape(x.position, p.position, q.position);
-    const double rho = std::min({x.length_scale, p.length_scale, q.length_scale});
+    const double rho = surface::min_length_scale({&x, &p, &q});
     const bool is_good = s.squared_sine > asked && !sizing_.is_too_short(x, p) &&
                          sizing_.triangle_ratio(s.radius, rho) < 1 && is_upright(s.normal, x, p, q);
     if (!is_good) return std::nullopt;

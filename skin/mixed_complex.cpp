@@ -21,7 +21,7 @@ constexpr std::size_t max_walls = 0xFFFFFFFFU;  // indices have 32 bits
 }  // namespace
 
 MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulation triangulation,
-                           Keep keep, unsigned threads)
+                           Keep keep, const geometry::Run& run)
     : points_(std::move(points)), triangulation_(std::move(triangulation)) {
   const std::array sizes{triangulation_.vertices.size(), triangulation_.edges.size(),
                          triangulation_.triangles.size(), triangulation_.tetrahedra.size()};
@@ -38,9 +38,9 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
   }
   wall_tolerance_ = std::ldexp(largest, -42);
   geometry::do_both(
-      threads, [&] { choose_kept(keep, threads); }, [&] { list_edges(); });
-  build_patches(threads);
-  build_walls(threads);
+      run.threads(), [&] { choose_kept(keep, run); }, [&] { list_edges(); });
+  build_patches(run);
+  build_walls(run);
 }
 
 /// For each vertex the edges at it.

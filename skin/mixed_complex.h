@@ -21,6 +21,7 @@
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/regular_triangulation.h"
+#include "geometry/run.h"
 #include "skin/patch.h"
 
 namespace morskin::skin {
@@ -58,9 +59,8 @@ class MixedComplex {
   enum class Keep { NearSkin, All };
 
   /// @param triangulation  of the points
-  /// @param threads        at most; the complex does not depend on it
   MixedComplex(std::vector<WeightedPoint> points, geometry::RegularTriangulation triangulation,
-               Keep keep = Keep::NearSkin, unsigned threads = 1);
+               Keep keep = Keep::NearSkin, const geometry::Run& run = geometry::Run());
 
   const std::vector<WeightedPoint>& points() const { return points_; }
   const geometry::RegularTriangulation& triangulation() const { return triangulation_; }
@@ -121,17 +121,17 @@ class MixedComplex {
   int dimension_of(std::uint32_t number) const;
   bool is_kept_number(std::uint32_t n) const { return (kept_bits_[n / 64] >> (n % 64) & 1) != 0; }
 
-  void choose_kept(Keep keep, unsigned threads);
-  void mark_near_skin(unsigned threads);
+  void choose_kept(Keep keep, const geometry::Run& run);
+  void mark_near_skin(const geometry::Run& run);
   template <std::size_t N>
   void mark_kept(const std::vector<double>& powers, std::size_t begin, std::size_t end);
   template <std::size_t N>
-  std::vector<double> mark_kept_and_pass_down(std::vector<double> powers, unsigned threads);
+  std::vector<double> mark_kept_and_pass_down(std::vector<double> powers, const geometry::Run& run);
   template <std::size_t N>
   std::vector<double> largest_powers_of_facets(const std::vector<double>& powers) const;
   void list_edges();
-  void build_patches(unsigned threads);
-  void build_walls(unsigned threads);
+  void build_patches(const geometry::Run& run);
+  void build_walls(const geometry::Run& run);
   template <std::size_t N>
   void count_walls();
   template <std::size_t N>

@@ -73,32 +73,32 @@ void MixedComplex::mark_kept(const std::vector<double>& powers, std::size_t begi
 /// @return the largest powers of the facets
 template <std::size_t N>
 std::vector<double> MixedComplex::mark_kept_and_pass_down(std::vector<double> powers,
-                                                          unsigned threads) {
+                                                          const geometry::Run& run) {
   std::vector<double> below;
   geometry::for_each_block_beside(
-      threads, [&] { below = largest_powers_of_facets<N>(powers); }, powers.size(),
+      run.threads(), [&] { below = largest_powers_of_facets<N>(powers); }, powers.size(),
       [&](std::size_t begin, std::size_t end, std::size_t) { mark_kept<N>(powers, begin, end); });
   return below;
 }
 
 /// From the highest dimension down, with the powers of two dimensions in memory at a time.
-void MixedComplex::mark_near_skin(unsigned threads) {
+void MixedComplex::mark_near_skin(const geometry::Run& run) {
   std::vector<double> powers(triangulation_.tetrahedra.size());
   geometry::for_each_block(
-      threads, powers.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      run.threads(), powers.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t s = begin; s < end; ++s) {
           powers[s] = -rough_weight(corners(points_, triangulation_.tetrahedra[s]));
         }
       });
-  powers = mark_kept_and_pass_down<4>(std::move(powers), threads);
-  powers = mark_kept_and_pass_down<3>(std::move(powers), threads);
-  powers = mark_kept_and_pass_down<2>(std::move(powers), threads);
+  powers = mark_kept_and_pass_down<4>(std::move(powers), run);
+  powers = mark_kept_and_pass_down<3>(std::move(powers), run);
+  powers = mark_kept_and_pass_down<2>(std::move(powers), run);
   mark_kept<1>(powers, 0, powers.size());
 }
 
-void MixedComplex::choose_kept(Keep keep, unsigned threads) {
+void MixedComplex::choose_kept(Keep keep, const geometry::Run& run) {
   kept_bits_.assign(size() / 64 + 1, 0);
-  if (keep == Keep::NearSkin) mark_near_skin(threads);
+  if (keep == Keep::NearSkin) mark_near_skin(run);
   if (keep == Keep::All) {
     for (std::size_t n = 0; n < size(); ++n) kept_bits_[n / 64] |= std::uint64_t{1} << n % 64;
   }
@@ -116,9 +116,9 @@ void MixedComplex::choose_kept(Keep keep, unsigned threads) {
   }
 }
 
-void MixedComplex::build_patches(unsigned threads) {
+void MixedComplex::build_patches(const geometry::Run& run) {
   patches_.resize(number_of_.size());
-  geometry::for_each_block(threads, patches_.size(),
+  geometry::for_each_block(run.threads(), patches_.size(),
                            [&](std::size_t begin, std::size_t end, std::size_t) {
                              for (std::size_t i = begin; i < end; ++i) {
                                patches_[i] = make_patch_numbered(number_of_[i]);
@@ -171,9 +171,9 @@ void MixedComplex::fill_walls() {
 }
 
 /// One task for each of the three kinds of walls, by dimension, which fill disjoint ranges.
-void MixedComplex::build_walls(unsigned threads) {
+void MixedComplex::build_walls(const geometry::Run& run) {
   const auto for_each_kind = [&](auto work) {
-    geometry::for_each_task(threads, 3, [&](std::size_t task) {
+    geometry::for_each_task(run.threads(), 3, [&](std::size_t task) {
       if (task == 0) work(std::integral_constant<std::size_t, 3>());  // the most
       if (task == 1) work(std::integral_constant<std::size_t, 4>());
       if (task == 2) work(std::integral_constant<std::size_t, 2>());

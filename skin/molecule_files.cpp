@@ -59,10 +59,7 @@ bool is_four_numbers(std::string_view line) {
 // that of a PQR file has its radius at the end.
 bool is_pqr_atom(std::string_view line) {
   if (line.size() >= 66 && line[57] == '.' && line[63] == '.') return false;
-  std::vector<std::string_view> fields;
-  for (auto field = take_field(line); !field.empty(); field = take_field(line)) {
-    fields.push_back(field);
-  }
+  const std::vector<std::string_view> fields = geometry::fields_of(line);
   if (fields.size() < 10 || fields.size() > 11) return false;
   return std::all_of(fields.end() - 5, fields.end(),
                      [](std::string_view field) { return parse_double(field).has_value(); });

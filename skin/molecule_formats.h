@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/files/text_lines.h"
 #include "skin/molecule.h"
 
 namespace morskin::skin::molecule_formats {
@@ -37,6 +38,12 @@ ParsedFile parse_pqr(std::string_view bytes, const std::string& source);
 ParsedFile parse_xyz(std::string_view bytes, const std::string& source);
 ParsedFile parse_xyzr(std::string_view bytes, const std::string& source);
 ParsedFile parse_xyzw(std::string_view bytes, const std::string& source);
+
+/// The atoms of the first model in a file of records, as PDB and PQR have them.
+/// @param format  its name, for messages
+ParsedFile parse_records(std::string_view bytes, const std::string& source,
+                         const std::string& format, bool (*is_atom)(std::string_view line),
+                         AtomRecord (*atom_on)(const geometry::TextLines& lines));
 
 /// Begins a file of weights, which nothing else tells from one of radii.
 constexpr std::string_view weights_line = "# x y z w";

@@ -126,7 +126,9 @@ std::string_view element_from_word(std::string_view name, std::string_view resid
   return element_from_name(columns_13_to_16, residue);
 }
 
-ParsedFile parse_pdb(std::string_view bytes, const std::string& source) {
+ParsedFile parse_records(std::string_view bytes, const std::string& source,
+                         const std::string& format, bool (*is_atom)(std::string_view line),
+                         AtomRecord (*atom_on)(const TextLines& lines)) {
   ParsedFile file;
   TextLines lines(bytes, source);
   bool is_in_model = false;  // an atom was read since the last model began or ended
@@ -144,9 +146,14 @@ ParsedFile parse_pdb(std::string_view bytes, const std::string& source) {
     }
   }
   if (file.atoms.empty()) {
-    throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a PDB file?");
+    throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a " + format +
+                                    " file?");
   }
   return file;
+}
+
+ParsedFile parse_pdb(std::string_view bytes, const std::string& source) {
+  return parse_records(bytes, source, "PDB", is_atom, atom_on);
 }
 
 }  // namespace morskin::skin::molecule_formats

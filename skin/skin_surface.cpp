@@ -31,7 +31,7 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, MixedComplex::Keep k
         auto triangulation = run.stage(
             "triangulate", [&] { return geometry::regular_triangulation(checked(points), run); });
         return run.stage("mixed complex", [&] {
-          return MixedComplex(std::move(points), std::move(triangulation), keep, run.threads());
+          return MixedComplex(std::move(points), std::move(triangulation), keep, run);
         });
       }()),
       tree_(complex_.points()) {}

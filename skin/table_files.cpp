@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
@@ -13,6 +12,7 @@
 namespace morskin::skin::molecule_formats {
 namespace {
 
+using geometry::fields_of;
 using geometry::parse_double;
 using geometry::parse_integer;
 using geometry::quoted;
@@ -30,14 +30,6 @@ double number_in(std::string_view field, std::string_view what, const TextLines&
 
 std::uint32_t line_number(const TextLines& lines) {
   return static_cast<std::uint32_t>(lines.number());
-}
-
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (auto field = take_field(line); !field.empty(); field = take_field(line)) {
-    fields.push_back(field);
-  }
-  return fields;
 }
 
 // record serial name residue [chain] number x y z charge radius; the serial may stick to HETATM.
@@ -114,26 +106,12 @@ Atom ball(const std::array<double, 4>& row, double radius, const TextLines& line
 }  // namespace
 
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source) {
-  ParsedFile file;
+  const auto is_atom = [](std::string_view line) {
+    const std::string_view record = take_field(line);
+    return record == "ATOM" || record.starts_with("HETATM");
+  };
+  ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom);
   file.has_radii = true;
-  TextLines lines(bytes, source);
-  bool is_first_model = true;
-  bool is_in_model = false;
-  while (lines.advance()) {
-    std::string_view rest = lines.line();
-    const std::string_view record = take_field(rest);
-    if (record == "ATOM" || record.starts_with("HETATM")) {
-      if (!is_in_model && !is_first_model) ++file.other_models;
-      is_in_model = true;
-      if (is_first_model) file.atoms.push_back(pqr_atom(lines));
-    } else if (record == "MODEL" || record == "ENDMDL" || record == "END") {
-      if (is_in_model) is_first_model = false;
-      is_in_model = false;
-    }
-  }
-  if (file.atoms.empty()) {
-    throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a PQR file?");
-  }
   return file;
 }
 

@@ -1,14 +1,8 @@
 #include "certify/certificate.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "certify/triangle_geometry.h"
+#include "tests/support/good_mesh.h"
 #include "tests/support/mesh_part.h"
-#include "tests/support/meshes.h"
 #include "tests/support/wrong_meshes.h"
 
 using namespace morskin;
@@ -17,25 +11,11 @@ using geometry::IndexedMesh;
 using geometry::Point;
 using support::ball;
 using support::double_cover;
+using support::Good;
 using support::together;
 using support::turned_inside_out;
-using support::WeightedPoints;
 
 namespace {
-
-/// A skin and a good mesh of it.
-struct Good {
-  explicit Good(const WeightedPoints& points)
-      : skin(morskin::prepare_skin(points)),
-        mesh(morskin::make_mesh(skin, support::uncertified()).mesh) {}
-
-  Certificate certify(const IndexedMesh& other) const {
-    return certify::certify(other, skin.surface, skin.topology);
-  }
-
-  morskin::PreparedSkin skin;
-  IndexedMesh mesh;
-};
 
 Good one_ball() { return Good({ball(0, 0, 0, 1)}); }
 Good two_overlapping() { return Good({ball(0, 0, 0, 1), ball(1.5, 0, 0, 1.2)}); }
@@ -45,7 +25,7 @@ Good cage() { return Good(support::tetrahedron_balls(2.8)); }
 
 void check_uncertified(const Certificate& certificate, const std::string& reason) {
   CHECK_FALSE(certificate.certified);
-  CHECK_MESSAGE(certificate.reason.find(reason) != std::string::npos, certificate.reason);
+  CHECK_MESSAGE(support::contains(certificate.reason, reason), certificate.reason);
 }
 void check_rejected(const Certificate& certificate, const std::string& reason) {
   check_uncertified(certificate, reason);
@@ -222,7 +202,7 @@ TEST_CASE("a mesh too coarse for its sizing is homeomorphic but breaks [U]") {
       certify::certify(good.mesh, good.skin.surface, good.skin.topology, finer);
   CHECK(certificate.is_homeomorphic);
   CHECK_FALSE(certificate.certified);
-  CHECK_MESSAGE(certificate.reason.find("break [U]") != std::string::npos, certificate.reason);
+  CHECK_MESSAGE(support::contains(certificate.reason, "break [U]"), certificate.reason);
   CHECK(certificate.violations_U > 0);
   CHECK(certificate.worst_U > 1);
 }
@@ -249,7 +229,7 @@ TEST_CASE("a mesh with one vertex too near to another is homeomorphic but breaks
   CHECK_FALSE(certificate.certified);
   CHECK(certificate.violations_L > 0);
   CHECK(certificate.worst_L < 1);
-  CHECK_MESSAGE(certificate.reason.find("break [L]") != std::string::npos, certificate.reason);
+  CHECK_MESSAGE(support::contains(certificate.reason, "break [L]"), certificate.reason);
 }
 
 TEST_CASE("coordinates that are no numbers are rejected") {

@@ -1,12 +1,5 @@
 // Every way in which a mesh was seen to be wrong, made from a good one, and the reason given.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <set>
-
 #include "certify/deviations.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/mesh_check.h"
@@ -14,7 +7,6 @@
 #include "skin/skin_components.h"
 #include "tests/support/good_mesh.h"
 #include "tests/support/mesh_part.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using certify::Certificate;
@@ -22,14 +14,11 @@ using certify::Claim;
 using geometry::IndexedMesh;
 using geometry::Point;
 using support::ball;
+using support::contains;
 using support::Good;
 using support::vdw;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// By component of the mesh, the component of the skin that its first vertex lies on.
 std::vector<skin::SkinComponents::Sides> sides_of(const Good& good, const IndexedMesh& mesh) {
@@ -248,11 +237,7 @@ TEST_CASE("a missing inner void and a doubled component are told by the skin's c
   CHECK(contains(good.certify(outer).broken_by(Claim::Counts), "components is 1, the skin's is 2"));
   CHECK_FALSE(sides_of(good, outer)[0].cavity.has_value());
   IndexedMesh doubled = outer;
-  const auto shift = static_cast<std::uint32_t>(outer.positions.size());
-  doubled.positions.insert(doubled.positions.end(), outer.positions.begin(), outer.positions.end());
-  for (const auto& [a, b, c] : outer.triangles) {
-    doubled.triangles.push_back({a + shift, b + shift, c + shift});
-  }
+  doubled.append(outer);
   const auto sides = sides_of(good, doubled);
   CHECK(sides[0] == sides[1]);
   CHECK(good.certify(doubled).broken_by(Claim::Counts).find("components") == std::string::npos);

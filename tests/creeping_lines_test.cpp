@@ -19,8 +19,6 @@ std::string fault(const MorseCase& test) {
   return validate(complex, std::vector<bool>(complex.points.size(), true)).value_or("");
 }
 
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-
 std::size_t longest_line(const MorseCase& test) {
   const IntegralLines lines = test.lines();
   std::size_t longest = 0;
@@ -173,7 +171,7 @@ TEST_CASE("where a circle is level within rounding a line comes to rest, and tha
     CAPTURE(beside);
     const MorseCase test = nearly_a_circle(beside);
     if (test.is_degenerate()) continue;
-    CHECK(has(fault(test), "comes to rest where the function is flat within rounding"));
+    CHECK(contains(fault(test), "comes to rest where the function is flat within rounding"));
     CHECK(longest_line(test) < 2000);
   }
 }
@@ -186,8 +184,8 @@ TEST_CASE("the line round a waist passes the other saddle, or is reported where 
     REQUIRE_FALSE(test.is_degenerate());
     const std::string why = fault(test);
     if (tilt > 1e-9) CHECK(why == "");
-    if (tilt < 1e-12) CHECK(has(why, "runs into the saddle"));
-    CHECK((why.empty() || has(why, "runs into the saddle")));
+    if (tilt < 1e-12) CHECK(contains(why, "runs into the saddle"));
+    CHECK((why.empty() || contains(why, "runs into the saddle")));
   }
 }
 
@@ -195,6 +193,6 @@ TEST_CASE("a direction in the plane of a triangle with a waist is reported as a 
   for (const unsigned seed : {58U, 211U, 281U, 513U, 547U, 754U, 796U, 929U, 1114U}) {
     CAPTURE(seed);
     const int which = seed < 281 ? 2 : 5;
-    CHECK(has(fault(along_own_stream(seed, which)), "runs into the saddle"));
+    CHECK(contains(fault(along_own_stream(seed, which)), "runs into the saddle"));
   }
 }

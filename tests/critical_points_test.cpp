@@ -156,7 +156,7 @@ TEST_CASE(
     const double axial = std::sqrt(0.5) + i * 0x1p-53;
     const auto critical = critical_points(skin, {Vector(axial, std::sqrt(0.5), 0)});
     for (const std::string& text : critical.degeneracies) {
-      reported += text.find("Hessian is singular") != text.npos;
+      reported += contains(text, "Hessian is singular");
     }
   }
   CHECK(reported > 0);
@@ -187,7 +187,8 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
   });
 }
 
-TEST_CASE("the sphere that holds a point of the skin is the one that a look at all spheres finds") {
+TEST_CASE(
+    "the sphere that holds a point of the skin is the one that a search of all spheres finds") {
   std::size_t held = 0;
   for_seeds<Case>(300, [&](Case& test) {
     if (test.is_degenerate()) return;

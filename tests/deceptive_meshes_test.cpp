@@ -10,6 +10,7 @@
 #include "certify/certificate.h"
 #include "certify/triangle_geometry.h"
 #include "skin/dual_complex.h"
+#include "tests/support/good_mesh.h"
 #include "tests/support/wrong_meshes.h"
 
 using namespace morskin;
@@ -40,16 +41,6 @@ Skin two_balls() { return Skin({ball(0, 0, 0, 1), ball(9, 0, 0, 1)}); }
 
 void scale(IndexedMesh& mesh, std::size_t first, std::size_t last, double factor) {
   for (std::size_t v = first; v < last; ++v) mesh.positions[v] *= factor;
-}
-
-/// The mesh with a triangle in front that begins at a vertex, so that (c3) is tried there.
-IndexedMesh begun_at(IndexedMesh mesh, std::uint32_t v) {
-  const auto has_v = [&](const auto& t) { return std::ranges::find(t, v) != t.end(); };
-  const auto at = std::ranges::find_if(mesh.triangles, has_v);
-  std::iter_swap(mesh.triangles.begin(), at);
-  auto& t = mesh.triangles.front();
-  std::ranges::rotate(t, std::ranges::find(t, v));
-  return mesh;
 }
 
 IndexedMesh in_floats(IndexedMesh mesh) {
@@ -87,7 +78,7 @@ TEST_CASE("two sheets, each with a vertex pushed out over the other's circumcent
       for (IndexedMesh* sheet : {&first, &second}) {
         scale(*sheet, 0, sheet->positions.size(), 1 - off);
         sheet->positions[v] *= (1 + off) / (1 - off);
-        *sheet = begun_at(*sheet, v);
+        *sheet = support::begun_at(*sheet, v);
       }
       const Certificate certificate = skin.certify(support::together(first, second));
       CHECK(certificate.components == 2);
@@ -110,14 +101,43 @@ TEST_CASE("a branched double cover with a vertex pushed out over the other sheet
             .centre.normalized();
     scale(cover, 0, cover.positions.size(), 1 - off);
     const auto v = static_cast<std::uint32_t>(cover.positions.size());
-    cover.positions.push_back((1 + off) * centre);
-    cover.triangles[t] = {v, a, b};
-    cover.triangles.push_back({v, b, c});
-    cover.triangles.push_back({v, c, a});
-    const Certificate certificate = skin.certify(begun_at(cover, v));
+    support::cut(cover, t, (1 + off) * centre);
+    const Certificate certificate = skin.certify(support::begun_at(cover, v));
     CHECK(certificate.broken_by(Claim::Manifold) == "");
     CHECK(certificate.broken_by(Claim::Counts) == "");
     CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("a branched double cover is no proof at whichever vertex, branch points too") {
+  const Skin skin({ball(0, 0, 0, 1)});
+  for (const int levels : {2, 3}) {
+    const IndexedMesh cover = support::double_cover(support::sphere_mesh(Point::Zero(), 1, levels));
+    for (std::uint32_t v = 0; v < cover.positions.size(); ++v) {
+      CAPTURE(v);
+      CHECK_FALSE(skin.certify(support::begun_at(cover, v)).is_homeomorphic);
+    }
+  }
+}
+
+TEST_CASE("a mesh wound twice or thrice round a ring is no proof though all its counts are right") {
+  const support::Good ring = support::vdw("ring12.xyzr");
+  REQUIRE(ring.skin.topology.skin_genus() == 1);
+  for (const std::uint32_t sheets : {2U, 3U}) {
+    for (const double off : {0.0, small, 1e-4, 0.05}) {
+      constexpr int across = 2;  // the ring lies about the z axis
+      IndexedMesh cover = support::wound_cover(ring.mesh, sheets, Point::Zero(), across);
+      REQUIRE(cover.positions.size() == sheets * ring.mesh.positions.size());
+      for (std::size_t v = 0; v < cover.positions.size(); ++v) {
+        const auto sheet = static_cast<double>(v / ring.mesh.positions.size());
+        cover.positions[v] *= 1 + off * (sheet - 0.5);
+      }
+      const Certificate certificate = ring.certify(cover);
+      CHECK(certificate.broken_by(Claim::Manifold) == "");
+      CHECK(certificate.broken_by(Claim::Counts) == "");
+      CHECK(certificate.broken_by(Claim::Degree) != "");
+      CHECK_FALSE(certificate.is_homeomorphic);
+    }
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 bool mentions(const CriticalPoints& critical, std::string_view words) {
   return std::any_of(critical.degeneracies.begin(), critical.degeneracies.end(),
-                     [&](const std::string& text) { return text.find(words) != text.npos; });
+                     [&](const std::string& text) { return contains(text, words); });
 }
 
 /// Two balls of patch radius 1 and the edge between them along x, 2 half apart.

@@ -27,10 +27,10 @@ std::vector<Point> positions(const SurfacePoints& points) {
 
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Zeros of G on the line of points that are as far from a as from b and c, by looking at many
-/// places within `reach` of the triangle's plane.
+/// Zeros of G on the line of points that are as far from a as from b and c, found among many
+/// points within `extent` of the triangle's plane.
 std::vector<Point> centres(const skin::SkinSurface& skin, const Point& a, const Point& b,
-                           const Point& c, double reach) {
+                           const Point& c, double extent) {
   const certify::Circumcircle circle = certify::circumcircle(a, b, c);
   const Vector n = circle.doubled_area.normalized();
   const auto value = [&](double h) {
@@ -39,7 +39,7 @@ std::vector<Point> centres(const skin::SkinSurface& skin, const Point& a, const 
   std::vector<Point> found;
   constexpr int steps = 60;
   for (int i = 0; i < steps; ++i) {
-    double low = reach * (2.0 * i / steps - 1), high = reach * (2.0 * (i + 1) / steps - 1);
+    double low = extent * (2.0 * i / steps - 1), high = extent * (2.0 * (i + 1) / steps - 1);
     const bool is_outside = value(low) > 0;
     if ((value(high) > 0) == is_outside) continue;
     for (int k = 0; k < 60; ++k) {
@@ -77,16 +77,16 @@ TEST_CASE("the mesh is the triples of samples with an empty ball about a point o
     std::size_t doubtful = 0, wrong = 0;
     for (std::uint32_t a = 0; a < points.size(); ++a) {
       // No empty ball of a dense sample is larger.
-      const double reach = 0.35 * mesh.at(VertexId{a}).length_scale;
+      const double extent = 0.35 * mesh.at(VertexId{a}).length_scale;
       std::vector<std::uint32_t> near;
-      tree.for_each_within(points[a], 2 * reach, [&](const auto& n) {
+      tree.for_each_within(points[a], 2 * extent, [&](const auto& n) {
         if (n.id.value > a) near.push_back(n.id.value);
       });
       for (const std::uint32_t b : near) {
         for (const std::uint32_t c : near) {
           if (b >= c) continue;
           bool is_facet = false, is_doubtful = false;
-          for (const Point& x : centres(skin->surface, points[a], points[b], points[c], reach)) {
+          for (const Point& x : centres(skin->surface, points[a], points[b], points[c], extent)) {
             const double r = (x - points[a]).norm();
             double least = INFINITY;
             for (const std::uint32_t p : near) {

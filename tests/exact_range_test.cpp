@@ -1,18 +1,12 @@
 #include "geometry/exact_range.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
 #include <span>
-#include <vector>
 
 #include "geometry/orthosphere.h"
 #include "geometry/predicates_internal.h"
 #include "skin/orthocentre.h"
 #include "tests/support/big_integer.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;

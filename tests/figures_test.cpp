@@ -2,7 +2,7 @@
 
 #include "app/figures/bundled.h"
 #include "app/figures/free_form.h"
-#include "app/figures/sweep_events.h"
+#include "app/figures/recorded_sweep.h"
 #include "app/pictures/png.h"
 #include "front/two_fronts.h"
 #include "tests/support/png_reading.h"
@@ -106,7 +106,7 @@ TEST_CASE("a figure drawn twice has the same bytes") {
 
 TEST_CASE("a recorded sweep tells of every operation and leaves out no triangle") {
   const PreparedSkin skin = figures::bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
-  const figures::RecordedSweep sweep = figures::recorded_sweep(skin, 0.08);
+  const figures::RecordedSweep sweep = figures::recorded_sweep(skin, {.sizing = {.C = 0.08}});
   const front::SweepResult plain = front::sweep_once(skin.surface, sweep.guide);
   std::size_t triangles = 0;
   std::array<std::size_t, 5> counts{};

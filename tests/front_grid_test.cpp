@@ -8,7 +8,7 @@ using namespace morskin::support;
 using geometry::Point;
 
 TEST_CASE(
-    "the grid finds within reach just what a look at all corners finds, over six orders of "
+    "the grid finds within a radius just what a search of all corners finds, over six orders of "
     "length") {
   std::size_t found_in_all = 0;
   for_seeds<Random>(60, [&](unsigned seed, Random& random) {
@@ -48,17 +48,17 @@ TEST_CASE(
       CAPTURE(i);
       const Point p = random_point();
       const double rho = length_scale(p);
-      const double reach = random.between(0, grid.max_radius(rho));
+      const double radius = random.between(0, grid.max_radius(rho));
       std::vector<FrontEdgeId> visited, expected;
-      grid.for_each_within(p, rho, reach, [&](FrontEdgeId e) { visited.push_back(e); });
+      grid.for_each_within(p, rho, radius, [&](FrontEdgeId e) { visited.push_back(e); });
       std::sort(visited.begin(), visited.end());
       visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
-      // Single precision offsets: a thousandth of the reach, a millionth of the scale.
-      const double beyond = reach * 1.001 + 1e-5 * rho;
+      // Single precision offsets: a thousandth of the radius, a millionth of the scale.
+      const double beyond = radius * 1.001 + 1e-5 * rho;
       for (const auto& [e, x, keys] : filed) {
         const double d = (x - p).norm();
         const bool is_visited = std::binary_search(visited.begin(), visited.end(), e);
-        if (d <= reach * (1 - 1e-6)) CHECK(is_visited);
+        if (d <= radius * (1 - 1e-6)) CHECK(is_visited);
         if (d > beyond) CHECK_FALSE(is_visited);
         if (is_visited) expected.push_back(e);
       }

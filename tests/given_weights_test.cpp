@@ -1,20 +1,13 @@
 // Files of weights (XYZW): what is written is what comes back.
 
-#include <doctest/doctest.h>
-
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <random>
-#include <string>
 
 #include "geometry/error.h"
 #include "geometry/exact_range.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 #include "tests/support/molecule_texts.h"
-#include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;

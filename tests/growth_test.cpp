@@ -113,9 +113,9 @@ TEST_CASE("random sets of balls grow to certified meshes") {
   CHECK(compared > 50);
 }
 
-TEST_CASE("looks come out by time, whatever is put in meanwhile") {
+TEST_CASE("inspections come out by time, whatever is put in meanwhile") {
   for_seeds<Random>(20, [&](Random& random) {
-    LookQueue queue;
+    InspectionQueue queue;
     std::vector<std::pair<double, std::uint32_t>> expected;
     double now = -10;
     std::uint32_t put = 0;
@@ -130,9 +130,9 @@ TEST_CASE("looks come out by time, whatever is put in meanwhile") {
       }
       const double least = std::ranges::min_element(expected)->first;
       REQUIRE(queue.next_time() == least);
-      const LookQueue::Look look = queue.pop();
-      REQUIRE(look.time == least);
-      CHECK(std::erase(expected, std::pair(least, look.triangle.value)) == 1);
+      const InspectionQueue::Entry next = queue.pop();
+      REQUIRE(next.time == least);
+      CHECK(std::erase(expected, std::pair(least, next.triangle.value)) == 1);
       now = least;
       REQUIRE(queue.size() == expected.size());
     }

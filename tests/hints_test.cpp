@@ -1,11 +1,5 @@
 // A mesher's hints may save the certificate a search, and may not change a word of it.
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "certify/certificate.h"
 #include "certify/located_vertices.h"
 #include "tests/support/mesh_part.h"
@@ -97,15 +91,6 @@ void check_same(const Certificate& one, const Certificate& other) {
   CHECK(one.volume == other.volume);
 }
 
-/// Both meshes as one.
-IndexedMesh together(IndexedMesh a, const IndexedMesh& b) {
-  const auto shift = static_cast<std::uint32_t>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (const auto& [p, q, r] : b.triangles)
-    a.triangles.push_back({p + shift, q + shift, r + shift});
-  return a;
-}
-
 /// A mesh, and others made from it in which something is wrong.
 std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh& good) {
   std::vector<std::pair<std::string, IndexedMesh>> all(6, {"good", good});
@@ -113,7 +98,8 @@ std::vector<std::pair<std::string, IndexedMesh>> good_and_bad(const IndexedMesh&
   all[1].second.triangles.erase(all[1].second.triangles.begin() + 17);
   all[2].first = "one triangle the wrong way";
   std::swap(all[2].second.triangles[3][0], all[2].second.triangles[3][1]);
-  all[3] = {"laid twice", together(good, good)};
+  all[3].first = "laid twice";
+  all[3].second.append(good);
   all[4].first = "an unused vertex, one off the skin";
   all[4].second.positions.push_back(good.positions[0]);
   all[4].second.positions[5] *= 1.01;

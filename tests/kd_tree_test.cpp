@@ -36,7 +36,7 @@ Point question(const std::vector<Point>& points, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the nearest point within a radius is the one that a look at all points finds first") {
+TEST_CASE("the nearest point within a radius is the one that a search of all points finds first") {
   std::size_t found = 0;
   for_seeds<Random>(400, [&](unsigned seed, Random& random) {
     const std::vector<Point> points = point_set(seed);

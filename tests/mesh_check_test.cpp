@@ -1,16 +1,9 @@
 #include "geometry/mesh_check.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
-#include <random>
 
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
@@ -34,14 +27,6 @@ void check_only(const IndexedMesh& mesh, MeshDefect kind, std::size_t count,
 IndexedMesh without_triangle(IndexedMesh mesh, std::size_t t) {
   mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
   return mesh;
-}
-
-void append(IndexedMesh& mesh, const IndexedMesh& other) {
-  const auto shift = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-  for (const auto& [a, b, c] : other.triangles) {
-    mesh.triangles.push_back({a + shift, b + shift, c + shift});
-  }
 }
 
 IndexedMesh inside_out(IndexedMesh mesh) {
@@ -82,8 +67,8 @@ TEST_CASE("a sphere, a torus, and a sphere in a sphere are closed, with their ge
   CHECK(ring.components[0].volume == doctest::Approx(6 * M_PI * M_PI).epsilon(0.03));
 
   IndexedMesh shell = support::sphere_mesh({90, 0, 0}, 2, 3);
-  append(shell, inside_out(support::sphere_mesh({90, 0, 0}, 1, 3)));
-  append(shell, torus(9, 7));
+  shell.append(inside_out(support::sphere_mesh({90, 0, 0}, 1, 3)));
+  shell.append(torus(9, 7));
   const MeshCheck check = check_mesh(shell);
   CHECK(check.is_closed_oriented_manifold());
   REQUIRE(check.components.size() == 3);
@@ -122,7 +107,7 @@ TEST_CASE("each kind of defect is counted and its first element named") {
   // Two spheres made to share vertex 1: two sheets touch there.
   bad = sphere();
   const auto shift = static_cast<std::uint32_t>(bad.positions.size());
-  append(bad, support::sphere_mesh({-2, 0, 0}, 1, 2));
+  bad.append(support::sphere_mesh({-2, 0, 0}, 1, 2));
   for (auto& t : bad.triangles) std::ranges::replace(t, shift, 1U);
   bad.positions[shift] = bad.positions.back();
   for (auto& t : bad.triangles) {
@@ -276,9 +261,7 @@ TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees
   const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}},
                          {{0, 1, 2}, {0, 1, 3}, {0, 0, 1}}};
   const geometry::AngleHistogram counts = geometry::angle_histogram(mesh);
-  std::size_t sum = 0;
-  for (const std::size_t n : counts) sum += n;
-  CHECK(sum == 9);
+  CHECK(std::accumulate(counts.begin(), counts.end(), std::size_t{0}) == 9);
   CHECK(counts[9] == 1);   // the right angle
   CHECK(counts[4] == 2);   // 45 degrees twice
   CHECK(counts[17] == 2);  // the flat one, and one at the side of length zero

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "geometry/error.h"
-#include "geometry/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test.h"
 
@@ -53,10 +52,6 @@ std::string complaint(const std::string& bytes, const std::string& name) {
   } catch (const UnreadableInput& error) {
     return error.what();
   }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 void check_refused(const std::string& bytes, const std::string& name, const std::string& part) {
@@ -296,28 +291,4 @@ TEST_CASE("a file that cannot be written leaves nothing behind and the old file 
   CHECK_THROWS_AS(write_mesh(folder / "old.ply/new.ply", plain_tetrahedron()), UnwritableOutput);
   CHECK(bytes_of(folder / "old.ply") == old);
   CHECK(folder.file_count() == 1);
-}
-
-TEST_CASE("a file that is replaced keeps its permissions, a link keeps its target") {
-  namespace fs = std::filesystem;
-  const TemporaryFolder folder;
-  const fs::path path = folder.file("report.json", "old");
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("report.json", folder / "link.json");
-  write_file_atomically(folder / "link.json", "new");
-  CHECK(bytes_of(path) == "new");
-  CHECK(fs::is_symlink(folder / "link.json"));
-  CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
-  CHECK(folder.file_count() == 2);
-}
-
-TEST_CASE("devices are written to and not replaced") {
-  namespace fs = std::filesystem;
-  write_file_atomically("/dev/null", "text");
-  CHECK(fs::is_character_file("/dev/null"));
-  if (fs::exists("/dev/full")) {
-    CHECK_THROWS_WITH_AS(write_file_atomically("/dev/full", "text"),
-                         doctest::Contains("free some space"), UnwritableOutput);
-    CHECK(fs::is_character_file("/dev/full"));
-  }
 }

@@ -216,7 +216,7 @@ TEST_CASE("a connection of two saddles by symmetry is reported, not guessed abou
     const MorseSmaleComplex complex = complex_of(ring);
     CHECK(complex.regions.empty());
     REQUIRE_FALSE(complex.degeneracies.empty());
-    CHECK(complex.degeneracies.front().find("runs into the saddle") != std::string::npos);
+    CHECK(contains(complex.degeneracies.front(), "runs into the saddle"));
   }
   // The waist of a neck seen across it.
   const MorseCase neck({ball(-1.5, 0, 0, 1.5), ball(1.5, 0, 0, 1)},

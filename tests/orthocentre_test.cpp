@@ -57,11 +57,11 @@ TEST_CASE("the orthocentre does not depend on the order of the simplex, however 
     std::rotate(simplex.begin(), simplex.begin() + 1, simplex.end());
     std::swap(simplex[0], simplex[1]);
     const skin::Orthocentre again = skin::orthocentre(simplex);
-    long double reach = 0;
+    long double extent = 0;
     for (const WeightedPoint& p : simplex) {
-      reach = std::max(reach, (z.position - p.position.cast<long double>()).norm());
+      extent = std::max(extent, (z.position - p.position.cast<long double>()).norm());
     }
-    CHECK((z.position - again.position).norm() <= 2 * promised * reach);
+    CHECK((z.position - again.position).norm() <= 2 * promised * extent);
     CHECK(std::abs(z.weight - again.weight) <= 2 * promised * std::abs(z.weight));
   });
 }

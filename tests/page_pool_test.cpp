@@ -101,7 +101,7 @@ TEST_CASE("what an array leaves serves the next") {
   CHECK(pool->take(size) == first);
 }
 
-TEST_CASE("what lies idle in the pool goes back to the system when it is too small, or too much") {
+TEST_CASE("free memory of the pool goes back to the system when it is too small, or too much") {
   const std::size_t size = 64 << 20;
   for (const bool is_too_small : {true, false}) {
     CAPTURE(is_too_small);
@@ -151,7 +151,7 @@ TEST_CASE("the pool refuses what no system has, and more arrays than it can coun
     REQUIRE(arrays.size() < 100000);
   }
   CHECK(arrays.size() > 1000);
-  // Every other one first, so that as much lies idle in as many places.
+  // Every other one first, so that as much is free in as many ranges.
   for (const std::size_t from : {0U, 1U}) {
     for (std::size_t i = from; i < arrays.size(); i += 2) CHECK(pool->give_back(arrays[i]));
   }

@@ -87,7 +87,7 @@ TEST_CASE("a component that the sweep spoils is swept in another direction") {
                                       return sweeps == 1 && p.x() > 100.5;
                                     }));
   check_mended(mended, 1, Method::Sweep);
-  CHECK(mended.fallbacks[0].reason.find("manifold") != std::string::npos);
+  CHECK(contains(mended.fallbacks[0].reason, "manifold"));
   // Only that component was replaced.
   CHECK(far_out(mended, -1) == far_out(plain, -1));
   CHECK(far_out(mended, 1) != far_out(plain, 1));

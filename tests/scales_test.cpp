@@ -1,13 +1,8 @@
 // Balls of very different sizes, or far out: meshed and certified, or refused before any work.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "morskin/prepared_skin.h"
-#include "tests/support/molecules.h"
 #include "tests/support/outcome.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using support::ball;

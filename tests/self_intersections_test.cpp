@@ -1,16 +1,8 @@
 #include "geometry/self_intersections.h"
 
-#include <doctest/doctest.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "geometry/predicates.h"
 #include "geometry/triangle_contact.h"
 #include "tests/support/meshes.h"
-#include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::IndexedMesh;
@@ -25,8 +17,7 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 Pairs all_pairs(const IndexedMesh& mesh) {
   const geometry::ExactPositions at(mesh.positions);
   const auto is_whole = [&](const auto& t) {
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] &&
-           !geometry::are_collinear(at[t[0]], at[t[1]], at[t[2]]);
+    return !geometry::repeats_a_corner(t) && !geometry::are_collinear(at[t[0]], at[t[1]], at[t[2]]);
   };
   Pairs pairs;
   for (std::uint32_t s = 0; s < mesh.triangles.size(); ++s) {
@@ -124,8 +115,7 @@ TEST_CASE("of the same triangle a hundred thousand times as many pairs are count
   IndexedMesh shared = one, apart;
   for (std::uint32_t i = 0; i < many; ++i) {
     shared.triangles.push_back({0, 1, 2});
-    apart.positions.insert(apart.positions.end(), one.positions.begin(), one.positions.end());
-    apart.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    apart.append({one.positions, {{0, 1, 2}}});
   }
   for (const IndexedMesh* mesh : {&shared, &apart}) {
     const SelfIntersections found = geometry::self_intersections(*mesh, {5, 1000});
@@ -187,11 +177,7 @@ TEST_CASE("two spheres that cross, touch in a point or stand apart are told from
     // Octahedra's corners lie on the axes, so at distance 2 two vertices coincide.
     const IndexedMesh right = support::sphere_mesh({x, 0, 0}, 1, 3);
     IndexedMesh both = left;
-    both.positions.insert(both.positions.end(), right.positions.begin(), right.positions.end());
-    const auto shift = static_cast<std::uint32_t>(left.positions.size());
-    for (const auto& [a, b, c] : right.triangles) {
-      both.triangles.push_back({a + shift, b + shift, c + shift});
-    }
+    both.append(right);
     const SelfIntersections found = geometry::self_intersections(both);
     CHECK((found.count > 0) == (x <= 2.0));
     if (x == 2.0) CHECK(found.count == 16);  // four triangles round each of the two corners

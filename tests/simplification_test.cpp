@@ -160,7 +160,7 @@ TEST_CASE("after simplification no two spheres overlap, and those that overlappe
   });
 }
 
-TEST_CASE("overlapping spheres are those that a look at all pairs finds, whatever their sizes") {
+TEST_CASE("overlapping spheres are those that a search of all pairs finds, whatever their sizes") {
   for_seeds<Random>(300, [&](Random& random) {
     std::vector<CriticalPoint> points(2 + random.below(60));
     std::vector<double> radii;

@@ -69,7 +69,7 @@ TEST_CASE("a triangle that keeps [L] and [U] has no angle below the least one") 
     std::array<surface::SurfacePoint, 3> p;
     for (surface::SurfacePoint& x : p) x = corner(near(), random.between(0.8, 1.2));
     const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
-    const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
+    const double rho = surface::min_length_scale({&p[0], &p[1], &p[2]});
     if (sizing.triangle_ratio(circle.radius, rho) >= 1) return;
     bool keeps_L = true;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -66,7 +66,7 @@ TEST_CASE("smoothing keeps every triangle's corners and lets no vertex into a su
   }
 }
 
-TEST_CASE("the counts before and after are those of a look at every triangle") {
+TEST_CASE("the counts before and after are those of all triangles one by one") {
   for (const PreparedSkin& skin : skins()) {
     Mesh mesh = rough_mesh(skin);
     constexpr double high_deg = 36;  // so that some are left
@@ -77,7 +77,7 @@ TEST_CASE("the counts before and after are those of a look at every triangle") {
   }
 }
 
-TEST_CASE("a goal out of reach raises the smallest angle all the same and breaks nothing") {
+TEST_CASE("a goal that cannot be met raises the smallest angle all the same and breaks nothing") {
   const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1), ball(1.9, 0.2, 0.1, 1.2)});
   Mesh mesh = rough_mesh(skin);
   const double before = certificate(skin, mesh).min_angle_deg;
@@ -108,20 +108,20 @@ TEST_CASE("smoothing is the same with any number of threads") {
 }
 
 TEST_CASE("smoothing in many small blocks keeps every law, and is the same in any order of them") {
-  constexpr std::size_t least_block = 50;  // triangles; there are at most sixteen blocks
+  constexpr std::size_t min_block = 50;  // triangles; there are at most sixteen blocks
   std::size_t moved = 0;
   for (const PreparedSkin& skin : skins()) {
     Mesh mesh = rough_mesh(skin);
     Mesh other = mesh;
     const auto before = mesh.surface.triangle_list();
     const SmoothingCounts counts =
-        smooth(skin.surface, {}, mesh, goal_deg, geometry::Run(1), least_block);
+        smooth(skin.surface, {}, mesh, goal_deg, geometry::Run(1), min_block);
     moved += counts.moved;
     CHECK(counts.left == 0);
     CHECK(mesh.surface.triangle_list() == before);
     CHECK(certificate(skin, mesh).reason == "");
     CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
-    CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), least_block).moved ==
+    CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), min_block).moved ==
           counts.moved);
     CHECK(indexed_mesh(mesh).positions == indexed_mesh(other).positions);
   }

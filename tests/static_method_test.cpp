@@ -1,7 +1,5 @@
 #include "front/static_method.h"
 
-#include <cstdio>
-
 #include "morskin/pipeline.h"
 #include "tests/support/meshes.h"
 #include "tests/support/nasty_sets.h"
@@ -68,25 +66,24 @@ TEST_CASE("the static method gives the same bytes every time") {
   const auto first = meshed(points, by_static_method());
   meshed(ball_set(1), by_static_method());
   const auto second = meshed(points, by_static_method(), Run(2));
-  CHECK(first.mesh.triangles == second.mesh.triangles);
-  CHECK(first.mesh.positions == second.mesh.positions);
+  CHECK(first.mesh == second.mesh);
 }
 
-TEST_CASE("the static method tells how many samples there are, more each time") {
-  std::vector<std::size_t> told;
+TEST_CASE("the static method reports how many samples there are, more each time") {
+  std::vector<std::size_t> reported;
   const Run run(1, [&](std::string_view stage, double) {
     std::size_t samples = 0;
     if (std::sscanf(std::string(stage).c_str(), "refine, %zu samples", &samples) == 1) {
-      told.push_back(samples);
+      reported.push_back(samples);
     }
   });
   const auto result =
       meshed(molecule("caffeine.xyz", skin::Model::Vdw), by_static_method({.C = 0.04}), run);
-  REQUIRE(told.size() > 1);
-  CHECK(std::ranges::is_sorted(told));
-  CHECK(std::ranges::adjacent_find(told) == told.end());
-  CHECK(told.back() <= result.mesh.positions.size());
-  CHECK(2 * told.back() > result.mesh.positions.size());
+  REQUIRE(reported.size() > 1);
+  CHECK(std::ranges::is_sorted(reported));
+  CHECK(std::ranges::adjacent_find(reported) == reported.end());
+  CHECK(reported.back() <= result.mesh.positions.size());
+  CHECK(2 * reported.back() > result.mesh.positions.size());
 }
 
 TEST_SUITE("slow") {

@@ -11,12 +11,12 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
+#include "geometry/stopwatch.h"
 #include "skin/model.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/outcome.h"
@@ -26,8 +26,8 @@ using support::Outcome;
 
 namespace {
 
-constexpr unsigned max_seconds = 60;   // of work on one set
-constexpr unsigned most_waiting = 20;  // times as long by the clock, on a busy machine
+constexpr unsigned max_seconds = 60;  // of work on one set
+constexpr unsigned max_waiting = 20;  // times as long by the clock, on a busy machine
 
 // What the child tells its parent; short enough for one write to a pipe.
 struct Message {
@@ -39,7 +39,7 @@ struct Message {
 [[noreturn]] void run_child(unsigned seed, const morskin::MeshingOptions& options, int pipe) {
   const rlimit work{max_seconds, max_seconds};
   ::setrlimit(RLIMIT_CPU, &work);
-  ::alarm(most_waiting * max_seconds);
+  ::alarm(max_waiting * max_seconds);
   const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
   Message message{outcome.kind, outcome.triangles, {}};
   outcome.why.copy(message.why.data(), message.why.size() - 1);
@@ -85,7 +85,7 @@ void print(const char* name, const Tally& tally) {
 }
 
 int run_all(unsigned sets, unsigned first, const morskin::MeshingOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const geometry::Stopwatch stopwatch;
   std::array<Tally, support::nasty_kinds> by_kind;
   Tally total;
   for (unsigned i = 0; i < sets; ++i) {
@@ -102,8 +102,7 @@ int run_all(unsigned sets, unsigned first, const morskin::MeshingOptions& option
     }
     std::fflush(stdout);
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::printf("%u sets from seed %u in %.0f s\n", sets, first, seconds.count());
+  std::printf("%u sets from seed %u in %.0f s\n", sets, first, stopwatch.seconds());
   for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
     print(support::nasty_names[kind].data(), by_kind[kind]);
   }

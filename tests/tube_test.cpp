@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <numeric>
-
 #include "tests/support/meshes.h"
 
 using namespace morskin;

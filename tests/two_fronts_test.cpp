@@ -34,40 +34,68 @@ TEST_CASE("two fronts lay the same triangles in one thread as in two") {
   });
 }
 
-TEST_CASE("three fronts absorbed in either bracketing leave the same bytes") {
-  std::size_t closed = 0, runs = 0;
-  for_guides(30, [&](const skin::SkinSurface& surface, const morse::Guide& guide) {
-    const morse::Guide reversed = guide.reversed();
-    std::vector<double> values;
-    for (const auto& p : guide.points) values.push_back(p.value);
-    std::ranges::sort(values);
-    const double low = values.front() + (values.back() - values.front()) / 3;
-    const double high = values.front() + (values.back() - values.front()) * 2 / 3;
-    const auto mesh = [&](bool is_left_first) {
-      PartialSweep below(surface, guide, {}, {.high = low});
-      PartialSweep between(surface, guide, {}, {.low = low, .high = high});
-      PartialSweep above(surface, reversed, {}, {.high = -high});
-      for (PartialSweep* part : {&below, &between, &above}) part->run();
-      if (is_left_first) {
-        below.absorb(between);
-        below.absorb(above);
-      } else {
-        between.absorb(above);
-        below.absorb(between);
-      }
-      below.finish();
-      return below.take_result();
-    };
-    const SweepResult a = mesh(true), b = mesh(false);
-    CHECK(a.mesh.surface.triangle_list() == b.mesh.surface.triangle_list());
-    CHECK(std::ranges::equal(a.mesh.points, b.mesh.points, {}, &surface::SurfacePoint::position,
-                             &surface::SurfacePoint::position));
-    CHECK(a.operations.futile_outside_protecting == b.operations.futile_outside_protecting);
-    CHECK(a.operations.creep == b.operations.creep);
-    ++runs;
-    closed += a.open_edges == 0;
+TEST_CASE("three fronts absorbed in either bracketing leave the same bytes, births and counts") {
+  const certify::Sizing coarse = sizing_for(0.35);
+  const std::optional<CoarseningOptions> behind =
+      CoarseningOptions{.sizing = coarse, .min_triangles = 300};
+  for (const auto& coarsening : {std::optional<CoarseningOptions>(), behind}) {
+    SweepOptions options{.record_births = true};
+    if (coarsening) options.sizing = coarse.laid();
+    std::size_t closed = 0, runs = 0;
+    for_skins(30, [&](const PreparedSkin& skin) {
+      const morse::Guide guide = guide_for(skin, options.sizing), reversed = guide.reversed();
+      const auto [first, last] =
+          std::ranges::minmax_element(guide.points, {}, &morse::CriticalPoint::value);
+      const double low = first->value + (last->value - first->value) / 3;
+      const double high = first->value + (last->value - first->value) * 2 / 3;
+      const auto mesh = [&](bool is_left_first) {
+        PartialSweep below(skin.surface, guide, options, {.high = low}, coarsening);
+        PartialSweep between(skin.surface, guide, options, {.low = low, .high = high}, coarsening);
+        PartialSweep above(skin.surface, reversed, options, {.high = -high}, coarsening);
+        for (PartialSweep* part : {&below, &between, &above}) part->run();
+        if (is_left_first) {
+          below.absorb(between);
+          below.absorb(above);
+        } else {
+          between.absorb(above);
+          below.absorb(between);
+        }
+        below.finish();
+        return below.take_result();
+      };
+      const SweepResult a = mesh(true), b = mesh(false);
+      CHECK(indexed_mesh(a.mesh) == indexed_mesh(b.mesh));
+      CHECK(std::ranges::equal(*a.mesh.births, *b.mesh.births));
+      CHECK(a.operations.futile_outside_protecting == b.operations.futile_outside_protecting);
+      CHECK(a.operations.creep == b.operations.creep);
+      CHECK(a.operations.coarsen == b.operations.coarsen);
+      CHECK((a.operations.coarsen > 0) == coarsening.has_value());
+      ++runs;
+      closed += a.open_edges == 0;
+    });
+    CHECK(closed == runs);
+  }
+}
+
+TEST_CASE("the observers of a sweep are called in the order in which they are given") {
+  struct Witness : SweepObserver {
+    Witness(std::vector<int>& calls, int own) : calls_(calls), own_(own) {}
+    void follow(const FrontChange&) override { calls_.push_back(own_); }
+    void operation_done(Operation, const Front&) override { calls_.push_back(own_); }
+    void departed(const Departure&, const Front&) override { calls_.push_back(own_); }
+    void marked(morse::CriticalId, const Departure&) override { calls_.push_back(own_); }
+    void between_departures(Front&) override { calls_.push_back(own_); }
+    void finished(Front&) override { calls_.push_back(own_); }
+    std::vector<int>& calls_;
+    int own_;
+  };
+  for_guides(3, [](const skin::SkinSurface& surface, const morse::Guide& guide) {
+    std::vector<int> calls;
+    Witness first(calls, 0), second(calls, 1), third(calls, 2);
+    sweep_once(surface, guide, {}, {}, {&first, &second, &third});
+    CHECK(calls.size() > 1000);
+    for (std::size_t i = 0; i < calls.size(); ++i) REQUIRE(calls[i] == static_cast<int>(i % 3));
   });
-  CHECK(closed == runs);
 }
 
 TEST_CASE("the middle level keeps out of the interval between a close minimum and maximum") {
@@ -76,8 +104,8 @@ TEST_CASE("the middle level keeps out of the interval between a close minimum an
     for (const auto& p : guide.points) {
       for (const auto& q : guide.points) {
         if (p.index != 0 || q.index != 2) continue;
-        const double reach = std::min(p.point.length_scale, q.point.length_scale);
-        if ((p.point.position - q.point.position).norm() > reach) continue;
+        const double close = std::min(p.point.length_scale, q.point.length_scale);
+        if ((p.point.position - q.point.position).norm() > close) continue;
         CHECK_FALSE((p.value <= level && level <= q.value));
       }
     }

@@ -76,8 +76,7 @@ Image ball_and_stick_to_skin(double scale) {
                     panel(accessible, camera, scale), panel(surface, camera, scale),
                     panel(edged, detail, scale)};
   frame(panels[2], camera, detail, scale);
-  draw_box(panels[3], {1, 1, panels[3].width() - 1.0, panels[3].height() - 1.0},
-           {pictures::ink, 2 * scale});
+  draw_border(panels[3], {pictures::ink, 2 * scale});
   return captioned(panels,
                    std::array<std::string_view, 4>{"balls and sticks", "solvent accessible",
                                                    "molecular skin", "its mesh"},

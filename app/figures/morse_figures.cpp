@@ -5,8 +5,8 @@
 
 #include "app/figures/bundled.h"
 #include "app/figures/figures.h"
+#include "app/figures/recorded_sweep.h"
 #include "app/figures/skin_scene.h"
-#include "app/figures/sweep_events.h"
 
 namespace morskin::figures {
 namespace {
@@ -82,7 +82,7 @@ Image level_curves(double scale) {
 Image cube_snapshots(double scale) {
   // Without a probe the balls leave the six faces of the cube open.
   const morskin::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
-  const RecordedSweep sweep = recorded_sweep(skin, 0.08);
+  const RecordedSweep sweep = recorded_sweep(skin, {.sizing = {.C = 0.08}});
   const MeshLayer whole = skin_layer(sweep.mesh, sweep.mesh.surface.triangle_count());
   Scene measure;
   measure.meshes.push_back(whole);

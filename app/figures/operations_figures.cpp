@@ -8,8 +8,8 @@
 
 #include "app/figures/bundled.h"
 #include "app/figures/figures.h"
+#include "app/figures/recorded_sweep.h"
 #include "app/figures/skin_scene.h"
-#include "app/figures/sweep_events.h"
 #include "front/tangent_disk.h"
 
 namespace morskin::figures {
@@ -19,7 +19,7 @@ using front::Operation;
 
 struct Stage {
   morskin::PreparedSkin skin = bundled_skin("cube8.xyzr", skin::Model::Paper, 0);
-  RecordedSweep sweep = recorded_sweep(skin, 0.08);
+  RecordedSweep sweep = recorded_sweep(skin, {.sizing = {.C = 0.08}});
   MeshLayer bare = backdrop(skin, sweep.guide.function, 0.03);
   double disk_share = front::Spacing{}.disk_share * certify::Sizing{}.tangent_disk_share();
 

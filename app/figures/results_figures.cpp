@@ -46,8 +46,7 @@ Image gramicidin(double scale) {
   edged.meshes[0].coat.edge_width = 1.2;
   std::array panels{panel(scene, camera, scale), panel(edged, detail, scale)};
   frame(panels[0], camera, detail, scale);
-  draw_box(panels[1], {1, 1, panels[1].width() - 1.0, panels[1].height() - 1.0},
-           {pictures::ink, 2 * scale});
+  draw_border(panels[1], {pictures::ink, 2 * scale});
   return captioned(panels, std::array<std::string_view, 2>{"(a)", "(b)"}, scale, 2);
 }
 

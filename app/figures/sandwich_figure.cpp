@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "app/figures/figures.h"
 #include "app/figures/panels.h"
@@ -150,8 +149,7 @@ Image sandwiching_ball(double scale) {
   const double w = zoom * detail.width, h = zoom * detail.height;
   draw_box(panels[0], {middle.x() - w, middle.y() - h, middle.x() + w, middle.y() + h},
            {pictures::ink, 1.5 * scale});
-  draw_box(panels[1], {1, 1, panels[1].width() - 1.0, panels[1].height() - 1.0},
-           {pictures::ink, 1.5 * scale});
+  draw_border(panels[1], {pictures::ink, 1.5 * scale});
   return captioned(panels,
                    std::array<std::string_view, 2>{"two balls between which the skin passes",
                                                    "the tangent disk of radius r_a"},

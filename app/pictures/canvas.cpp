@@ -132,6 +132,10 @@ void draw_box(Image& image, const Box& box, const Pen& pen) {
   draw_line(image, corners, pen);
 }
 
+void draw_border(Image& image, const Pen& pen) {
+  draw_box(image, {1, 1, image.width() - 1.0, image.height() - 1.0}, pen);
+}
+
 void draw_text(Image& image, const Vector2& at, std::string_view text, double size, Align align,
                const Colour& colour, double halo) {
   Lettering line = lettering(text);

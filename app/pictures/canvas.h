@@ -26,6 +26,8 @@ struct Box {
   double left, top, right, bottom;
 };
 void draw_box(Image& image, const Box& box, const Pen& pen);
+/// A box along the rim of the picture.
+void draw_border(Image& image, const Pen& pen);
 
 enum class Align { Left, Centre, Right };
 

@@ -1,7 +1,6 @@
 #include "app/pictures/font.h"
 
 #include <array>
-#include <string>
 
 namespace morskin::pictures {
 namespace {

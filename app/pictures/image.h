@@ -2,7 +2,6 @@
 
 /// A picture in memory, and the colours in it.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -3,10 +3,9 @@
 /// Light from a sky and a lamp: many directions, each with a depth map, which gives soft shadows
 /// and ambient occlusion.
 
-#include <array>
 #include <vector>
 
-#include "geometry/point.h"
+#include "geometry/indexed_mesh.h"
 
 namespace morskin::pictures {
 
@@ -15,7 +14,7 @@ using geometry::Vector;
 /// The things that cast shadows, in view space (camera.h), in any unit.
 struct Occluders {
   std::vector<Vector> corners;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  geometry::TriangleList triangles;
   struct SeenBall {
     Vector centre;
     double radius;

@@ -28,6 +28,17 @@ inline Range samples_between(double low, double high, int count) {
   return {static_cast<int>(first), static_cast<int>(last)};
 }
 
+/// The columns in which row y may meet the strip of a half width about the line from a along d.
+inline Range span_of_strip(const Vector& a, const Eigen::Vector2d& d, double half_width, int y,
+                           const Range& columns) {
+  constexpr double level = 1e-6;  // few rows
+  if (!(std::abs(d.y()) > level * std::abs(d.x()))) return columns;
+  const double x = a.x() + (y + 0.5 - a.y()) * (d.x() / d.y());
+  const double half = half_width * d.norm() / std::abs(d.y()) + 1;  // 1: far above rounding
+  const Range span = samples_between(x - half, x + half, columns.last);
+  return {std::max(span.first, columns.first), span.last};
+}
+
 /// Twice the area of a triangle as seen; negative when its corners run counter-clockwise for an eye
 /// that has y upwards, which is when its outer side is seen.
 inline double seen_area(const Vector& a, const Vector& b, const Vector& c) {

@@ -20,26 +20,11 @@ struct Sample {
 
   bool is_empty() const { return depth == -std::numeric_limits<float>::infinity(); }
   Vector vector() const { return {value[0], value[1], value[2]}; }
-  void set(const Vector& v) {
-    for (int k = 0; k < 3; ++k) {
-      value[static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
-    }
-  }
+  void set(const Vector& v) { Eigen::Vector3f::Map(value.data()) = v.cast<float>(); }
 };
 
 std::uint8_t byte(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
-}
-
-// The columns in which row y may meet the strip of a half width about the line from a along d.
-Range span_of_strip(const Vector& a, const Eigen::Vector2d& d, double half_width, int y,
-                    const Range& columns) {
-  constexpr double level = 1e-6;  // few rows
-  if (!(std::abs(d.y()) > level * std::abs(d.x()))) return columns;
-  const double x = a.x() + (y + 0.5 - a.y()) * (d.x() / d.y());
-  const double reach = half_width * d.norm() / std::abs(d.y()) + 1;  // 1: far above rounding
-  const Range span = samples_between(x - reach, x + reach, columns.last);
-  return {std::max(span.first, columns.first), span.last};
 }
 
 double smooth_step(double x) {
@@ -127,26 +112,26 @@ class Painter {
     }
   }
 
+  // Puts samples of one colour.
+  auto putter(const Colour& colour) {
+    return [this, &colour](int x, int y, double depth, const Vector& normal) {
+      constexpr double gloss = 0.35;
+      put(x, y, depth, normal, colour, gloss);
+    };
+  }
+
   void draw(const Ball& ball) {
-    constexpr double gloss = 0.35;
     const Vector centre = camera_.seen(ball.centre);
     const double radius = ball.radius * camera_.scale;
     occluders_.balls.push_back({centre, radius});
-    for_each_sample_of_ball(grid_, centre, radius,
-                            [&](int x, int y, double depth, const Vector& normal) {
-                              put(x, y, depth, normal, ball.colour, gloss);
-                            });
+    for_each_sample_of_ball(grid_, centre, radius, putter(ball.colour));
   }
 
   void draw(const Stick& stick) {
-    constexpr double gloss = 0.35;
     const Vector from = camera_.seen(stick.from), to = camera_.seen(stick.to);
     const double radius = stick.radius * camera_.scale;
     occluders_.sticks.push_back({from, to, radius});
-    for_each_sample_of_stick(grid_, from, to, radius,
-                             [&](int x, int y, double depth, const Vector& normal) {
-                               put(x, y, depth, normal, stick.colour, gloss);
-                             });
+    for_each_sample_of_stick(grid_, from, to, radius, putter(stick.colour));
   }
 
   // The points to light: one in each pixel for each surface visible in it.
@@ -190,10 +175,10 @@ class Painter {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       Sample& sample = samples_[i];
       if (sample.is_empty()) continue;
-      constexpr double sharpness = 42, most = 0.55;  // of the highlight
-      constexpr double ambient = 0.06;               // where neither sky nor lamp is seen
+      constexpr double sharpness = 42, max_shine = 0.55;  // of the highlight
+      constexpr double ambient = 0.06;                    // where neither sky nor lamp is seen
       const Vector normal = sample.vector();
-      const double shine = most * sample.gloss / 255.0 * light.lamp[sample.spot] *
+      const double shine = max_shine * sample.gloss / 255.0 * light.lamp[sample.spot] *
                            std::pow(std::max(0.0, normal.dot(half)), sharpness);
       Vector colour;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -217,8 +202,8 @@ class Painter {
       for (int x = 0; x < grid_.width; ++x) {
         const Sample& sample = at(x, y);
         if (sample.is_empty()) continue;
-        constexpr double least = 0.05;  // lower bound of the normal's z
-        const Vector n = sample.vector() / std::max(sample.vector().z(), least);
+        constexpr double min_z = 0.05;
+        const Vector n = sample.vector() / std::max(sample.vector().z(), min_z);
         for (const auto [dx, dy] :
              {std::array{radius, 0}, {-radius, 0}, {0, radius}, {0, -radius}}) {
           const int i = x + dx, j = y + dy;

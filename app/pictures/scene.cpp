@@ -111,7 +111,7 @@ void drop_copies(geometry::IndexedMesh& mesh) {
   std::vector<std::array<std::uint32_t, 4>> order;  // corners, the least in front, and the number
   order.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    std::array<std::uint32_t, 3> t{first[a], first[b], first[c]};
+    geometry::TriangleCorners t{first[a], first[b], first[c]};
     std::ranges::rotate(t, std::ranges::min_element(t));
     order.push_back({t[0], t[1], t[2], static_cast<std::uint32_t>(order.size())});
   }

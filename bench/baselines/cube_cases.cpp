@@ -59,20 +59,20 @@ struct Loop {
   std::array<std::size_t, cube_edge_count> edges{};
   std::size_t size = 0;
 
-  /// Whether a cut from place i to place j would lie on a face.
+  /// Whether a cut from edge i to edge j would lie on a face.
   constexpr bool is_bad_cut(std::size_t i, std::size_t j) const {
     const bool is_side = j == i + 1 || (i == 0 && j + 1 == size);
     return !is_side && share_face(edges[i], edges[j]);
   }
 
-  /// Adds triangles for the part from place i to place j, without bad cuts; false if there is no
-  /// such way, and then nothing is added.
+  /// Adds triangles for the part from edge i to edge j, without bad cuts; false, with nothing
+  /// added, where all cuts are bad.
   constexpr bool cut(std::size_t i, std::size_t j, CubeCase& result) const {
     if (j < i + 2) return true;
     for (std::size_t k = i + 1; k < j; ++k) {
       if (is_bad_cut(i, k) || is_bad_cut(k, j)) continue;
       const std::uint8_t before = result.count;
-      const auto at = [this](std::size_t place) { return static_cast<std::uint8_t>(edges[place]); };
+      const auto at = [this](std::size_t e) { return static_cast<std::uint8_t>(edges[e]); };
       result.triangles[result.count++] = {at(i), at(k), at(j)};
       if (cut(i, k, result) && cut(k, j, result)) return true;
       result.count = before;

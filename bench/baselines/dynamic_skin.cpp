@@ -9,14 +9,13 @@ morskin::Mesher dynamic_mesher(const GrowthOptions& growth, GrowthCounts* counts
                           morskin::Observer&, const morskin::Run& run) {
     GrowthOptions growing = growth;
     growing.sizing = options.sizing;
-    growing.progress = [&](double share) { run.report(share); };
     morskin::MethodResult result;
     bool has_failed = false;
     run.stage("grow", [&] {
       // The skins of all times pass through all cells.
       const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All);
       Growth grown(surface, growing);
-      grown.run();
+      grown.run(run);
       result.mesh = grown.mesh();
       for (surface::SurfacePoint& p : result.mesh.points) {
         p.cell = skin.surface.complex().same(p.cell, surface.complex());

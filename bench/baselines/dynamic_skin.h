@@ -8,8 +8,8 @@
 namespace morskin::baselines {
 
 /// Grows the skin's mesh to time 0 (growth.h), then refines it once with the operations that all
-/// methods share (refine/refinement.h): between two looks the growing mesh may break [L] and [U] a
-/// little, and nobody looks at time 0.
+/// methods share (refine/refinement.h): between two inspections the growing mesh may break [L] and
+/// [U] a little, and none takes place at time 0.
 ///
 /// @param growth  its sizing is the mesher's
 /// @param counts  where to leave what the growth counted, or nullptr

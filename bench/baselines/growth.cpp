@@ -19,15 +19,15 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// has the edge tried for a flip.
 constexpr double suspect_intrusion = 0.01;
 
-/// Looks are put at ticks of a clock, 16 to 64 of them in the time in which the squared length
-/// scale could grow or fall by its half; so neighbours are looked at together, and a vertex is
-/// moved once for all its triangles.
+/// Inspections are put at ticks of a clock, 16 to 64 of them in the time in which the squared
+/// length scale could grow or fall by its half; so neighbours are inspected together, and a vertex
+/// is moved once for all its triangles.
 double tick(double length_scale) { return std::exp2(2 * std::floor(std::log2(length_scale)) - 4); }
 
 /// Twice as many vertices as [L] allows on a whole sphere for each metamorphosis. Growth that ended
 /// well had a fifth of that at most; one that has folded its mesh inserts without end.
 double max_vertices(std::size_t metamorphoses, const GrowthOptions& options) {
-  const double shortest = options.slack.least_L * 2 * options.sizing.C / options.sizing.Q;
+  const double shortest = options.slack.min_L * 2 * options.sizing.C / options.sizing.Q;
   const double on_sphere = 4 * std::numbers::pi / (std::sqrt(0.75) * shortest * shortest);
   return 2 * on_sphere * static_cast<double>(metamorphoses);
 }
@@ -38,39 +38,40 @@ Growth::Growth(const SkinSurface& skin, const GrowthOptions& options)
     : skin_(skin),
       options_(options),
       mesh_(skin, options.sizing),
-      least_step_(tick(least_half_width(skin))),
+      min_step_(tick(min_half_width(skin))),
       metamorphoses_(find_metamorphoses(skin, options.end, longest_edge(options.sizing))),
-      is_over_(metamorphoses_.size(), 0),
-      next_look_(mesh_.surface(), never),
+      metamorphosis_at_(skin.complex().size(), geometry::no_index),
+      next_inspection_(mesh_.surface(), never),
       is_seen_(mesh_.surface(), 0) {
-  for (const Metamorphosis& m : metamorphoses_) mesh_.watch(m.cells);
+  for (std::uint32_t i = 0; i < metamorphoses_.size(); ++i) {
+    for (const CellId cell : metamorphoses_[i].cells) metamorphosis_at_[cell] = i;
+  }
 }
 
-void Growth::run() {
-  std::size_t event = 0, shown = 0;
+void Growth::run(const geometry::Run& run) {
+  std::uint32_t event = 0;
+  std::size_t shown = 0;
   for (;;) {
     const double event_time = event < metamorphoses_.size() ? metamorphoses_[event].time : never;
     const double show_time =
         shown < options_.snapshot_times.size() ? options_.snapshot_times[shown] : never;
-    const double look_time = queue_.next_time();
-    if (std::min({event_time, show_time, look_time}) >= options_.end) break;
-    if (event_time <= std::min(show_time, look_time)) {
-      const auto watch = static_cast<std::uint32_t>(event);
-      undergo(metamorphoses_[event++], watch);
+    const double inspection_time = queue_.next_time();
+    if (std::min({event_time, show_time, inspection_time}) >= options_.end) break;
+    if (event_time <= std::min(show_time, inspection_time)) {
+      undergo(metamorphoses_[event], event);
+      ++event;
       // The topology is wrong for good, and there may be a hole, on which nothing here can go on.
       if (counts_.failed > 0) break;
       // When most of the memory holds what is gone.
       if (2 * mesh_.dead_count() > mesh_.surface().vertex_count()) compact();
-      if (options_.progress) {
-        options_.progress(static_cast<double>(event) / static_cast<double>(metamorphoses_.size()));
-      }
-    } else if (show_time <= look_time) {
+      run.report(event / static_cast<double>(metamorphoses_.size()));
+    } else if (show_time <= inspection_time) {
       show(show_time);
       ++shown;
     } else {
-      const LookQueue::Look next = queue_.pop();
-      if (next_look_[next.triangle] != next.time) continue;
-      look(next.triangle, next.time);
+      const InspectionQueue::Entry next = queue_.pop();
+      if (next_inspection_[next.triangle] != next.time) continue;
+      inspect(next.triangle, next.time);
       mend_changed(next.time);
       require_sane_size();
     }
@@ -99,13 +100,13 @@ void Growth::show(double time) {
 }
 
 void Growth::schedule(TriangleId t, double time) {
-  next_look_[t] = time < options_.end ? time : never;
+  next_inspection_[t] = time < options_.end ? time : never;
   if (time < options_.end) queue_.push(time, t);
 }
 
-/// At the last tick before `time` that is still to come.
+/// Schedules the next inspection at the last tick before `time`, or at the next tick from now.
 void Growth::schedule(TriangleId t, double time, double length_scale) {
-  const double step = std::max(tick(length_scale), least_step_);
+  const double step = std::max(tick(length_scale), min_step_);
   schedule(t, std::max(std::floor(time / step), std::floor(mesh_.time() / step) + 1) * step);
 }
 
@@ -113,24 +114,24 @@ void Growth::schedule(TriangleId t, double time, double length_scale) {
 void Growth::compact() {
   mesh_.compact();
   queue_.clear();
-  for (std::size_t i = 0; i < next_look_.size(); ++i) {
+  for (std::size_t i = 0; i < next_inspection_.size(); ++i) {
     const TriangleId t{i};
-    if (next_look_[t] < never) queue_.push(next_look_[t], t);
+    if (next_inspection_[t] < never) queue_.push(next_inspection_[t], t);
   }
 }
 
-/// Looks at what has changed until nothing changes any more.
+/// Inspects what has changed until nothing changes any more.
 void Growth::mend_changed(double time) {
   std::size_t left = 1000 + 30 * mesh_.changed_count();  // should it go round
   while (const auto t = mesh_.take_changed()) {
     if (mesh_.surface().is_removed(*t)) continue;
     if (left == 0) {
       const double rho = mesh_.at(mesh_.surface().corners(*t)[0]).length_scale;
-      schedule(*t, time + std::max(least_wait * rho * rho, least_step_));
+      schedule(*t, time + std::max(min_wait * rho * rho, min_step_));
       continue;
     }
     --left;
-    look(*t, time);
+    inspect(*t, time);
   }
 }
 
@@ -140,9 +141,9 @@ bool Growth::is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners
                                           double& until) {
   for (const VertexId v : corners) {
     const SurfacePoint& p = mesh_.at(v);
-    const auto watch = mesh_.watch_of(p.cell);
-    if (!watch || is_over_[*watch] != 0) continue;
-    const Metamorphosis& m = metamorphoses_[*watch];
+    const std::uint32_t number = metamorphosis_at_[p.cell];
+    if (number == geometry::no_index) continue;
+    const Metamorphosis& m = metamorphoses_[number];
     if (m.kind == Kind::Birth || time <= m.before()) continue;
     if ((p.position - skin_.patch(m.cell).centre).norm() > hot_radius * m.half_width) continue;
     until = m.time;
@@ -151,12 +152,12 @@ bool Growth::is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners
   return false;
 }
 
-/// Looks at a triangle: flips its edges, contracts a short one, breaks it if it is big, or says
-/// when to look again.
-void Growth::look(TriangleId t, double time) {
+/// Inspects a triangle: flips its edges, contracts a short one, breaks it if it is big, or
+/// schedules its next inspection.
+void Growth::inspect(TriangleId t, double time) {
   SurfaceMesh& surface = mesh_.surface();
   if (surface.is_removed(t)) return;
-  ++counts_.looks;
+  ++counts_.inspections;
   const std::array<VertexId, 3> corners = surface.corners(t);
   for (const VertexId v : corners) time = std::max(time, mesh_.path(v).begins());
   mesh_.set_time(time);
@@ -186,16 +187,16 @@ void Growth::look(TriangleId t, double time) {
       return;
     }
   }
-  const double rho = std::min({p[0].length_scale, p[1].length_scale, p[2].length_scale});
+  const double rho = surface::min_length_scale({&p[0], &p[1], &p[2]});
   ratios.U = options_.sizing.triangle_ratio(circle.radius, rho);
   if (ratios.U > options_.slack.insert_above && mesh_.insert(t, options_.slack.contract_below)) {
     return;
   }
-  schedule(t, next_look(corners, ratios), rho);
+  schedule(t, next_inspection(corners, ratios), rho);
 }
 
 /// When the triangle may next break the bounds of Slack (mathematics: papers/5-dynamic.md).
-double Growth::next_look(const std::array<VertexId, 3>& corners, const Ratios& ratios) {
+double Growth::next_inspection(const std::array<VertexId, 3>& corners, const Ratios& ratios) {
   const std::array<const SurfacePoint*, 3> p{&mesh_.at(corners[0]), &mesh_.at(corners[1]),
                                              &mesh_.at(corners[2])};
   const double now = mesh_.time();
@@ -211,12 +212,12 @@ double Growth::next_look(const std::array<VertexId, 3>& corners, const Ratios& r
     return MovingCorner{*p[k], skin_.patch(p[k]->cell).half_weight + now / 2,
                         mesh_.path(corners[k]).leaves()};
   };
-  return time_to_next_look({corner(0), corner(1), corner(2)}, ratios, options_.slack, now);
+  return next_inspection_time({corner(0), corner(1), corner(2)}, ratios, options_.slack, now);
 }
 
 // Metamorphoses.
 
-void Growth::undergo(const Metamorphosis& m, std::uint32_t watch) {
+void Growth::undergo(const Metamorphosis& m, std::uint32_t number) {
   if (options_.observer) options_.observer(m, mesh_.surface(), false);
   bool is_done = false;
   if (m.kind == Kind::Birth) {
@@ -229,19 +230,18 @@ void Growth::undergo(const Metamorphosis& m, std::uint32_t watch) {
       mesh_.add_changed(TriangleId{t});
     }
   } else {
-    is_done = replace(m, watch);
+    is_done = replace(m, number);
   }
-  is_over_[watch] = 1;
-  mesh_.forget(watch, m.cells);
+  for (const CellId cell : m.cells) metamorphosis_at_[cell] = geometry::no_index;
   ++(is_done ? counts_.metamorphoses[static_cast<std::size_t>(m.kind)] : counts_.failed);
   mend_changed(m.after());
   if (options_.observer) options_.observer(m, mesh_.surface(), true);
 }
 
-bool Growth::replace(const Metamorphosis& m, std::uint32_t watch) {
+bool Growth::replace(const Metamorphosis& m, std::uint32_t number) {
   // A larger hot sphere may have simpler edges.
   for (const double share : {1.0, 1.05, 1.1, 1.15, 0.95}) {
-    HotRegion region = hot_region(m, watch, share * hot_radius * m.half_width);
+    HotRegion region = hot_region(m, number, share * hot_radius * m.half_width);
     const std::size_t loops = m.kind == Kind::Void ? 0 : 2;
     if (region.vertices.empty() || !find_loops(region) || region.loops.size() != loops) continue;
     return refill(m, region);
@@ -250,7 +250,7 @@ bool Growth::replace(const Metamorphosis& m, std::uint32_t watch) {
 }
 
 /// The vertices within `radius` of the critical point as the jump begins, and what hangs on them.
-Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t watch, double radius) {
+Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t number, double radius) {
   const SurfaceMesh& surface = mesh_.surface();
   mesh_.set_time(m.before());
   const Point& centre = skin_.patch(m.cell).centre;
@@ -262,8 +262,11 @@ Growth::HotRegion Growth::hot_region(const Metamorphosis& m, std::uint32_t watch
     if (!surface.outgoing(v)) return;
     if ((mesh_.position(v) - centre).norm() < radius) region.vertices.push_back(v);
   };
-  for (const VertexId v : mesh_.visitors(watch)) visit(v);
-  // And neighbours that nobody has asked for since before they came in.
+  for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
+    const VertexId v{i};
+    if (surface.outgoing(v) && metamorphosis_at_[mesh_.path(v).cell()] == number) visit(v);
+  }
+  // And neighbours that have not been moved since before they came in.
   for (std::size_t i = 0; i < region.vertices.size(); ++i) {
     surface.for_each_outgoing(region.vertices[i], [&](HalfEdgeId h) { visit(surface.target(h)); });
   }

@@ -1,16 +1,17 @@
 #pragma once
 
 /// The dynamic skin triangulation of Cheng, Dey, Edelsbrunner and Sullivan, the paper's baseline:
-/// the skin grows from nothing to its final shape and its mesh with it. A queue says when each
-/// triangle must be looked at again; then it is flipped, contracted or broken where needed. Where
-/// the topology changes, the mesh about the critical point is replaced (papers/5-dynamic.md).
+/// the skin grows from nothing to its final shape and its mesh with it. A queue holds when
+/// each triangle must be inspected again; then it is flipped, contracted or broken where needed.
+/// Where the topology changes, the mesh about the critical point is replaced (papers/5-dynamic.md).
 
 #include <functional>
 #include <vector>
 
 #include "bench/baselines/hot_region.h"
-#include "bench/baselines/look_queue.h"
-#include "bench/baselines/look_times.h"
+#include "bench/baselines/inspection_queue.h"
+#include "bench/baselines/inspection_times.h"
+#include "geometry/run.h"
 
 namespace morskin::baselines {
 
@@ -18,7 +19,6 @@ struct GrowthOptions {
   certify::Sizing sizing;  ///< of the mesh at all times
   Slack slack;
   double end = 0;  ///< the time to stop at, Angstrom^2 added to every weight
-  std::function<void(double share)> progress;  ///< of the metamorphoses; may be empty
   /// Called before and after every metamorphosis; may be empty.
   std::function<void(const Metamorphosis&, const SurfaceMesh&, bool is_after)> observer;
   /// Times at which `snapshot` is to see the mesh, ascending.
@@ -29,8 +29,8 @@ struct GrowthOptions {
 struct GrowthCounts {
   refine::RefinementCounts operations;
   std::array<std::size_t, 4> metamorphoses{};  ///< by Kind
-  std::size_t failed = 0;  ///< metamorphoses whose hot region was not as it should be
-  std::size_t looks = 0;   ///< at a triangle
+  std::size_t failed = 0;       ///< metamorphoses whose hot region was not as it should be
+  std::size_t inspections = 0;  ///< of triangles
 };
 
 class Growth {
@@ -39,8 +39,9 @@ class Growth {
   Growth(const SkinSurface& skin, const GrowthOptions& options);
 
   /// Grows from the empty mesh to options.end.
+  /// @param run  receives the share of the metamorphoses that have taken place
   /// @throws geometry::LimitReached  if the mesh grows out of all proportion
-  void run();
+  void run(const geometry::Run& run = geometry::Run());
 
   /// The mesh at the end, removed elements dropped.
   surface::Mesh mesh();
@@ -55,34 +56,36 @@ class Growth {
     std::vector<Ring> loops;       ///< with the region on their left
   };
 
-  void look(TriangleId t, double time);
+  void inspect(TriangleId t, double time);
   void mend_changed(double time);
   bool is_waiting_for_metamorphosis(const std::array<VertexId, 3>& corners, double time,
                                     double& until);
-  double next_look(const std::array<VertexId, 3>& corners, const Ratios& ratios);
+  double next_inspection(const std::array<VertexId, 3>& corners, const Ratios& ratios);
   void schedule(TriangleId t, double time);
   void schedule(TriangleId t, double time, double length_scale);
   void compact();
   void require_sane_size() const;
 
-  void undergo(const Metamorphosis& m, std::uint32_t watch);
-  HotRegion hot_region(const Metamorphosis& m, std::uint32_t watch, double radius);
+  void undergo(const Metamorphosis& m, std::uint32_t number);
+  HotRegion hot_region(const Metamorphosis& m, std::uint32_t number, double radius);
   bool find_loops(HotRegion& region);
-  bool replace(const Metamorphosis& m, std::uint32_t watch);
+  bool replace(const Metamorphosis& m, std::uint32_t number);
   bool refill(const Metamorphosis& m, HotRegion& region);
   void show(double time);
 
   const SkinSurface& skin_;
   const GrowthOptions options_;
   MovingMesh mesh_;
-  /// Between two looks. Where the skin passes a singular state that is no event, the length scale
-  /// falls below what doubles resolve, and shorter steps would round to none.
-  const double least_step_;
+  /// Between two inspections. Where the skin passes a singular state that is no event, the length
+  /// scale falls below what doubles resolve, and shorter steps would round to none.
+  const double min_step_;
   std::vector<Metamorphosis> metamorphoses_;
-  std::vector<char> is_over_;  ///< by metamorphosis
-  LookQueue queue_;
-  geometry::TriangleData<double> next_look_;  ///< an entry of the queue with another time is void
-  geometry::VertexData<char> is_seen_;        ///< all 0 but during hot_region()
+  /// By cell, the index of the metamorphosis still to come there, or no_index.
+  geometry::IdVector<CellId, std::uint32_t> metamorphosis_at_;
+  InspectionQueue queue_;
+  geometry::TriangleData<double>
+      next_inspection_;                 ///< an entry of the queue with another time is void
+  geometry::VertexData<char> is_seen_;  ///< all 0 but during hot_region()
   GrowthCounts counts_;
 };
 

@@ -19,7 +19,7 @@ int steps_along(double length, double spacing) {
   return std::max(1, static_cast<int>(std::lround(length / spacing)));
 }
 
-/// A vertex at the place of the skin that x stands for.
+/// A vertex at the point of the skin that x projects to.
 VertexId add_vertex(MovingMesh& mesh, const Point& x, CellId cell) {
   const auto p = mesh.level().project(x, cell);
   return mesh.add_vertex(p ? *p : mesh.level().at(x, cell));
@@ -54,11 +54,11 @@ void join(MovingMesh& mesh, const Ring& outer, const Ring& inner, std::vector<Co
     if ((out[0] - in[j]).squaredNorm() < (out[0] - in[start]).squaredNorm()) start = j;
   }
   std::rotate(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(start), in.end());
-  // least[i][j]: of all ways from the rung (0, 0) to (i, j). A way past (n, 0) or (0, m) would put
-  // the rung (0, 0) into the strip twice.
+  // cost[i][j]: the least of all paths from the rung (0, 0) to (i, j). A path past (n, 0) or (0, m)
+  // would put the rung (0, 0) into the strip twice.
   constexpr double barred = std::numeric_limits<double>::infinity();
-  std::vector<double> least((n + 1) * (m + 1), barred);
-  const auto at = [&](std::size_t i, std::size_t j) -> double& { return least[i * (m + 1) + j]; };
+  std::vector<double> cost((n + 1) * (m + 1), barred);
+  const auto at = [&](std::size_t i, std::size_t j) -> double& { return cost[i * (m + 1) + j]; };
   at(0, 0) = 0;
   for (std::size_t i = 0; i <= n; ++i) {
     for (std::size_t j = 0; j <= m; ++j) {
@@ -135,12 +135,12 @@ std::vector<Corners> sphere_template(MovingMesh& mesh, const Frame& frame, CellI
 
 std::vector<Corners> cap_template(MovingMesh& mesh, const Frame& frame, CellId cell, double h,
                                   const Ring& loop) {
-  double reach = std::numeric_limits<double>::infinity();
-  for (const VertexId v : loop) reach = std::min(reach, frame.radial(mesh.position(v)));
+  double radius = std::numeric_limits<double>::infinity();
+  for (const VertexId v : loop) radius = std::min(radius, frame.radial(mesh.position(v)));
   // With radial = h sinh(a), axial = h cosh(a), a is the length along a meridian over the length
   // scale.
   const double first =
-      std::max(std::asinh(reach / h) - gap_to_loop * mesh.spacing(), mesh.spacing());
+      std::max(std::asinh(radius / h) - gap_to_loop * mesh.spacing(), mesh.spacing());
   const int steps = steps_along(first, mesh.spacing());
   std::vector<Corners> triangles;
   Ring last = loop;

@@ -17,13 +17,13 @@ namespace morskin::baselines {
 namespace {
 
 using geometry::no_index;
-constexpr int most_levels = 20;
+constexpr int max_levels = 20;
 
 /// The grid's corners seen so far, numbered in the order they came, by open addressing.
 class CornerNumbers {
  public:
   /// The number of a corner; a new one has the number size() had.
-  std::uint32_t of(const GridPlace& p) {
+  std::uint32_t of(const GridIndex& p) {
     if (2 * keys_.size() >= slots_.size()) grow();
     const std::uint64_t key = key_of(p);
     std::size_t slot = slot_of(key);
@@ -37,9 +37,9 @@ class CornerNumbers {
   std::size_t size() const { return keys_.size(); }
 
  private:
-  static std::uint64_t key_of(const GridPlace& p) {
-    return p[0] | std::uint64_t{p[1]} << (most_levels + 1) |
-           std::uint64_t{p[2]} << 2 * (most_levels + 1);
+  static std::uint64_t key_of(const GridIndex& p) {
+    return p[0] | std::uint64_t{p[1]} << (max_levels + 1) |
+           std::uint64_t{p[2]} << 2 * (max_levels + 1);
   }
   std::size_t mask() const { return slots_.size() - 1; }
   /// Fibonacci hashing: the high bits of the product, as many as the table needs.
@@ -66,18 +66,18 @@ class March {
 
   GridMesh run() && {
     for_each_cell_near_skin(skin_, grid_,
-                            [this](const GridPlace& place, CellId near) { visit(place, near); });
+                            [this](const GridIndex& index, CellId near) { visit(index, near); });
     result_.corners = samples_.size();
     return std::move(result_);
   }
 
  private:
-  void visit(const GridPlace& place, CellId near) {
+  void visit(const GridIndex& index, CellId near) {
     ++result_.grid_cells;
     std::array<std::uint32_t, 8> corners;
     std::size_t inside = 0;
     for (std::uint32_t c = 0; c < 8; ++c) {
-      corners[c] = corner({place[0] + (c & 1), place[1] + (c >> 1 & 1), place[2] + (c >> 2)}, near);
+      corners[c] = corner({index[0] + (c & 1), index[1] + (c >> 1 & 1), index[2] + (c >> 2)}, near);
       near = samples_[corners[c]].cell;
       inside |= std::size_t{samples_[corners[c]].value < 0} << c;
     }
@@ -85,29 +85,29 @@ class March {
     for (std::size_t t = 0; t < found.count; ++t) {
       std::array<std::uint32_t, 3> triangle;
       for (std::size_t k = 0; k < 3; ++k)
-        triangle[k] = vertex(place, corners, found.triangles[t][k]);
+        triangle[k] = vertex(index, corners, found.triangles[t][k]);
       result_.mesh.triangles.push_back(triangle);
     }
   }
 
-  std::uint32_t corner(const GridPlace& place, CellId near) {
-    const std::uint32_t number = numbers_.of(place);
+  std::uint32_t corner(const GridIndex& index, CellId near) {
+    const std::uint32_t number = numbers_.of(index);
     if (number == samples_.size()) {
-      samples_.push_back(sample(skin_, grid_.at(place), near));
+      samples_.push_back(sample(skin_, grid_.at(index), near));
       vertices_.push_back({no_index, no_index, no_index});
     }
     return number;
   }
 
-  /// The vertex on a crossed edge of the cell at `place`.
-  std::uint32_t vertex(const GridPlace& place, const std::array<std::uint32_t, 8>& corners,
+  /// The vertex on a crossed edge of a cell.
+  std::uint32_t vertex(const GridIndex& index, const std::array<std::uint32_t, 8>& corners,
                        std::size_t edge) {
     const auto [low, axis] = cube_edge(edge);
     std::uint32_t& v = vertices_[corners[low]][axis];
     if (v == no_index) {
       v = static_cast<std::uint32_t>(result_.cells.size());
-      const GridPlace from{place[0] + (low & 1U), place[1] + (low >> 1 & 1U),
-                           place[2] + (low >> 2 & 1U)};
+      const GridIndex from{index[0] + (low & 1U), index[1] + (low >> 1 & 1U),
+                           index[2] + (low >> 2 & 1U)};
       cross(from, axis, samples_[corners[low]], samples_[corners[low | 1U << axis]]);
     }
     return v;
@@ -115,7 +115,7 @@ class March {
 
   /// Adds the point where a grid edge crosses the skin: from a linear guess by Newton's steps, by
   /// halves where they leave the part of the edge whose ends are on different sides.
-  void cross(const GridPlace& from, std::size_t axis, const Sample& a, const Sample& b) {
+  void cross(const GridIndex& from, std::size_t axis, const Sample& a, const Sample& b) {
     Point x = grid_.at(from);
     const double start = x[static_cast<Eigen::Index>(axis)];
     double low = 0, high = grid_.step;
@@ -159,7 +159,7 @@ Grid grid_over(const skin::SkinSurface& skin, double step) {
   // symmetry and the round numbers of made-up molecules.
   const Point origin = low - step * Point(1.381966, 1.445042, 1.301938);
   const double cells = (high - origin).maxCoeff() / step + 1;
-  if (!(cells < std::ldexp(1.0, most_levels))) {
+  if (!(cells < std::ldexp(1.0, max_levels))) {
     throw geometry::LimitReached("the grid has more than 2^20 steps along an axis; make it wider");
   }
   return {origin, step, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(cells)))};

@@ -19,7 +19,7 @@ using skin::Wall;
 /// The ball of this many h about the orthocentre must lie in the cell: the hot sphere, at most 1.15
 /// of its radius; the triangles that leave it; and 0.1 h by which the jump moves them. Spheres of
 /// radius h stay inside at 2 h.
-double room_over_half_width(Kind kind, double longest_edge) {
+double clearance_over_half_width(Kind kind, double longest_edge) {
   return kind == Kind::Birth || kind == Kind::Void ? 2
                                                    : 1.15 * (1 + longest_edge) * hot_radius + 0.1;
 }
@@ -30,18 +30,19 @@ class Finder {
       : skin_(skin),
         end_(end),
         longest_edge_(longest_edge),
-        least_(least_half_width(skin)),
-        room_(skin.complex().size()),
+        min_half_width_(min_half_width(skin)),
+        clearance_(skin.complex().size()),
         is_taken_(skin.complex().size(), 0) {
-    for (std::size_t c = 0; c < room_.size(); ++c) room_[c] = room(CellId{c});
+    for (std::size_t c = 0; c < clearance_.size(); ++c) clearance_[c] = clearance(CellId{c});
   }
 
   std::vector<Metamorphosis> run() {
-    for (std::size_t c = 0; c < room_.size(); ++c) {
+    for (std::size_t c = 0; c < clearance_.size(); ++c) {
       if (is_near_wall(CellId{c}) && is_taken_[c] == 0) add_cluster(CellId{c});
     }
-    for (std::size_t c = 0; c < room_.size(); ++c) {
-      if (room_[c] > 5 * least_ && is_taken_[c] == 0) add(CellId{c}, room_[c], {CellId{c}});
+    for (std::size_t c = 0; c < clearance_.size(); ++c) {
+      if (clearance_[c] > 5 * min_half_width_ && is_taken_[c] == 0)
+        add(CellId{c}, clearance_[c], {CellId{c}});
     }
     std::sort(found_.begin(), found_.end(), [](const Metamorphosis& a, const Metamorphosis& b) {
       return std::tie(a.time, a.cell) < std::tie(b.time, b.cell);
@@ -51,16 +52,18 @@ class Finder {
 
  private:
   /// How far inside its own cell an orthocentre lies; negative outside.
-  double room(CellId cell) const {
-    double least = std::numeric_limits<double>::infinity();
+  double clearance(CellId cell) const {
+    double nearest = std::numeric_limits<double>::infinity();
     for (const Wall& wall : skin_.complex().walls(cell)) {
-      least = std::min(least, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
+      nearest = std::min(nearest, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
     }
-    return least;
+    return nearest;
   }
-  bool is_near_wall(CellId cell) const { return std::abs(room_[cell.index()]) <= 5 * least_; }
+  bool is_near_wall(CellId cell) const {
+    return std::abs(clearance_[cell.index()]) <= 5 * min_half_width_;
+  }
 
-  void add(CellId cell, double room, const std::vector<CellId>& cells) {
+  void add(CellId cell, double clearance, const std::vector<CellId>& cells) {
     Metamorphosis m;
     m.cell = cell;
     m.cells = cells;
@@ -68,7 +71,7 @@ class Finder {
     m.kind = static_cast<Kind>(skin_.complex().dimension(cell));
     if (m.time >= end_) return;
     // After the jump most of the time is still to come; and a single ball has no wall at all.
-    m.half_width = std::min(room / room_over_half_width(m.kind, longest_edge_),
+    m.half_width = std::min(clearance / clearance_over_half_width(m.kind, longest_edge_),
                             std::sqrt((end_ - m.time) / 16));
     found_.push_back(m);
   }
@@ -82,20 +85,20 @@ class Finder {
       for (const Wall& wall : skin_.complex().walls(members[i])) {
         const double apart =
             (skin_.patch(wall.beyond).centre - skin_.patch(members[i]).centre).norm();
-        if (apart > 20 * least_ || is_taken_[wall.beyond.index()] != 0) continue;
+        if (apart > 20 * min_half_width_ || is_taken_[wall.beyond.index()] != 0) continue;
         is_taken_[wall.beyond.index()] = 1;
         members.push_back(wall.beyond);
       }
     }
     std::sort(members.begin(), members.end());
-    double reach = 0;
+    double extent = 0;
     for (const CellId cell : members) {
       for (const Wall& wall : skin_.complex().walls(cell)) {
-        reach = std::max(reach, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
+        extent = std::max(extent, wall.offset - wall.normal.dot(skin_.patch(cell).centre));
       }
     }
-    if (!std::isfinite(reach)) reach = 1;
-    for (double radius = reach; radius > 5 * least_; radius *= 0.75) {
+    if (!std::isfinite(extent)) extent = 1;
+    for (double radius = extent; radius > 5 * min_half_width_; radius *= 0.75) {
       for (const CellId cell : members) {
         if (!holds_in_ball(cell, radius)) continue;
         add(cell, radius, members);
@@ -127,15 +130,15 @@ class Finder {
   const SkinSurface& skin_;
   const double end_;
   const double longest_edge_;
-  const double least_;
-  std::vector<double> room_;
+  const double min_half_width_;
+  std::vector<double> clearance_;
   std::vector<char> is_taken_;
   std::vector<Metamorphosis> found_;
 };
 
 }  // namespace
 
-double least_half_width(const SkinSurface& skin) {
+double min_half_width(const SkinSurface& skin) {
   double largest = 0;
   for (const auto& p : skin.points()) largest = std::max(largest, std::abs(p.weight));
   return std::ldexp(std::sqrt(largest), -21);

@@ -10,7 +10,6 @@
 /// sqrt(|g|); so the surface jumps there from g = -h^2 to g = h^2, with h so small that the ball
 /// of radius 3.6 h (2 h for spheres) about z lies in the mixed cell.
 
-#include <array>
 #include <vector>
 
 #include "skin/skin_surface.h"
@@ -46,6 +45,6 @@ std::vector<Metamorphosis> find_metamorphoses(const skin::SkinSurface& skin, dou
 
 /// The least h that doubles resolve, Angstrom: then h^2 is 2^11 units in the last place of the
 /// largest weight.
-double least_half_width(const skin::SkinSurface& skin);
+double min_half_width(const skin::SkinSurface& skin);
 
 }  // namespace morskin::baselines

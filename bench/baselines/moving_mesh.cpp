@@ -5,35 +5,17 @@
 
 namespace morskin::baselines {
 
-using certify::circumcircle;
-
 VertexId MovingMesh::add_vertex(SurfacePoint p) {
   const VertexId v = surface_.add_vertex();
   moving_[v] = {p, now_, Trajectory(skin_, p.position, p.cell, now_)};
-  enter(v, p.cell);
   return v;
 }
 
-void MovingMesh::move(VertexId v, Moving& moving) {
+void MovingMesh::move(Moving& moving) {
   if (moving.path.begins() > now_) return;
-  if (moving.path.leaves() <= now_) {
-    moving.path = moving.path.followed_to(skin_, now_);
-    enter(v, moving.path.cell());
-  }
+  if (moving.path.leaves() <= now_) moving.path = moving.path.followed_to(skin_, now_);
   moving.point = moving.path.at(skin_, now_);
   moving.clock = now_;
-}
-
-std::uint32_t MovingMesh::watch(const std::vector<CellId>& cells) {
-  const auto w = static_cast<std::uint32_t>(visitors_.size());
-  visitors_.emplace_back();
-  for (const CellId cell : cells) watch_[cell] = w;
-  return w;
-}
-
-void MovingMesh::forget(std::uint32_t watch, const std::vector<CellId>& cells) {
-  visitors_[watch] = {};
-  for (const CellId cell : cells) watch_[cell] = no_index;
 }
 
 std::optional<TriangleId> MovingMesh::take_changed() {
@@ -63,8 +45,7 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
 }
 
 void MovingMesh::compact() {
-  const geometry::Renaming renaming = surface_.compact();
-  for (std::vector<VertexId>& visitors : visitors_) renaming.apply_to(visitors);
+  surface_.compact();
   dead_ = 0;
 }
 
@@ -90,8 +71,8 @@ bool MovingMesh::flip_if_better(HalfEdgeId h) {
   const certify::SurfaceBall left = exact_ball(a, b, c), right = exact_ball(b, a, d);
   const double now = std::max(left.intrusion(position(d)), right.intrusion(position(c)));
   // A share that rounding and motion do not turn at once.
-  constexpr double least_gain = 1e-3;
-  const double gain = least_gain * std::min(left.squared_radius, right.squared_radius);
+  constexpr double min_gain = 1e-3;
+  const double gain = min_gain * std::min(left.squared_radius, right.squared_radius);
   if (now <= gain || !refine::can_flip(surface_, points(), h)) return false;
   const double then = std::max(exact_ball(a, d, c).intrusion(position(b)),
                                exact_ball(b, c, d).intrusion(position(a)));
@@ -102,36 +83,27 @@ bool MovingMesh::flip_if_better(HalfEdgeId h) {
 }
 
 bool MovingMesh::contract(HalfEdgeId h) {
-  const VertexId a = surface_.origin(h), b = surface_.target(h);
-  // The bound in [L] is that of the end with the larger length scale.
-  const bool a_first = at(a).length_scale >= at(b).length_scale;
-  const bool is_removed = remove(a_first ? a : b) || remove(a_first ? b : a);
+  const bool is_removed =
+      refine::contract_edge(surface_, points(), h, [&](VertexId v) { return remove(v); });
   counts.contract += is_removed;
   return is_removed;
 }
 
 bool MovingMesh::remove(VertexId v) {
-  const auto size = [&](VertexId a, VertexId b, VertexId c) {
-    return refine::faces_outward(points(), a, b, c)
-               ? circumcircle(position(a), position(b), position(c)).radius
-               : refine::VertexRemoval::never;
-  };
-  const auto is_any_allowed = [](VertexId, VertexId, VertexId) { return true; };
-  if (!removal_.plan(surface_, v, size, is_any_allowed)) return false;
-  removal_.carry_out(surface_, [&](HalfEdgeId h) { note_flip(h); });
+  if (!removal_.remove(surface_, points(), v, [&](HalfEdgeId h) { note_flip(h); })) return false;
   ++dead_;
   add_changed(removal_.triangle_left());
   return true;
 }
 
-bool MovingMesh::insert(TriangleId t, double least_L) {
+bool MovingMesh::insert(TriangleId t, double min_L) {
   const auto where =
       refine::find_insertion(level_, surface_, points(), t, [](HalfEdgeId) { return true; });
   if (!where) return false;
   const SurfacePoint& x = where->point;
   const TriangleId under = where->under;
   for (const VertexId v : surface_.corners(under)) {
-    if (sizing_.edge_ratio(at(v), x) < least_L) return false;
+    if (sizing_.edge_ratio(at(v), x) < min_L) return false;
   }
   // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
   constexpr double beside = 0.1;  // of the edge's length

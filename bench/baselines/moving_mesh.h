@@ -1,10 +1,9 @@
 #pragma once
 
-/// A closed mesh on the growing skin. Vertices move only when somebody asks for them: each knows
+/// A closed mesh on the growing skin. Vertices move only when they are read: each knows
 /// its trajectory, and is computed anew for the time that is set.
 
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,19 +17,18 @@
 namespace morskin::baselines {
 
 using geometry::HalfEdgeId;
-using geometry::no_index;
 using geometry::SurfaceMesh;
 using geometry::TriangleId;
 using geometry::VertexId;
 
-/// The shares of [L] and [U] at which the growing mesh is mended. Between two looks a simplex may
-/// pass them, and even break the conditions a little: up to 0.378 rho, 2.9 times [U], a mesh is
+/// The shares of [L] and [U] at which the growing mesh is mended. Between two inspections a simplex
+/// may pass them, and even break the conditions a little: up to 0.378 rho, 2.9 times [U], a mesh is
 /// still proved to be homeomorphic (papers/certificate.md). The mesh at the end breaks none.
 struct Slack {
   double contract_below = 1.03;  ///< R_ab over its bound in [L]
   double insert_above = 0.97;    ///< R_abc over its bound in [U]
-  double least_L = 0.85;         ///< the next look comes before the ratio can fall below this
-  double most_U = 1.15;          ///< or rise above this
+  double min_L = 0.85;           ///< the next inspection comes before the ratio can fall below
+  double max_U = 1.15;           ///< or rise above
 };
 
 /// Distance of neighbouring points of special sampling over the length scale: this share of the
@@ -46,7 +44,7 @@ class MovingMesh {
  public:
   /// @param sizing  what the growing mesh is kept to
   MovingMesh(const SkinSurface& skin, const certify::Sizing& sizing)
-      : skin_(skin), sizing_(sizing), level_(skin, 0), watch_(skin.complex().size(), no_index) {}
+      : skin_(skin), sizing_(sizing), level_(skin, 0) {}
 
   const SurfaceMesh& surface() const { return surface_; }
   SurfaceMesh& surface() { return surface_; }  ///< for others to follow and to add triangles
@@ -62,7 +60,7 @@ class MovingMesh {
   /// The vertex at the time set; if it was made later than that, where it was made.
   const SurfacePoint& at(VertexId v) {
     Moving& moving = moving_[v];
-    if (moving.clock != now_) move(v, moving);
+    if (moving.clock != now_) move(moving);
     return moving.point;
   }
   const Point& position(VertexId v) { return at(v).position; }
@@ -70,25 +68,13 @@ class MovingMesh {
   /// A vertex at a point of the skin at the time set, which may be another vertex of this mesh.
   VertexId add_vertex(SurfacePoint p);
 
-  /// Asks for the vertices that come into some cells.
-  std::uint32_t watch(const std::vector<CellId>& cells);
-  /// Those that have come, and perhaps left again or been removed.
-  const std::vector<VertexId>& visitors(std::uint32_t watch) const { return visitors_[watch]; }
-  /// Ends a watch.
-  void forget(std::uint32_t watch, const std::vector<CellId>& cells);
-  /// The watch on a cell.
-  std::optional<std::uint32_t> watch_of(CellId cell) const {
-    const std::uint32_t w = watch_[cell];
-    return w == no_index ? std::nullopt : std::optional(w);
-  }
-
   /// Flips the edge if it is better so, by balls to rounding.
   bool flip_if_better(HalfEdgeId h);
   /// Deletes one end of the edge.
   bool contract(HalfEdgeId h);
   /// Puts the centre of the triangle's surface ball into the mesh, unless an edge to it would have
-  /// a ratio to [L] below `least_L`.
-  bool insert(TriangleId t, double least_L);
+  /// a ratio to [L] below `min_L`.
+  bool insert(TriangleId t, double min_L);
 
   /// Takes out a triangle that these operations have changed, the last one first; nothing if there
   /// is none left. Each stands there once.
@@ -96,7 +82,7 @@ class MovingMesh {
   std::size_t changed_count() const { return changed_.size(); }
   void add_changed(TriangleId t);
 
-  /// How many places of removed vertices there are.
+  /// How many ids of removed vertices are unused.
   std::size_t dead_count() const { return dead_; }
   /// The special sampling's spacing over the length scale.
   double spacing() const { return template_share * longest_edge(sizing_); }
@@ -117,11 +103,7 @@ class MovingMesh {
     Trajectory path;
   };
 
-  void move(VertexId v, Moving& moving);
-  void enter(VertexId v, CellId cell) {
-    const std::uint32_t w = watch_[cell];
-    if (w != no_index) visitors_[w].push_back(v);
-  }
+  void move(Moving& moving);
   auto points() {
     return [this](VertexId v) -> const SurfacePoint& { return at(v); };
   }
@@ -142,8 +124,6 @@ class MovingMesh {
   std::size_t dead_ = 0;
 
   refine::VertexRemoval removal_;
-  geometry::IdVector<CellId, std::uint32_t> watch_;
-  std::vector<std::vector<VertexId>> visitors_;
 };
 
 }  // namespace morskin::baselines

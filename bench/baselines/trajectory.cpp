@@ -72,9 +72,9 @@ SurfacePoint Trajectory::at(const SkinSurface& skin, double t) const {
 
 Trajectory Trajectory::followed_to(const SkinSurface& skin, double t) const {
   Trajectory part = *this;
-  // At one moment a way passes a few cells that meet; so many mean that it goes round in cells
-  // flatter than rounding.
-  constexpr int most_at_once = 20;
+  // At one moment a path passes a few cells that meet; so many mean that it cycles in cells flatter
+  // than rounding.
+  constexpr int max_at_once = 20;
   // Then the point is put where it ought to be and stays in that cell for this share of rho^2: it
   // comes at most 1/400 rho beyond a wall, which changes G by less than 10^-5 rho^2, and the next
   // part begins on the skin again.
@@ -86,7 +86,7 @@ Trajectory Trajectory::followed_to(const SkinSurface& skin, double t) const {
     const double now = part.leaves_;
     at_once = part.leaves_ > part.begins_ ? 0 : at_once + 1;
     part = Trajectory(skin, x, part.beyond_, now);
-    if (at_once < most_at_once) continue;
+    if (at_once < max_at_once) continue;
     const auto end = LevelSet(skin, now).project(x, part.cell_);
     if (end) part = Trajectory(skin, end->position, end->cell, now);
     const double rho = skin.patch(part.cell_).length_scale(x);

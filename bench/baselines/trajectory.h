@@ -6,8 +6,8 @@
 ///
 ///     x(E) = centre + E u_n + u_s / E,     E^2 |u_n|^2 - |u_s|^2 / E^2 = (w + t) / 2,
 ///
-/// so the place at any t is in closed form: radii in spheres, hyperbolas elsewhere. The curve goes
-/// on in the next cell with the same tangent.
+/// so the position at any t is in closed form: radii in spheres, hyperbolas elsewhere. The curve
+/// goes on in the next cell with the same tangent.
 
 #include "skin/level_set.h"
 
@@ -32,7 +32,7 @@ class Trajectory {
   double begins() const { return begins_; }
   double leaves() const { return leaves_; }  ///< infinity if it stays in the cell
 
-  /// The place and all that is asked of it at time t. @pre begins() <= t <= leaves(), but for
+  /// The point of the surface at time t. @pre begins() <= t <= leaves(), but for
   /// rounding.
   SurfacePoint at(const SkinSurface& skin, double t) const;
 

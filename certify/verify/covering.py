@@ -14,7 +14,6 @@ from enclosure import TINY, UNIT, down, least_on_hull, length, up
 from manifold import NotProved
 
 MAX_DEPTH = 5  # a triangle is cut into at most 4^5 pieces
-MAX_PIECES = 1_000_000
 MAX_CANDIDATES = 16
 
 
@@ -27,10 +26,13 @@ def longest_path(n, g):
 
 
 class Covering:
-    """The mesh over the skin, (c1) and (c2) proved. Raises NotProved."""
+    """The mesh over the skin. Raises NotProved.
 
-    def __init__(self, positions, triangles, skin):
+    @param balls  by vertex, four for its enclosure"""
+
+    def __init__(self, positions, triangles, skin, balls):
         self.positions, self.triangles, self.skin = positions, triangles, skin
+        self.bounds = skin.enclose(positions, balls)
         # Edges are rounded once, so the cross product errs by 4 u (|x y'| + |x' y|) in each
         # coordinate, by less than 8 u |e_1| |e_2| in length.
         self.corners = positions[triangles]
@@ -42,6 +44,7 @@ class Covering:
         if not (doubled_area > 0).all():
             raise NotProved(f"upright: triangle {doubled_area.argmin()} has no area")
         self.R = up(self.edges.prod(1) / (2 * doubled_area))
+        self.G = up(self.R**2 + self.bounds.g[triangles].max(1))
         self.normal = cross / length(cross)[:, None]
         # Vectors a distance d apart have directions at most 2 d / length apart.
         self.normal_error = up(2 * error / doubled_area + 8 * UNIT)
@@ -51,123 +54,94 @@ class Covering:
         dot = (at.n * self.normal[t]).sum(-1)
         return down(dot - up(at.high * (self.normal_error[t] + 4 * UNIT)) - at.r)
 
-    def prove_tube(self, bounds):
-        """(c1) and (c2), from the bounds at the vertices where they suffice."""
-        self.bounds, t = bounds, self.triangles
-        self.G = up(self.R**2 + bounds.g[t].max(1))
-        n = down(bounds.low[t].min(1) - self.R)
-        every = np.arange(len(t))
-        upright = np.column_stack([self.upright(bounds[t[:, k]], every) for k in range(3)])
-        longer = np.maximum(self.edges[:, [1, 2, 0]], self.edges[:, [2, 0, 1]])  # at each corner
-        self.path = longest_path(n, self.G)
-        is_proved = (upright > longer).any(1) & np.isfinite(self.path)
-        self.path[~is_proved] = 0
-        self.by_pieces = every[~is_proved]
-        self.prove_by_pieces(self.by_pieces)
-
-    def prove_by_pieces(self, t):
-        """About each piece's centroid x, from which no point p of the piece is farther than r.
-        In |G(p) - G(x)| <= 2 |N(x) . (p - x)| + r^2 only the part of N along t counts, but for what
-        rounding moves x out of t's plane. A midpoint errs by k u |p| in each coordinate at depth k,
-        a centroid by less than 3 u |p| more."""
-        off = 2.0**-49 * np.abs(self.positions).max() + TINY
-        pieces, balls = self.corners[t], self.bounds.balls[self.triangles[t, 0]]
-        for depth in range(MAX_DEPTH + 1):
-            if not len(t):
+    def prove_tube(self):
+        """(c1) and (c2), about the corner opposite the longest side; where that does not do, about
+        the centroids of ever smaller pieces. A midpoint errs by k u |p| in each coordinate at depth
+        k, a centroid by less than 3 u |p| more."""
+        t, pieces, off = np.arange(len(self.triangles)), self.corners, 0
+        at = self.bounds[self.triangles[t, self.edges.argmax(1)]]
+        r = np.sort(self.edges, axis=1)[:, 1]
+        self.path = np.zeros(len(t))  # above the longest from a triangle to the skin
+        for _ in range(MAX_DEPTH + 1):
+            coarse = ~self.hold(t, at, r, off)
+            if not coarse.any():
                 return
-            x = pieces.sum(1) / 3
-            r = up(length(pieces - x[:, None]).max(1)) + 2 * off
-            at = self.skin.enclose(x, balls)
-            upright, opposite = self.upright(at, t), at.copy()
-            opposite.n *= -1
-            is_away = self.upright(opposite, t) > 0
-            if is_away.any():
-                raise NotProved(f"upright: triangle {t[is_away].min()} faces away from N")
-            n = down(down(at.low - at.r) - r)
-            along = length(at.n - (at.n * self.normal[t]).sum(1)[:, None] * self.normal[t])
-            along = up(along + at.high * (2 * self.normal_error[t] + 16 * UNIT) + at.r)
-            G = up(at.g + 2 * along * r + 2 * (at.high + at.r) * off + r * r)
-            path = longest_path(n, np.minimum(self.G[t], G))
-            is_upright = down(upright - r) > 0
-            holds = is_upright & np.isfinite(path)
-            np.maximum.at(self.path, t[holds], path[holds])
-            t, balls, is_upright = t[~holds], at.balls[~holds], is_upright[~holds]
-            if len(t) and (depth == MAX_DEPTH or len(t) > MAX_PIECES):
-                claim = "tube" if is_upright[t.argmin()] else "upright"
-                raise NotProved(f"{claim}: triangle {t.min()} is too big")
-            a, b, c = pieces[~holds].transpose(1, 0, 2)
+            t, balls = np.tile(t[coarse], 4), np.tile(at.balls[coarse], (4, 1))
+            a, b, c = pieces[coarse].transpose(1, 0, 2)
             ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
             pieces = np.concatenate([np.stack(corners, axis=1) for corners in (
                 (a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
-            t, balls = np.tile(t, 4), np.tile(balls, (4, 1))
+            x, off = pieces.sum(1) / 3, 2.0**-49 * np.abs(self.positions).max() + TINY
+            at, r = self.skin.enclose(x, balls), up(length(pieces - x[:, None]).max(1)) + 2 * off
+        raise NotProved(f"tube: triangle {t.min()} is too big")
+
+    def hold(self, t, at, r, off):
+        """Whether (c1) and (c2) hold on a piece of each triangle t, no point p of which is farther
+        than r from a point x with the bounds `at`, which is no farther than `off` from t's plane.
+        In |G(p) - G(x)| <= 2 |N(x) . (p - x)| + r^2 only the part of N along t counts, but for
+        `off`."""
+        upright = self.upright(at, t)
+        wrong = ~(upright > 0) | ~(at.g < at.low**2)
+        if wrong.any():
+            raise NotProved(f"upright or tube: triangle {t[wrong.argmax()]}")
+        along = length(at.n - (at.n * self.normal[t]).sum(1)[:, None] * self.normal[t])
+        along = up(along + at.high * (2 * self.normal_error[t] + 16 * UNIT) + at.r)
+        G = up(at.g + 2 * along * r + 2 * (at.high + at.r) * off + r * r)
+        path = longest_path(down(at.low - r), np.minimum(self.G[t], G))
+        holds = (down(upright - r) > 0) & np.isfinite(path)
+        np.maximum.at(self.path, t[holds], path[holds])
+        return holds
 
     def prove_degree(self, label, wanted):
-        """(c3): returns the vertices that prove it, of those wanted and some of each component.
+        """(c3), at the vertices wanted or others.
 
         @param label  by vertex, its component's least vertex"""
-        chosen = []
         for component in np.unique(label):
             members = np.flatnonzero(label == component)
             spread = members[np.arange(MAX_CANDIDATES) * len(members) // MAX_CANDIDATES]
-            tried = [*(v for v in wanted if label[v] == component), *spread.tolist()]
-            v = next((v for v in tried if self.doubt(v) is None), None)
-            if v is None:
-                raise NotProved(f"degree: vertex {tried[-1]} {self.doubt(tried[-1])}")
-            chosen.append(v)
-        return chosen
+            tried = [*(v for v in wanted if label[v] == component), *spread]
+            if not any(self.is_covered_once(v) for v in tried):
+                raise NotProved(f"degree: the component of vertex {component} may cover the skin "
+                                "more than once, or together with another")
 
-    def doubt(self, v):
-        """What keeps (c3) from being proved at a vertex, if anything."""
+    def is_covered_once(self, v):
         at, own = self.bounds[[v]], np.flatnonzero((self.triangles == v).any(1))
-        if not self.turns_once(v, at, own):
-            return "is not gone round once by its triangles"
-        # To a point p over the same point of the skin G changes by at most |G(p)| + |G(v)|.
+        # To a point p over the same point of the skin G changes by at most |G(p)| + |G(v)|. So
+        # short a path does not come back to the plane of a triangle at v.
         path = longest_path(at.low, up(self.G + at.g))
         if not (path[own] < self.upright(at, own)).all():
-            return "has a triangle that may come back over it"
-        path = np.minimum(path, up(self.path + longest_path(at.low, at.g)))
-        from_first = down(length(self.corners[:, 0] - self.positions[v]))
-        is_near = ~(down(from_first - up(2 * self.R)) > path)
-        is_near[own] = False
-        near = np.flatnonzero(is_near)
-        arms, path = self.corners[near] - self.positions[v], path[near]
-        is_free = distance_below(arms, arms) > path
+            return False
+        arms, axis = self.corners - self.positions[v], at.n[0] / length(at.n[0])
         # On a path of length s from v, N turns by s at most: the path leaves the line along n by
         # at most the integral of (s + r) / |n|.
-        axis = at.n[0] / length(at.n[0])
-        aside = up((path / 2 + at.r) * path / at.low)
-        is_free |= distance_below(arms - (arms @ axis)[:, :, None] * axis, arms, axis) > aside
-        return None if is_free.all() else f"may be reached from triangle {near[~is_free][0]}"
-
-    def turns_once(self, v, at, own):
-        """Seen along n the triangles at v all turn forward, and a functional f that vanishes on n
-        rises through 0 once on the way round. (-n_y, n_x, 0) . n = 0 exactly."""
-        n = at.copy()
-        n.r = 0
-        if not (self.upright(n, own) > 0).all():
+        seen = arms - (arms @ axis)[:, :, None] * axis
+        if not turn_once(arms[own], seen[own], axis):
             return False
-        following = {}
-        for row in self.triangles[own].tolist():
-            k = row.index(v)
-            following[row[k - 2]] = row[k - 1]
-        ring = [row[k - 2]]
-        while len(ring) < len(own):
-            ring.append(following[ring[-1]])
-        arms = self.positions[ring] - self.positions[v]
-        x, y, z = at.n[0]
-        for f in np.array([[-y, x, 0], [0, -z, y], [z, 0, -x]]):
-            height = (arms * f).sum(1)
-            if (np.abs(height) > 8 * UNIT * length(arms) * length(f) + TINY).all():
-                return ((height < 0) & (np.roll(height, -1) > 0)).sum() == 1
-        return False
+        path = np.minimum(path, up(self.path + longest_path(at.low, at.g)))
+        is_near = ~(down(length(arms[:, 0]) - up(2 * self.R)) > path)
+        is_near[own] = False
+        arms, seen, path = arms[is_near], seen[is_near], path[is_near]
+        aside = up((path / 2 + at.r) * path / at.low)
+        return ((distance_below(arms, arms) > path) |
+                (distance_below(seen, arms, axis) > aside)).all()
+
+
+def turn_once(arms, seen, axis):
+    """Whether triangles with a corner at 0, which turn forward as seen along the axis, go round it
+    once: their angles add up to a multiple of 2 pi. An angle in (0, pi) is found to 2^-20, or to
+    2^-20 less 2 pi, if its sides are not seen too short."""
+    corner = (arms == 0).all(2).argmax(1)
+    a, b = (np.take_along_axis(seen, ((corner + k) % 3)[:, None, None], 1)[:, 0] for k in (1, 2))
+    angles = np.arctan2(np.cross(a, b) @ axis, (a * b).sum(1))
+    is_long = length(seen) >= 2.0**-20 * length(arms)
+    return is_long.all() and (angles > 0).all() and angles.sum() < 3 * np.pi
 
 
 def distance_below(seen, arms, axis=None):
     """Below the distance from 0 to triangles with the corners `arms`; with an axis, from the line
     along it. Whatever the unit vector y, it is at least the least y . arm; y points to the nearest
     point of `seen`, the triangles as far as y may see them."""
-    l = least_on_hull(np.zeros((len(arms), 3)), seen, (seen * seen).sum(2))
-    y = (l[:, :, None] * seen).sum(1)
+    y = (least_on_hull(seen, np.zeros((len(seen), 3)))[:, :, None] * seen).sum(1)
     along = 0.0  # of y along the axis, where arms tell nothing
     with np.errstate(all="ignore"):
         y /= length(y)[:, None]

@@ -18,8 +18,8 @@ UNIT = 2.0**-53
 TINY = 1e-200
 SLACK = 2.0**-45  # above the relative error of any 200 roundings in a row
 
-# |N - n| <= r, |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; the balls
-# used, -1 for none, and that of least power at q.
+# |N - n| <= r, |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; four balls
+# that give these, and that of least power at q.
 BOUNDS = np.dtype([("n", "f8", 3), ("r", "f8"), ("g", "f8"), ("low", "f8"), ("high", "f8"),
                    ("gap", "f8"), ("balls", "i8", 4), ("entering", "i8")])
 
@@ -38,39 +38,23 @@ def length(v):
     return np.sqrt((v * v).sum(-1))
 
 
-def dual_basis(d):
-    """e with e_i . d_j = 1 if i = j, else 0, in the span of the one to three vectors d."""
-    d1, d2 = d[:, 0], d[:, -1]
-    if d.shape[1] == 1:
-        return d / (d * d).sum(2, keepdims=True)
-    if d.shape[1] == 2:
-        normal = np.cross(d1, d2)
-        e = [np.cross(d2, normal), np.cross(normal, d1)]
-    else:
-        e = [np.cross(d[:, 1], d2), np.cross(d2, d1), np.cross(d1, d[:, 1])]
-    return np.stack(e, axis=1) / (e[0] * d1).sum(1)[:, None, None]
-
-
-def least_on_hull(x, z, w):
-    """By point, the convex multipliers of its balls for which U is least, in plain floating point:
-    those of the best set of up to four. NaN stands for no ball."""
-    u = z - x[:, None]
-    powers = (u * u).sum(2) - w
-    best, result = np.full(len(x), np.inf), np.zeros(w.shape)
-    for chosen in (list(c) for k in range(4) for c in combinations(range(w.shape[1]), k + 1)):
+def least_on_hull(u, powers):
+    """By row, the convex multipliers of its points u_i for which U is least, in plain floating
+    point: those of the best set of up to four."""
+    best, result = np.full(len(u), np.inf), np.zeros(powers.shape)
+    for chosen in (list(c) for k in range(4) for c in combinations(range(u.shape[1]), k + 1)):
         first, others = chosen[0], chosen[1:]
-        l, m = np.ones((len(x), len(chosen))), u[:, first]
-        with np.errstate(all="ignore"):
-            if others:  # where the derivative vanishes, m = u_0 + y with d_i . y = right_i
-                d = u[:, others] - m[:, None]
-                right = -(d * m[:, None]).sum(2) - (powers[:, others] - powers[:, [first]]) / 2
-                e = dual_basis(d)
-                y = (right[:, :, None] * e).sum(1)
-                l[:, 1:] = (e * y[:, None]).sum(2)
-                l[:, 0] -= l[:, 1:].sum(1)
-                m = m + y
-            value = (m * m).sum(1) + (l * powers[:, chosen]).sum(1)
-            better = np.flatnonzero((l >= -1e-12).all(1) & (value < best))
+        l, m = np.ones((len(u), len(chosen))), u[:, first]
+        if others:  # where the derivative vanishes, m = u_first + y with d_i . y = right_i
+            d = u[:, others] - m[:, None]
+            right = -(d * m[:, None]).sum(2) - (powers[:, others] - powers[:, [first]]) / 2
+            inverse = np.linalg.pinv(d)
+            y = (inverse * right[:, None]).sum(2)
+            l[:, 1:] = (inverse * y[:, :, None]).sum(1)
+            l[:, 0] -= l[:, 1:].sum(1)
+            m = m + y
+        value = (m * m).sum(1) + (l * powers[:, chosen]).sum(1)
+        better = np.flatnonzero((l >= -1e-12).all(1) & (value < best))
         best[better], result[better] = value[better], 0
         result[np.ix_(better, chosen)] = np.maximum(l[better], 0)
     return result
@@ -88,31 +72,28 @@ class Skin:
         result, nearest = np.empty(len(q)), np.empty(len(q), dtype=np.int64)
         w = self.w + 16 * UNIT * np.abs(self.w)
         step = max(1, 2_000_000 // len(w))
-        for begin in range(0, len(q), step):
-            part = slice(begin, begin + step)
+        for part in (slice(begin, begin + step) for begin in range(0, len(q), step)):
             square = sum((self.z[:, k] - q[part, k, None])**2 for k in range(3))
             power = square * (1 - 16 * UNIT) - w
-            nearest[part] = power.argmin(1)
-            result[part] = power.min(1)
+            nearest[part], result[part] = power.argmin(1), power.min(1)
         return result, nearest
 
     def bounds(self, x, balls):
-        """From the N x k balls given, -1 for none. With S = sum l_i (|u_i|^2 + |w_i|), to first
-        order: |u_i|^2 errs by 5 u of itself, l_i pi_i by 7 u of l_i (|u_i|^2 + |w_i|), their sum
-        by 10 u S; m by 5 u sum l_i |u_i| <= 5 u sqrt(S), as |m|^2 <= S by Jensen, so |m|^2 by
-        13 u S; U, half of the sum, by 12.5 u S; in L, |x - q|^2 by 6 u of itself."""
-        z, w = self.z[balls], self.w[balls]
-        l = least_on_hull(x, np.where(balls[:, :, None] < 0, np.nan, z), w)
+        """From the N x k balls given. With S = sum l_i (|u_i|^2 + |w_i|), to first order: |u_i|^2
+        errs by 5 u of itself, l_i pi_i by 7 u of l_i (|u_i|^2 + |w_i|), their sum by 10 u S; m by
+        5 u sum l_i |u_i| <= 5 u sqrt(S), as |m|^2 <= S by Jensen, so |m|^2 by 13 u S; U, half of
+        the sum, by 12.5 u S; in L, |x - q|^2 by 6 u of itself."""
+        u, w = self.z[balls] - x[:, None], self.w[balls]
+        powers = (u * u).sum(2) - w
+        l = least_on_hull(u, powers)
         # Whole numbers of 2^-50, none negative, with the sum one: all exact.
         l = np.rint(l / l.sum(1, keepdims=True) * 2.0**50)
         l[np.arange(len(x)), l.argmax(1)] += 2.0**50 - l.sum(1)
-        assert (l >= 0).all() and (l.sum(1) == 2.0**50).all() and not l[balls < 0].any()
+        assert (l >= 0).all() and (l.sum(1) == 2.0**50).all()
         l *= 2.0**-50
-        u = z - x[:, None]
-        square = (u * u).sum(2)
         m = (l[:, :, None] * u).sum(1)
-        S = (l * (square + np.abs(w))).sum(1)
-        U = ((m * m).sum(1) + (l * (square - w)).sum(1)) / 2 + (16 * UNIT * S + TINY)
+        S = (l * ((u * u).sum(2) + np.abs(w))).sum(1)
+        U = ((m * m).sum(1) + (l * powers).sum(1)) / 2 + (16 * UNIT * S + TINY)
         q = x - m
         result = np.recarray(len(x), BOUNDS)
         power, result.entering = self.least_power(q)
@@ -123,20 +104,18 @@ class Skin:
         result.r = up(up(np.sqrt(2 * gap)) + 8 * UNIT * np.sqrt(S))
         result.low, result.high = down(down(length(m)) - result.r), up(up(length(m)) + result.r)
         result.gap = np.where(gap > 2.0**-46 * (S + S2), gap, 0)
-        order = np.argsort(-l, axis=1, kind="stable")[:, :4]
-        rows = np.arange(len(x))[:, None]
-        result.balls = -1
-        result.balls[:, :order.shape[1]] = np.where(l[rows, order] > 0, balls[rows, order], -1)
+        most = np.argsort(-l, axis=1, kind="stable")[:, :4]
+        used = np.where(np.take_along_axis(l, most, 1) > 0, most, most[:, :1])
+        result.balls = np.take_along_axis(balls, used, 1)
         return result
 
-    def enclose(self, x, balls=None):
-        """Bounds at points. While they are wide the ball of least power at q joins the set,
-        which makes U smaller each time."""
-        result = self.bounds(x, self.least_power(x)[1][:, None] if balls is None else balls)
-        wide = np.arange(len(x))
+    def enclose(self, x, balls):
+        """Bounds at points, from four balls for each. While they are wide the ball of least power
+        at q joins the set, which makes U smaller each time."""
+        result = self.bounds(x, balls)
         for _ in range(60):
-            known = result.balls[wide] == result.entering[wide, None]
-            wide = wide[(result.gap[wide] > 0) & ~known.any(1)]
+            known = (result.balls == result.entering[:, None]).any(1)
+            wide = np.flatnonzero((result.gap > 0) & ~known)
             if not len(wide):
                 break
             more = np.column_stack([result.balls[wide], result.entering[wide]])

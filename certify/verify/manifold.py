@@ -23,26 +23,20 @@ def check_manifold(vertices, triangles):
     """Every vertex is used, every edge occurs once in each direction, and the triangles at each
     vertex form one fan. Returns the edges' ends."""
     tail, head = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
-    uses = np.bincount(tail, minlength=vertices)
-    if not vertices or not uses.all():
-        raise NotProved(f"manifold: vertex {uses.argmin() if vertices else 0} is unused")
-    if (tail == head).any():
-        raise NotProved(f"manifold: triangle {(tail == head).argmax() // 3} repeats a corner")
-    order = np.argsort(tail * vertices + head)
-    edges, twins = (tail * vertices + head)[order], head * vertices + tail
-    again = np.flatnonzero(edges[1:] == edges[:-1])
-    if len(again):
-        a, b = divmod(int(edges[again[0]]), vertices)
-        raise NotProved(f"manifold: the edge from {a} to {b} occurs twice in one direction")
-    index = np.minimum(np.searchsorted(edges, twins), len(edges) - 1)
-    lonely = edges[index] != twins
-    if lonely.any():
-        a, b = divmod(int(twins[lonely.argmax()]), vertices)
-        raise NotProved(f"manifold: the edge from {a} to {b} has one side")
+    if not vertices or len(np.unique(tail)) < vertices or (tail == head).any():
+        raise NotProved("manifold: a vertex is unused, or twice in a triangle")
+    edges, twins = tail * vertices + head, head * vertices + tail
+    order, back = np.argsort(edges), np.argsort(twins)
+    wrong = edges[order] != twins[back]
+    wrong[1:] |= edges[order[1:]] == edges[order[:-1]]
+    if wrong.any():
+        raise NotProved(f"manifold: an edge at vertex {tail[order[wrong.argmax()]]} is not there "
+                        "once in each direction")
     # The next corner at a vertex starts with the twin of the half-edge that ends there.
-    before = np.arange(len(edges)).reshape(-1, 3)[:, [2, 0, 1]].ravel()
-    fans = np.unique(components(len(edges), np.arange(len(edges)), order[index][before]))
-    fans_at = np.bincount(tail[fans], minlength=vertices)
-    if fans_at.max() > 1:
-        raise NotProved(f"manifold: the triangles at vertex {fans_at.argmax()} form several fans")
+    twin = np.empty_like(order)
+    twin[back] = order
+    every = np.arange(len(edges))
+    before = every.reshape(-1, 3)[:, [2, 0, 1]].ravel()
+    if len(np.unique(components(len(edges), every, twin[before]))) > vertices:
+        raise NotProved("manifold: the triangles at a vertex form several fans")
     return tail, head

@@ -1,6 +1,5 @@
 #include "geometry/files/mesh_files.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +18,14 @@ void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon) {
   for (std::size_t corner = 2; corner < polygon.size(); ++corner) {
     mesh.triangles.push_back({polygon[0], polygon[corner - 1], polygon[corner]});
   }
+}
+
+void append_corners(std::string& text, const TriangleCorners& triangle, std::uint64_t first) {
+  for (const std::uint32_t corner : triangle) {
+    text += ' ';
+    append_number(text, corner + first);
+  }
+  text += '\n';
 }
 
 void append_position(std::string& text, const Point& position) {

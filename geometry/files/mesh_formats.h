@@ -34,6 +34,9 @@ std::string vtu(const IndexedMesh& mesh);
 /// Appends the polygon's triangles, all with its first corner. @pre at least three corners.
 void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);
 
+/// Appends " a b c\n", the corners counted from `first`.
+void append_corners(std::string& text, const TriangleCorners& triangle, std::uint64_t first = 0);
+
 /// Appends "x y z\n" in shortest decimals.
 void append_position(std::string& text, const Point& position);
 

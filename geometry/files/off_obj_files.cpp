@@ -123,7 +123,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
       if (mesh.positions.size() > max_vertices) lines.fail("too many vertices");
     } else if (word == "f") {
       polygon.clear();
-      for (auto field = take_field(fields); !field.empty(); field = take_field(fields)) {
+      for (const std::string_view field : fields_of(fields)) {
         polygon.push_back(obj_corner(field, mesh.positions.size(), lines));
       }
       if (polygon.size() < 3) lines.fail("a face needs three corners; remove it");
@@ -158,11 +158,7 @@ std::string off(const IndexedMesh& mesh) {
   for (const Point& position : mesh.positions) append_position(text, position);
   for (const auto& triangle : mesh.triangles) {
     text += '3';
-    for (const std::uint32_t corner : triangle) {
-      text += ' ';
-      append_number(text, std::uint64_t{corner});
-    }
-    text += '\n';
+    append_corners(text, triangle);
   }
   return text;
 }
@@ -176,11 +172,7 @@ std::string obj(const IndexedMesh& mesh) {
   }
   for (const auto& triangle : mesh.triangles) {
     text += 'f';
-    for (const std::uint32_t corner : triangle) {
-      text += ' ';
-      append_number(text, std::uint64_t{corner} + 1);
-    }
-    text += '\n';
+    append_corners(text, triangle, 1);
   }
   return text;
 }

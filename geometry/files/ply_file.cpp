@@ -26,7 +26,7 @@ static_assert(sizeof(Point) == 3 * sizeof(double));
 
 // Throws if the rest of the file is too short for the count of elements in the header.
 template <class Body>
-void check_room(const Body& body, const PlyElement& element) {
+void check_length(const Body& body, const PlyElement& element) {
   std::size_t min_size = 0;
   for (const PlyProperty& property : element.properties) {
     min_size += body.min_size(property.count_type.value_or(property.type));
@@ -93,7 +93,7 @@ void read_vertices(Body& body, const PlyElement& element, IndexedMesh& mesh) {
   if (static_cast<double>(element.count) > max_vertices) {
     throw UnreadableInput(body.location() + ": too many vertices; at most 2^32 - 1 are read");
   }
-  check_room(body, element);
+  check_length(body, element);
   mesh.positions.resize(element.count, Point::Zero());
   for (Point& position : mesh.positions) {
     for (const PlyProperty& property : element.properties) {
@@ -107,7 +107,7 @@ void read_vertices(Body& body, const PlyElement& element, IndexedMesh& mesh) {
 }
 
 void read_plain_vertices(PlyBinaryBody& body, const PlyElement& element, IndexedMesh& mesh) {
-  check_room(body, element);
+  check_length(body, element);
   const std::size_t size = element.count * sizeof(Point);
   mesh.positions.resize(element.count);
   if (size > 0) std::memcpy(mesh.positions.data()->data(), body.rest().data(), size);
@@ -147,7 +147,7 @@ void read_faces(Body& body, const PlyElement& element, IndexedMesh& mesh) {
     throw UnreadableInput(body.location() +
                           ": faces need a list vertex_indices; write the mesh again");
   }
-  check_room(body, element);
+  check_length(body, element);
   std::uint64_t face = 0;
   if constexpr (std::is_same_v<Body, PlyBinaryBody>) {
     face = read_plain_triangles(body, element, mesh);
@@ -174,7 +174,7 @@ void read_faces(Body& body, const PlyElement& element, IndexedMesh& mesh) {
 template <class Body>
 void skip_element(Body& body, const PlyElement& element) {
   if (element.properties.empty()) return;
-  check_room(body, element);
+  check_length(body, element);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     for (const PlyProperty& property : element.properties) skip_property(body, property);
   }
@@ -269,13 +269,9 @@ std::string ply_ascii(const IndexedMesh& mesh) {
   std::string text = header_text(mesh, "ascii");
   text.reserve(text.size() + 60 * mesh.positions.size() + 24 * mesh.triangles.size());
   for (const Point& position : mesh.positions) append_position(text, position);
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (const TriangleCorners& triangle : mesh.triangles) {
     text += '3';
-    for (const std::uint32_t corner : {a, b, c}) {
-      text += ' ';
-      append_number(text, std::uint64_t{corner});
-    }
-    text += '\n';
+    append_corners(text, triangle);
   }
   return text;
 }

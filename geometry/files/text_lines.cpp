@@ -78,6 +78,14 @@ std::string_view take_field(std::string_view& rest) {
   return field;
 }
 
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (auto field = take_field(line); !field.empty(); field = take_field(line)) {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
 std::string lower_case(std::string text) {
   std::ranges::transform(text, text.begin(), [](char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace morskin::geometry {
 
@@ -39,6 +40,9 @@ class TextLines {
 /// Removes and returns the next field, up to white space, from the front of `rest`; empty if there
 /// is none.
 std::string_view take_field(std::string_view& rest);
+
+/// All fields of a line.
+std::vector<std::string_view> fields_of(std::string_view line);
 
 /// `text` with A to Z in lower case, in any locale.
 std::string lower_case(std::string text);

@@ -4,7 +4,6 @@
 /// answers is read by one program only, and stands in no namespace.
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <optional>
 

@@ -4,8 +4,6 @@
 // through its three corners (section 2.2). One edge of such a mesh is turned the wrong way by hand.
 // Then the ball of a triangle beside it holds the far corner, and the refinement turns it back.
 
-#include <algorithm>
-
 #include "front/two_fronts.h"
 #include "morse/make_guide.h"
 #include "morskin/pipeline.h"

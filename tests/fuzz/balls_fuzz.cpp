@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <vector>
 
 #include "skin/model.h"
 #include "tests/fuzz/require.h"
@@ -58,9 +57,9 @@ support::Ball ball_from(const Bytes& b, const support::Balls& balls) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::size_t most_balls = 12;
+  constexpr std::size_t max_balls = 12;
   support::Balls balls;
-  for (std::size_t i = 0; i + 8 <= size && balls.size() < most_balls; i += 8) {
+  for (std::size_t i = 0; i + 8 <= size && balls.size() < max_balls; i += 8) {
     Bytes bytes;
     std::copy_n(data + i, 8, bytes.begin());
     balls.push_back(ball_from(bytes, balls));

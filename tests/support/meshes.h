@@ -9,7 +9,7 @@
 
 namespace morskin::support {
 
-using TriangleList = std::vector<std::array<std::uint32_t, 3>>;
+using geometry::TriangleList;
 
 inline TriangleList octahedron() {
   return {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -159,11 +159,6 @@ inline morskin::MeshResult meshed(const std::vector<geometry::WeightedPoint>& po
                                   const morskin::MeshingOptions& options = {},
                                   const morskin::Run& run = morskin::Run()) {
   return morskin::make_mesh(morskin::prepare_skin(points), options, run);
-}
-
-/// What critical points add up to.
-inline long euler_characteristic(const morskin::CriticalCounts& counts) {
-  return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1]);
 }
 
 }  // namespace morskin::support

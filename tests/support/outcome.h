@@ -28,7 +28,7 @@ inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
     if (!(certificate.min_angle_deg > options.sizing.angle_bound_deg())) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};
     }
-    if (certificate.euler_characteristic != support::euler_characteristic(result.critical_points)) {
+    if (certificate.euler_characteristic != morskin::euler_characteristic(result.critical_points)) {
       return {Kind::Failed, "critical points that do not add up", certificate.triangles};
     }
     return {Kind::Certified, {}, certificate.triangles};

@@ -3,7 +3,6 @@
 #include <png.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>

@@ -24,3 +24,11 @@
 
 #include "tests/support/molecules.h"
 #include "tests/support/seeds.h"
+
+namespace morskin::support {
+
+inline bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != text.npos;
+}
+
+}  // namespace morskin::support

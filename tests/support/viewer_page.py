@@ -59,11 +59,11 @@ class Page:
     def mesh(self, name="mesh"):
         """Places as whole steps of the grid, triangles, and by triangle its parent."""
         count = self.about[name]["triangles"]
-        corners, parents, foretold = decode(
+        corners, parents, predictors = decode(
             self.array(f"{name}.cases"), self.array(f"{name}.references"), count)
         places = []
         axes = [self.array(f"{name}.{axis}") for axis in "xyz"]
-        for v, (p, q, r) in enumerate(foretold):
+        for v, (p, q, r) in enumerate(predictors):
             near = [0, 0, 0] if v == 0 else [a + b - c for a, b, c in
                                              zip(places[p], places[q], places[r])]
             places.append([n + axis[v] for n, axis in zip(near, axes)])
@@ -78,7 +78,7 @@ class Page:
 
 def decode(cases, references, triangle_count):
     cases, references = iter(cases), iter(references)
-    corners, parents, foretold, edges = [], [], [], []
+    corners, parents, predictors, edges = [], [], [], []
 
     def link(e, f):
         e["next"], f["previous"] = f, e
@@ -89,17 +89,17 @@ def decode(cases, references, triangle_count):
         return edges[-1]
 
     def new(*near):
-        foretold.append(near)
-        return len(foretold) - 1
+        predictors.append(near)
+        return len(predictors) - 1
 
     def old():
-        return len(foretold) - 1 - next(references)
+        return len(predictors) - 1 - next(references)
 
     head = 0
     while len(corners) < triangle_count:
         first = []
         for _ in range(3):
-            near = max(len(foretold) - 1, 0)
+            near = max(len(predictors) - 1, 0)
             first.append(new(near, near, near) if next(cases) == 1 else old())
         parents.append(max(len(corners) - 1, 0))
         corners.append(tuple(first))
@@ -156,7 +156,7 @@ def decode(cases, references, triangle_count):
                     link(entered, g)
                 else:
                     link(f, g)
-    return corners, parents, foretold
+    return corners, parents, predictors
 
 
 def from_smallest(corners):

@@ -2,6 +2,7 @@
 
 /// Meshes that are wrong in ways a certificate must see.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,6 +26,58 @@ inline geometry::IndexedMesh together(geometry::IndexedMesh a, const geometry::I
 
 inline geometry::IndexedMesh turned_inside_out(geometry::IndexedMesh mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+  return mesh;
+}
+
+/// The mesh with a triangle in front that begins at a vertex, so that (c3) is tried there.
+inline geometry::IndexedMesh begun_at(geometry::IndexedMesh mesh, std::uint32_t v) {
+  const auto has_v = [&](const auto& t) { return std::ranges::find(t, v) != t.end(); };
+  std::iter_swap(mesh.triangles.begin(), std::ranges::find_if(mesh.triangles, has_v));
+  auto& first = mesh.triangles.front();
+  std::ranges::rotate(first, std::ranges::find(first, v));
+  return mesh;
+}
+
+/// Triangle t is cut into three at a new vertex, the last. The first of them takes its number.
+inline void cut(geometry::IndexedMesh& mesh, std::size_t t, const geometry::Point& at) {
+  const auto [a, b, c] = mesh.triangles[t];
+  const auto v = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back(at);
+  mesh.triangles[t] = {v, a, b};
+  mesh.triangles.push_back({v, b, c});
+  mesh.triangles.push_back({v, c, a});
+}
+
+/// A tube in place of two triangles, from one to the other.
+inline geometry::IndexedMesh with_tube(geometry::IndexedMesh mesh, std::size_t from,
+                                       std::size_t to) {
+  const auto [a, b, c] = mesh.triangles[from];
+  const auto [d, e, f] = mesh.triangles[to];
+  mesh.triangles[from] = {a, b, d};
+  mesh.triangles[to] = {b, f, d};
+  for (const auto& side : TriangleList{{b, c, f}, {c, e, f}, {c, a, e}, {a, d, e}}) {
+    mesh.triangles.push_back(side);
+  }
+  return mesh;
+}
+
+/// The mesh opened along two edges that meet at a vertex, the origin of half-edge h: on one side
+/// the vertex is moved, and two triangles fill the hole. @param turns  from h on to the other edge
+inline geometry::IndexedMesh slit(geometry::IndexedMesh mesh, geometry::HalfEdgeId h,
+                                  std::size_t turns, const geometry::Vector& by) {
+  const auto built = geometry::closed_mesh(mesh.positions.size(), mesh.triangles);
+  const geometry::VertexId m = built.mesh.origin(h);
+  std::vector<geometry::HalfEdgeId> round;
+  built.mesh.for_each_outgoing(m, [&](geometry::HalfEdgeId out) { round.push_back(out); });
+  turns = 1 + turns % (round.size() - 1);
+  const auto other = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.emplace_back(mesh.positions[m.index()] + by);
+  for (std::size_t i = 0; i < turns; ++i) {
+    auto& t = mesh.triangles[geometry::SurfaceMesh::triangle(round[i]).index()];
+    std::ranges::replace(t, m.value, other);
+  }
+  mesh.triangles.push_back({built.mesh.target(round[0]).value, other, m.value});
+  mesh.triangles.push_back({other, built.mesh.target(round[turns]).value, m.value});
   return mesh;
 }
 
@@ -63,6 +116,34 @@ inline geometry::IndexedMesh double_cover(const geometry::IndexedMesh& mesh) {
     cover.triangles.push_back(second);
   }
   return cover;
+}
+
+/// Several copies of a mesh that goes round an axis, cut open along a half plane from the axis on
+/// and sewn on to the next: a cover without a branch. As a torus's it is a torus again. The mesh
+/// itself where the axis meets one of its triangles, or where it does not go round.
+inline geometry::IndexedMesh wound_cover(const geometry::IndexedMesh& mesh, std::uint32_t sheets,
+                                         const geometry::Point& centre, int axis) {
+  const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto turn = [&](std::uint32_t v) {
+    const geometry::Vector e = mesh.positions[v] - centre;
+    return std::atan2(e[(axis + 2) % 3], e[(axis + 1) % 3]);
+  };
+  // How many sheets up from u to v, the shorter way round.
+  const auto step = [&](std::uint32_t u, std::uint32_t v) -> std::uint32_t {
+    const double by = turn(v) - turn(u);
+    return by > M_PI ? sheets - 1 : by < -M_PI ? 1 : 0;
+  };
+  geometry::IndexedMesh cover;
+  for (std::uint32_t s = 0; s < sheets; ++s) {
+    cover.positions.insert(cover.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    for (const auto& [a, b, c] : mesh.triangles) {
+      if ((step(a, b) + step(b, c) + step(c, a)) % sheets != 0) return mesh;
+      const std::uint32_t of_b = (s + step(a, b)) % sheets, of_c = (s + step(a, c)) % sheets;
+      cover.triangles.push_back({s * count + a, of_b * count + b, of_c * count + c});
+    }
+  }
+  const auto built = geometry::closed_mesh(cover.positions.size(), cover.triangles);
+  return built.defect || geometry::components(built.mesh).count > 1 ? mesh : cover;
 }
 
 /// A mesh of the unit sphere with triangles as small as `smallest` at both poles: rings of sixteen

@@ -33,16 +33,16 @@ class Edges {
 }
 
 // corners: three vertices to a triangle. parents: by triangle, the one it was laid against.
-// foretold: by vertex p, q, r, whose p + q - r is near it.
+// predictors: by vertex p, q, r, whose p + q - r is near it.
 export function readFrontCode(cases, references, triangleCount, vertexCount) {
   const corners = new Uint32Array(3 * triangleCount);
   const parents = new Uint32Array(triangleCount);
-  const foretold = new Uint32Array(3 * vertexCount);
+  const predictors = new Uint32Array(3 * vertexCount);
   const edges = new Edges(3 * triangleCount);
   let vertices = 0, triangles = 0, at = 0, reference = 0, head = 0;
 
   const addVertex = (p, q, r) => {
-    foretold.set([p, q, r], 3 * vertices);
+    predictors.set([p, q, r], 3 * vertices);
     return vertices++;
   };
   const addTriangle = (a, b, c, parent) => {
@@ -128,5 +128,5 @@ export function readFrontCode(cases, references, triangleCount, vertexCount) {
     start();
     for (; head < edges.count; ++head) if (edges.isOpen[head]) layBeyond(head);
   }
-  return { corners, parents, foretold };
+  return { corners, parents, predictors };
 }

@@ -216,8 +216,8 @@ export class SectionLayer {
     this.counts = [0, 0, 0, 0];
   }
 
-  // normal: unit; offset along it; middle and reach: the square of the plane that is looked at.
-  update(normal, offset, middle, reach) {
+  // normal: unit; offset along it; middle and extent: the square of the plane that is shown.
+  update(normal, offset, middle, extent) {
     const n = new THREE.Vector3(...normal);
     const u = new THREE.Vector3(Math.abs(n.x) < 0.9 ? 1 : 0, Math.abs(n.x) < 0.9 ? 0 : 1, 0)
       .cross(n).normalize();
@@ -226,13 +226,13 @@ export class SectionLayer {
     const origin = m.addScaledVector(n, offset - m.dot(n));
     const arrays = { position: [], tint: [], start: [], halfGradient: [], axis: [] }, edges = [];
     this.counts = [0, 0, 0, 0];
-    const place = (s, t) => [origin.x + s * u.x + t * v.x, origin.y + s * u.y + t * v.y,
+    const position = (s, t) => [origin.x + s * u.x + t * v.x, origin.y + s * u.y + t * v.y,
       origin.z + s * u.z + t * v.z];
-    this.complex.section(origin.toArray(), u.toArray(), v.toArray(), reach, (cell, polygon) => {
+    this.complex.section(origin.toArray(), u.toArray(), v.toArray(), extent, (cell, polygon) => {
       const dimension = this.complex.dimension(cell);
       ++this.counts[dimension];
       const corners = [];
-      for (let i = 0; i < polygon.length; i += 2) corners.push(place(polygon[i], polygon[i + 1]));
+      for (let i = 0; i < polygon.length; i += 2) corners.push(position(polygon[i], polygon[i + 1]));
       const { value, halfGradient, axis, sign } = this.complex.patchAt(cell, corners[0]);
       const colour = palette.kinds[dimension].map((x) => x / 255);
       for (let i = 0; i < corners.length; ++i) {

@@ -18,7 +18,7 @@ export class Mesh {
       const off = page.array(`${name}.${'xyz'[k]}`);
       const origin = grid.origin[k] - centre[k];
       for (let v = 0; v < vertices; ++v) {
-        const [p, q, r] = [code.foretold[3 * v], code.foretold[3 * v + 1], code.foretold[3 * v + 2]];
+        const [p, q, r] = [code.predictors[3 * v], code.predictors[3 * v + 1], code.predictors[3 * v + 2]];
         at[v] = off[v] + (v === 0 ? 0 : at[p] + at[q] - at[r]);
         this.positions[3 * v + k] = origin + grid.step * at[v];
       }

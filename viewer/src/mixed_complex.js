@@ -168,12 +168,12 @@ export class MixedComplex {
     return unit(v);
   }
 
-  // The section with the plane of points origin + s u + t v, |s| and |t| at most `reach`: calls
+  // The section with the plane of points origin + s u + t v, |s| and |t| at most `extent`: calls
   // visit(cell, polygon) for each cell that meets it, the polygon as a list of (s, t).
-  section(origin, u, v, reach, visit) {
+  section(origin, u, v, extent, visit) {
     const walls = this.walls();
     for (let cell = 0; cell < this.size; ++cell) {
-      let polygon = [-reach, -reach, reach, -reach, reach, reach, -reach, reach];
+      let polygon = [-extent, -extent, extent, -extent, extent, extent, -extent, extent];
       const list = walls[cell];
       for (let i = 0; i < list.length && polygon.length > 0; i += 4) {
         const n = [list[i], list[i + 1], list[i + 2]];

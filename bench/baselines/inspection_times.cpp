@@ -1,4 +1,4 @@
-#include "bench/baselines/look_times.h"
+#include "bench/baselines/inspection_times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,43 +14,43 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// the wait rho^2 changes, and the rates with it.
 constexpr double raised = 1.25, share_of_bound = 0.15;
 
-/// How long until something changes by `room`, in the logarithm, at a rate.
+/// How long until something changes by `margin`, in the logarithm, at a rate.
 /// @param bound  of the rate
-double likely_wait(double room, double rate, double bound) {
-  return room / std::min(raised * std::max(rate, 0.0) + share_of_bound * bound, bound);
+double likely_wait(double margin, double rate, double bound) {
+  return margin / std::min(raised * std::max(rate, 0.0) + share_of_bound * bound, bound);
 }
 
 }  // namespace
 
-double time_to_next_look(const std::array<MovingCorner, 3>& corners, const Ratios& ratios,
-                         const Slack& slack, double now) {
+double next_inspection_time(const std::array<MovingCorner, 3>& corners, const Ratios& ratios,
+                            const Slack& slack, double now) {
   std::array<double, 3> rho_rate;  // d ln rho / dt = g / (4 rho^4)
   std::array<Vector, 3> velocity;
-  double rho = never, leaves = never, least_rho_rate = never;
+  double rho = never, leaves = never, min_rho_rate = never;
   for (std::size_t k = 0; k < 3; ++k) {
     const double r = corners[k].point.length_scale;
     rho_rate[k] = corners[k].level / (4 * r * r * r * r);
     velocity[k] = corners[k].point.normal / (4 * r);
     rho = std::min(rho, r);
     leaves = std::min(leaves, corners[k].leaves);
-    least_rho_rate = std::min(least_rho_rate, rho_rate[k]);
+    min_rho_rate = std::min(min_rho_rate, rho_rate[k]);
   }
-  // Every room is at least this: a triangle that could not be mended would be looked at for ever.
-  constexpr double least_room = 0.05;
+  // A lower bound: a triangle that could not be mended would be inspected for ever.
+  constexpr double min_margin = 0.05;
   // |d ln |ab| / dt| and |d ln rho / dt| are at most 1 / (4 rho^2) each.
   const double bound = 1 / (2 * rho * rho);
 
   std::array<Vector, 3> side;  // from corner k to k + 1
   std::array<double, 3> rate;  // of its length, d ln |ab| / dt
-  double likely = never, room_L = never;
+  double likely = never, margin_L = never;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     side[k] = corners[next].point.position - corners[k].point.position;
     rate[k] = side[k].dot(velocity[next] - velocity[k]) / side[k].squaredNorm();
-    const double room = std::max(std::log(ratios.L[k] / slack.least_L), least_room);
+    const double margin = std::max(std::log(ratios.L[k] / slack.min_L), min_margin);
     const double shrinks = std::max(rho_rate[k], rho_rate[next]) - rate[k];
-    likely = std::min(likely, likely_wait(room, shrinks, bound));
-    room_L = std::min(room_L, room);
+    likely = std::min(likely, likely_wait(margin, shrinks, bound));
+    margin_L = std::min(margin_L, margin);
   }
   // d ln R = sum over the sides of d ln l times the product of the cotangents at its ends.
   const double area2 = side[0].cross(side[1]).norm();
@@ -61,14 +61,14 @@ double time_to_next_look(const std::array<MovingCorner, 3>& corners, const Ratio
     S += std::abs(cotangents);
     R_rate += rate[k] * cotangents;
   }
-  const double room_U = std::max(std::log(slack.most_U / ratios.U), least_room);
+  const double margin_U = std::max(std::log(slack.max_U / ratios.U), min_margin);
   const double bound_U = (S + 1) / (4 * rho * rho);
-  likely = std::min(likely, likely_wait(room_U, R_rate - least_rho_rate, bound_U));
+  likely = std::min(likely, likely_wait(margin_U, R_rate - min_rho_rate, bound_U));
 
-  // The squared length scale falls by at most dt / 2: integrated, the room in [L] is used up after
-  // 2 rho^2 (1 - exp(-room)). For [U] half of the time is taken, as S changes as well.
-  const double safe = std::min(2 * rho * rho * (1 - std::exp(-room_L)), room_U / (2 * bound_U));
-  return now + std::max({safe, std::min(likely, leaves - now), least_wait * rho * rho});
+  // The squared length scale falls by at most dt / 2: integrated, the margin to [L] is used up
+  // after 2 rho^2 (1 - exp(-margin)). For [U] half of the time is taken, as S changes as well.
+  const double safe = std::min(2 * rho * rho * (1 - std::exp(-margin_L)), margin_U / (2 * bound_U));
+  return now + std::max({safe, std::min(likely, leaves - now), min_wait * rho * rho});
 }
 
 }  // namespace morskin::baselines

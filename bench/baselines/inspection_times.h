@@ -1,6 +1,6 @@
 #pragma once
 
-/// When a triangle of the growing mesh must be looked at again (papers/5-dynamic.md).
+/// When a triangle of the growing mesh must be inspected again (papers/5-dynamic.md).
 ///
 /// Two times are found. The safe one follows from bounds that hold for all skins: the velocity is
 /// an inversion of N, so |d ln |ab| / dt| <= 1 / (4 rho_a rho_b), and |d ln R / dt| <= S / (4
@@ -27,13 +27,13 @@ struct Ratios {
   double U;
 };
 
-/// How long the triangle keeps within `slack.least_L` and `slack.most_U`, at least least_wait of
-/// the squared length scale.
-double time_to_next_look(const std::array<MovingCorner, 3>& corners, const Ratios& ratios,
-                         const Slack& slack, double now);
+/// How long the triangle keeps within `slack.min_L` and `slack.max_U`, at least min_wait
+/// of the squared length scale.
+double next_inspection_time(const std::array<MovingCorner, 3>& corners, const Ratios& ratios,
+                            const Slack& slack, double now);
 
-/// What could not be mended is looked at again after this share of the squared length scale. The
+/// What could not be mended is inspected again after this share of the squared length scale. The
 /// safe times of triangles that keep [L] and [U] are longer.
-inline constexpr double least_wait = 0.02;
+inline constexpr double min_wait = 0.02;
 
 }  // namespace morskin::baselines

@@ -8,10 +8,10 @@
 
 namespace morskin::baselines {
 
-/// When which triangle is to be looked at. Of looks at one time the one put in last comes first.
-class LookQueue {
+/// When which triangle is to be inspected. Of entries at one time the one put in last comes first.
+class InspectionQueue {
  public:
-  struct Look {
+  struct Entry {
     double time;
     geometry::TriangleId triangle;
   };
@@ -21,30 +21,30 @@ class LookQueue {
     entries_.push({{time, triangle}, turns_++});
   }
 
-  /// The time of the next look, or infinity.
+  /// The time of the next inspection, or infinity.
   double next_time() const {
     return entries_.empty() ? std::numeric_limits<double>::infinity() : entries_.top().time;
   }
 
-  /// Takes out a look at the next time. @pre next_time() is finite.
-  Look pop() {
-    const Look look = entries_.top();
+  /// Takes out an entry of the next time. @pre next_time() is finite.
+  Entry pop() {
+    const Entry next = entries_.top();
     entries_.pop();
-    return look;
+    return next;
   }
 
   std::size_t size() const { return entries_.size(); }
   void clear() { entries_ = {}; }
 
  private:
-  struct Entry : Look {
-    std::uint64_t turn;                         ///< in which it was put in
-    bool operator<(const Entry& other) const {  // what is largest is on top
+  struct Queued : Entry {
+    std::uint64_t turn;                          ///< in which it was put in
+    bool operator<(const Queued& other) const {  // what is largest is on top
       return time > other.time || (time == other.time && turn < other.turn);
     }
   };
 
-  std::priority_queue<Entry> entries_;
+  std::priority_queue<Queued> entries_;
   std::uint64_t turns_ = 0;
 };
 

@@ -1,0 +1,91 @@
+// The certificate in reports.
+
+#include <nlohmann/json.hpp>
+
+#include "app/report.h"
+
+namespace morskin::app {
+
+using certify::Certificate;
+using nlohmann::ordered_json;
+
+ordered_json certificate_json(const Certificate& c) {
+  ordered_json json = {{"vertices", c.vertices},
+                       {"triangles", c.triangles},
+                       {"components", c.components},
+                       {"euler_characteristic", c.euler_characteristic},
+                       {"genus", c.genus},
+                       {"expected_euler_characteristic", c.expected_euler_characteristic},
+                       {"expected_components", c.expected_components},
+                       {"expected_genus", c.expected_genus},
+                       {"min_angle_deg", c.min_angle_deg},
+                       {"max_angle_deg", c.max_angle_deg},
+                       {"worst_L", c.worst_L},
+                       {"worst_U", c.worst_U},
+                       {"violations_L", c.violations_L},
+                       {"violations_U", c.violations_U},
+                       {"max_distance_to_skin", rounded(c.max_distance_to_skin)},
+                       {"max_relative_distance_to_skin", rounded(c.max_relative_distance_to_skin)},
+                       {"single_precision", c.is_single_precision},
+                       {"area", rounded(c.area, 12)},
+                       {"volume", rounded(c.volume, 12)},
+                       {"covering_degree_ok", c.covering_degree_ok},
+                       {"restricted_delaunay_violations", c.restricted_delaunay_violations},
+                       {"homeomorphic", c.is_homeomorphic},
+                       {"certified", c.certified}};
+  if (!c.certified) json["reason"] = c.reason;
+  return json;
+}
+
+std::string doubts_about(const certify::Sizing& sizing) {
+  std::string doubts;
+  const auto add = [&](bool is_proved, const std::string& text) {
+    if (!is_proved) doubts += (doubts.empty() ? "" : ", and ") + text;
+  };
+  add(sizing.is_refinement_proved_to_end(),
+      "Q^2 is not above 2 + 4 C Q, so [L] and [U] may be in each other's way");
+  if (!sizing.is_tube_proved()) {
+    add(false, "C Q = " + brief(sizing.C * sizing.Q, 3) +
+                   " is above 0.377, so [U] does not imply what the certificate asks of triangles");
+  } else {
+    add(sizing.is_sample_proved_dense(),
+        "C Q = " + brief(sizing.C * sizing.Q, 3) +
+            " is above 0.215, up to which sampling theory reaches; the certificate decides");
+  }
+  return doubts;
+}
+
+std::string certificate_text(const Certificate& c, const certify::Sizing& sizing) {
+  const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
+                            c.euler_characteristic == c.expected_euler_characteristic;
+  std::string text;
+  text += line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
+                           counted(c.vertices, "vertex", "vertices"));
+  text +=
+      line("topology", counted(c.components, "component", "components") + ", genus " +
+                           grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
+                           grouped(static_cast<long long>(c.euler_characteristic)) +
+                           (counts_agree ? ", as the dual complex says" : ""));
+  if (!counts_agree) {
+    text += line("expected", counted(c.expected_components, "component", "components") +
+                                 ", genus " + grouped(static_cast<long long>(c.expected_genus)) +
+                                 ", Euler characteristic " +
+                                 grouped(static_cast<long long>(c.expected_euler_characteristic)));
+  }
+  if (c.triangles > 0) {
+    text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
+                               " degrees (bound " + brief(sizing.angle_bound_deg()) + ")");
+    text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
+                              brief(c.worst_U, 6) + " (good below 1), " +
+                              counted(c.violations_L + c.violations_U, "violation", "violations"));
+  }
+  text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
+                               " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
+                               " of the length scale");
+  if (c.is_single_precision) text += line("", "(all coordinates are single precision)");
+  text +=
+      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3");
+  return text;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,47 @@
+#include "app/figures/recorded_sweep.h"
+
+#include <algorithm>
+
+namespace morskin::figures {
+namespace {
+
+class Recorder : public morskin::Observer {
+ public:
+  explicit Recorder(RecordedSweep& record)
+      : record_(record), operations_([&record](front::Operation operation, std::size_t triangles) {
+          const std::size_t before = record.events.empty() ? 0 : record.events.back().after;
+          record.events.push_back({operation, before, triangles});
+        }) {}
+
+  bool wants_births() override { return true; }
+  void guided(const morse::Guide& guide) override { record_.guide = guide; }
+  std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_}; }
+  void swept(const surface::Mesh& mesh) override {
+    record_.mesh = mesh;
+    refined(mesh);
+    // Coarsening behind the front lays triangles of its own.
+    const std::uint32_t last = *std::ranges::max_element(record_.birth);
+    record_.laid = std::max(static_cast<std::uint32_t>(record_.events.back().after), last + 1);
+  }
+  void refined(const surface::Mesh& mesh) override {
+    record_.birth.assign(mesh.births->begin(), mesh.births->end());
+  }
+
+ private:
+  RecordedSweep& record_;
+  front::OperationObserver operations_;
+};
+
+}  // namespace
+
+RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, morskin::MeshingOptions options,
+                             const morskin::Run& run) {
+  options.fronts = 1;
+  options.has_safety_net = false;
+  RecordedSweep record;
+  Recorder recorder(record);
+  record.result = morskin::make_mesh(skin, options, recorder, run);
+  return record;
+}
+
+}  // namespace morskin::figures

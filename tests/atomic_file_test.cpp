@@ -1,0 +1,33 @@
+#include "geometry/files/atomic_file.h"
+
+#include "geometry/error.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test.h"
+
+using namespace morskin;
+using namespace morskin::geometry;
+using namespace morskin::support;
+
+TEST_CASE("a file that is replaced keeps its permissions, a link keeps its target") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("report.json", "old");
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("report.json", folder / "link.json");
+  write_file_atomically(folder / "link.json", "new");
+  CHECK(bytes_of(path) == "new");
+  CHECK(fs::is_symlink(folder / "link.json"));
+  CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("devices are written to and not replaced") {
+  namespace fs = std::filesystem;
+  write_file_atomically("/dev/null", "text");
+  CHECK(fs::is_character_file("/dev/null"));
+  if (fs::exists("/dev/full")) {
+    CHECK_THROWS_WITH_AS(write_file_atomically("/dev/full", "text"),
+                         doctest::Contains("free some space"), UnwritableOutput);
+    CHECK(fs::is_character_file("/dev/full"));
+  }
+}
