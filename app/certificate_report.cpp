@@ -20,6 +20,7 @@ ordered_json certificate_json(const Certificate& c) {
                        {"expected_genus", c.expected_genus},
                        {"min_angle_deg", c.min_angle_deg},
                        {"max_angle_deg", c.max_angle_deg},
+                       {"proved_angle_deg", c.proved_angle_deg()},
                        {"worst_L", c.worst_L},
                        {"worst_U", c.worst_U},
                        {"violations_L", c.violations_L},
@@ -73,8 +74,9 @@ std::string certificate_text(const Certificate& c, const certify::Sizing& sizing
                                  grouped(static_cast<long long>(c.expected_euler_characteristic)));
   }
   if (c.triangles > 0) {
+    const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
     text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                               " degrees (bound " + brief(sizing.angle_bound_deg()) + ")");
+                               " degrees (bound " + brief(bound) + ")");
     text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
                               brief(c.worst_U, 6) + " (good below 1), " +
                               counted(c.violations_L + c.violations_U, "violation", "violations"));

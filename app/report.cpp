@@ -136,7 +136,9 @@ std::string json_text(const MeshReport& report) {
   json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
                        {"below", report.counts.smoothing.below},
                        {"moved", report.counts.smoothing.moved},
-                       {"left", report.counts.smoothing.left}};
+                       {"reconnected", report.counts.improvement.changed},
+                       {"inserted", report.counts.angles.inserted},
+                       {"left", report.counts.below_goal()}};
   if (report.growth) json["growth"] = growth_json(*report.growth);
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(floor_ratio(report));

@@ -7,10 +7,10 @@ one run more: four copies of it side by side, model sas, C = 0.3. --largest leav
 too long.
 
 Each mesh goes to a temporary folder and is removed after its run. A run is good when the mesh is
-certified, without a violation, with every angle above the bound and without a fallback to another
-run or method, or when the molecule is refused as singular (exit code 4). With --check the mesh is
-then read by the command `check`, which must agree and find no self-intersection. The lines also go
-to results/corpus.tsv, each at once.
+certified, without a violation of [U], with every angle at least 30 degrees and without a fallback
+to another run or method, or when the molecule is refused as singular (exit code 4). With --check
+the mesh is then read by the command `check`, which must agree and find no self-intersection. The
+lines also go to results/corpus.tsv, each at once.
 """
 
 import concurrent.futures
@@ -69,12 +69,11 @@ def verdict_of(code, report, complaint):
     if code == 4 and "singular" in complaint:
         return "refused: " + complaint
     if code == 0:
-        bound = math.degrees(math.asin(1 / report["Q"] ** 2))
-        violations = report["violations_L"] + report["violations_U"]
+        violations = report["violations_U"]
         for fallback in report["fallbacks"]:
             return (f"FAILED: fell back to {fallback['to']} at component {fallback['component']}: "
                     f"{fallback['why']}")
-        if report["certified"] and violations == 0 and report["min_angle_deg"] > bound:
+        if report["certified"] and violations == 0 and report["proved_angle_deg"] >= 30:
             return "certified"
         return "FAILED: exit code 0, but the report disagrees"
     return f"FAILED: exit code {code}: {report.get('reason') or complaint}"

@@ -54,7 +54,7 @@ class Certifier {
     } else {
       const auto check_covering = [&] {
         check_covering_degree();
-        compare_counts();
+        out_.compare_counts();
         measure_shape();
       };
       const auto check_balls = [&] {
@@ -64,26 +64,11 @@ class Certifier {
       geometry::do_both(run_.threads(), check_covering, check_balls);
     }
     check_vertices();
-    conclude();
+    out_.conclude(sizing_);
     return std::move(out_);
   }
 
  private:
-  bool holds(Claim claim) const { return out_.broken_by(claim).empty(); }
-  void conclude() {
-    out_.is_homeomorphic = holds(Claim::Manifold) && holds(Claim::Upright) && holds(Claim::Tube) &&
-                           holds(Claim::Degree) && holds(Claim::Counts);
-    out_.certified =
-        out_.is_homeomorphic && holds(Claim::OnSkin) && out_.violations_L + out_.violations_U == 0;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(Claim::Counts); ++i) {
-      if (out_.reason.empty()) out_.reason = out_.broken[i];
-    }
-    if (out_.reason.empty() && !out_.certified) {
-      out_.reason = std::to_string(out_.violations_L) + " edges break [L], " +
-                    std::to_string(out_.violations_U) + " triangles break [U]";
-    }
-  }
-
   /// Records the first element that breaks [L] or [U], which is no reason against homeomorphy.
   static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
     out.broken[static_cast<std::size_t>(claim)] =
@@ -107,7 +92,6 @@ class Certifier {
   void add(TriangleFindings found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
-  void compare_counts();
 
   const IndexedMesh& mesh_;
   const surface::Surface& surface_;
@@ -205,6 +189,10 @@ void Certifier::add(TriangleFindings found) {
   out_.worst_L = std::min(out_.worst_L, found.out.worst_L);
   out_.violations_U += found.out.violations_U;
   out_.violations_L += found.out.violations_L;
+  if (found.out.min_sine < out_.min_sine) {
+    out_.min_sine = found.out.min_sine;
+    out_.sharpest_triangle = found.out.sharpest_triangle;
+  }
   for (std::size_t claim = 0; claim < out_.broken.size(); ++claim) {
     if (out_.broken[claim].empty()) out_.broken[claim] = found.out.broken[claim];
   }
@@ -236,6 +224,12 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   const CornerBounds bounds = on.corner_bounds(corner);
   filter.note(geometry::TriangleId{t}, p, circle, bounds.max_value);
   const TriangleBounds shape = on.shape(corner);
+  const double sine =
+      smallest_sine(shape, shortest_edge(p[0]->position, p[1]->position, p[2]->position));
+  if (sine < out.min_sine) {
+    out.min_sine = sine;
+    out.sharpest_triangle = t;
+  }
   const TubeProof proof = prove_tube(surface_, p, shape, bounds);
   if (!proof.is_upright) {
     out.fail(Claim::Upright,
@@ -251,7 +245,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
 
 void Certifier::check_covering_degree() {
   out_.components = components_.count;
-  if (!holds(Claim::Upright) || !holds(Claim::Tube)) {
+  if (!out_.holds(Claim::Upright) || !out_.holds(Claim::Tube)) {
     return out_.fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
   }
   const auto proved = CoveringDegree(located(), built_.mesh, components_, flow_).proved_vertices();
@@ -264,24 +258,6 @@ void Certifier::check_covering_degree() {
     }
   }
   out_.covering_degree_ok = out_.degree_vertices.size() == proved.size();
-}
-
-void Certifier::compare_counts() {
-  const long v = static_cast<long>(out_.vertices), t = static_cast<long>(out_.triangles);
-  out_.euler_characteristic = v - t / 2;
-  out_.genus = static_cast<long>(out_.components) - out_.euler_characteristic / 2;
-  std::string differences;
-  const auto compare = [&](const char* what, long is, long should) {
-    if (is == should) return;
-    differences += (differences.empty() ? "" : "; ") + std::string(what) + " is " +
-                   std::to_string(is) + ", the skin's is " + std::to_string(should);
-  };
-  compare("the number of components", static_cast<long>(out_.components),
-          static_cast<long>(out_.expected_components));
-  compare("the Euler characteristic", out_.euler_characteristic,
-          out_.expected_euler_characteristic);
-  compare("the genus", out_.genus, out_.expected_genus);
-  if (!differences.empty()) out_.fail(Claim::Counts, differences);
 }
 
 }  // namespace

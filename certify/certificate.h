@@ -47,6 +47,10 @@ struct Certificate {
 
   double min_angle_deg = 0;
   double max_angle_deg = 0;
+  /// Lower bound on the sine of the smallest angle, rounding counted, and a triangle that has it.
+  double min_sine = 1;
+  std::size_t sharpest_triangle = 0;
+  double claimed_angle_deg = 0;  ///< the sizing's
   double worst_L = 0;  ///< smallest R_ab over its bound in [L]: above 1 is good
   double worst_U = 0;  ///< largest R_abc over its bound in [U]: below 1 is good
   std::size_t violations_L = 0;
@@ -66,7 +70,8 @@ struct Certificate {
 
   /// Every claim of the proof holds. False also where nothing could be decided.
   bool is_homeomorphic = false;
-  /// Homeomorphic, all vertices on the skin, and [L] and [U] hold everywhere.
+  /// Homeomorphic, all vertices on the skin, [U] everywhere, and all angles as large as claimed: by
+  /// [L], or each by itself (Sizing::claimed_angle_deg).
   bool certified = false;
   /// Why not, naming the first element that breaks a claim; empty when certified.
   std::string reason;
@@ -77,11 +82,19 @@ struct Certificate {
   const std::string& broken_by(Claim claim) const {
     return broken[static_cast<std::size_t>(claim)];
   }
+  bool holds(Claim claim) const { return broken_by(claim).empty(); }
+  /// No angle is smaller, rounding counted, degrees.
+  double proved_angle_deg() const;
   /// Records why a claim does not hold; the first reason stays.
   void fail(Claim claim, const std::string& why) {
     std::string& first = broken[static_cast<std::size_t>(claim)];
     if (first.empty()) first = why;
   }
+  /// The numbers of components, and so on, from those of vertices and triangles; and whether they
+  /// are as expected.
+  void compare_counts();
+  /// The verdict, once all claims have been looked at.
+  void conclude(const Sizing& sizing);
 };
 
 /// The mesher's hints: checked, never trusted. A right hint saves a search, a wrong one changes

@@ -30,6 +30,11 @@ struct Sizing {
   /// and at most rho.
   double largest_length_scale = std::numeric_limits<double>::infinity();
 
+  /// Degrees, at most 60. Above 0, a certificate wants every angle at least this, each by itself,
+  /// and only counts what breaks [L], which at some C insertions for angles must break. 0: it wants
+  /// [L], or guaranteed_angle_deg.
+  double claimed_angle_deg = 0;
+
   /// The largest C with a Q for which refinement provably ends and [U] implies c1 and c2 of the
   /// certificate; the bound is a little less than 0.2017.
   static constexpr double largest_proved_C = 0.2;
@@ -46,7 +51,7 @@ struct Sizing {
   Sizing laid() const {
     if (!is_coarser_than_laid()) return *this;
     const double q = std::min(quality_for(largest_proved_C), C * Q / largest_proved_C);
-    return {largest_proved_C, q, largest_length_scale};
+    return {largest_proved_C, q, largest_length_scale, claimed_angle_deg};
   }
   bool is_coarser_than_laid() const { return C > largest_proved_C; }
   /// Whether no insertion makes an edge that [L] forbids.

@@ -17,4 +17,12 @@ struct TriangleBounds {
 /// The two shorter edges are taken, so needles lose the least.
 TriangleBounds triangle_bounds(const Point& a, const Point& b, const Point& c);
 
+/// Lower bound on the sine of a triangle's smallest angle: its shortest edge over the diameter of
+/// its circumcircle.
+/// @param shortest_edge  known to 2^-49 of itself, Angstrom
+inline double smallest_sine(const TriangleBounds& triangle, double shortest_edge) {
+  constexpr double down = 1 - 0x1p-48;
+  return down * shortest_edge / (2 * triangle.circumradius);
+}
+
 }  // namespace morskin::certify

@@ -38,6 +38,9 @@ struct RunCounts {
   refine::AngleImprovementCounts improvement;
   refine::AngleRefinementCounts angles;
   std::size_t open_edges = 0;  ///< of a surface that could not be closed; 0 in a good mesh
+
+  /// Triangles whose angles stayed below the goal, insertions for 30 degrees apart.
+  std::size_t below_goal() const { return smoothing.left > 0 ? improvement.left : 0; }
 };
 
 /// What a method hands back. With open edges the mesh is unfinished and stays so.

@@ -101,9 +101,13 @@ class Delivering {
 
 }  // namespace
 
-MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
+MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
                      const Run& run) {
-  check(options);
+  check(asked);
+  MeshingOptions options = asked;
+  if (!options.mesher && options.angle_goal_deg >= certify::guaranteed_angle_deg) {
+    options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
+  }
   MethodResult made = run_method(skin, options, observer, run);
   Parcel parcel(made.mesh, run);
   MeshResult result{std::move(made), std::move(parcel.mesh), std::move(parcel.cells), {}, {}};

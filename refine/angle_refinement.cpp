@@ -47,12 +47,6 @@ class NearVertices {
   std::optional<geometry::KdTree<VertexId>> tree_;
 };
 
-double shortest_edge(const Mesh& mesh, TriangleId t) {
-  const auto [a, b, c] = mesh.surface.corners(t);
-  const Point &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
-  return std::sqrt(std::min({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
-}
-
 }  // namespace
 
 AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
@@ -76,7 +70,9 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
     waiting.pop_back();
     if (mesh.surface.is_removed(t) || !VertexMover::is_below(mesh, t, bound)) continue;
     run.report(geometry::unknown_share, std::to_string(counts.inserted) + " insertions");
-    const double least = shortest_edge(mesh, t);
+    const auto [a, b, c] = mesh.surface.corners(t);
+    const double least =
+        certify::shortest_edge(mesh.position(a), mesh.position(b), mesh.position(c));
     Point at;
     const bool is_in = operations.insert_ball_centre(t, [&](const Insertion& where) {
       at = where.point.position;

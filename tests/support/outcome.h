@@ -25,7 +25,10 @@ inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
     const morskin::MeshResult result = support::meshed(points, options);
     const certify::Certificate& certificate = result.certificate;
     if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
-    if (!(certificate.min_angle_deg > options.sizing.angle_bound_deg())) {
+    const double bound = options.angle_goal_deg >= certify::guaranteed_angle_deg
+                             ? certify::guaranteed_angle_deg
+                             : options.sizing.angle_bound_deg();
+    if (!(certificate.proved_angle_deg() >= bound)) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};
     }
     if (certificate.euler_characteristic != morskin::euler_characteristic(result.critical_points)) {

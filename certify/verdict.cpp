@@ -1,0 +1,55 @@
+// What follows from all that was looked at: the verdict, and the reason against it.
+
+#include <cmath>
+#include <cstdio>
+
+#include "certify/certificate.h"
+
+namespace morskin::certify {
+
+void Certificate::compare_counts() {
+  const long v = static_cast<long>(vertices), t = static_cast<long>(triangles);
+  euler_characteristic = v - t / 2;
+  genus = static_cast<long>(components) - euler_characteristic / 2;
+  std::string differences;
+  const auto compare = [&](const char* what, long is, long should) {
+    if (is == should) return;
+    differences += (differences.empty() ? "" : "; ") + std::string(what) + " is " +
+                   std::to_string(is) + ", the skin's is " + std::to_string(should);
+  };
+  compare("the number of components", static_cast<long>(components),
+          static_cast<long>(expected_components));
+  compare("the Euler characteristic", euler_characteristic, expected_euler_characteristic);
+  compare("the genus", genus, expected_genus);
+  if (!differences.empty()) fail(Claim::Counts, differences);
+}
+
+double Certificate::proved_angle_deg() const {
+  constexpr double rounding = 1e-15;  // of the arc sine and of degrees, in shares
+  return (1 - rounding) * std::asin(min_sine) * 180 / M_PI;
+}
+
+void Certificate::conclude(const Sizing& sizing) {
+  is_homeomorphic = holds(Claim::Manifold) && holds(Claim::Upright) && holds(Claim::Tube) &&
+                    holds(Claim::Degree) && holds(Claim::Counts);
+  const double claimed = claimed_angle_deg = sizing.claimed_angle_deg;
+  const bool has_angles = claimed > 0
+                              ? proved_angle_deg() >= claimed
+                              : violations_L == 0 || proved_angle_deg() >= guaranteed_angle_deg;
+  certified = is_homeomorphic && holds(Claim::OnSkin) && violations_U == 0 && has_angles;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(Claim::Counts); ++i) {
+    if (reason.empty()) reason = broken[i];
+  }
+  if (!reason.empty() || certified) return;
+  if (claimed > 0 && !has_angles) {
+    char text[96];
+    std::snprintf(text, sizeof text, "triangle %zu has an angle of %.9g degrees, below %.4g",
+                  sharpest_triangle, proved_angle_deg(), claimed);
+    reason = text;
+  } else {
+    reason = std::to_string(violations_L) + " edges break [L], " + std::to_string(violations_U) +
+             " triangles break [U]";
+  }
+}
+
+}  // namespace morskin::certify
