@@ -48,6 +48,7 @@ class AngleImprovement {
   AngleImprovementCounts run(const geometry::Run& run) {
     AngleImprovementCounts counts{below_.size(), 0, 0};
     for (int depth = 1; depth <= max_depth && !below_.empty(); ++depth) {
+      if (depth == max_depth && below_.size() > max_hard) break;
       const std::vector<Corners> all(below_.begin(), below_.end());
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
@@ -60,8 +61,11 @@ class AngleImprovement {
   }
 
  private:
-  /// So many changes are tried at once, and so many triangles moved into shape after each.
-  static constexpr int max_depth = 2;
+  /// So many changes are tried at once, the most for a few triangles only: that takes a thousand
+  /// trials.
+  static constexpr int max_depth = 3;
+  static constexpr std::size_t max_hard = 30;
+  /// So many triangles are moved into shape after each change, so often.
   static constexpr int max_rounds = 8;
   static constexpr std::size_t max_waiting = 100;
 

@@ -47,6 +47,15 @@ class NearVertices {
   std::optional<geometry::KdTree<VertexId>> tree_;
 };
 
+/// How far from all others the vertex that breaks a triangle has to be: as far as the triangle's
+/// shortest edge is long. One too big for [U], its angles good, may have longer edges than its
+/// ball's radius; then that is enough.
+double min_distance(const Mesh& mesh, TriangleId t) {
+  const auto [a, b, c] = mesh.surface.corners(t);
+  const Point &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
+  return std::min(certify::shortest_edge(p, q, r), circumcircle(p, q, r).radius);
+}
+
 }  // namespace
 
 AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
@@ -65,14 +74,19 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
   LocalOperations operations(surface, sizing, mesh);
   Journal journal(mesh);
   operations.record_in(journal);
+  // A new vertex may have a smaller length scale than those around, so that [U] asks for more.
+  Work broken;
+  const auto must_break = [&](TriangleId t) {
+    broken.big.clear();
+    operations.inspect(t, broken);
+    return !broken.big.empty() || VertexMover::is_below(mesh, t, bound);
+  };
   while (!waiting.empty()) {
     const TriangleId t = waiting.back();
     waiting.pop_back();
-    if (mesh.surface.is_removed(t) || !VertexMover::is_below(mesh, t, bound)) continue;
+    if (mesh.surface.is_removed(t) || !must_break(t)) continue;
     run.report(geometry::unknown_share, std::to_string(counts.inserted) + " insertions");
-    const auto [a, b, c] = mesh.surface.corners(t);
-    const double least =
-        certify::shortest_edge(mesh.position(a), mesh.position(b), mesh.position(c));
+    const double least = min_distance(mesh, t);
     Point at;
     const bool is_in = operations.insert_ball_centre(t, [&](const Insertion& where) {
       at = where.point.position;

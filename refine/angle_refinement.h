@@ -7,7 +7,8 @@
 /// for R = |e| / (2 sin a). Where it is empty, the new vertex is farther than |e| from all others,
 /// so along a chain of insertions, each into a triangle that the one before made, edges never get
 /// shorter, and a closed surface has no room for an endless one. Before each insertion all
-/// vertices are asked; where one is nearer, the triangle is left.
+/// vertices are asked; where one is nearer, the triangle is left. Triangles that come to break [U]
+/// on the way are broken as well: their balls' radii are bounded from below by the length scale.
 
 #include <cstddef>
 
