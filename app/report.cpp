@@ -181,6 +181,18 @@ std::string growth_text(const baselines::GrowthCounts& growth) {
                       counted(growth.inspections, "inspection", "inspections"));
 }
 
+/// What raised the angles, and how far.
+std::string smoothing_text(const morskin::RunCounts& counts, double goal_deg) {
+  std::string text = counted(counts.smoothing.moved, "vertex", "vertices") +
+                     " moved for angles of " + brief(goal_deg) + " degrees";
+  const std::size_t changed = counts.improvement.changed + counts.angles.inserted;
+  if (changed > 0) text += ", " + grouped(changed) + " taken out or put in";
+  if (counts.below_goal() > 0) {
+    text += ", " + counted(counts.below_goal(), "triangle", "triangles") + " left below";
+  }
+  return text;
+}
+
 /// What the method did.
 std::string method_text(const MeshReport& report) {
   if (report.grid_step) {
@@ -194,8 +206,7 @@ std::string method_text(const MeshReport& report) {
               counted(report.counts.refinement.flip, "flip", "flips") + ", " +
                   counted(report.counts.refinement.contract, "contraction", "contractions") + ", " +
                   counted(report.counts.refinement.insert, "insertion", "insertions")) +
-         line("smoothing", counted(report.counts.smoothing.moved, "vertex", "vertices") +
-                               " moved for angles of " + brief(report.angle_goal_deg) + " degrees");
+         line("smoothing", smoothing_text(report.counts, report.angle_goal_deg));
 }
 
 /// What was replaced; first what could not be, which is why the mesh is not certified.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "refine/local_operations.h"
@@ -26,6 +28,41 @@ struct Trial {
   Corners to_break{};
 };
 
+/// The triangles that are below the goal, found by any of their corners.
+class Below {
+ public:
+  std::size_t size() const { return by_corner_.size() / 3; }
+  bool contains(const Corners& corners) const { return by_corner_.contains({corners[0], corners}); }
+  void insert(const Corners& corners) {
+    for (const VertexId v : corners) by_corner_.insert({v, corners});
+  }
+  void erase(const Corners& corners) {
+    for (const VertexId v : corners) by_corner_.erase({v, corners});
+  }
+  /// Those with a corner among some vertices, each once.
+  std::set<Corners> at(std::span<const VertexId> vertices) const {
+    std::set<Corners> found;
+    for (const VertexId v : vertices) {
+      for (auto it = by_corner_.lower_bound({v, Corners{}}); it != by_corner_.end(); ++it) {
+        if (it->first != v) break;
+        found.insert(it->second);
+      }
+    }
+    return found;
+  }
+  /// In order of their corners.
+  std::vector<Corners> all() const {
+    std::vector<Corners> result;
+    for (const auto& [v, corners] : by_corner_) {
+      if (v == corners[0]) result.push_back(corners);
+    }
+    return result;
+  }
+
+ private:
+  std::set<std::pair<VertexId, Corners>> by_corner_;
+};
+
 class AngleImprovement {
  public:
   AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal)
@@ -34,7 +71,8 @@ class AngleImprovement {
         goal_(goal),
         operations_(surface, sizing, mesh),
         mover_(surface, sizing, mesh, goal, {}),
-        journal_(mesh) {
+        journal_(mesh),
+        trials_left_(min_trials + mesh.surface.triangle_count() / triangles_to_a_trial) {
     operations_.record_in(journal_);
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
       const TriangleId triangle{t};
@@ -46,10 +84,11 @@ class AngleImprovement {
   }
 
   AngleImprovementCounts run(const geometry::Run& run) {
-    AngleImprovementCounts counts{below_.size(), 0, 0};
-    for (int depth = 1; depth <= max_depth && !below_.empty(); ++depth) {
+    AngleImprovementCounts counts{below_.size(), 0, below_.size()};
+    if (below_.size() > mesh_.surface.triangle_count() / hopeless + 8) return counts;
+    for (int depth = 1; depth <= max_depth && below_.size() > 0; ++depth) {
       if (depth == max_depth && below_.size() > max_hard) break;
-      const std::vector<Corners> all(below_.begin(), below_.end());
+      const std::vector<Corners> all = below_.all();
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
         if (below_.contains(all[i]) && improve(all[i], depth)) ++counts.changed;
@@ -68,11 +107,17 @@ class AngleImprovement {
   /// So many triangles are moved into shape after each change, so often.
   static constexpr int max_rounds = 8;
   static constexpr std::size_t max_waiting = 100;
+  /// With more than one triangle below the goal in so many it will not be reached.
+  static constexpr std::size_t hopeless = 16;
+  /// A budget, for goals that few meshes reach.
+  static constexpr std::size_t min_trials = 5000, triangles_to_a_trial = 8;
 
   /// Tries one change after another at a triangle that is below the goal, with up to depth - 1 more
   /// where that leaves another.
   bool improve(const Corners& corners, int depth) {
     for (const Trial& trial : trials(corners)) {
+      if (trials_left_ == 0) return false;
+      --trials_left_;
       const std::size_t before = journal_.size();
       if (!carry_out(trial)) continue;
       move_around(before);
@@ -175,17 +220,10 @@ class AngleImprovement {
 
   /// Keeps all changes if they leave fewer triangles below the goal.
   bool accept(const std::vector<Corners>& now) {
-    std::vector<VertexId> touched = journal_.touched();
-    std::vector<Corners> before;
-    for (const Corners& corners : below_) {
-      const bool is_changed = !half_edge(corners) || std::ranges::any_of(corners, [&](VertexId v) {
-        return std::ranges::binary_search(touched, v);
-      });
-      if (is_changed) before.push_back(corners);
-    }
+    const std::set<Corners> before = below_.at(journal_.touched());
     if (now.size() >= before.size()) return false;
     for (const Corners& corners : before) below_.erase(corners);
-    below_.insert(now.begin(), now.end());
+    for (const Corners& corners : now) below_.insert(corners);
     return true;
   }
 
@@ -197,7 +235,8 @@ class AngleImprovement {
   LocalOperations operations_;
   VertexMover mover_;
   Journal journal_;
-  std::set<Corners> below_;
+  Below below_;
+  std::size_t trials_left_;
 };
 
 }  // namespace
