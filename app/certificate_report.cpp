@@ -56,6 +56,11 @@ std::string doubts_about(const certify::Sizing& sizing) {
   return doubts;
 }
 
+std::string certified_text(const Certificate& c) {
+  return std::string("certified: homeomorphic to the skin, ") +
+         (c.violations_L == 0 ? "[L] and [U] hold" : "[U] holds, no angle is below 30 degrees");
+}
+
 std::string certificate_text(const Certificate& c, const certify::Sizing& sizing) {
   const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
                             c.euler_characteristic == c.expected_euler_characteristic;

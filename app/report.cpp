@@ -264,9 +264,9 @@ std::string people_text(const MeshReport& report) {
                            brief(s.certify, 2) + ", write " + brief(s.write, 2) + "; " +
                            brief(floor_ratio(report), 3) + " times the floor");
   text += line("memory", grouped(report.peak_memory_bytes / (1 << 20)) + " MiB at most");
-  text += report.certificate.certified ? "certified: homeomorphic to the skin, [L] and [U] hold (" +
-                                             report.certified_file + " read back)\n"
-                                       : "NOT certified: " + report.certificate.reason + "\n";
+  text += report.certificate.certified
+              ? certified_text(report.certificate) + " (" + report.certified_file + " read back)\n"
+              : "NOT certified: " + report.certificate.reason + "\n";
   return text;
 }
 

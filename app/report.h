@@ -64,6 +64,8 @@ std::string critical_text(const morskin::CriticalCounts& counts);
 
 // certificate_report.cpp
 
+/// What a certified mesh is, in words.
+std::string certified_text(const certify::Certificate& certificate);
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
 std::string certificate_text(const certify::Certificate& certificate,

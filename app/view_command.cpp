@@ -196,7 +196,7 @@ std::string people_text(const ViewArguments& arguments, const Viewed& viewed, co
                            "positions are rounded to " +
                            brief(page.about["mesh"]["grid"]["step"].get<double>(), 3) + " A");
   if (viewed.certificate) {
-    text += viewed.certificate->certified ? "certified: homeomorphic to the skin, [L] and [U] hold"
+    text += viewed.certificate->certified ? certified_text(*viewed.certificate)
                                           : "not certified: " + viewed.certificate->reason;
     text += "\n";
   }

@@ -17,7 +17,7 @@ function headline(about) {
 function certificateLine(about) {
   if (about.certified === undefined) return null;
   return about.certified
-    ? element('p', { class: 'certified' }, 'Certified homeomorphic; [L] and [U] hold')
+    ? element('p', { class: 'certified' }, 'Certified: homeomorphic, sizes and angles as claimed')
     : element('p', { class: 'uncertified' }, `Not certified: ${about.reason}`);
 }
 
