@@ -119,8 +119,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--angle-goal", typed.angle_goal,
                   "Degrees: vertices are moved, taken out and put in until no angle is\n"
-                  "smaller. Up to 30 that is certain, up to 40 usual; 0 for not at all.\n"
-                  "With sweep and static")
+                  "smaller; 0 for not at all. With 30 or more no file that has one below\n"
+                  "30 is certified. With sweep and static")
       ->default_str("30");
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");

@@ -95,7 +95,8 @@ struct MeshOptions {
   std::optional<double> Q = {};  ///< > 1; without one the Q that goes with C: 1.65 up to C = 0.2
   /// A larger length scale counts as this one: limits the triangles where the skin is flat.
   double max_length_scale = std::numeric_limits<double>::infinity();
-  double angle_goal_deg = 30;  ///< no angle is smaller: up to 30 surely; 0 to 60
+  /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
+  double angle_goal_deg = 30;
   Method method = Method::Sweep;
   int fronts = 2;  ///< 2: swept from both ends at once; 1: from below, the paper's Algorithm 1
   std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one

@@ -21,8 +21,6 @@ using geometry::WeightedPoint;
 using surface::Enclosure;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Above all that squares which are rounded to subnormal numbers can lose.
-constexpr double underflow = 0x1p-1000;
 /// Bounds on N this narrow beside it are not made narrower.
 constexpr double narrow = 0x1p-17;
 /// Where doubles leave N less certain than this, quadruple precision is used: near necks of some

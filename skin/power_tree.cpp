@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace morskin::skin {
@@ -65,17 +66,27 @@ std::uint32_t PowerTree::build(std::span<const WeightedPoint> points, std::uint3
   return index;
 }
 
+/// Boxes are looked at in doubles, whatever the atoms are: quadruple precision is slow.
 template <class Real>
 struct PowerTree::Search {
   const Vector3<Real> q;
   std::uint32_t atom;  ///< of the least power so far
   Real least;
+  const Point stored = q.template cast<double>();
+  /// Twice what a coordinate of q loses there.
+  const double loss = 0x1p-52 * stored.cwiseAbs().maxCoeff() + underflow;
 
-  Real bound(const Node& node) const {
-    const Vector3<Real> offset = (node.low.cast<Real>() - q)
-                                     .cwiseMax(q - node.high.cast<Real>())
-                                     .cwiseMax(Vector3<Real>::Zero());
-    return power_below(offset, node.max_weight);
+  /// No atom of the box has less power: in doubles by monotonicity, otherwise because what q loses
+  /// comes off each coordinate, which rounds once more, and the last subtraction is counted.
+  double bound(const Node& node) const {
+    const Vector offset = (node.low - stored).cwiseMax(stored - node.high);
+    if constexpr (std::is_same_v<Real, double>) {
+      return power_below<double>(offset.cwiseMax(0.0), node.max_weight);
+    } else {
+      const Vector less = offset - Vector::Constant(loss);
+      const double power = power_below<double>(less.cwiseMax(0.0), node.max_weight);
+      return power - 4 * unit_roundoff<double> * std::abs(power) - underflow;
+    }
   }
 };
 
@@ -92,7 +103,7 @@ void PowerTree::search(Search<Real>& s, const Node& node) const {
     return;
   }
   const Node &left = *(&node + 1), &right = nodes_[node.right];
-  const Real to_left = s.bound(left), to_right = s.bound(right);
+  const double to_left = s.bound(left), to_right = s.bound(right);
   const bool is_left_first = to_left <= to_right;
   if (std::min(to_left, to_right) < s.least) search(s, is_left_first ? left : right);
   if (std::max(to_left, to_right) < s.least) search(s, is_left_first ? right : left);
@@ -105,7 +116,7 @@ PowerTree::Least<Real> PowerTree::least(const Vector3<Real>& q, AtomId guess,
   Search<Real> s{q, guess.value, power_below(offset, point.weight)};
   search(s, nodes_[0]);
   // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
-  const Real lower_bound = s.least - 4 * unit_roundoff<Real> * magnitude(s.least) - 0x1p-1000;
+  const Real lower_bound = s.least - 4 * unit_roundoff<Real> * magnitude(s.least) - underflow;
   return {AtomId{s.atom}, lower_bound};
 }
 

@@ -19,6 +19,9 @@ __extension__ using Quad = __float128;
 template <class Real>
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 
+/// Above all that squares which are rounded to subnormal doubles can lose.
+inline constexpr double underflow = 0x1p-1000;
+
 /// Half the distance from 1 to the next number.
 template <class Real>
 constexpr Real unit_roundoff = 0x1p-53;

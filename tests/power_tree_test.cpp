@@ -71,3 +71,34 @@ TEST_CASE("no atom has less power than the tree's bound, and the bound is the le
     }
   }
 }
+
+TEST_CASE("in quadruple precision too no atom has less power than the bound, close as they are") {
+  using skin::Quad;
+  support::for_seeds(60, [&](unsigned seed) {
+    support::Random random(seed);
+    const double scale = std::pow(10.0, random.between(-6, 3));
+    const Point centre = std::pow(10.0, random.between(-3, 6)) * random.direction();
+    auto points = atoms(random, scale, centre);
+    for (int i = 0; i < 30; ++i) {
+      // Weights that make all powers at q equal but for the last digits of doubles.
+      const Point near = centre + scale * random.between(0, 20) * random.direction();
+      if (i % 2 == 0) {
+        for (WeightedPoint& p : points) p.weight = (p.position - near).squaredNorm();
+      }
+      const skin::PowerTree tree(points);
+      const skin::Vector3<Quad> q =
+          near.cast<Quad>() +
+          skin::Vector3<Quad>::Constant(Quad(random.between(-1, 1)) * 0x1p-60 * Quad(near.norm()));
+      Quad least = 1e300;
+      for (const WeightedPoint& p : points) {
+        const skin::Vector3<Quad> d = p.position.cast<Quad>() - q;
+        least = std::min(least, Quad(d.dot(d)) - Quad(p.weight));
+      }
+      const geometry::AtomId guess{random.below(points.size())};
+      const auto found = tree.least(q, guess, points[guess.index()]);
+      const double size = std::pow(30 * scale, 2);
+      CHECK(found.lower_bound <= least + 0x1p-110 * size);
+      CHECK(found.lower_bound >= least - 0x1p-108 * size);
+    }
+  });
+}
