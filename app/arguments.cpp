@@ -181,8 +181,8 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.angle_goal && !is_smoothed) {
     throw UsageError("--angle-goal is for the methods sweep and static");
   }
-  mesh.angle_goal_deg = typed.angle_goal.value_or(is_smoothed ? mesh.angle_goal_deg : 0);
-  if (!(mesh.angle_goal_deg >= 0 && mesh.angle_goal_deg <= 60)) {
+  mesh.angle_goal_deg = is_smoothed ? typed.angle_goal : 0;
+  if (mesh.angle_goal_deg && !(*mesh.angle_goal_deg >= 0 && *mesh.angle_goal_deg <= 60)) {
     throw UsageError("--angle-goal must be from 0 to 60");
   }
   if (mesh.grid_step && mesh.method != MeshMethod::MarchingCubes) {

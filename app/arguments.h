@@ -46,7 +46,7 @@ struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
   certify::Sizing sizing;
-  double angle_goal_deg = 30;  ///< of the smoothing, degrees; 0 for none
+  std::optional<double> angle_goal_deg;  ///< of the smoothing; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> certificate;

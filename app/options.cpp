@@ -120,8 +120,9 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       .add_option("--angle-goal", typed.angle_goal,
                   "Degrees: vertices are moved, taken out and put in until no angle is\n"
                   "smaller; 0 for not at all. With 30 or more no file that has one below\n"
-                  "30 is certified. With sweep and static")
-      ->default_str("30");
+                  "30 is certified. From 35 on, up to C = 0.2, also none above 105.\n"
+                  "With sweep and static")
+      ->default_str("35 up to C = 0.2, 30 beyond");
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
   command

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Meshes every molecule of a folder in every model, one line each, and fails on any failure.
 
-C is 0.08; models paper and vdw of the largest molecules take a larger one, with which meshes stay
-below 30 million triangles (COARSER). If the largest molecule has more than 200,000 atoms there is
+C is 0.08 unless given; models paper and vdw of the largest molecules take a larger one at least,
+with which meshes stay below 30 million triangles (COARSER). If the largest molecule has more than 200,000 atoms there is
 one run more: four copies of it side by side, model sas, C = 0.3. --largest leaves out what takes
 too long.
 
@@ -10,7 +10,8 @@ Each mesh goes to a temporary folder and is removed after its run. A run is good
 certified, without a violation of [U], with every angle at least 30 degrees and without a fallback
 to another run or method, or when the molecule is refused as singular (exit code 4). With --check
 the mesh is then read by the command `check`, which must agree and find no self-intersection. The
-lines also go to results/corpus.tsv, each at once.
+lines also go to results/corpus.tsv, each at once. Triangles that miss the goal for angles are
+counted, as are edges that break [L]; they fail nothing.
 """
 
 import concurrent.futures
@@ -28,14 +29,15 @@ COARSER = {"paper": [(100_000, 0.34), (20_000, 0.23)], "vdw": [(100_000, 0.3), (
 WORTH_TILING = 200_000  # atoms
 
 COLUMNS = ["file", "model", "atoms", "C", "triangles", "chi", "chi_expected", "components", "genus",
-           "min_angle", "worst_L", "worst_U", "seconds", "peak_mib", "floor_ratio",
+           "min_angle", "max_angle", "missed", "worst_L", "broken_L", "worst_U", "seconds", "peak_mib", "floor_ratio",
            "delaunay_violations", "verdict"]
-WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 7, 7, 8, 8, 11, 8, 0]
+WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 9, 6, 7, 8, 7, 8, 8, 11, 8, 0]
 
 
 def arguments():
     parser = argument_parser(__doc__, timeout=3600, results="results/corpus.tsv")
     parser.add_argument("--method", default="sweep", help="default %(default)s")
+    parser.add_argument("-C", type=float, default=0.08, help="default %(default)s")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     parser.add_argument("--check", action="store_true", help="run `check` on every mesh as well")
     return parser.parse_args()
@@ -46,10 +48,11 @@ def plan(options, folder):
     files, unreadable = sized_files(folder, options.only)
     files = [(atoms, p) for atoms, p in files if atoms <= (options.largest or math.inf)]
     models = options.models.split(",")
-    runs = [Planned(p, m, next((C for least, C in COARSER.get(m, []) if atoms > least), None))
+    runs = [Planned(p, m, max([options.C, *(C for least, C in COARSER.get(m, [])
+                                            if atoms > least)]))
             for atoms, p in files for m in models]
     if files and files[-1][0] > WORTH_TILING and "sas" in models:
-        runs.append(Planned(files[-1][1], "sas", 0.3, "2x2x1"))
+        runs.append(Planned(files[-1][1], "sas", max(0.3, options.C), "2x2x1"))
     return runs, unreadable
 
 
@@ -57,12 +60,12 @@ def plan(options, folder):
 class Planned:
     path: Path
     model: str
-    C: float | None
+    C: float
     copies: str = ""  # as bench/tile.py has them
 
     @property
     def words(self):
-        return ["--model", self.model, *(["-C", str(self.C)] if self.C else [])]
+        return ["--model", self.model, "-C", str(self.C)]
 
 
 def verdict_of(code, report, complaint):
@@ -116,9 +119,11 @@ def row_of(planned, folder, done):
     keys = {"atoms": "atoms_used", "C": "C", "triangles": "triangles",
             "chi": "euler_characteristic", "chi_expected": "expected_euler_characteristic",
             "components": "components", "genus": "genus", "min_angle": "min_angle_deg",
-            "worst_L": "worst_L", "worst_U": "worst_U", "floor_ratio": "floor_ratio",
+            "max_angle": "max_angle_deg", "worst_L": "worst_L", "broken_L": "violations_L",
+            "worst_U": "worst_U", "floor_ratio": "floor_ratio",
             "delaunay_violations": "restricted_delaunay_violations"}
     row.update({column: done.report.get(key, "") for column, key in keys.items()})
+    row["missed"] = done.report.get("smoothing", {}).get("left", "")
     row["seconds"] = done.report.get("seconds", {}).get("total", "")
     peak = done.report.get("peak_memory_bytes")
     row["peak_mib"] = "" if peak is None else round(peak / 2**20)
@@ -136,7 +141,10 @@ def print_totals(rows):
     if certified:
         print(f"{triangles:,} triangles in {seconds:.1f} s, "
               f"{triangles / max(seconds, 1e-9):,.0f} per second; "
-              f"smallest angle {min(r['min_angle'] for r in certified):.2f} degrees, "
+              f"angles from {min(r['min_angle'] for r in certified):.2f} to "
+              f"{max(r['max_angle'] for r in certified):.2f} degrees, "
+              f"{sum(r['missed'] for r in certified)} triangles miss the goal, "
+              f"{sum(r['broken_L'] for r in certified)} edges break [L], "
               f"worst [L] {min(r['worst_L'] for r in certified):.4f}, "
               f"worst [U] {max(r['worst_U'] for r in certified):.4f}; "
               f"{sum(r['delaunay_violations'] for r in certified)} restricted Delaunay violations")

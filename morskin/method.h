@@ -39,7 +39,7 @@ struct RunCounts {
   refine::AngleRefinementCounts angles;
   std::size_t open_edges = 0;  ///< of a surface that could not be closed; 0 in a good mesh
 
-  /// Triangles whose angles stayed below the goal, insertions for 30 degrees apart.
+  /// Triangles that still miss the goal, insertions for 30 degrees apart.
   std::size_t below_goal() const { return smoothing.left > 0 ? improvement.left : 0; }
 };
 
@@ -56,8 +56,9 @@ using Mesher =
 struct MeshingOptions {
   certify::Sizing sizing;
   /// Degrees. Meshes of the sweep and of the static method are smoothed until no angle is smaller,
-  /// as far as that can be done under [L] and [U]; 0 leaves them as they are.
-  double angle_goal_deg = 30;
+  /// as far as that can be done under [L] and [U]; 0 leaves them as they are. Without one,
+  /// AngleGoal::usual_deg().
+  std::optional<double> angle_goal_deg = {};
   Method method = Method::Sweep;
   /// From outside the library, in place of the method: its mesh is left as it is.
   Mesher mesher = {};
@@ -69,6 +70,8 @@ struct MeshingOptions {
   front::Guard guard = front::Guard::Everywhere;
   /// Whether other runs replace what a sweep's certificate does not cover (safety_net.h).
   bool has_safety_net = true;
+
+  double goal_deg() const { return angle_goal_deg.value_or(refine::AngleGoal::usual_deg(sizing)); }
 };
 
 /// Meshes by these options, and smooths what a method of the library has made.

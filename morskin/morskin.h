@@ -96,7 +96,8 @@ struct MeshOptions {
   /// A larger length scale counts as this one: limits the triangles where the skin is flat.
   double max_length_scale = std::numeric_limits<double>::infinity();
   /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
-  double angle_goal_deg = 30;
+  /// Without one 35 up to C = 0.2, and no angle above 105; 30 beyond.
+  std::optional<double> angle_goal_deg = {};
   Method method = Method::Sweep;
   int fronts = 2;  ///< 2: swept from both ends at once; 1: from below, the paper's Algorithm 1
   std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one

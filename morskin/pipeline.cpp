@@ -41,7 +41,7 @@ void check(const MeshingOptions& options) {
     throw geometry::RefusedInput("there are one or two fronts, not " +
                                  std::to_string(options.fronts));
   }
-  if (!(options.angle_goal_deg >= 0 && options.angle_goal_deg <= 60)) {
+  if (!(options.goal_deg() >= 0 && options.goal_deg() <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
   }
 }
@@ -105,7 +105,7 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
                      const Run& run) {
   check(asked);
   MeshingOptions options = asked;
-  if (!options.mesher && options.angle_goal_deg >= certify::guaranteed_angle_deg) {
+  if (!options.mesher && options.goal_deg() >= certify::guaranteed_angle_deg) {
     options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
   }
   MethodResult made = run_method(skin, options, observer, run);

@@ -1,7 +1,6 @@
 #include "refine/angle_improvement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <span>
 #include <utility>
@@ -28,8 +27,8 @@ struct Trial {
   Corners to_break{};
 };
 
-/// The triangles that are below the goal, found by any of their corners.
-class Below {
+/// The triangles that miss the goal, found by any of their corners.
+class Missing {
  public:
   std::size_t size() const { return by_corner_.size() / 3; }
   bool contains(const Corners& corners) const { return by_corner_.contains({corners[0], corners}); }
@@ -65,7 +64,8 @@ class Below {
 
 class AngleImprovement {
  public:
-  AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal)
+  AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+                   const AngleGoal& goal)
       : sizing_(sizing),
         mesh_(mesh),
         goal_(goal),
@@ -77,25 +77,23 @@ class AngleImprovement {
     for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
       const TriangleId triangle{t};
       if (mesh.surface.is_removed(triangle)) continue;
-      if (VertexMover::is_below(mesh, triangle, goal)) {
-        below_.insert(ordered(mesh.surface.corners(triangle)));
-      }
+      if (misses_goal(triangle)) missing_.insert(ordered(mesh.surface.corners(triangle)));
     }
   }
 
   AngleImprovementCounts run(const geometry::Run& run) {
-    AngleImprovementCounts counts{below_.size(), 0, below_.size()};
-    if (below_.size() > mesh_.surface.triangle_count() / hopeless + 8) return counts;
-    for (int depth = 1; depth <= max_depth && below_.size() > 0; ++depth) {
-      if (depth == max_depth && below_.size() > max_hard) break;
-      const std::vector<Corners> all = below_.all();
+    AngleImprovementCounts counts{missing_.size(), 0, missing_.size()};
+    if (missing_.size() > mesh_.surface.triangle_count() / hopeless + 8) return counts;
+    for (int depth = 1; depth <= max_depth && missing_.size() > 0; ++depth) {
+      if (depth == max_depth && missing_.size() > max_hard) break;
+      const std::vector<Corners> all = missing_.all();
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
-        if (below_.contains(all[i]) && improve(all[i], depth)) ++counts.changed;
+        if (missing_.contains(all[i]) && improve(all[i], depth)) ++counts.changed;
         journal_.clear();
       }
     }
-    counts.left = below_.size();
+    counts.left = missing_.size();
     return counts;
   }
 
@@ -107,12 +105,12 @@ class AngleImprovement {
   /// So many triangles are moved into shape after each change, so often.
   static constexpr int max_rounds = 8;
   static constexpr std::size_t max_waiting = 100;
-  /// With more than one triangle below the goal in so many it will not be reached.
+  /// With more than one triangle in so many that misses the goal it will not be reached.
   static constexpr std::size_t hopeless = 16;
   /// A budget, for goals that few meshes reach.
   static constexpr std::size_t min_trials = 5000, triangles_to_a_trial = 8;
 
-  /// Tries one change after another at a triangle that is below the goal, with up to depth - 1 more
+  /// Tries one change after another at a triangle that misses the goal, with up to depth - 1 more
   /// where that leaves another.
   bool improve(const Corners& corners, int depth) {
     for (const Trial& trial : trials(corners)) {
@@ -121,7 +119,7 @@ class AngleImprovement {
       const std::size_t before = journal_.size();
       if (!carry_out(trial)) continue;
       move_around(before);
-      const std::optional<std::vector<Corners>> now = below_around();
+      const std::optional<std::vector<Corners>> now = missing_around();
       if (now && accept(*now)) return true;
       if (now && depth > 1 && !now->empty() && improve(now->front(), depth - 1)) return true;
       journal_.undo(before, operations_.free_slots());
@@ -177,7 +175,7 @@ class AngleImprovement {
     mesh_.surface.for_each_outgoing(v, [&](HalfEdgeId h) { visit(SurfaceMesh::triangle(h)); });
   }
 
-  /// Moves corners of triangles that changed and are below the goal, and so on.
+  /// Moves corners of triangles that changed and miss the goal, and so on.
   void move_around(std::size_t before) {
     std::vector<TriangleId> waiting;
     for (const VertexId v : journal_.touched(before)) {
@@ -187,12 +185,12 @@ class AngleImprovement {
       std::ranges::sort(waiting);
       const auto repeated = std::ranges::unique(waiting);
       waiting.erase(repeated.begin(), repeated.end());
-      std::erase_if(waiting, [this](TriangleId t) { return !is_below(t); });
+      std::erase_if(waiting, [this](TriangleId t) { return !misses_goal(t); });
       if (waiting.empty() || waiting.size() > max_waiting) return;
       std::vector<TriangleId> next;
       for (const TriangleId t : waiting) {
         for (const VertexId v : mesh_.surface.corners(t)) {
-          if (!is_below(t)) break;
+          if (!misses_goal(t)) break;
           const SurfacePoint from = mesh_.at(v);
           if (mover_.move(v) != VertexMover::Moved::Yes) continue;
           journal_.note_move(v, from);
@@ -203,47 +201,46 @@ class AngleImprovement {
     }
   }
 
-  /// The triangles around all that was touched that are below the goal; nothing where one breaks
+  /// The triangles around all that was touched that miss the goal; nothing where one breaks
   /// [L] or [U].
-  std::optional<std::vector<Corners>> below_around() {
+  std::optional<std::vector<Corners>> missing_around() {
     std::set<Corners> found;
     Work broken;
     for (const VertexId v : journal_.touched()) {
       for_each_triangle_at(v, [&](TriangleId t) {
         operations_.inspect(t, broken);
-        if (is_below(t)) found.insert(ordered(mesh_.surface.corners(t)));
+        if (misses_goal(t)) found.insert(ordered(mesh_.surface.corners(t)));
       });
     }
     if (!broken.big.empty() || !broken.too_short.empty()) return std::nullopt;
     return std::vector(found.begin(), found.end());
   }
 
-  /// Keeps all changes if they leave fewer triangles below the goal.
+  /// Keeps all changes if they leave fewer triangles that miss the goal.
   bool accept(const std::vector<Corners>& now) {
-    const std::set<Corners> before = below_.at(journal_.touched());
+    const std::set<Corners> before = missing_.at(journal_.touched());
     if (now.size() >= before.size()) return false;
-    for (const Corners& corners : before) below_.erase(corners);
-    for (const Corners& corners : now) below_.insert(corners);
+    for (const Corners& corners : before) missing_.erase(corners);
+    for (const Corners& corners : now) missing_.insert(corners);
     return true;
   }
 
-  bool is_below(TriangleId t) const { return VertexMover::is_below(mesh_, t, goal_); }
+  bool misses_goal(TriangleId t) const { return !goal_.is_met(mesh_, t); }
 
   const Sizing sizing_;
   Mesh& mesh_;
-  const double goal_;  ///< squared sine
+  const AngleGoal goal_;
   LocalOperations operations_;
   VertexMover mover_;
   Journal journal_;
-  Below below_;
+  Missing missing_;
   std::size_t trials_left_;
 };
 
 }  // namespace
 
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
-                                      Mesh& mesh, double goal_deg, const geometry::Run& run) {
-  const double goal = std::pow(std::sin(goal_deg * M_PI / 180), 2);
+                                      Mesh& mesh, const AngleGoal& goal, const geometry::Run& run) {
   const AngleImprovementCounts counts = AngleImprovement(surface, sizing, mesh, goal).run(run);
   if (counts.changed > 0) mesh.surface.compact(run.threads());
   return counts;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// What moves alone leave: triangles below the goal whose corners have too many or too few
+/// What moves alone leave: triangles that miss the goal, whose corners have too many or too few
 /// neighbours. For each of them a vertex near it is taken out or one is put in, edges are flipped
 /// until they are Delaunay again, and vertices around are moved (smoothing.h). If fewer triangles
-/// are below the goal then, and none breaks [L] or [U], it stays so; otherwise all is taken back
+/// miss the goal then, and none breaks [L] or [U], it stays so; otherwise all is taken back
 /// and the next is tried, in the end two and three changes at once.
 ///
 /// Source: Freitag & Ollivier-Gooch 1997, moves and changes of connectivity in turn, there for
@@ -12,20 +12,19 @@
 #include <cstddef>
 
 #include "geometry/run.h"
-#include "refine/names.h"
+#include "refine/angle_goal.h"
 
 namespace morskin::refine {
 
 struct AngleImprovementCounts {
-  std::size_t below = 0;    ///< triangles with an angle below the goal, before
+  std::size_t below = 0;    ///< triangles that miss the goal, before
   std::size_t changed = 0;  ///< vertices taken out or put in for good
-  std::size_t left = 0;     ///< triangles with an angle below the goal, after
+  std::size_t left = 0;     ///< triangles that miss the goal, after
 };
 
-/// @param goal_deg  degrees, at most 60
 /// @pre the mesh is closed, its edges are Delaunay. It comes out compacted.
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
-                                      Mesh& mesh, double goal_deg,
+                                      Mesh& mesh, const AngleGoal& goal,
                                       const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine

@@ -1,13 +1,12 @@
 #include "refine/angle_refinement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "geometry/kd_tree.h"
+#include "refine/angle_goal.h"
 #include "refine/local_operations.h"
-#include "refine/vertex_mover.h"
 
 namespace morskin::refine {
 
@@ -60,11 +59,11 @@ double min_distance(const Mesh& mesh, TriangleId t) {
 
 AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
                                     Mesh& mesh, double bound_deg, const geometry::Run& run) {
-  const double bound = std::pow(std::sin(bound_deg * M_PI / 180), 2);
+  const AngleGoal bound(bound_deg);
   std::vector<TriangleId> waiting;
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     if (mesh.surface.is_removed(TriangleId{t})) continue;
-    if (VertexMover::is_below(mesh, TriangleId{t}, bound)) waiting.push_back(TriangleId{t});
+    if (!bound.is_met(mesh, TriangleId{t})) waiting.push_back(TriangleId{t});
   }
   // The bound may be a little above 30 degrees, and the ball's centre is known to rounding.
   constexpr double rounding = 1e-9;
@@ -79,7 +78,7 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
   const auto must_break = [&](TriangleId t) {
     broken.big.clear();
     operations.inspect(t, broken);
-    return !broken.big.empty() || VertexMover::is_below(mesh, t, bound);
+    return !broken.big.empty() || !bound.is_met(mesh, t);
   };
   while (!waiting.empty()) {
     const TriangleId t = waiting.back();

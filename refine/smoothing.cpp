@@ -1,7 +1,6 @@
 #include "refine/smoothing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,12 +18,12 @@ constexpr int max_rounds = 8;
 
 class Smoothing {
  public:
-  Smoothing(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal_deg,
-            std::size_t min_block, const geometry::Run& run)
+  Smoothing(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+            const AngleGoal& goal, std::size_t min_block, const geometry::Run& run)
       : surface_(surface),
         sizing_(sizing),
         mesh_(mesh),
-        goal_(std::pow(std::sin(goal_deg * M_PI / 180), 2)),
+        goal_(goal),
         block_(std::max(min_block, mesh.surface.triangle_count() / max_blocks + 1)),
         run_(run) {}
 
@@ -40,11 +39,11 @@ class Smoothing {
       Work work = improve_all(waiting);
       counts.moved += work.moved;
       std::vector<TriangleId>& next = work.changed;
-      keep_those_below(next);
+      keep_those_that_miss(next);
       seen.insert(seen.end(), next.begin(), next.end());
       waiting = std::move(next);
     }
-    keep_those_below(seen);
+    keep_those_that_miss(seen);
     counts.left = seen.size();
     return counts;
   }
@@ -52,7 +51,7 @@ class Smoothing {
  private:
   static constexpr std::size_t max_blocks = 16;
 
-  bool is_below(TriangleId t) const { return VertexMover::is_below(mesh_, t, goal_); }
+  bool misses_goal(TriangleId t) const { return !goal_.is_met(mesh_, t); }
 
   std::vector<TriangleId> find_all() const {
     const std::size_t count = mesh_.surface.triangle_count();
@@ -61,7 +60,7 @@ class Smoothing {
       for (std::size_t t = begin; t < end; ++t) {
         const TriangleId later{std::min(t + geometry::prefetch_ahead, end - 1)};
         for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
-        if (is_below(TriangleId{t})) found[block].push_back(TriangleId{t});
+        if (misses_goal(TriangleId{t})) found[block].push_back(TriangleId{t});
       }
     });
     for (std::size_t k = 1; k < found.size(); ++k) {
@@ -71,10 +70,10 @@ class Smoothing {
   }
 
   /// In the order of their ids, each once.
-  void keep_those_below(std::vector<TriangleId>& triangles) const {
+  void keep_those_that_miss(std::vector<TriangleId>& triangles) const {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    std::erase_if(triangles, [this](TriangleId t) { return !is_below(t); });
+    std::erase_if(triangles, [this](TriangleId t) { return !misses_goal(t); });
   }
 
   /// What came of some triangles.
@@ -122,7 +121,7 @@ class Smoothing {
   void improve(TriangleId t, VertexMover& mover, Work& work) const {
     bool is_left = false;
     for (const VertexId v : mesh_.surface.corners(t)) {
-      if (!is_below(t)) return;
+      if (!misses_goal(t)) return;
       const VertexMover::Moved moved = mover.move(v);
       is_left |= moved == VertexMover::Moved::NotMine;
       if (moved != VertexMover::Moved::Yes) continue;
@@ -130,13 +129,13 @@ class Smoothing {
       mesh_.surface.for_each_outgoing(
           v, [&](HalfEdgeId h) { work.changed.push_back(SurfaceMesh::triangle(h)); });
     }
-    if (is_left && is_below(t)) work.left.push_back(t);
+    if (is_left && misses_goal(t)) work.left.push_back(t);
   }
 
   const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
-  const double goal_;  ///< squared sine
+  const AngleGoal goal_;
   const std::size_t block_;
   const geometry::Run run_;
   geometry::Parts parts_;  ///< none where all is one block
@@ -145,8 +144,8 @@ class Smoothing {
 }  // namespace
 
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                       double goal_deg, const geometry::Run& run, std::size_t min_block) {
-  return Smoothing(surface, sizing, mesh, goal_deg, min_block, run).run();
+                       const AngleGoal& goal, const geometry::Run& run, std::size_t min_block) {
+  return Smoothing(surface, sizing, mesh, goal, min_block, run).run();
 }
 
 }  // namespace morskin::refine

@@ -1,36 +1,35 @@
 #pragma once
 
-/// Smoothing: raises the smallest angles of a refined mesh by moving vertices along the skin. Not
+/// Smoothing: brings the angles of a refined mesh to a goal by moving vertices along the skin. Not
 /// in the paper, whose [L] and [U] bound the angles and leave the rest to chance.
 ///
-/// Only vertices of triangles with an angle below the goal are moved, one at a time, to where the
-/// smallest angle of the triangles around them is larger. A move that breaks [L] or [U], turns a
-/// triangle over or lets a vertex into a surface ball is not made. So the connectivity stays, the
-/// worst triangle around a moved vertex is always better than before, and every law of the refined
-/// mesh still holds. That the goal is reached is not proved; how often it is, is measured
+/// Only vertices of triangles that miss the goal are moved, one at a time, to where the worst of
+/// the triangles around them is nearer to it. A move that breaks [L] or [U], turns a triangle over
+/// or lets a vertex into a surface ball is not made. So the connectivity stays, the worst triangle
+/// around a moved vertex is always better than before, and every law of the refined mesh still
+/// holds. That the goal is reached is not proved; how often it is, is measured
 /// (papers/4.3-local-refinement.md).
 
 #include <cstddef>
 
 #include "geometry/run.h"
-#include "refine/names.h"
+#include "refine/angle_goal.h"
 
 namespace morskin::refine {
 
 struct SmoothingCounts {
-  std::size_t below = 0;  ///< triangles with an angle below the goal, before
+  std::size_t below = 0;  ///< triangles that miss the goal, before
   std::size_t moved = 0;  ///< moves of a vertex
-  std::size_t left = 0;   ///< triangles with an angle below the goal, after
+  std::size_t left = 0;   ///< triangles that miss the goal, after
 };
 
 /// Triangles are gone through in the order of their ids, in a large mesh in blocks of them, several
 /// at a time, with what lies at the borders of blocks last.
 ///
-/// @param goal_deg     degrees, at most 60
 /// @param min_block  triangles
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                       double goal_deg, const geometry::Run& run = geometry::Run(),
+                       const AngleGoal& goal, const geometry::Run& run = geometry::Run(),
                        std::size_t min_block = std::size_t{1} << 19);
 
 }  // namespace morskin::refine

@@ -17,29 +17,23 @@ namespace {
 constexpr int directions = 8;
 constexpr double longest_step = 0.25, shortest_step = 0.025;
 
-/// A move must raise the squared sine of the worst angle by this factor, so that moves end.
+/// A move must raise the worst triangle's quality by this factor, so that moves end.
 constexpr double min_gain = 1.001;
 
 /// What is asked of a triangle.
 struct Shape {
-  double squared_sine;  ///< of its smallest angle
-  double radius;        ///< of its circumcircle, Angstrom
-  Vector normal;        ///< twice its area long
+  double quality;  ///< AngleGoal::quality()
+  double radius;   ///< of its circumcircle, Angstrom
+  Vector normal;   ///< twice its area long
 };
-Shape shape(const Point& a, const Point& b, const Point& c) {
+Shape shape(const Point& a, const Point& b, const Point& c, const AngleGoal& goal) {
   const Vector n = (b - a).cross(c - a);
   const double nn = n.squaredNorm();
   const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double product = ab * bc * ca;
-  return {nn * std::min({ab, bc, ca}) / product, std::sqrt(product / nn) / 2, n};
+  return {goal.quality(nn, ab, bc, ca), std::sqrt(ab * bc * ca / nn) / 2, n};
 }
 
 }  // namespace
-
-bool VertexMover::is_below(const Mesh& mesh, TriangleId t, double goal) {
-  const auto [a, b, c] = mesh.surface.corners(t);
-  return smallest_squared_sine(mesh.position(a), mesh.position(b), mesh.position(c)) < goal;
-}
 
 /// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.
 /// @return whether v may move, and none of these may be moved by another. Those around share a
@@ -55,19 +49,19 @@ bool VertexMover::gather_neighbours(VertexId v) {
          std::ranges::all_of(beyond_, [&](VertexId x) { return subdomain_.is_safe_to_read(x); });
 }
 
-/// The smallest squared sine around v were it at x; nothing unless it is above `asked`, [L] and
-/// [U] hold and all triangles face outward.
+/// The least quality around v were it at x; nothing unless it is above `asked`, [L] and [U] hold
+/// and all triangles face outward.
 std::optional<double> VertexMover::quality(const SurfacePoint& x, double asked) const {
-  double least = 1;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
-    const Shape s = shape(x.position, p.position, q.position);
+    const Shape s = shape(x.position, p.position, q.position, goal_);
     const double rho = surface::min_length_scale({&x, &p, &q});
-    const bool is_good = s.squared_sine > asked && !sizing_.is_too_short(x, p) &&
+    const bool is_good = s.quality > asked && !sizing_.is_too_short(x, p) &&
                          sizing_.triangle_ratio(s.radius, rho) < 1 && is_upright(s.normal, x, p, q);
     if (!is_good) return std::nullopt;
-    least = std::min(least, s.squared_sine);
+    least = std::min(least, s.quality);
   }
   return least;
 }
@@ -88,16 +82,20 @@ bool VertexMover::keeps_provable(const SurfacePoint& x) const {
 
 /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
 bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
+  const auto ball = [this](const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
+    return LazySurfaceBall(surface_, {&a, &b, &c}, circumcircle(a.position, b.position, c.position));
+  };
+  const auto is_entered = [](LazySurfaceBall& by, const SurfacePoint& p) {
+    return by.intrusion(p.position).max > 0;
+  };
   const std::size_t n = ring_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Point& p = mesh_.position(ring_[i]);
-    const Point& q = mesh_.position(ring_[(i + 1) % n]);
-    const SurfaceBall inner = exact_surface_ball(surface_, x, p, q);
-    const SurfaceBall outer = exact_surface_ball(surface_, mesh_.at(beyond_[i]), q, p);
-    if (!inner.is_exact || !outer.is_exact || outer.intrusion(x.position) > 0 ||
-        inner.intrusion(mesh_.position(beyond_[i])) > 0 ||
-        inner.intrusion(mesh_.position(ring_[(i + n - 1) % n])) > 0 ||
-        inner.intrusion(mesh_.position(ring_[(i + 2) % n])) > 0) {
+    const SurfacePoint &p = mesh_.at(ring_[i]), &q = mesh_.at(ring_[(i + 1) % n]);
+    const SurfacePoint& beyond = mesh_.at(beyond_[i]);
+    LazySurfaceBall inner = ball(x, p, q), outer = ball(beyond, q, p);
+    if (is_entered(outer, x) || is_entered(inner, beyond) ||
+        is_entered(inner, mesh_.at(ring_[(i + n - 1) % n])) ||
+        is_entered(inner, mesh_.at(ring_[(i + 2) % n]))) {
       return false;
     }
   }
@@ -127,15 +125,16 @@ std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const Surf
 VertexMover::Moved VertexMover::move(VertexId v) {
   if (!gather_neighbours(v)) return Moved::NotMine;
   SurfacePoint& at = mesh_.points[v];
-  double now = 1, shortest = std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double now = infinity, shortest = infinity;
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const Point& p = mesh_.position(ring_[i]);
     const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
-    now = std::min(now, shape(at.position, p, q).squared_sine);
+    now = std::min(now, goal_.quality(at.position, p, q));
     shortest = std::min(shortest, (p - at.position).norm());
   }
   bool has_moved = false;
-  for (double step = longest_step * shortest; step > shortest_step * shortest && now < goal_;) {
+  for (double step = longest_step * shortest; step > shortest_step * shortest && now < 1;) {
     if (const auto found = step_from(at, step, min_gain * now)) {
       std::tie(now, at) = *found;
       has_moved = true;

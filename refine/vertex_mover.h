@@ -1,7 +1,8 @@
 #pragma once
 
-/// Moves one vertex of a mesh along the skin to raise the smallest angle of the triangles around
-/// it: what smoothing does (smoothing.h), and all it asks of a position before a vertex goes there.
+/// Moves one vertex of a mesh along the skin to bring the angles of the triangles around it nearer
+/// to a goal: what smoothing does (smoothing.h), and all it asks of a position before a vertex goes
+/// there.
 
 #include <cstdint>
 #include <optional>
@@ -9,20 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "refine/names.h"
+#include "refine/angle_goal.h"
 
 namespace morskin::refine {
 
 class VertexMover {
  public:
-  /// @param goal       squared sine of an angle, beyond which no angle is raised
   /// @param subdomain  whose vertices it may move
-  VertexMover(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, double goal,
-              const Subdomain& subdomain)
+  VertexMover(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+              const AngleGoal& goal, const Subdomain& subdomain)
       : surface_(surface), sizing_(sizing), mesh_(mesh), goal_(goal), subdomain_(subdomain) {}
-
-  /// Whether a triangle has an angle below the goal.
-  static bool is_below(const Mesh& mesh, TriangleId t, double goal);
 
   enum class Moved { Yes, No, NotMine };
   /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
@@ -40,7 +37,7 @@ class VertexMover {
   const surface::Surface& surface_;
   const Sizing sizing_;
   Mesh& mesh_;
-  const double goal_;
+  const AngleGoal goal_;
   const Subdomain subdomain_;
   std::vector<VertexId> ring_, beyond_;  ///< of gather_neighbours()
 };

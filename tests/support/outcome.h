@@ -25,7 +25,7 @@ inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
     const morskin::MeshResult result = support::meshed(points, options);
     const certify::Certificate& certificate = result.certificate;
     if (!certificate.certified) return {Kind::Failed, certificate.reason, certificate.triangles};
-    const double bound = options.angle_goal_deg >= certify::guaranteed_angle_deg
+    const double bound = options.goal_deg() >= certify::guaranteed_angle_deg
                              ? certify::guaranteed_angle_deg
                              : options.sizing.angle_bound_deg();
     if (!(certificate.proved_angle_deg() >= bound)) {
