@@ -25,8 +25,8 @@ deps:  ## install the Debian packages that are missing
 	@cmake/install_packages.sh
 
 demo: command  ## mesh the bundled gramicidin A and print the report
-	build/morskin mesh bench/molecules/1grm_model1.pdb -o build/1grm.ply
-	@build/morskin view bench/molecules/1grm_model1.pdb -o build/1grm.html -q
+	build/morskin mesh bench/molecules/1grm_model1.pdb --model paper -o build/1grm.ply
+	@build/morskin view bench/molecules/1grm_model1.pdb --model paper -o build/1grm.html -q
 	@echo
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
 	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."

@@ -65,15 +65,30 @@ void check_sizing(const certify::Sizing& sizing) {
   if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
 }
 
-/// -C, -Q and --size.
+/// -C, -Q and --size. A size of any kind may need triangles as coarse as can be.
 void finish(certify::Sizing& sizing, const Typed& typed) {
   if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
     throw UsageError("--size must be at least 1e-6 Angstrom");
   }
-  sizing.C = typed.C.value_or(typed.size ? certify::Sizing::largest_proved_C : sizing.C);
+  sizing.C = typed.C.value_or(
+      typed.size || typed.density || typed.triangles ? certify::Sizing::coarsest_C : sizing.C);
   sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));
   check_sizing(sizing);
   if (typed.size) sizing.set_edge_length(*typed.size);
+}
+
+void finish(morskin::SizeGoal& goal, const Typed& typed) {
+  if (typed.size.has_value() + typed.density.has_value() + typed.triangles.has_value() > 1) {
+    throw UsageError("--size, --density and --triangles are three ways to say one thing");
+  }
+  if (typed.density && !(*typed.density > 0 && std::isfinite(*typed.density))) {
+    throw UsageError("--density must be above 0");
+  }
+  constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
+  if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {
+    throw UsageError("--triangles must be at least 4");
+  }
+  goal = {typed.density, typed.triangles};
 }
 
 void finish(Limits& limits, const Typed& typed) {
@@ -207,8 +222,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   for (const double value : mesh.snapshot_values) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }
-  if (typed.size && !is_smoothed) {
-    throw UsageError("--size is for the methods sweep and static");
+  finish(mesh.size_goal, typed);
+  if ((typed.size || mesh.size_goal.is_set()) && !is_smoothed) {
+    throw UsageError("--size, --density and --triangles are for the methods sweep and static");
   }
   check_outputs(mesh);
 }

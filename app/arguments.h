@@ -28,7 +28,7 @@ class UsageError : public std::runtime_error {
 /// The arguments of every command that reads a molecule.
 struct MoleculeArguments {
   std::filesystem::path input;
-  skin::Model model = skin::Model::Paper;
+  skin::Model model = skin::Model::Vdw;
   double probe = 1.4;  ///< Angstrom
   bool waters = false;
 };
@@ -46,6 +46,7 @@ struct MeshArguments {
   MoleculeArguments molecule;
   std::vector<std::filesystem::path> outputs;
   certify::Sizing sizing;
+  morskin::SizeGoal size_goal;
   std::optional<double> angle_goal_deg;  ///< of the smoothing; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;

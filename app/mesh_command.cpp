@@ -58,6 +58,7 @@ morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
                                    MeshReport& report) {
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
+  options.size_goal = arguments.size_goal;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.function = arguments.function;
   options.fronts = arguments.fronts;
@@ -147,6 +148,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
 void describe_run(MeshReport& report, const morskin::MeshResult& result,
                   const MeshDelivery& delivery, const morskin::Run& run) {
   report.certificate = result.certificate;
+  report.sizing = result.sizing;
   report.certified_file = delivery.certified_file();
   report.counts = result;
   report.fallbacks = result.fallbacks;
@@ -229,9 +231,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (report_file != nullptr) report_file->write(json_text(report));
   std::string certificate;
   if (arguments.certificate) {
-    certificate =
-        certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
-                         report.certificate.degree_vertices, skin.surface, arguments.sizing);
+    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
+                                   report.certificate.degree_vertices, skin.surface, result.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }
   time_limit.cancel();

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* about =
     "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
     "the\n"
-    "surface, has no angle below 21 degrees, and can be checked again from the written file.\n"
+    "surface, has no angle below 30 degrees, and can be checked again from the written file.\n"
     "\n"
     "INPUT is PDB, mmCIF, PQR, XYZ, XYZR (x y z r) or XYZW (x y z w, w the weight), each also\n"
     "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. The first "
@@ -22,14 +22,14 @@ constexpr const char* about =
 constexpr const char* closing =
     "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
     "atom's sphere patch has the radius sqrt(W/2)):\n"
-    "  paper   W = sqrt(2) (r + p), as the paper prints it (default)\n"
+    "  paper   W = sqrt(2) (r + p), as the paper prints it\n"
     "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
-    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part\n"
+    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part (default)\n"
     "  given   W as in the file, of XYZW only\n"
     "\n"
     "Examples:\n"
     "  morskin mesh 1crn.pdb -o 1crn.ply\n"
-    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model vdw --report 1crn.json\n"
+    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model sas --report 1crn.json\n"
     "  morskin check 1crn.ply --against 1crn.pdb\n"
     "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
     "  morskin info 1crn.pdb --json\n"
@@ -47,7 +47,7 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
                   "How radii become weights: paper, sas or vdw; given for an INPUT of\n"
                   "weights, which XYZW has without it")
       ->check(CLI::IsMember({"paper", "sas", "vdw", "given"}))
-      ->default_str("paper");
+      ->default_str("vdw");
   command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
       ->default_str("1.4");
   command.add_flag("--waters", molecule.waters, "Keep the waters");
@@ -64,7 +64,7 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
                      "with C above 0.107, the least that C allows)");
   command.add_option("--size", typed.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
-                     "elsewhere, and instead of a longer one, what -C gives, then 0.2\n"
+                     "elsewhere, and instead of a longer one, what -C gives, then 0.4\n"
                      "unless it is given");
 }
 
@@ -116,6 +116,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
   add_sizing_options(command, typed);
+  command.add_option("--density", typed.density,
+                     "In place of --size: so many vertices per square Angstrom");
+  command.add_option("--triangles", typed.triangles,
+                     "In place of --size: so many triangles, found by trial meshes");
   command
       .add_option("--angle-goal", typed.angle_goal,
                   "Degrees: vertices are moved, taken out and put in until no angle is\n"

@@ -147,8 +147,9 @@ def arguments():
                         help="runs of each command on each input (default %(default)s)")
     parser.add_argument("--bound", type=float, default=1.05, metavar="RATIO",
                         help="fail above it; inf never fails (default %(default)s)")
-    parser.add_argument("--mesh", default="", metavar="OPTIONS",
-                        help="for both commands, as in --mesh='--threads 1'")
+    parser.add_argument("--mesh", default="--model paper", metavar="OPTIONS",
+                        help="for both commands, as in --mesh='--model vdw --threads 1'; "
+                             "default %(default)s")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="to build BASE with")
     options = parser.parse_args()
     if options.runs < 1:

@@ -37,6 +37,7 @@ RUNS = [
 FIGURES = ["instructions", "peak_memory_bytes"]
 BOUND, WIDE_BOUND = 0.05, 0.25
 MEMORY_RUNS = 5
+MODEL = "paper"
 TIMEOUT = 300  # seconds
 
 
@@ -64,7 +65,7 @@ def instructions(file, options):
         profile = Path(folder) / "callgrind.out"
         subprocess.run(["valgrind", "--quiet", "--tool=callgrind",
                         f"--callgrind-out-file={profile}", MORSKIN, "mesh", BUNDLED / file,
-                        "--threads", "1", *options, "-q", "-o", Path(folder) / "mesh.ply"],
+                        "--model", MODEL, "--threads", "1", *options, "-q", "-o", Path(folder) / "mesh.ply"],
                        check=True, timeout=TIMEOUT)
         return total_instructions(profile.read_text("utf-8"))
 
@@ -73,7 +74,7 @@ def peak_memory(file, options):
     """Bytes, the median of some runs."""
     peaks = []
     for _ in range(MEMORY_RUNS):
-        done = mesh(BUNDLED / file, "paper", TIMEOUT, "--threads", "1", *options)
+        done = mesh(BUNDLED / file, MODEL, TIMEOUT, "--threads", "1", *options)
         if done.code != 0:
             sys.exit(f"{file}: exit {done.code}: {done.complaint}")
         peaks.append(done.report["peak_memory_bytes"])

@@ -38,6 +38,8 @@ struct Sizing {
   /// The largest C with a Q for which refinement provably ends and [U] implies c1 and c2 of the
   /// certificate; the bound is a little less than 0.2017.
   static constexpr double largest_proved_C = 0.2;
+  /// The largest C with which nearly every skin is certified (papers/4.3-large-molecules.md).
+  static constexpr double coarsest_C = 0.4;
   /// A smaller C lays more triangles on the sphere of one ball than there are ids. A size below
   /// min_size, Angstrom, nears the precision of doubles in the predicates' range.
   static constexpr double min_C = 1e-5, min_size = 1e-6;
@@ -47,11 +49,14 @@ struct Sizing {
     return std::max(1.65, 1.003 * (2 * C + std::sqrt(4 * C * C + 2)));
   }
   /// The sizing that a front is laid with: this one, or, beyond largest_proved_C, that C with a Q
-  /// that makes no triangle larger than this sizing allows. Coarsening does the rest.
+  /// that makes no triangle larger than this sizing allows. Coarsening does the rest; edges limited
+  /// by length are laid as long as they shall be.
   Sizing laid() const {
     if (!is_coarser_than_laid()) return *this;
     const double q = std::min(quality_for(largest_proved_C), C * Q / largest_proved_C);
-    return {largest_proved_C, q, largest_length_scale, claimed_angle_deg};
+    Sizing result{largest_proved_C, q, largest_length_scale, claimed_angle_deg};
+    if (std::isfinite(largest_length_scale)) result.set_edge_length(edge_length());
+    return result;
   }
   bool is_coarser_than_laid() const { return C > largest_proved_C; }
   /// Whether no insertion makes an edge that [L] forbids.
@@ -105,8 +110,9 @@ struct Sizing {
   /// are near spare_limit; it leaves an even mesh alone if removing one vertex already makes
   /// triangles beyond that limit, with circumradii as large as the edges.
   double edge_share() const {
-    const double laid_edge = usual_edge * laid().tangent_disk_share();
-    const bool is_left_alone = !is_coarser_than_laid() || spare_limit * C * Q < 0.93 * laid_edge;
+    if (!is_coarser_than_laid()) return usual_edge * tangent_disk_share();
+    const double laid_edge = Sizing{C, Q}.laid().edge_share();
+    const bool is_left_alone = spare_limit * C * Q < 0.93 * laid_edge;
     return is_left_alone ? laid_edge : usual_coarse_edge * C * Q;
   }
   /// Makes edges about this long, Angstrom, except where C makes them shorter.

@@ -13,6 +13,7 @@
 #include "morskin/mesh_method.h"
 #include "morskin/observer.h"
 #include "morskin/prepared_skin.h"
+#include "morskin/size_goal.h"
 #include "refine/angle_improvement.h"
 #include "refine/angle_refinement.h"
 #include "refine/refinement.h"
@@ -55,6 +56,7 @@ using Mesher =
 
 struct MeshingOptions {
   certify::Sizing sizing;
+  SizeGoal size_goal = {};  ///< make_mesh() then sets the sizing's largest length scale
   /// Degrees. Meshes of the sweep and of the static method are smoothed until no angle is smaller,
   /// as far as that can be done under [L] and [U]; 0 leaves them as they are. Without one,
   /// AngleGoal::usual_deg().

@@ -82,13 +82,16 @@ skin::Model inside(Model model) {
 }
 
 certify::Sizing sizing_of(const MeshOptions& options) {
-  return {options.C, options.Q.value_or(certify::Sizing::quality_for(options.C)),
-          options.max_length_scale};
+  certify::Sizing sizing{options.C, options.Q.value_or(certify::Sizing::quality_for(options.C)),
+                         options.max_length_scale};
+  if (options.edge_length) sizing.set_edge_length(*options.edge_length);
+  return sizing;
 }
 
 MeshingOptions inside(const MeshOptions& options) {
   MeshingOptions result;
   result.sizing = sizing_of(options);
+  result.size_goal = {options.density, options.triangles};
   result.angle_goal_deg = options.angle_goal_deg;
   result.method = options.method;
   result.fronts = options.fronts;

@@ -75,7 +75,7 @@ enum class Model {
 
 /// Which of many skins of the same atoms.
 struct SkinOptions {
-  Model model = Model::Paper;
+  Model model = Model::Vdw;
   double probe = 1.4;  ///< Angstrom, >= 0
 };
 
@@ -95,6 +95,10 @@ struct MeshOptions {
   std::optional<double> Q = {};  ///< > 1; without one the Q that goes with C: 1.65 up to C = 0.2
   /// A larger length scale counts as this one: limits the triangles where the skin is flat.
   double max_length_scale = std::numeric_limits<double>::infinity();
+  /// In its place, at most one of these: the median edge where the skin is flat enough, Angstrom;
+  /// vertices per square Angstrom; triangles. Reached as far as C allows; 0.4 is as coarse as it
+  /// gets.
+  std::optional<double> edge_length = {}, density = {}, triangles = {};
   /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
   /// Without one 35 up to C = 0.2, and no angle above 105; 30 beyond.
   std::optional<double> angle_goal_deg = {};

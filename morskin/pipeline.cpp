@@ -34,8 +34,23 @@ void check(const morse::MorseFunction& f) {
   }
 }
 
+void check(const SizeGoal& goal) {
+  constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
+  if (goal.density && goal.triangles) {
+    throw geometry::RefusedInput("a mesh has a density or a number of triangles, not both");
+  }
+  if (!(goal.density.value_or(1) > 0 && std::isfinite(goal.density.value_or(1)))) {
+    throw geometry::RefusedInput("the density must be above 0");
+  }
+  if (!(goal.triangles.value_or(4) >= 4 && goal.triangles.value_or(4) <= max_triangles)) {
+    throw geometry::RefusedInput("a mesh has at least 4 triangles, and at most " +
+                                 std::to_string(geometry::SurfaceMesh::max_triangles));
+  }
+}
+
 void check(const MeshingOptions& options) {
   check(options.sizing);
+  check(options.size_goal);
   if (options.function) check(*options.function);
   if (options.fronts != 1 && options.fronts != 2) {
     throw geometry::RefusedInput("there are one or two fronts, not " +
@@ -108,9 +123,11 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
   if (!options.mesher && options.goal_deg() >= certify::guaranteed_angle_deg) {
     options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
   }
+  if (options.size_goal.is_set()) options.sizing = sizing_for_goal(skin, options, run);
   MethodResult made = run_method(skin, options, observer, run);
   Parcel parcel(made.mesh, run);
-  MeshResult result{std::move(made), std::move(parcel.mesh), std::move(parcel.cells), {}, {}};
+  MeshResult result{
+      std::move(made), options.sizing, std::move(parcel.mesh), std::move(parcel.cells), {}, {}};
   const Delivering deliver(skin, options.sizing, observer, run);
   deliver(result, parcel.twins);
   if (!result.certificate.certified && mend(skin, options, result, run)) deliver(result, {});

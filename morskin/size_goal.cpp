@@ -1,0 +1,97 @@
+#include "morskin/size_goal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "morskin/method.h"
+
+namespace morskin {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Trials end when the number is as near to the one wanted, in shares, or after so many.
+constexpr double near_enough = 0.03;
+constexpr int max_trials = 5;
+
+/// What a trial tells of meshes of other sizes.
+class Trial {
+ public:
+  Trial(const surface::Mesh& mesh, double limit)
+      : vertices_(static_cast<double>(mesh.surface.vertex_count())) {
+    const std::size_t n = mesh.points.size();
+    areas_.assign(n, 0);
+    scales_.resize(n);
+    for (std::size_t v = 0; v < n; ++v) {
+      scales_[v] = mesh.at(geometry::VertexId{v}).length_scale;
+      max_scale_ = std::max(max_scale_, scales_[v]);
+    }
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.surface.corners(geometry::TriangleId{t});
+      const geometry::Vector ab = mesh.position(b) - mesh.position(a);
+      const double area = ab.cross(mesh.position(c) - mesh.position(a)).norm() / 2;
+      for (const geometry::VertexId v : {a, b, c}) areas_[v.index()] += area / 3;
+      area_ += area;
+    }
+    factor_ = vertices_ / demand(limit);
+  }
+
+  double vertices() const { return vertices_; }
+  double area() const { return area_; }
+  /// The limit with which a mesh has so many vertices; infinite if it always has more.
+  double limit_for(double vertices) const {
+    if (factor_ * demand(max_scale_) >= vertices) return infinity;
+    double low = max_scale_, high = max_scale_;
+    while (factor_ * demand(low) < vertices) low /= 2;
+    constexpr double rounding = 1e-4;
+    while (high > (1 + rounding) * low) {
+      const double middle = std::sqrt(low * high);
+      (factor_ * demand(middle) > vertices ? low : high) = middle;
+    }
+    return high;
+  }
+
+ private:
+  double demand(double limit) const {
+    double sum = 0;
+    for (std::size_t v = 0; v < areas_.size(); ++v) {
+      const double scale = std::min(scales_[v], limit);
+      sum += areas_[v] / (scale * scale);
+    }
+    return sum;
+  }
+
+  double vertices_, area_ = 0, max_scale_ = 0, factor_ = 1;
+  std::vector<double> areas_, scales_;  ///< by vertex
+};
+
+/// A closed mesh has twice as many triangles as vertices, nearly.
+double wanted_vertices(const SizeGoal& goal, double area) {
+  return goal.density ? *goal.density * area : *goal.triangles / 2;
+}
+
+}  // namespace
+
+certify::Sizing sizing_for_goal(const PreparedSkin& skin, const MeshingOptions& asked,
+                                const geometry::Run& run) {
+  MeshingOptions options = asked;
+  options.angle_goal_deg = 0;
+  certify::Sizing& sizing = options.sizing;
+  sizing.largest_length_scale = infinity;
+  for (int k = 0; k < max_trials; ++k) {
+    Observer unobserved;
+    const MethodResult made = run_method(skin, options, unobserved, run);
+    if (made.open_edges > 0) break;
+    const Trial trial(made.mesh, sizing.largest_length_scale);
+    const double wanted = wanted_vertices(asked.size_goal, trial.area());
+    if (std::abs(trial.vertices() / wanted - 1) <= near_enough) break;
+    const double limit = trial.limit_for(wanted);
+    if (limit == sizing.largest_length_scale) break;  // as coarse as C allows
+    sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
+  }
+  return sizing;
+}
+
+}  // namespace morskin
