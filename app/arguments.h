@@ -15,6 +15,7 @@
 #include "certify/sizing.h"
 #include "front/experimental_guards.h"
 #include "morse/morse_function.h"
+#include "morskin/size_goal.h"
 #include "skin/model.h"
 
 namespace morskin::app {

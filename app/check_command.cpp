@@ -111,6 +111,7 @@ ExitCode check_command(const CheckArguments& arguments) {
   report.triangles = mesh.triangles.size();
   report.shape = geometry::measure_shape(mesh);
   report.angles = geometry::angle_histogram(mesh);
+  report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
   report.topology = geometry::check_mesh(mesh);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) report.against = check_against(mesh, report.topology, arguments);

@@ -215,6 +215,7 @@ std::string json_text(const CheckReport& report) {
   json["component_list"] = components_json(report.topology);
   add_angles_json(json, report);
   json["angle_histogram"] = report.angles;
+  json["quality"] = quality_json(report.quality, report.shape.area);
   json["area"] = rounded(report.shape.area, 12);
   json["volume"] = rounded(report.shape.volume, 12);
   if (report.intersections) {
@@ -248,7 +249,8 @@ std::string people_text(const CheckReport& report) {
     text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
                                brief(report.shape.volume, 6) + " A^3");
   }
-  if (report.triangles > 0) text += line("", histogram_text(report));
+  text += quality_text(report.quality, report.shape.area);
+  if (report.triangles > 0) text += line("all angles", histogram_text(report));
   if (!report.intersections) text += line("crossings", "not searched");
   for (const Verdict& v : report.verdicts()) {
     text += (v.holds         ? "  yes  "

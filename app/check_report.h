@@ -10,6 +10,7 @@
 #include "app/molecule_input.h"
 #include "certify/certificate.h"
 #include "certify/deviations.h"
+#include "certify/mesh_quality.h"
 #include "certify/restricted_delaunay.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
@@ -44,6 +45,7 @@ struct CheckReport {
   CheckArguments arguments;
   geometry::MeshShape shape;
   geometry::AngleHistogram angles{};
+  certify::MeshQuality quality;
   geometry::MeshCheck topology;
   std::optional<geometry::SelfIntersections> intersections;  ///< nothing if not searched
   std::size_t vertices = 0, triangles = 0;

@@ -145,10 +145,17 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
-void describe_run(MeshReport& report, const morskin::MeshResult& result,
-                  const MeshDelivery& delivery, const morskin::Run& run) {
+bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
+
+void describe_run(MeshReport& report, const MeshArguments& arguments,
+                  const morskin::MeshResult& result, const MeshDelivery& delivery,
+                  const morskin::Run& run) {
   report.certificate = result.certificate;
   report.sizing = result.sizing;
+  if (prints_report(arguments) || arguments.report) {
+    report.quality =
+        run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });
+  }
   report.certified_file = delivery.certified_file();
   report.counts = result;
   report.fallbacks = result.fallbacks;
@@ -173,7 +180,7 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
               << ": not certified: " << report.certificate.reason << "; see "
               << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
   }
-  if (arguments.quiet && !arguments.json) return;
+  if (!prints_report(arguments)) return;
   // A mesh, or the report as JSON, on standard output sends the report for people elsewhere.
   const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
                         (arguments.report && is_standard_output(*arguments.report));
@@ -215,7 +222,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
   report.method = arguments.method;
   report.fronts = arguments.fronts;
-  describe_run(report, result, delivery, run);
+  describe_run(report, arguments, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;

@@ -118,6 +118,7 @@ std::string json_text(const MeshReport& report) {
   }
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
+  json["quality"] = quality_json(report.quality, report.certificate.area);
   json["certified_file"] = report.certified_file;
   json["outputs"] = ordered_json::array();
   for (const std::filesystem::path& output : report.outputs)
@@ -255,7 +256,8 @@ std::string people_text(const MeshReport& report) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
   }
-  text += certificate_text(report.certificate, report.sizing);
+  text += certificate_text(report.certificate, report.sizing) +
+          quality_text(report.quality, report.certificate.area);
   text += method_text(report);
   text += fallback_text(report.fallbacks);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +

@@ -12,6 +12,7 @@
 #include "app/molecule_input.h"
 #include "app/report_lines.h"
 #include "bench/baselines/growth.h"
+#include "certify/mesh_quality.h"
 #include "morskin/pipeline.h"
 #include "skin/molecule.h"
 
@@ -37,6 +38,7 @@ struct MeshReport {
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
   std::string certified_file;
   certify::Certificate certificate;
+  certify::MeshQuality quality;
   MeshMethod method = MeshMethod::Sweep;
   morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
@@ -70,5 +72,14 @@ std::string certified_text(const certify::Certificate& certificate);
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
 std::string certificate_text(const certify::Certificate& certificate,
                              const certify::Sizing& sizing);
+
+// quality_report.cpp
+
+/// What both `mesh` and `check` tell of the distribution of angles, edges, valences and radius
+/// ratios, and of density.
+/// @param area  of the mesh, Angstrom^2
+nlohmann::ordered_json quality_json(const certify::MeshQuality& quality, double area);
+/// Three lines; none without triangles.
+std::string quality_text(const certify::MeshQuality& quality, double area);
 
 }  // namespace morskin::app

@@ -6,6 +6,7 @@
 #include "bench/bundled.h"
 #include "certify/deviations.h"
 #include "certify/located_vertices.h"
+#include "certify/mesh_quality.h"
 #include "certify/restricted_delaunay.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
@@ -50,6 +51,7 @@ int main(int count, char** words) {
   kernel("check/shape", [](const Million& m) { return geometry::measure_shape(m.mesh); });
   kernel("check/angle_histogram",
          [](const Million& m) { return geometry::angle_histogram(m.mesh); });
+  kernel("check/quality", [](const Million& m) { return certify::measure_quality(m.mesh); });
   kernel("check/topology", [](const Million& m) { return geometry::check_mesh(m.mesh); });
   kernel("check/self_intersections",
          [](const Million& m) { return geometry::self_intersections(m.mesh); });

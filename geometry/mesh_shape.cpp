@@ -14,12 +14,6 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// The cosines of the angles at p, q and r; NaN where a side has length zero.
-std::array<double, 3> cosines(const Vector& pq, const Vector& qr, const Vector& rp) {
-  const double x = pq.norm(), y = qr.norm(), z = rp.norm();
-  return {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)};
-}
-
 /// The extreme angles have the extreme cosines.
 struct CosineRange {
   double largest = -1, smallest = 1;

@@ -9,6 +9,12 @@
 
 namespace morskin::geometry {
 
+/// The cosines of a triangle's angles at p, q and r; NaN at the ends of a side of length zero.
+inline std::array<double, 3> cosines(const Vector& pq, const Vector& qr, const Vector& rp) {
+  const double x = pq.norm(), y = qr.norm(), z = rp.norm();
+  return {-pq.dot(rp) / (x * z), -pq.dot(qr) / (x * y), -qr.dot(rp) / (y * z)};
+}
+
 /// The extreme cosines of a triangle's angles, its area, and the signed volume of its tetrahedron
 /// with an apex. A side of length zero counts as an angle of 0 and one of 180 degrees.
 struct TriangleShape {

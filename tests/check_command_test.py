@@ -16,10 +16,8 @@ class Check(CommandTest):
 
     def good_mesh(self, molecule=MOLECULES / "shell_hollow.xyzr"):
         self.run_morskin("mesh", molecule, "-o", "good.off", "-q", "--model", "vdw")
-        lines = (self.folder / "good.off").read_text().splitlines()
-        count = int(lines[1].split()[0])
-        vertices = [[float(w) for w in line.split()] for line in lines[2:2 + count]]
-        return vertices, [[int(w) for w in line.split()[1:]] for line in lines[2 + count:]]
+        vertices, triangles = self.read_off("good.off")
+        return vertices, [list(t) for t in triangles]
 
     def write(self, vertices, triangles):
         lines = ["OFF", f"{len(vertices)} {len(triangles)} 0"]

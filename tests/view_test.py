@@ -29,12 +29,6 @@ class ViewTest(CommandTest):
         path.write_text("\n".join(lines) + "\n")
         return path
 
-    def read_off(self, path):
-        rows = [line.split() for line in path.read_text().splitlines()]
-        vertices, triangles = int(rows[1][0]), int(rows[1][1])
-        return ([[float(x) for x in row] for row in rows[2:2 + vertices]],
-                [tuple(map(int, row[1:4])) for row in rows[2 + vertices:2 + vertices + triangles]])
-
     def check_same_mesh(self, page, places, triangles, name="mesh"):
         """The page's triangles are these, each corner within half a step of its place."""
         grid = page.about[name]["grid"]
@@ -92,7 +86,7 @@ class Meshes(ViewTest):
     def test_a_page_holds_the_mesh_of_one_front_and_says_that_it_is_certified(self):
         page = self.view(self.ring)
         self.run_morskin("mesh", self.ring, "-o", "ring.off", "--fronts", "1", "-q")
-        places, triangles = self.read_off(self.folder / "ring.off")
+        places, triangles = self.read_off("ring.off")
         self.assertEqual(page.about["mesh"]["triangles"], len(triangles))
         self.check_same_mesh(page, places, triangles)
         self.assertIs(page.about["certified"], True)

@@ -50,3 +50,10 @@ class CommandTest(unittest.TestCase):
 
     def mesh_json(self, *words, code=0):
         return json.loads(self.run_morskin("mesh", *words, "--json", code=code).stdout)
+
+    def read_off(self, name):
+        """Places and triangles of a file that the command wrote."""
+        rows = [line.split() for line in (self.folder / name).read_text().splitlines()]
+        vertices, triangles = int(rows[1][0]), int(rows[1][1])
+        return ([[float(x) for x in row] for row in rows[2:2 + vertices]],
+                [tuple(map(int, row[1:4])) for row in rows[2 + vertices:2 + vertices + triangles]])

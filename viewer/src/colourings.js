@@ -92,16 +92,26 @@ export function colourings(scene) {
     });
   }
 
-  const angles = lazily(() => mesh.smallestAngles());
+  const angles = lazily(() => mesh.smallestAngles(page.about.min_angle_deg));
+  const shares = lazily(() => [30, 35, 40].map((degrees) => {
+    const below = angles().reduce((count, angle) => count + (angle < degrees), 0);
+    return [degrees, `${short(100 * below / mesh.triangleCount)} %`];
+  }));
+  // By whole degrees of the scale; what lies beyond its ends is in the outer two.
+  const bars = lazily(() => tally(angles().map((angle) =>
+    Math.min(Math.max(Math.floor(angle - 20), 0), 39)), 40));
   list.push({
     id: 'quality', label: 'Triangle quality',
     paint: (...to) => {
       const least = angles();
       byTriangle((t) => onScale((least[t] - 20) / 40))(...to);
     },
-    legend: () => ({ scale: ['20°', '40°', '60°'],
+    legend: () => ({ scale: ['20°', '40°', '60°'], bars: bars(),
+      barsInWords: 'Histogram of the smallest angles: ' + shares().map(([degrees, share]) =>
+        `${share} of the triangles below ${degrees} degrees`).join(', '),
       unit: 'smallest angle' + (page.about.min_angle_deg
-        ? `; least ${page.about.min_angle_deg.toFixed(1)}°` : '') }),
+        ? `; least ${page.about.min_angle_deg.toFixed(1)}°` : ''),
+      more: 'below ' + shares().map(([degrees, share]) => `${degrees}°: ${share}`).join(', ') }),
   });
 
   const components = lazily(() => mesh.components());

@@ -61,3 +61,12 @@ export function toggle({ id, label, key, colours = [], count, title, change }) {
 export function section(title, ...children) {
   return element('section', {}, element('h2', {}, title), ...children);
 }
+
+// Bars over a scale: how many in each of its equal parts; a single one of many shows too.
+// words: what is heard in their place.
+export function histogram(counts, words) {
+  const most = Math.max(...counts);
+  const height = (count) => (count > 0 ? `max(1px, ${100 * count / most}%)` : '0');
+  return element('div', { class: 'histogram', role: 'img', title: words, 'aria-label': words },
+    ...counts.map((count) => element('i', { style: `height:${height(count)}` })));
+}

@@ -86,8 +86,9 @@ export class Mesh {
     return normals;
   }
 
-  // The smallest angle of each triangle, degrees.
-  smallestAngles() {
+  // The smallest angle of each triangle, degrees; where rounding to the grid brings one below the
+  // mesh's own least, that.
+  smallestAngles(least = 0) {
     const { positions: p, corners } = this;
     const angles = new Float32Array(this.triangleCount);
     const side = (a, b) => (p[a] - p[b]) ** 2 + (p[a + 1] - p[b + 1]) ** 2 + (p[a + 2] - p[b + 2]) ** 2;
@@ -95,7 +96,8 @@ export class Mesh {
       const [a, b, c] = [3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2]];
       const sides = [side(a, b), side(b, c), side(c, a)].sort((x, y) => x - y);
       const cosine = (sides[1] + sides[2] - sides[0]) / (2 * Math.sqrt(sides[1] * sides[2]));
-      angles[t] = Number.isFinite(cosine) ? Math.acos(Math.min(1, cosine)) * 180 / Math.PI : 0;
+      const angle = Number.isFinite(cosine) ? Math.acos(Math.min(1, cosine)) * 180 / Math.PI : 0;
+      angles[t] = Math.max(least, angle);
     }
     return angles;
   }

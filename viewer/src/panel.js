@@ -1,7 +1,7 @@
 // The panel: what is shown, with its legend, counts and switches. It reads and changes the viewer's
 // state through the functions it is given, and follows when the state changes by other ways.
 
-import { choice, element, icon, number, section, toggle } from './dom.js';
+import { choice, element, histogram, icon, number, section, toggle } from './dom.js';
 import { hex } from './palette.js';
 import * as palette from './palette.js';
 
@@ -153,12 +153,14 @@ export class Panel {
   }
 
   #showLegend() {
-    const { swatches = [], scale, unit, more } = this.viewer.colouring.legend();
+    const { swatches = [], scale, bars, barsInWords, unit, more } =
+      this.viewer.colouring.legend();
     const parts = swatches.map(({ name, colour, count }) => element('div', { class: 'swatch' },
       element('i', { class: 'dot', style: `background:${css(colour)}` }),
       element('span', {}, name), element('span', { class: 'count' }, number(count))));
     if (scale) {
       const stops = Array.from({ length: 9 }, (_, i) => css(palette.gradient(i / 8)));
+      if (bars) parts.push(histogram(bars, barsInWords));
       parts.push(element('div', { class: 'ramp', style:
         `background:linear-gradient(90deg,${stops.join(',')})` }),
       element('div', { class: 'ticks' }, ...scale.map((tick) => element('span', {}, tick))),

@@ -99,6 +99,32 @@ test('every colouring of the surface differs from the one before', { timeout: 90
   });
 });
 
+test('the angles of the page are as many below 30, 35 and 40 degrees as those of the mesh',
+  { timeout: 900000 }, async () => {
+    const molecule = join(molecules, '5tmn_ligand.pdb');
+    const report = JSON.parse(execFileSync(morskin, ['mesh', molecule, '-o', '/dev/null',
+      '--fronts', '1', '--json']));
+    const share = (degrees) => 100 * report.quality.triangles_below_deg[degrees] / report.triangles;
+    await withPage(pages.ligand, small, async (page) => {
+      assert.equal(await page.locator('.histogram').count(), 0);
+      await page.locator('#colour').selectOption('quality');
+      const told = await page.getByRole('img', { name: 'Histogram of the smallest angles' })
+        .getAttribute('aria-label');
+      const shares = [...told.matchAll(/([\d.]+) % of the triangles below (\d+)/g)];
+      assert.deepEqual(shares.map(([, , degrees]) => degrees), ['30', '35', '40']);
+      // Angles are off by a few tenths of a degree: places are rounded to the page's grid.
+      for (const [, told, degrees] of shares) {
+        assert.ok(Math.abs(told - share(degrees)) < 0.2, `${told} below ${degrees}`);
+      }
+      assert.equal(Number(shares[0][1]), 0);
+      const heights = await page.locator('.histogram i').evaluateAll((bars) =>
+        bars.map((bar) => bar.getBoundingClientRect().height));
+      assert.equal(heights.length, 40);
+      assert.ok(heights.slice(0, 10).every((height) => height === 0), `${heights}`);
+      assert.ok(Math.max(...heights) > 40 && heights.slice(11).every((height) => height >= 1));
+    });
+  });
+
 test('every style of the surface shows', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     await page.locator('#colour').selectOption('plain');

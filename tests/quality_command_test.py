@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""The distribution of angles, valences and radius ratios that `mesh` and `check` tell, against a
+count made here. Usage: quality_command_test.py path/to/morskin"""
+
+import json
+import math
+from collections import Counter
+
+from support.command import CommandTest, main
+
+
+class Quality(CommandTest):
+    def angles(self, places, triangle):
+        result = []
+        for k in range(3):
+            at, p, q = (places[triangle[(k + i) % 3]] for i in range(3))
+            e, f = ([x - y for x, y in zip(other, at)] for other in (p, q))
+            cosine = sum(x * y for x, y in zip(e, f)) / (math.hypot(*e) * math.hypot(*f))
+            result.append(math.degrees(math.acos(cosine)))
+        return sorted(result)
+
+    def counted(self, places, triangles):
+        angles = [self.angles(places, t) for t in triangles]
+        valences = Counter(Counter(v for t in triangles for v in t).values())
+        # 2 r / R = 8 sin(A / 2) sin(B / 2) sin(C / 2)
+        ratios = [8 * math.prod(math.sin(math.radians(x / 2)) for x in three) for three in angles]
+        return {
+            "triangles_below_deg": {str(d): sum(a[0] < d for a in angles) for d in (30, 35, 40)},
+            "triangles_above_deg": {str(d): sum(a[2] > d for a in angles) for d in (90, 105, 120)},
+            "histogram_bin_deg": 5,
+            "smallest_angle_histogram": [sum(5 * k <= a[0] < 5 * k + 5 for a in angles)
+                                         for k in range(12)],
+            "largest_angle_histogram": [sum(5 * k < a[2] <= 5 * k + 5 for a in angles)
+                                        for k in range(12, 36)],
+            "min_valence": min(valences),
+            "max_valence": max(valences),
+            "vertices_by_valence": [valences[k] for k in range(9)] +
+                                   [sum(n for k, n in valences.items() if k > 8)],
+            "min_radius_ratio": float(f"{min(ratios):.6g}"),
+            "mean_radius_ratio": float(f"{sum(ratios) / len(ratios):.6g}")}
+
+    def test_mesh_and_check_tell_the_distribution_that_the_file_has(self):
+        for words in (("--threads", "2"), ("-C", "0.3", "--angle-goal", "0", "--threads", "1")):
+            report = self.mesh_json(self.ring, "-o", "ring.off", *words)
+            places, triangles = self.read_off("ring.off")
+            expected = self.counted(places, triangles)
+            self.assertEqual(report["quality"], expected)
+            self.assertEqual(self.check("ring.off")["quality"], expected)
+            self.assertEqual(sum(expected["smallest_angle_histogram"]), report["triangles"])
+            self.assertEqual(sum(expected["largest_angle_histogram"]), report["triangles"])
+            self.assertEqual(sum(expected["vertices_by_valence"]), report["vertices"])
+
+    def test_people_are_told_shares_and_a_report_file_holds_them_in_quiet_runs(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.off", "-q", "--report", "r.json")
+        self.assertEqual(done.stdout, b"")
+        quality = json.loads((self.folder / "r.json").read_text())["quality"]
+        below = quality["triangles_below_deg"]["40"]
+        self.assertGreater(below, 0)
+        share = f"{100 * below / len(self.read_off('ring.off')[1]):.3g}% below 40"
+        for words in (("mesh", self.ring, "-o", "ring.off"), ("check", "ring.off")):
+            text = self.run_morskin(*words).stdout.decode()
+            self.assertIn(share, text)
+            self.assertIn(f"valences    {quality['min_valence']} to {quality['max_valence']}", text)
+
+    def test_of_no_triangle_there_is_no_radius_ratio_and_of_a_flat_one_it_is_0(self):
+        self.input("points.off", "OFF\n1 0 0\n1 2 3\n")
+        quality = self.check("points.off", code=5)["quality"]
+        self.assertIsNone(quality["min_radius_ratio"])
+        self.assertTrue(quality["min_radius_ratio_reason"])
+        self.input("same.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 0\n")
+        quality = self.check("same.off", code=5)["quality"]
+        self.assertEqual(quality["min_radius_ratio"], 0)
+        self.assertEqual(quality["smallest_angle_histogram"][0], 1)
+        self.assertEqual(quality["largest_angle_histogram"][-1], 1)
+        self.assertEqual(quality["vertices_by_valence"], [2, 0, 0, 1] + 6 * [0])
+
+
+if __name__ == "__main__":
+    main()
