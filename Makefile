@@ -101,6 +101,7 @@ prediction: command  ## count which touches of the front theory predicts (see be
 # The plots take matplotlib, which Debian installs for its own Python.
 reproduce: command  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
 	@cmake/install_packages.sh cmake/plot_packages.txt
+	@cmake --build build --parallel $(JOBS) --target morskin_ablation
 	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
 	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
 

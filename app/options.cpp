@@ -147,7 +147,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--fronts", typed.fronts,
                   "2 sweeps from below and from above at once; 1 from below only,\n"
-                  "Algorithm 1 as the paper prints it")
+                  "as the paper's Algorithm 1 does")
       ->check(CLI::IsMember({1, 2}))
       ->default_str("2");
   command
@@ -266,7 +266,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
   command.add_flag("-q,--quiet", view.quiet, "Print nothing but errors");
   add_progress_option(command, typed);
   command.footer(
-      "A molecule is meshed from one front, as Algorithm 1 is printed, so that the page can run\n"
+      "A molecule is meshed from one front, as in Algorithm 1, so that the page can run\n"
       "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
 }
 

@@ -8,6 +8,7 @@ Into the results folder go
   scaling.csv       time against triangles over the corpus and over finer meshes of one molecule
   angles.csv        how many angles there are of each degree, by molecule and method
   agreement.csv     whether the methods agree on the topology of small sets of balls and molecules
+  ablation.tsv      what each departure of Algorithm 1 from the print is worth (bench/ablation.py)
   environment.json  machine, compiler, flags, load at start and end, by part
   inputs.sha256     the inputs, so that it can be seen what was measured
 
@@ -28,6 +29,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import ablation
 import reproduce_tables as tables
 from machine import environment
 from molecule_runs import (BUNDLED, argument_parser, brief, end, mesh, molecule_files,
@@ -36,14 +38,14 @@ from reproduce_tables import STAGES
 
 METHODS = {
     "sweep": ["--method", "sweep"],
-    "sweep-as-printed": ["--method", "sweep", "--fronts", "1", "--angle-goal", "0"],
+    "one-front-unsmoothed": ["--method", "sweep", "--fronts", "1", "--angle-goal", "0"],
     "static": ["--method", "static"],
     "dynamic": ["--method", "dynamic"],
     "marching-cubes": ["--method", "marching-cubes"],
 }
-PARTS = ["table1", "scaling", "agreement"]
+PARTS = ["table1", "scaling", "agreement", "ablation"]
 UNCERTIFIED_AS_A_RULE = {"marching-cubes"}
-NOT_SCALED = {"sweep-as-printed"}  # the sweep's time but for a few per cent
+NOT_SCALED = {"one-front-unsmoothed"}  # the sweep's time but for a few per cent
 
 TABLE1 = {"5TMN": "5tmn_ligand.pdb", "9DNA": "9dna.pdb", "1GRM": "1grm_model1.pdb"}
 TABLE1_COLUMNS = ["molecule", "method", "repetition", "triangles", "min_angle_deg",
@@ -303,17 +305,23 @@ def main():
             parts["scaling"] = scaling(options, methods, notes, folder)
         if "agreement" in wanted:
             parts["agreement"] = agreement(options, methods, notes, folder, temporary)
-    ended = environment()
-    tables.write_environment(options.results / "environment.json", started, ended, options, parts)
     rows = {name: part.rows for name, part in parts.items()}
+    if "ablation" in wanted:
+        rows["ablation"] = ablation.measure(options.results / "ablation.tsv",
+                                            repetitions=options.repetitions,
+                                            is_quick=options.quick)
+    ended = environment()
+    tables.write_environment(options.results / "environment.json", started, ended, options, rows)
     for name in PARTS:
-        if name not in rows and (earlier := tables.read_rows(options.results / f"{name}.csv")):
+        if name not in rows and (earlier := tables.earlier_rows(options.results, name)):
             rows[name] = earlier
             notes.add(f"{name}: these are the rows of an earlier run")
     text = tables.table1_text(rows, methods, notes.lines, started)
     (options.results / "table1.md").write_text(text, encoding="utf-8")
     print("\n" + text)
     failures = [f for part in parts.values() for f in part.failures]
+    if "ablation" in wanted:
+        failures += ablation.failures(rows["ablation"])
     for failure in failures:
         print("NOT CERTIFIED: " + failure)
     end(failures, any(rows.values()))

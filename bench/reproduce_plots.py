@@ -14,7 +14,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
-COLOURS = {"sweep": "#1f4e79", "sweep-as-printed": "#6fa8dc", "static": "#b45f06",
+COLOURS = {"sweep": "#1f4e79", "one-front-unsmoothed": "#6fa8dc", "static": "#b45f06",
            "dynamic": "#990000", "marching-cubes": "#7f7f7f"}
 MARKERS = {"corpus": "o", "finer": "s"}
 # The same data give the same bytes.

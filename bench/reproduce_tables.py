@@ -6,6 +6,8 @@ import math
 import statistics
 import struct
 
+import ablation
+
 STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "critical_points", "sweep",
           "refine", "smooth", "certify", "write"]
 
@@ -36,6 +38,13 @@ def read_rows(path):
         return []
     with open(path, encoding="utf-8", newline="") as file:
         return [{k: value(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
+
+def earlier_rows(results, name):
+    """The rows of a part that was run earlier."""
+    if name == "ablation":
+        return ablation.read(results / "ablation.tsv")
+    return read_rows(results / f"{name}.csv")
 
 
 def measured(rows, **fixed):
@@ -238,6 +247,8 @@ def table1_text(rows, methods, notes, started):
         text += scaling_text(rows["scaling"], methods)
     if "agreement" in rows:
         text += "\n## Topology\n\n" + agreement_text(rows["agreement"], methods)
+    if "ablation" in rows:
+        text += "\n## As printed\n\n" + ablation.table(rows["ablation"])
     text += "\n## Asked and found\n\n" + asked_text(rows)
     text += "\n## Notes\n\n" + ("".join(f"- {note}\n" for note in notes) or "None.\n")
     return text

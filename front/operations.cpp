@@ -49,7 +49,7 @@ bool Sweep::creep(const Departure& t) {
   }
   while (departures_.is_current(t)) {
     const double angle = guard_.bare_angle(e);
-    double sectors = std::round(angle / sixty_degrees);
+    double sectors = disk_.spacing().sectors(angle);
     if (sectors < 2 && angle > 0 && !is_ear_small(e)) sectors = 2;
     if (sectors >= 2 && !front_.is_triangle(e)) {
       lay_fan(e, centre, angle / sectors, static_cast<int>(sectors) - 1);

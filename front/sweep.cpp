@@ -10,7 +10,7 @@ Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
              std::vector<SweepObserver*> observers)
     : guide_(guide),
       levels_(levels),
-      disk_(surface, options.sizing),
+      disk_(surface, options.sizing, options.spacing),
       mesh_(mesh),
       front_(mesh, disk_.view_share(), options.sizing.largest_length_scale),
       policy_(*options.guard),

@@ -29,6 +29,7 @@ namespace morskin::front {
 
 struct SweepOptions {
   certify::Sizing sizing = {};
+  Spacing spacing = {};
   const GuardPolicy* guard = &see_everything;  ///< must outlive the sweep
   bool record_births = false;                  ///< fills Mesh::births
 };

@@ -5,9 +5,11 @@
 
 namespace morskin::front {
 
-TangentDisk::TangentDisk(const surface::Surface& surface, const certify::Sizing& sizing)
+TangentDisk::TangentDisk(const surface::Surface& surface, const certify::Sizing& sizing,
+                         const Spacing& spacing)
     : surface_(surface),
       sizing_(sizing),
+      spacing_(spacing),
       share_(spacing_.disk_share * sizing.tangent_disk_share()),
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)) {}
 
@@ -21,6 +23,7 @@ double TangentDisk::view_share() const {
 // [excerpt: disk]
 double TangentDisk::radius(const SurfacePoint& centre, const Vector& direction) const {
   const double r = radius(centre.length_scale);
+  if (!spacing_.is_by_both_ends) return r;
   const double far = surface_.length_scale(centre.position + r * direction, centre.cell);
   return radius(std::min(centre.length_scale, far));
 }

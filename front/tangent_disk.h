@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "certify/sizing.h"
@@ -11,12 +12,14 @@ namespace morskin::front {
 
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
-  double disk_share = 0.87;    ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
-  double bowl_gap = 1.9;       ///< smallest distance of a minimum from the rim of another's bowl
-  double vertex_gap = 0.6;     ///< smallest distance of a new vertex from a front vertex
-  double edge_gap = 0.4;       ///< and from a front edge
-  double view = 2.2;           ///< radius in which the guard gathers the front
-  double wing_angle_deg = 75;  ///< front angles below this are closed at once
+  double disk_share = 0.87;     ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
+  bool is_by_both_ends = true;  ///< r_a goes by the smaller length scale of centre and rim, as [U]
+  bool rounds_up = false;       ///< sectors of a fan have at most 60 degrees, not 45 to 75
+  double bowl_gap = 1.9;        ///< smallest distance of a minimum from the rim of another's bowl
+  double vertex_gap = 0.6;      ///< smallest distance of a new vertex from a front vertex
+  double edge_gap = 0.4;        ///< and from a front edge
+  double view = 2.2;            ///< radius in which the guard gathers the front
+  double wing_angle_deg = 75;   ///< front angles below this are closed at once
   /// Where the length scale shrinks ahead of the front, as in a funnel, edges left as they are
   /// would soon be longer than it. So a corner is filled instead of closed when its triangle's
   /// circumradius exceeds `largest_ear`, and an edge longer than `longest_edge` gets a vertex of
@@ -24,12 +27,19 @@ struct Spacing {
   double largest_ear = 1;
   double longest_edge = 1.7;
   double long_edge_height = 0.7;
+
+  /// The number of sectors of a fan that fills a bare angle, as a whole number.
+  double sectors(double angle) const {
+    constexpr double sixty_degrees = M_PI / 3;
+    return rounds_up ? std::ceil(angle / sixty_degrees) : std::round(angle / sixty_degrees);
+  }
 };
 
 /// The disk, tangent at a departure vertex, on whose rim new vertices are placed (section 4.2).
 class TangentDisk {
  public:
-  TangentDisk(const surface::Surface& surface, const certify::Sizing& sizing);
+  TangentDisk(const surface::Surface& surface, const certify::Sizing& sizing,
+              const Spacing& spacing = {});
 
   const Spacing& spacing() const { return spacing_; }
   double share() const { return share_; }  ///< r_a over rho
@@ -39,8 +49,8 @@ class TangentDisk {
 
   /// Angstrom, for a length scale.
   double radius(double length_scale) const { return share_ * sizing_.scale(length_scale); }
-  /// In one direction, for the smaller length scale of centre and rim, as in [U]. The rim's is
-  /// extrapolated from the patch of the centre.
+  /// In one direction, for the smaller length scale of centre and rim. The rim's is extrapolated
+  /// from the patch of the centre.
   double radius(const SurfacePoint& centre, const Vector& direction) const;
   /// The rim's point in one direction, projected to the surface; nothing where that fails.
   std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector& direction) const;

@@ -17,7 +17,7 @@
 
 namespace morskin::front {
 
-/// One sweep from below, Algorithm 1 as printed.
+/// One sweep from below, as in Algorithm 1.
 /// @param coarsening  behind the front, or none
 /// @param observers   must outlive the call
 /// @param run         receives the share of atoms that are passed

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "morse/overlaps.h"
-#include "morse/simplification.h"
 #include "morse/skin_spheres.h"
 
 namespace morskin::morse {
@@ -21,7 +20,7 @@ bool has_overlap(const std::vector<CriticalPoint>& points, double radius_share) 
 
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
                  const std::optional<MorseFunction>& asked, double radius_share,
-                 const geometry::Run& run) {
+                 const geometry::Run& run, const Contraction& contract) {
   ChosenFunction chosen = run.stage(
       "critical points", [&] { return choose_function(skin, euler_characteristic, asked); });
   Guide guide;
@@ -42,7 +41,7 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     guide.spheres = protecting_spheres(skin, guide.points, radius_share);
     return guide;
   }
-  const Simplification simple = contract_short_arcs(complex, radius_share);
+  const Simplification simple = contract(complex, radius_share);
   guide.points.clear();
   std::vector<double> radii;
   for (std::size_t i = 0; i < complex.points.size(); ++i) {

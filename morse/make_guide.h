@@ -1,12 +1,17 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "geometry/run.h"
 #include "morse/choose_function.h"
 #include "morse/guide.h"
+#include "morse/simplification.h"
 
 namespace morskin::morse {
+
+/// A way of simplifying a complex with protecting spheres of this radius over the length scale.
+using Contraction = std::function<Simplification(const MorseSmaleComplex&, double radius_share)>;
 
 /// Chooses the function and, if protecting spheres overlap, simplifies its Morse-Smale complex.
 /// Stages "critical points" and "integral lines".
@@ -16,6 +21,7 @@ namespace morskin::morse {
 /// @throws DegenerateFunction
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
                  const std::optional<MorseFunction>& asked, double radius_share,
-                 const geometry::Run& run = geometry::Run());
+                 const geometry::Run& run = geometry::Run(),
+                 const Contraction& contract = contract_short_arcs);
 
 }  // namespace morskin::morse

@@ -67,7 +67,7 @@ struct MeshingOptions {
   /// The function to sweep along; without one, the height y with a small tilt, and further tilts
   /// should that be degenerate.
   std::optional<morse::MorseFunction> function = {};
-  /// 2: swept from both ends at once; 1: from below only, Algorithm 1 as printed.
+  /// 2: swept from both ends at once; 1: from below only, as in Algorithm 1.
   int fronts = 2;
   front::Guard guard = front::Guard::Everywhere;
   /// Whether other runs replace what a sweep's certificate does not cover (safety_net.h).

@@ -27,7 +27,7 @@ struct RecordedSweep {
   std::vector<std::uint32_t> birth;
 };
 
-/// morskin::make_mesh from one front, as Algorithm 1 is printed, without the safety net: what that
+/// morskin::make_mesh from one front, as in Algorithm 1, without the safety net: what that
 /// made would not be what the sweep laid.
 /// @throws morse::DegenerateFunction
 RecordedSweep recorded_sweep(const morskin::PreparedSkin& skin, morskin::MeshingOptions options,

@@ -10,7 +10,8 @@ TEST_CASE("5-results, predict: so many seconds, with as many triangles in each, 
   CHECK(std::abs(*linear_seconds - 305186 / triangles_per_second) < 1);
 }
 
-TEST_CASE("5-results, run: the smallest angle of 9DNA as printed" * until(smallest_angle_deg)) {
+TEST_CASE("5-results, run: the smallest angle of 9DNA from one front, unsmoothed" *
+          until(smallest_angle_deg)) {
   const double smallest = meshed("9dna.pdb", {.sizing = {}, .angle_goal_deg = 0, .fronts = 1})
                               .certificate.min_angle_deg;
   CHECK(std::abs(*smallest_angle_deg - smallest) < 0.01);

@@ -13,7 +13,7 @@ doctest::skip until(const Answers&... answers) {
   return doctest::skip(!(answers.has_value() && ...));
 }
 
-/// Algorithm 1 as printed.
+/// Swept from below only, as in Algorithm 1.
 inline morskin::MeshingOptions one_front() { return {.sizing = {}, .fronts = 1}; }
 
 inline morskin::MeshResult meshed(std::string_view file,
