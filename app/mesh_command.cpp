@@ -1,5 +1,6 @@
 #include <sys/resource.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <span>
@@ -145,6 +146,26 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
+// What was asked for and not reached, within a tenth; empty if nothing.
+std::string missed_size(const morskin::SizeGoal& goal, const certify::Certificate& made) {
+  constexpr double tenth = 0.1;
+  const auto is_missed = [&](double is, double wanted) {
+    return !(std::abs(is - wanted) <= tenth * wanted);
+  };
+  const auto vertices = static_cast<double>(made.vertices);
+  const auto triangles = static_cast<double>(made.triangles);
+  std::string wanted;
+  if (goal.density && is_missed(vertices / made.area, *goal.density)) {
+    wanted = brief(*goal.density) + " vertices per A^2";
+  }
+  if (goal.triangles && is_missed(triangles, *goal.triangles)) {
+    wanted = grouped(static_cast<std::size_t>(*goal.triangles)) + " triangles";
+  }
+  if (wanted.empty()) return "";
+  return "not " + wanted + ", as asked: where the skin bends strongly, in necks, voids and " +
+         "crevices, -C forces more triangles, 0.4 the fewest";
+}
+
 bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
 
 void describe_run(MeshReport& report, const MeshArguments& arguments,
@@ -152,6 +173,7 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
                   const morskin::Run& run) {
   report.certificate = result.certificate;
   report.sizing = result.sizing;
+  report.missed_size = missed_size(arguments.size_goal, result.certificate);
   if (prints_report(arguments) || arguments.report) {
     report.quality =
         run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });

@@ -116,6 +116,7 @@ std::string json_text(const MeshReport& report) {
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
+  if (!report.missed_size.empty()) json["missed_size"] = report.missed_size;
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["quality"] = quality_json(report.quality, report.certificate.area);
@@ -256,6 +257,7 @@ std::string people_text(const MeshReport& report) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
   }
+  if (!report.missed_size.empty()) text += line("missed", report.missed_size);
   text += certificate_text(report.certificate, report.sizing) +
           quality_text(report.quality, report.certificate.area);
   text += method_text(report);

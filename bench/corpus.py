@@ -2,9 +2,9 @@
 """Meshes every molecule of a folder in every model, one line each, and fails on any failure.
 
 C is 0.08 unless given; models paper and vdw of the largest molecules take a larger one at least,
-with which meshes stay below 30 million triangles (COARSER). If the largest molecule has more than 200,000 atoms there is
-one run more: four copies of it side by side, model sas, C = 0.3. --largest leaves out what takes
-too long.
+with which meshes stay below 30 million triangles (COARSER). If the largest molecule has more than
+200,000 atoms there is one run more: four copies of it side by side, model sas, C = 0.3. --largest
+leaves out what takes too long.
 
 Each mesh goes to a temporary folder and is removed after its run. A run is good when the mesh is
 certified, without a violation of [U], with every angle at least 30 degrees and without a fallback
@@ -29,7 +29,8 @@ COARSER = {"paper": [(100_000, 0.34), (20_000, 0.23)], "vdw": [(100_000, 0.3), (
 WORTH_TILING = 200_000  # atoms
 
 COLUMNS = ["file", "model", "atoms", "C", "triangles", "chi", "chi_expected", "components", "genus",
-           "min_angle", "max_angle", "missed", "worst_L", "broken_L", "worst_U", "seconds", "peak_mib", "floor_ratio",
+           "min_angle", "max_angle", "missed", "worst_L", "broken_L", "worst_U", "seconds",
+           "peak_mib", "floor_ratio",
            "delaunay_violations", "verdict"]
 WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 9, 6, 7, 8, 7, 8, 8, 11, 8, 0]
 

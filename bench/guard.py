@@ -65,7 +65,8 @@ def instructions(file, options):
         profile = Path(folder) / "callgrind.out"
         subprocess.run(["valgrind", "--quiet", "--tool=callgrind",
                         f"--callgrind-out-file={profile}", MORSKIN, "mesh", BUNDLED / file,
-                        "--model", MODEL, "--threads", "1", *options, "-q", "-o", Path(folder) / "mesh.ply"],
+                        "--model", MODEL, "--threads", "1", *options, "-q",
+                        "-o", Path(folder) / "mesh.ply"],
                        check=True, timeout=TIMEOUT)
         return total_instructions(profile.read_text("utf-8"))
 

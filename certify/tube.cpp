@@ -1,5 +1,6 @@
 #include "certify/tube.h"
 
+#include <cmath>
 #include <limits>
 
 namespace morskin::certify {
@@ -88,9 +89,9 @@ TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBo
   const double doubt = a.length_scale * (triangle.normal_error + margin) + bounds.max_error;
   const double rho = min_length_scale(corners) - bounds.max_error;
   const double g = R * R + bounds.max_value;
-  const double n = rho - R;
-  const TubeProof quick{upright - doubt > longer_side, n > 0 && g < (1 - margin) * n * n,
-                        max_flow_path((1 - margin) * n, g)};
+  // Nothing is in the tube without a bound on its path.
+  const double path = max_flow_path((1 - margin) * (rho - R), g);
+  const TubeProof quick{upright - doubt > longer_side, std::isfinite(path), path};
   // Upside down at a corner, or too big for the tube of a ball, where |G| = R^2 and
   // |N|^2 = rho^2 - R^2 at the circumcentre.
   const bool is_hopeless = !(upright > 0) || !(R < rho);

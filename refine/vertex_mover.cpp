@@ -83,7 +83,8 @@ bool VertexMover::keeps_provable(const SurfacePoint& x) const {
 /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
 bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
   const auto ball = [this](const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
-    return LazySurfaceBall(surface_, {&a, &b, &c}, circumcircle(a.position, b.position, c.position));
+    const Circumcircle circle = circumcircle(a.position, b.position, c.position);
+    return LazySurfaceBall(surface_, {&a, &b, &c}, circle);
   };
   const auto is_entered = [](LazySurfaceBall& by, const SurfacePoint& p) {
     return by.intrusion(p.position).max > 0;

@@ -90,7 +90,8 @@ class Faults(CommandTest):
         mesh = self.folder / "ring.ply"
         with small_disk() as disk:
             for ending, words in (("ply", ("mesh", self.ring)), ("html", ("view", mesh)),
-                                  ("png", ("render", mesh)), ("json", ("morse", self.ring)),
+                                  ("png", ("render", mesh)),
+                                  ("json", ("morse", self.ring, "--model", "paper")),
                                   ("xyzr", ("balls", "big.xyzr"))):
                 with self.subTest(words[0]):
                     output = disk / f"out.{ending}"

@@ -23,6 +23,7 @@ class Quality(CommandTest):
         angles = [self.angles(places, t) for t in triangles]
         valences = Counter(Counter(v for t in triangles for v in t).values())
         # 2 r / R = 8 sin(A / 2) sin(B / 2) sin(C / 2)
+        area = self.area(places, triangles)
         ratios = [8 * math.prod(math.sin(math.radians(x / 2)) for x in three) for three in angles]
         return {
             "triangles_below_deg": {str(d): sum(a[0] < d for a in angles) for d in (30, 35, 40)},
@@ -37,7 +38,25 @@ class Quality(CommandTest):
             "vertices_by_valence": [valences[k] for k in range(9)] +
                                    [sum(n for k, n in valences.items() if k > 8)],
             "min_radius_ratio": float(f"{min(ratios):.6g}"),
-            "mean_radius_ratio": float(f"{sum(ratios) / len(ratios):.6g}")}
+            "mean_radius_ratio": float(f"{sum(ratios) / len(ratios):.6g}"),
+            "edge_length_quantiles": self.quantiles(places, triangles),
+            "vertices_per_square_angstrom": float(f"{len(places) / area:.6g}"),
+            "triangles_per_square_angstrom": float(f"{len(triangles) / area:.6g}")}
+
+    def quantiles(self, places, triangles):
+        lengths = sorted(math.dist(places[t[k]], places[t[k - 1]])
+                         for t in triangles for k in range(3))
+        return {str(percent): float(f"{lengths[int(percent / 100 * (len(lengths) - 1))]:.6g}")
+                for percent in (5, 50, 95)}
+
+    def area(self, places, triangles):
+        """By Heron's formula."""
+        total = 0
+        for t in triangles:
+            sides = [math.dist(places[t[k]], places[t[k - 1]]) for k in range(3)]
+            half = sum(sides) / 2
+            total += math.sqrt(half * math.prod(half - side for side in sides))
+        return total
 
     def test_mesh_and_check_tell_the_distribution_that_the_file_has(self):
         for words in (("--threads", "2"), ("-C", "0.3", "--angle-goal", "0", "--threads", "1")):

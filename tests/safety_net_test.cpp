@@ -80,7 +80,7 @@ std::vector<std::array<double, 3>> far_out(const MeshResult& result, double side
 
 TEST_CASE("a component that the sweep spoils is swept in another direction") {
   const WeightedPoints points = four_components();
-  const MeshResult plain = meshed(points);
+  const MeshResult plain = meshed(points, {.sizing = {}, .angle_goal_deg = 0});
   REQUIRE(plain.certificate.certified);
   CHECK(plain.fallbacks.empty());
   const MeshResult mended = mesh_by(points, sweep_without([](const auto& p, int sweeps) {

@@ -1,0 +1,59 @@
+#include "morskin/size_goal.h"
+
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::support;
+
+namespace {
+
+MeshingOptions coarse(const SizeGoal& goal) {
+  constexpr double C = certify::Sizing::coarsest_C;
+  return {.sizing = {.C = C, .Q = certify::Sizing::quality_for(C)}, .size_goal = goal};
+}
+
+double density(const MeshResult& result) {
+  return static_cast<double>(result.mesh.positions.size()) / result.certificate.area;
+}
+
+}  // namespace
+
+TEST_CASE("a density is met within a tenth where the skin allows it, and the mesh certified") {
+  std::size_t met = 0;
+  for_molecules({"5tmn_ligand.pdb", "9dna.pdb"}, [&](const auto& balls) {
+    const PreparedSkin skin = prepare_skin(balls);
+    const double least = density(make_mesh(skin, coarse({})));
+    for (const double wanted : {1., 2., 5., 10., 20.}) {
+      CAPTURE(wanted);
+      const MeshResult result = make_mesh(skin, coarse({.density = wanted, .triangles = {}}));
+      CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+      CHECK(result.certificate.proved_angle_deg() >= 30);
+      if (wanted < 1.2 * least) {
+        CHECK(density(result) <= 1.2 * least);
+        continue;
+      }
+      CHECK(std::abs(density(result) / wanted - 1) <= 0.1);
+      ++met;
+    }
+  });
+  CHECK(met > 10);
+}
+
+TEST_CASE("a number of triangles is met within a tenth, and fewer than C allows are not promised") {
+  const PreparedSkin skin = prepare_skin(molecule("5tmn_ligand.pdb", skin::Model::Vdw));
+  const std::size_t least = make_mesh(skin, coarse({})).mesh.triangles.size();
+  for (const double wanted : {2000., 10'000., 60'000.}) {
+    const MeshResult result = make_mesh(skin, coarse({.density = {}, .triangles = wanted}));
+    CHECK(std::abs(static_cast<double>(result.mesh.triangles.size()) / wanted - 1) <= 0.1);
+    CHECK(result.certificate.certified);
+  }
+  CHECK(make_mesh(skin, coarse({.density = {}, .triangles = 4})).mesh.triangles.size() == least);
+}
+
+TEST_CASE("sizes that make no sense are refused") {
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1)});
+  for (const SizeGoal& goal : {SizeGoal{1, 100}, SizeGoal{0, {}}, SizeGoal{-1, {}},
+                               SizeGoal{std::nan(""), {}}, SizeGoal{{}, 3}, SizeGoal{{}, 1e12}}) {
+    CHECK_THROWS_AS(make_mesh(skin, coarse(goal)), geometry::RefusedInput);
+  }
+}
