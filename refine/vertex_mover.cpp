@@ -1,7 +1,9 @@
 #include "refine/vertex_mover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -20,19 +22,6 @@ constexpr double longest_step = 0.25, shortest_step = 0.025;
 /// A move must raise the worst triangle's quality by this factor, so that moves end.
 constexpr double min_gain = 1.001;
 
-/// What is asked of a triangle.
-struct Shape {
-  double quality;  ///< AngleGoal::quality()
-  double radius;   ///< of its circumcircle, Angstrom
-  Vector normal;   ///< twice its area long
-};
-Shape shape(const Point& a, const Point& b, const Point& c, const AngleGoal& goal) {
-  const Vector n = (b - a).cross(c - a);
-  const double nn = n.squaredNorm();
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  return {goal.quality(nn, ab, bc, ca), std::sqrt(ab * bc * ca / nn) / 2, n};
-}
-
 }  // namespace
 
 /// Lists the vertices around v, counter-clockwise, and those beyond the edges between them.
@@ -49,21 +38,34 @@ bool VertexMover::gather_neighbours(VertexId v) {
          std::ranges::all_of(beyond_, [&](VertexId x) { return subdomain_.is_safe_to_read(x); });
 }
 
-/// The least quality around v were it at x; nothing unless it is above `asked`, [L] and [U] hold
-/// and all triangles face outward.
-std::optional<double> VertexMover::quality(const SurfacePoint& x, double asked) const {
+/// The least quality around v were it at x; negative if it is not above `asked`.
+double VertexMover::quality(const Point& x, double asked) const {
   double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Point& p = mesh_.position(ring_[i]);
+    const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
+    const double one = goal_.quality(x, p, q);
+    if (!(one > asked)) return -1;
+    least = std::min(least, one);
+  }
+  return least;
+}
+
+/// Whether [L] and [U] hold around v and all triangles face outward were it at x.
+bool VertexMover::keeps_size(const SurfacePoint& x) const {
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
-    const Shape s = shape(x.position, p.position, q.position, goal_);
+    const Vector to_p = p.position - x.position, to_q = q.position - x.position;
+    const Vector normal = to_p.cross(to_q);
+    const double radius = to_p.norm() * to_q.norm() * (to_q - to_p).norm() / (2 * normal.norm());
     const double rho = surface::min_length_scale({&x, &p, &q});
-    const bool is_good = s.quality > asked && !sizing_.is_too_short(x, p) &&
-                         sizing_.triangle_ratio(s.radius, rho) < 1 && is_upright(s.normal, x, p, q);
-    if (!is_good) return std::nullopt;
-    least = std::min(least, s.quality);
+    if (sizing_.is_too_short(x, p) || !(sizing_.triangle_ratio(radius, rho) < 1) ||
+        !is_upright(normal, x, p, q)) {
+      return false;
+    }
   }
-  return least;
+  return true;
 }
 
 /// Whether the certificate can prove the triangles around v were it at x, where [U] does not see
@@ -103,24 +105,28 @@ bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
   return true;
 }
 
-/// The best position a step away from x; nothing if none is better than `asked`.
+/// The best position a step away from x; nothing if none is better than `asked`. Directions are
+/// ranked in the tangent plane: to project is dear, and moves a point by a small share of the step.
 std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const SurfacePoint& x,
                                                                       double step,
                                                                       double asked) const {
   const geometry::TangentFrame tangent(x.normal);
-  std::vector<std::pair<double, SurfacePoint>> better;
+  std::array<std::pair<double, Point>, directions> ranked;
   for (int k = 0; k < directions; ++k) {
-    const double angle = 2 * M_PI * k / directions;
-    const auto y = surface_.project(x.position + step * tangent.direction(angle), x.cell);
-    if (!y) continue;
-    if (const auto q = quality(*y, asked)) better.emplace_back(*q, *y);
+    const Point y = x.position + step * tangent.direction(2 * M_PI * k / directions);
+    ranked[static_cast<std::size_t>(k)] = {quality(y, asked), y};
   }
-  std::stable_sort(better.begin(), better.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  const auto found = std::find_if(better.begin(), better.end(), [this](const auto& b) {
-    return keeps_provable(b.second) && keeps_delaunay(b.second);
-  });
-  return found == better.end() ? std::nullopt : std::optional(*found);
+  std::ranges::stable_sort(ranked, std::greater(), [](const auto& r) { return r.first; });
+  for (const auto& [in_plane, at] : ranked) {
+    if (in_plane < 0) break;
+    const auto y = surface_.project(at, x.cell);
+    if (!y) continue;
+    const double on_surface = quality(y->position, asked);
+    if (on_surface > 0 && keeps_size(*y) && keeps_provable(*y) && keeps_delaunay(*y)) {
+      return std::pair(on_surface, *y);
+    }
+  }
+  return std::nullopt;
 }
 
 VertexMover::Moved VertexMover::move(VertexId v) {

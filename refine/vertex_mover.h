@@ -28,7 +28,8 @@ class VertexMover {
 
  private:
   bool gather_neighbours(VertexId v);
-  std::optional<double> quality(const SurfacePoint& x, double asked) const;
+  double quality(const Point& x, double asked) const;
+  bool keeps_size(const SurfacePoint& x) const;
   bool keeps_provable(const SurfacePoint& x) const;
   bool keeps_delaunay(const SurfacePoint& x) const;
   std::optional<std::pair<double, SurfacePoint>> step_from(const SurfacePoint& x, double step,

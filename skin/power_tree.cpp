@@ -16,7 +16,7 @@ using geometry::WeightedPoint;
 
 namespace {
 
-constexpr std::uint32_t max_leaf = 4;
+constexpr std::uint32_t max_leaf = 8;
 
 /// The power of an atom at an offset, rounded down but for the last subtraction. The computed
 /// square is at most (1 + u)^5 < 1 + 8 u times the true one: a difference of coordinates is rounded
@@ -66,47 +66,54 @@ std::uint32_t PowerTree::build(std::span<const WeightedPoint> points, std::uint3
   return index;
 }
 
-/// Boxes are looked at in doubles, whatever the atoms are: quadruple precision is slow.
+/// Boxes are looked at in doubles, whatever q is given in, and so is each atom first where that is
+/// not in doubles: quadruple precision is slow.
 template <class Real>
 struct PowerTree::Search {
+  static constexpr bool in_doubles = std::is_same_v<Real, double>;
   const Vector3<Real> q;
   std::uint32_t atom;  ///< of the least power so far
   Real least;
+  double limit = rounded_up(least);
   const Point stored = q.template cast<double>();
   /// Twice what a coordinate of q loses there.
   const double loss = 0x1p-52 * stored.cwiseAbs().maxCoeff() + underflow;
 
   /// No atom of the box has less power: in doubles by monotonicity, otherwise because what q loses
   /// comes off each coordinate, which rounds once more, and the last subtraction is counted.
-  double bound(const Node& node) const {
-    const Vector offset = (node.low - stored).cwiseMax(stored - node.high);
-    if constexpr (std::is_same_v<Real, double>) {
-      return power_below<double>(offset.cwiseMax(0.0), node.max_weight);
+  [[gnu::always_inline]] double bound(const Point& low, const Point& high, double weight) const {
+    const Vector offset = (low - stored).cwiseMax(stored - high);
+    if constexpr (in_doubles) {
+      return power_below<double>(offset.cwiseMax(0.0), weight);
     } else {
       const Vector less = offset - Vector::Constant(loss);
-      const double power = power_below<double>(less.cwiseMax(0.0), node.max_weight);
+      const double power = power_below<double>(less.cwiseMax(0.0), weight);
       return power - 4 * unit_roundoff<double> * std::abs(power) - underflow;
     }
+  }
+
+  void try_atom(const WeightedPoint& p, std::uint32_t id) {
+    if (!in_doubles && bound(p.position, p.position, p.weight) >= limit) return;
+    const Real power = power_below<Real>(p.position.template cast<Real>() - q, p.weight);
+    if (power >= least) return;
+    least = power;
+    limit = rounded_up(power);
+    atom = id;
   }
 };
 
 template <class Real>
 void PowerTree::search(Search<Real>& s, const Node& node) const {
   if (node.right == 0) {
-    for (std::uint32_t i = node.first; i < node.last; ++i) {
-      const Vector3<Real> offset = points_[i].position.cast<Real>() - s.q;
-      const Real power = power_below(offset, points_[i].weight);
-      if (power >= s.least) continue;
-      s.least = power;
-      s.atom = ids_[i];
-    }
+    for (std::uint32_t i = node.first; i < node.last; ++i) s.try_atom(points_[i], ids_[i]);
     return;
   }
   const Node &left = *(&node + 1), &right = nodes_[node.right];
-  const double to_left = s.bound(left), to_right = s.bound(right);
+  const double to_left = s.bound(left.low, left.high, left.max_weight);
+  const double to_right = s.bound(right.low, right.high, right.max_weight);
   const bool is_left_first = to_left <= to_right;
-  if (std::min(to_left, to_right) < s.least) search(s, is_left_first ? left : right);
-  if (std::max(to_left, to_right) < s.least) search(s, is_left_first ? right : left);
+  if (std::min(to_left, to_right) < s.limit) search(s, is_left_first ? left : right);
+  if (std::max(to_left, to_right) < s.limit) search(s, is_left_first ? right : left);
 }
 
 template <class Real>
