@@ -1,0 +1,192 @@
+// The sweep, keys, touch and dragging: the viewer worked by hand, on a desk and on a phone.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { settle } from './browser.mjs';
+import {
+  morskin, molecules, folder, make, pages, stage, small, withPage, change, check, picture,
+} from './pages.mjs';
+import { difference } from './pictures.mjs';
+
+test('the sweep goes from the first bowl to the last seal', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const steps = Number(await page.locator('#step').getAttribute('max'));
+    const move = (share) => page.locator('#step').evaluate((slider, to) => {
+      slider.value = to;
+      slider.dispatchEvent(new Event('input'));
+    }, Math.round(share * steps));
+    const done = () => page.locator('.done .number:not(.all)').allTextContents()
+      .then((list) => list.map((text) => Number(text.replaceAll(',', ''))));
+    const whole = await stage(page);
+    let last = [0, 0, 0, 0, 0];
+    await move(0);
+    assert.deepEqual(await done(), last);
+    for (const share of [0.05, 0.3, 0.6, 0.9]) {
+      assert.ok(await change(page, () => move(share)) > 0.005, `at ${share}`);
+      const now = await done();
+      assert.ok(now.every((n, i) => n >= last[i]) && now[1] > last[1], `${now} after ${last}`);
+      assert.match(await page.locator('.done + .note').textContent(), /edges in the front at/);
+      last = now;
+      await picture(page, `sweep-${Math.round(100 * share)}`);
+    }
+    await move(1);
+    await settle(page);
+    assert.match(await page.locator('.done + .note').textContent(), /closed/);
+    const off = difference(whole, await stage(page));
+    assert.ok(off < 0.001, `the end is the whole mesh, but for ${off}`);
+    // It runs by itself, and stops where it is asked to.
+    await page.locator('button.play').click();
+    await page.waitForFunction((most) => window.viewer.state.step > 0 &&
+      window.viewer.state.step < most / 2, steps);
+    await page.locator('button.play').click();
+    assert.equal(await page.evaluate(() => window.viewer.state.playing), false);
+  });
+});
+
+test('every key of the help does what it says', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const state = () => page.evaluate(() => ({ ...window.viewer.state }));
+    const eye = () => page.evaluate(() => window.viewer.stage.camera.position.toArray().join());
+    for (const [key, name] of [['e', 'edges'], ['x', 'seeThrough'], ['a', 'atoms'], ['k', 'points'],
+      ['l', 'lines'], ['s', 'spheres'], ['i', 'simplified'], ['m', 'section'], ['u', 'cut'],
+      ['p', 'panel'], ['1', 'style'], ['2', 'style'], ['3', 'style'], ['4', 'style'],
+      ['c', 'colouring'], ['C', 'colouring'], [']', 'offset'], ['[', 'offset'], [',', 'step'],
+      ['.', 'step'], ['<', 'step'], ['>', 'step'], [' ', 'playing'], [' ', 'playing']]) {
+      if (key === '1') await page.keyboard.press('2');
+      const old = (await state())[name];
+      await page.keyboard.press(key);
+      assert.notEqual((await state())[name], old, `key ${key}`);
+    }
+    for (const key of ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-']) {
+      const old = await eye();
+      await page.keyboard.press(key);
+      assert.notEqual(await eye(), old, key);
+    }
+    const old = await eye();
+    await page.keyboard.press('f');
+    assert.notEqual(await eye(), old, 'f');
+    await page.keyboard.press('h');
+    assert.ok(await page.locator('#help').isVisible());
+    await page.keyboard.press('Escape');
+    assert.ok(!await page.locator('#help').isVisible());
+    await settle(page);
+  });
+});
+
+test('all of it can be reached with the tabulator', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const reached = new Set();
+    for (let i = 0; i < 60; ++i) {
+      await page.keyboard.press('Tab');
+      reached.add(await page.evaluate(() => document.activeElement.id ||
+        document.activeElement.getAttribute('aria-label') || document.activeElement.dataset.value));
+    }
+    const ids = await page.locator('#panel input, #panel select').evaluateAll((l) => l.map((e) => e.id));
+    for (const id of ids) assert.ok(reached.has(id), `${id} is out of reach`);
+  });
+});
+
+test('dark and light follow the system and the switch', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { ...small, scheme: 'dark' }, async (page) => {
+    await picture(page, 'dark');
+    assert.ok(await change(page, () => page.keyboard.press('d')) > 0.2);
+    assert.ok(await change(page, () => page.keyboard.press('d')) > 0.2);
+    await page.keyboard.press('d');
+    await page.emulateMedia({ colorScheme: 'light' });
+    await settle(page);
+    assert.equal(await page.evaluate(() => window.viewer.isDark()), false);
+  });
+});
+
+test('a phone shows the stage above the panel, and touch works it', { timeout: 900000 }, async () => {
+  const phone = { width: 390, height: 844, touch: true };
+  await withPage(pages.ligand, phone, async (page) => {
+    const [above, below] = await Promise.all(['#stage', '#panel'].map((id) =>
+      page.locator(id).boundingBox()));
+    assert.ok(above.y + above.height <= below.y + 1 && above.height > 380 && below.width === 390);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+    await picture(page, 'phone');
+    await page.locator('label[for=points]').scrollIntoViewIfNeeded();
+    assert.ok(await change(page, () => page.locator('label[for=points]').tap()) > 0.001);
+    await page.locator('button.fold').tap();
+    await settle(page);
+    assert.ok((await page.locator('#stage').boundingBox()).height > above.height + 150);
+    // Fingers are wide: what is tapped is at least 30 pixels high, or its row is.
+    const heights = await page.locator('button, select').evaluateAll((list) => list
+      .filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().height));
+    assert.ok(Math.min(...heights) >= 30, `${heights}`);
+  });
+});
+
+test('all of a tall molecule is in view, on a desk and on a phone', { timeout: 900000 }, async () => {
+  const stack = join(folder, 'stack.xyzr');
+  writeFileSync(stack, [0, 2, 4, 6, 8].map((y) => `0 ${y} 0 1\n`).join(''));
+  const file = make('stack', stack);
+  for (const size of [small, { width: 390, height: 844, touch: true }]) {
+    await withPage(file, size, async (page) => {
+      // The farthest point from the middle: 1 is the window's rim.
+      const farthest = await page.evaluate(() => {
+        const { bounds, camera, controls } = window.viewer.stage;
+        const point = controls.target.clone();
+        let max = 0;
+        for (let i = 0; i < bounds.sample.length; i += 3) {
+          point.fromArray(bounds.sample, i).project(camera);
+          max = Math.max(max, Math.abs(point.x), Math.abs(point.y));
+        }
+        return max;
+      });
+      assert.ok(farthest > 0.8 && farthest < 1, `the farthest point is at ${farthest}`);
+    });
+  }
+});
+
+test('dragging turns the surface', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const changed = await change(page, async () => {
+      await page.mouse.move(150, 150);
+      await page.mouse.down();
+      await page.mouse.move(230, 180, { steps: 4 });
+      await page.mouse.up();
+    });
+    assert.ok(changed > 0.05, String(changed));
+  });
+});
+
+test('a mesh shows only the layers it has, and a growing one its frames', { timeout: 900000 }, async () => {
+  const ring = join(molecules, 'ring12.xyzr');
+  const mesh = (name, ...words) => {
+    const path = join(folder, name);
+    execFileSync(morskin, ['mesh', ring, '--model', 'paper', '-o', path, '-q', ...words]);
+    return path;
+  };
+  const coarse = mesh('coarse.ply', '-C', '0.16', '-Q', '1.7'), fine = mesh('fine.ply');
+  await withPage(make('mesh', fine), small, async (page) => {
+    const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
+    assert.deepEqual(ids, ['quality', 'component', 'plain']);
+    assert.equal(await page.locator('#step').count(), 0);
+    assert.equal(await page.locator('#atoms').count(), 0);
+    for (const key of 'axkmsul ,.') await page.keyboard.press(key);
+    await picture(page, 'mesh');
+  });
+  await withPage(make('growing', fine, '--frames', coarse, fine), small, async (page) => {
+    const move = (to) => page.locator('#frame').evaluate((slider, frame) => {
+      slider.value = frame;
+      slider.dispatchEvent(new Event('input'));
+    }, to);
+    assert.ok(await change(page, () => move(0)) > 0.02);
+    assert.match(await page.locator('.player ~ .note').last().textContent(), /coarse/);
+    await picture(page, 'growth');
+    await page.keyboard.press('g');
+    await page.waitForFunction(() => window.viewer.state.frame === 2);
+  });
+  await withPage(make('against', fine, '--against', ring), small, async (page) => {
+    await check(page, 'lines');
+    await check(page, 'points');
+    assert.equal(await page.locator('#step').count(), 0);
+    await settle(page);
+    await picture(page, 'against');
+  });
+});
