@@ -172,6 +172,12 @@ TEST_CASE("snapshots are closed meshes that come at the times asked for") {
   CHECK(seen == std::vector<long>{0, 4, 2, 2});
 }
 
+TEST_CASE("a thin triangle with its ball's centre on another part of the skin is not broken there") {
+  const auto skin = prepared(support::ball_set(20));
+  REQUIRE(skin);
+  grown(*skin);
+}
+
 TEST_SUITE("slow") {
   TEST_CASE("a hundred random sets of balls grow to certified meshes") {
     for_skins({6, 100}, [](const PreparedSkin& skin) { grown(skin); });

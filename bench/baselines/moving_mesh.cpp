@@ -102,8 +102,14 @@ bool MovingMesh::insert(TriangleId t, double min_L) {
   if (!where) return false;
   const SurfacePoint& x = where->point;
   const TriangleId under = where->under;
-  for (const VertexId v : surface_.corners(under)) {
+  // A thin triangle's ball may have its centre on another part of the skin, far above the triangle
+  // that the walk ends at.
+  constexpr double over = 2.5;  // circumradii; no point of a triangle is more than 2 from a corner
+  const auto [a, b, c] = surface_.corners(under);
+  const double reach = over * certify::circumcircle(position(a), position(b), position(c)).radius;
+  for (const VertexId v : {a, b, c}) {
     if (sizing_.edge_ratio(at(v), x) < min_L) return false;
+    if ((position(v) - x.position).norm() > reach) return false;
   }
   // Beside an edge the point would make a triangle as good as flat: turn that edge at once.
   constexpr double beside = 0.1;  // of the edge's length
