@@ -19,8 +19,9 @@
 namespace morskin::app {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshMethod>, 4> methods{
-    {{"sweep", MeshMethod::Sweep},
+constexpr std::array<std::pair<std::string_view, MeshMethod>, 5> methods{
+    {{"auto", MeshMethod::Auto},
+     {"sweep", MeshMethod::Sweep},
      {"static", MeshMethod::Static},
      {"dynamic", MeshMethod::Dynamic},
      {"marching-cubes", MeshMethod::MarchingCubes}}};
@@ -190,9 +191,11 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *parse_method(typed.method);
+  const bool is_of_a_sweep = typed.fronts || typed.guard != "everywhere" || mesh.has_snapshots();
+  if (mesh.method == MeshMethod::Auto && is_of_a_sweep) mesh.method = MeshMethod::Sweep;
   const bool is_sweep = mesh.method == MeshMethod::Sweep;
   const bool is_dynamic = mesh.method == MeshMethod::Dynamic;
-  const bool is_smoothed = is_sweep || mesh.method == MeshMethod::Static;
+  const bool is_smoothed = !is_dynamic && mesh.method != MeshMethod::MarchingCubes;
   if (typed.angle_goal && !is_smoothed) {
     throw UsageError("--angle-goal is for the methods sweep and static");
   }

@@ -35,9 +35,11 @@ struct MoleculeArguments {
 };
 
 /// How a skin is meshed: by a method of the library or by a baseline to compare it with.
-enum class MeshMethod { Sweep, Static, Dynamic, MarchingCubes };
+/// Auto is the library's choice.
+enum class MeshMethod { Auto, Sweep, Static, Dynamic, MarchingCubes };
 
-/// The method called "sweep", "static", "dynamic" or "marching-cubes"; nothing for other words.
+/// The method called "auto", "sweep", "static", "dynamic" or "marching-cubes"; nothing for other
+/// words.
 std::optional<MeshMethod> parse_method(std::string_view name);
 std::string_view name_of(MeshMethod method);
 
@@ -55,7 +57,7 @@ struct MeshArguments {
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
-  MeshMethod method = MeshMethod::Sweep;
+  MeshMethod method = MeshMethod::Auto;
   std::optional<double> grid_step;  ///< of marching cubes, Angstrom
   double grow_to = 0;  ///< of the dynamic method: Angstrom^2 added to every weight at the end
   std::optional<double> growth_shown_from;  ///< and when its snapshots begin

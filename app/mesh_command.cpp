@@ -65,7 +65,10 @@ morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
   options.fronts = arguments.fronts;
   options.guard = arguments.guard;
   switch (arguments.method) {
+    case MeshMethod::Auto:
+      break;
     case MeshMethod::Sweep:
+      options.method = morskin::Method::Sweep;
       break;
     case MeshMethod::Static:
       options.method = morskin::Method::Static;
@@ -242,7 +245,11 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   MeshDelivery delivery(arguments, outputs, files);
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
-  report.method = arguments.method;
+  const bool is_static = result.method == morskin::Method::Static;
+  report.is_method_chosen = arguments.method == MeshMethod::Auto;
+  report.method = !report.is_method_chosen ? arguments.method
+                  : is_static              ? MeshMethod::Static
+                                           : MeshMethod::Sweep;
   report.fronts = arguments.fronts;
   describe_run(report, arguments, result, delivery, run);
   line.wipe();

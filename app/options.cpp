@@ -132,10 +132,12 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--method", typed.method,
                   "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement, slower, but surer and with fewer triangles where\n"
-                  "C is above 0.25; dynamic, growth from nothing; marching-cubes,\n"
-                  "for comparison: without quality, so as a rule not certified")
-      ->check(CLI::IsMember({"sweep", "static", "dynamic", "marching-cubes"}))
+                  "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
+                  "static with C above 0.25 where no length limits most edges: it takes\n"
+                  "less time for as dense a mesh there; dynamic, growth from nothing;\n"
+                  "marching-cubes, for comparison: without quality, so as a rule not\n"
+                  "certified")
+      ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))
       ->capture_default_str();
   command.add_option("--grid", mesh.grid_step,
                      "Step of the grid of marching-cubes, Angstrom (default: as many\n"

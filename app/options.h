@@ -21,7 +21,7 @@ struct Typed {
   std::optional<double> persistence;
   bool is_raw = false;
   std::string progress = "auto";
-  std::string method = "sweep";
+  std::string method = "auto";
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<int> fronts;

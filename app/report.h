@@ -40,7 +40,8 @@ struct MeshReport {
   std::string certified_file;
   certify::Certificate certificate;
   certify::MeshQuality quality;
-  MeshMethod method = MeshMethod::Sweep;
+  MeshMethod method = MeshMethod::Sweep;  ///< used
+  bool is_method_chosen = false;          ///< by the library
   morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method

@@ -23,7 +23,7 @@ def arguments():
     parser = argument_parser(__doc__, timeout=120, results="results/coarse.tsv")
     parser.set_defaults(only="1f2n_capsid")
     parser.add_argument("--sizes", default="0.2,0.25,0.3,0.35,0.4", help="C, default %(default)s")
-    parser.add_argument("--method", choices=["sweep", "static"], default="sweep")
+    parser.add_argument("--method", choices=["auto", "sweep", "static"], default="auto")
     parser.add_argument("--pieces", type=int, default=40, help="default %(default)s")
     parser.add_argument("--radius", type=float, default=14, help="of a piece, Angstrom (14)")
     parser.add_argument("--seed", type=int, default=1)

@@ -37,7 +37,7 @@ WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 9, 6, 7, 8, 7, 8, 8, 11, 8, 0]
 
 def arguments():
     parser = argument_parser(__doc__, timeout=3600, results="results/corpus.tsv")
-    parser.add_argument("--method", default="sweep", help="default %(default)s")
+    parser.add_argument("--method", default="auto", help="default %(default)s")
     parser.add_argument("-C", type=float, default=0.08, help="default %(default)s")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     parser.add_argument("--check", action="store_true", help="run `check` on every mesh as well")

@@ -1,15 +1,32 @@
 #include "morskin/method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace morskin {
 
+Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
+  if (options.method) return *options.method;
+  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
+  if (options.mesher || is_of_the_sweep) return Method::Sweep;
+  // Measured (bench/MEASUREMENTS.md): from here on the static method makes as dense a mesh in less
+  // time, unless most edges are far shorter than the atoms' radii would have them.
+  constexpr double coarse_C = 0.25, limiting_share = 0.25;
+  double largest_patch = 0;
+  for (const geometry::WeightedPoint& p : skin.surface.points()) {
+    largest_patch = std::max(largest_patch, std::sqrt(std::max(p.weight, 0.0) / 2));
+  }
+  const bool is_by_length = options.sizing.largest_length_scale < limiting_share * largest_patch;
+  return options.sizing.C > coarse_C && !is_by_length ? Method::Static : Method::Sweep;
+}
+
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
                         const Run& run) {
   if (options.mesher) return options.mesher(skin, options, observer, run);
-  MethodResult made = options.method == Method::Sweep ? sweep_method(skin, options, observer, run)
-                                                      : static_method(skin, options, observer, run);
+  const bool is_sweep = method_of(skin, options) == Method::Sweep;
+  MethodResult made = is_sweep ? sweep_method(skin, options, observer, run)
+                               : static_method(skin, options, observer, run);
   if (made.open_edges > 0 || options.goal_deg() == 0) return made;
   // So much more than asked, in degrees, that rounding cannot bring a file's angle below.
   constexpr double margin_deg = 1e-9;

@@ -61,7 +61,7 @@ struct MeshingOptions {
   /// as far as that can be done under [L] and [U]; 0 leaves them as they are. Without one,
   /// AngleGoal::usual_deg().
   std::optional<double> angle_goal_deg = {};
-  Method method = Method::Sweep;
+  std::optional<Method> method = {};  ///< without one, method_of()
   /// From outside the library, in place of the method: its mesh is left as it is.
   Mesher mesher = {};
   /// The function to sweep along; without one, the height y with a small tilt, and further tilts
@@ -75,6 +75,11 @@ struct MeshingOptions {
 
   double goal_deg() const { return angle_goal_deg.value_or(refine::AngleGoal::usual_deg(sizing)); }
 };
+
+/// The method asked for or, without one, what meshes best: the sweep, but the static method where
+/// triangles are coarse and the curvature makes their sizes. There the sweep lays three to four
+/// times as many as are kept.
+Method method_of(const PreparedSkin& skin, const MeshingOptions& options);
 
 /// Meshes by these options, and smooths what a method of the library has made.
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,

@@ -123,14 +123,22 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
   if (!options.mesher && options.goal_deg() >= certify::guaranteed_angle_deg) {
     options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
   }
-  if (options.size_goal.is_set()) options.sizing = sizing_for_goal(skin, options, run);
+  if (options.size_goal.is_set()) settle_size(skin, options, run);
+  const Method method = method_of(skin, options);
+  options.method = method;
   MethodResult made = run_method(skin, options, observer, run);
   Parcel parcel(made.mesh, run);
-  MeshResult result{
-      std::move(made), options.sizing, std::move(parcel.mesh), std::move(parcel.cells), {}, {}};
+  MeshResult result{std::move(made),
+                    method,
+                    options.sizing,
+                    std::move(parcel.mesh),
+                    std::move(parcel.cells),
+                    {},
+                    {}};
   const Delivering deliver(skin, options.sizing, observer, run);
   deliver(result, parcel.twins);
-  if (!result.certificate.certified && mend(skin, options, result, run)) deliver(result, {});
+  if (!result.certificate.certified && mend(skin, options, !asked.method, result, run))
+    deliver(result, {});
   return result;
 }
 

@@ -26,6 +26,7 @@ struct Fallback {
 };
 
 struct MeshResult : RunCounts {
+  Method method;                        ///< that made it, first; of the library's
   certify::Sizing sizing;               ///< as a size goal has set it
   geometry::IndexedMesh mesh;           ///< as it was delivered
   std::vector<geometry::CellId> cells;  ///< by vertex, the mixed cell it lies in

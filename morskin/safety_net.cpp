@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geometry/union_find.h"
 #include "skin/skin_components.h"
@@ -216,9 +217,10 @@ std::vector<morse::MorseFunction> other_directions() {
 
 }  // namespace
 
-bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& result,
-          const Run& run) {
-  if (!options.has_safety_net || options.method != Method::Sweep ||
+bool mend(const PreparedSkin& skin, const MeshingOptions& options, bool is_method_free,
+          MeshResult& result, const Run& run) {
+  const bool was_swept = options.method == Method::Sweep;
+  if (!options.has_safety_net || !(was_swept || is_method_free) ||
       options.guard != front::Guard::Everywhere) {
     return false;
   }
@@ -226,11 +228,14 @@ bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& r
   Mending mending(skin, options, parts, result, run);
   Observer unobserved;
   MeshingOptions again = options;
+  again.method = Method::Sweep;
   // For triangles this coarse another sweep closes no more often than the first, and is not much
   // quicker.
-  const int max_sweeps = options.sizing.C <= certify::Sizing::largest_proved_C ? 2 : 0;
+  const bool is_coarse = options.sizing.C > certify::Sizing::largest_proved_C;
+  const int max_sweeps = was_swept ? (is_coarse ? 0 : 2) : 1;
   int tried = 0;
-  for (const morse::MorseFunction& function : other_directions()) {
+  for (const morse::MorseFunction& function :
+       was_swept ? other_directions() : std::vector{result.function}) {
     if (mending.is_done() || tried == max_sweeps) break;
     again.function = function;
     try {
@@ -241,7 +246,7 @@ bool mend(const PreparedSkin& skin, const MeshingOptions& options, MeshResult& r
       continue;  // the next direction
     }
   }
-  if (!mending.is_done()) {
+  if (!mending.is_done() && was_swept) {
     again.function = result.function;
     again.method = Method::Static;
     again.mesher = {};

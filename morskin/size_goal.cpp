@@ -74,24 +74,23 @@ double wanted_vertices(const SizeGoal& goal, double area) {
 
 }  // namespace
 
-certify::Sizing sizing_for_goal(const PreparedSkin& skin, const MeshingOptions& asked,
-                                const geometry::Run& run) {
-  MeshingOptions options = asked;
-  options.angle_goal_deg = 0;
+void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geometry::Run& run) {
   certify::Sizing& sizing = options.sizing;
   sizing.largest_length_scale = infinity;
   for (int k = 0; k < max_trials; ++k) {
+    MeshingOptions unsmoothed = options;
+    unsmoothed.angle_goal_deg = 0;
     Observer unobserved;
-    const MethodResult made = run_method(skin, options, unobserved, run);
+    const MethodResult made = run_method(skin, unsmoothed, unobserved, run);
     if (made.open_edges > 0) break;
     const Trial trial(made.mesh, sizing.largest_length_scale);
-    const double wanted = wanted_vertices(asked.size_goal, trial.area());
+    const double wanted = wanted_vertices(options.size_goal, trial.area());
     if (std::abs(trial.vertices() / wanted - 1) <= near_enough) break;
     const double limit = trial.limit_for(wanted);
     if (limit == sizing.largest_length_scale) break;  // as coarse as C allows
     sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
+    options.method = method_of(skin, options);  // the same in all further trials
   }
-  return sizing;
 }
 
 }  // namespace morskin

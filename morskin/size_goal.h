@@ -21,18 +21,17 @@ struct SizeGoal {
   bool is_set() const { return density || triangles; }
 };
 
-/// The sizing of the options with the largest length scale with which a mesh has what its size goal
-/// asks for, within a few per cent; without a limit where C allows no mesh so coarse.
+/// Sets the largest length scale of the sizing, with which a mesh has what the size goal asks for,
+/// within a few per cent; without a limit where C allows no mesh so coarse. Sets the method too,
+/// where none is asked for.
 ///
-/// Trial meshes are made until one fits, of the method asked for and without smoothing, the first
-/// as coarse as C allows. With A(v) the area about a vertex of one with the limit l, a mesh with
-/// the limit m has nearly
+/// Trial meshes are made until one fits, without smoothing, the first as coarse as C allows. With
+/// A(v) the area about a vertex of one with the limit l, a mesh with the limit m has nearly
 ///
 ///     (number now) (sum A(v) / min(rho(v), m)^2) / (sum A(v) / min(rho(v), l)^2)
 ///
 /// vertices, for edges are as long as the lesser of length scale and limit, times a constant.
 /// @throws what make_mesh() does
-certify::Sizing sizing_for_goal(const PreparedSkin& skin, const MeshingOptions& options,
-                                const geometry::Run& run);
+void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geometry::Run& run);
 
 }  // namespace morskin

@@ -30,9 +30,10 @@ void for_cases(const Check& check) {
   }
 }
 
-/// A mesh of the sweep, refined, its angles as they came.
-Mesh rough_mesh(const PreparedSkin& skin, const Sizing& sizing) {
-  return skin_mesh(skin.surface, make_mesh(skin, {.sizing = sizing, .angle_goal_deg = 0}));
+/// A mesh by a method, refined, its angles as they came.
+Mesh rough_mesh(const PreparedSkin& skin, const Sizing& sizing, Method method = Method::Sweep) {
+  const MeshingOptions options{.sizing = sizing, .angle_goal_deg = 0, .method = method};
+  return skin_mesh(skin.surface, make_mesh(skin, options));
 }
 
 double smallest_angle(const Mesh& mesh) {
@@ -62,7 +63,7 @@ Certificate certificate(const PreparedSkin& skin, const Mesh& mesh, const Sizing
 
 }  // namespace
 
-TEST_CASE("refinement leaves no angle below 30 degrees and no edge shorter, from any mesh") {
+TEST_CASE("refinement leaves no angle below 30 degrees and no edge shorter, from what is swept") {
   for_cases([](const PreparedSkin& skin, const Sizing& sizing) {
     Mesh mesh = rough_mesh(skin, sizing);
     const double before = smallest_angle(mesh), shortest = shortest_edge(mesh);
@@ -76,6 +77,27 @@ TEST_CASE("refinement leaves no angle below 30 degrees and no edge shorter, from
     CHECK(c.violations_U == 0);
     CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
   });
+}
+
+TEST_CASE("what refinement leaves of a mesh by the static method, refinement in space does not") {
+  std::size_t left = 0;
+  for_cases([&](const PreparedSkin& skin, const Sizing& sizing) {
+    Mesh mesh = rough_mesh(skin, sizing, Method::Static);
+    const double shortest = shortest_edge(mesh);
+    const AngleRefinementCounts counts = refine_angles(skin.surface, sizing, mesh, 30);
+    left += counts.left;
+    if (counts.left > 0) {
+      auto refined = refine_angles_in_space(skin, mesh, sizing, 30, geometry::Run(1));
+      REQUIRE(refined);
+      mesh = std::move(*refined);
+    }
+    CHECK(smallest_angle(mesh) >= 30 - 1e-9);
+    CHECK(shortest_edge(mesh) >= (1 - 1e-9) * shortest);
+    const Certificate c = certificate(skin, mesh, sizing);
+    CHECK(c.is_homeomorphic);
+    CHECK(c.violations_U == 0);
+  });
+  CHECK(left > 0);
 }
 
 TEST_CASE("refinement in space does the same") {

@@ -2,7 +2,8 @@
 // that a crash or an endless loop is one failure among the others.
 //
 //   morskin_stress SETS [FIRST_SEED [METHOD [C]]]   all of them, with a line now and then and a
-//                                                   total; METHOD is sweep (default) or static
+//                                                   total; METHOD is auto (default), sweep or
+//                                                   static
 //   morskin_stress --balls SEED                     one set's balls as XYZR, for the command
 //                                                   (--model vdw)
 
@@ -120,14 +121,15 @@ int main(int count, char** words) {
     return EXIT_SUCCESS;
   }
   morskin::MeshingOptions options;
-  const std::string_view method = count >= 4 ? words[3] : "sweep";
-  const bool is_method = method == "sweep" || method == "static";
+  const std::string_view method = count >= 4 ? words[3] : "auto";
+  const bool is_method = method == "auto" || method == "sweep" || method == "static";
   if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
   if (count < 2 || count > 5 || number(words[1]) == 0 || !is_method || !(options.sizing.C > 0)) {
     std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
     return 2;
   }
   if (method == "static") options.method = morskin::Method::Static;
+  if (method == "sweep") options.method = morskin::Method::Sweep;
   options.sizing.Q = certify::Sizing::quality_for(options.sizing.C);
   return run_all(number(words[1]), count >= 3 ? number(words[2]) : 0, options);
 }
