@@ -171,12 +171,15 @@ std::string missed_size(const morskin::SizeGoal& goal, const certify::Certificat
 
 bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
 
-void describe_run(MeshReport& report, const MeshArguments& arguments,
+void describe_run(MeshReport& report, const MeshArguments& arguments, const skin::SkinSurface& skin,
                   const morskin::MeshResult& result, const MeshDelivery& delivery,
                   const morskin::Run& run) {
   report.certificate = result.certificate;
   report.sizing = result.sizing;
   report.missed_size = missed_size(arguments.size_goal, result.certificate);
+  const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
+  const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
+  if (is_size_asked) report.bent = run.stage("certify", [&] { return bent_part(skin, result); });
   if (prints_report(arguments) || arguments.report) {
     report.quality =
         run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });
@@ -251,7 +254,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                   : is_static              ? MeshMethod::Static
                                            : MeshMethod::Sweep;
   report.fronts = arguments.fronts;
-  describe_run(report, arguments, result, delivery, run);
+  describe_run(report, arguments, skin.surface, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;

@@ -133,8 +133,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       .add_option("--method", typed.method,
                   "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
                   "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
-                  "static with C above 0.25 where no length limits most edges: it takes\n"
-                  "less time for as dense a mesh there; dynamic, growth from nothing;\n"
+                  "static with C above 0.25 where no length limits most edges, up to 50,000\n"
+                  "balls: it takes less time there; dynamic, growth from nothing;\n"
                   "marching-cubes, for comparison: without quality, so as a rule not\n"
                   "certified")
       ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))

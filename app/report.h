@@ -30,6 +30,7 @@ struct RunSeconds {
 struct MeshReport {
   MoleculeArguments molecule;
   certify::Sizing sizing;
+  std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
   std::string missed_size;  ///< what was asked of the size and not reached, in words
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own

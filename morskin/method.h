@@ -77,8 +77,8 @@ struct MeshingOptions {
 };
 
 /// The method asked for or, without one, what meshes best: the sweep, but the static method where
-/// triangles are coarse and the curvature makes their sizes. There the sweep lays three to four
-/// times as many as are kept.
+/// triangles are coarse, the curvature makes their sizes and there are at most 50,000 balls. There
+/// the sweep lays three to four times as many as are kept.
 Method method_of(const PreparedSkin& skin, const MeshingOptions& options);
 
 /// Meshes by these options, and smooths what a method of the library has made.

@@ -102,8 +102,8 @@ struct MeshOptions {
   /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
   /// Without one 35 up to C = 0.2, and no angle above 105; 30 beyond.
   std::optional<double> angle_goal_deg = {};
-  /// Without one the sweep, or with C above 0.25, where no length limits most edges, the static
-  /// method, which makes as dense a mesh in less time there.
+  /// Without one the sweep, or, up to 50,000 balls, the static method with C above 0.25 where no
+  /// length limits most edges: it makes as dense a mesh in less time there.
   std::optional<Method> method = {};
   int fronts = 2;  ///< 2: swept from both ends at once; 1: from below, the paper's Algorithm 1
   std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one

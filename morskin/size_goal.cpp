@@ -1,11 +1,13 @@
 #include "morskin/size_goal.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "morskin/method.h"
+#include "morskin/pipeline.h"
 
 namespace morskin {
 
@@ -91,6 +93,27 @@ void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geomet
     sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
     options.method = method_of(skin, options);  // the same in all further trials
   }
+}
+
+BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result) {
+  const double largest_area = 0.75 * std::sqrt(3) * max_provable_share * max_provable_share;
+  BentPart part;
+  double whole = 0, bent = 0;
+  for (const auto& corners : result.mesh.triangles) {
+    const auto& [a, b, c] = corners;
+    const auto& at = result.mesh.positions;
+    const double area = (at[b] - at[a]).cross(at[c] - at[a]).norm() / 2;
+    whole += area;
+    for (const std::uint32_t v : corners) {
+      const double scale = skin.at(at[v], result.cells[v]).length_scale;
+      if (scale >= result.sizing.largest_length_scale) continue;
+      bent += area / 3;
+      part.triangles += 1. / 3;
+      part.forced_triangles += area / 3 / (largest_area * scale * scale);
+    }
+  }
+  part.area_share = bent / whole;
+  return part;
 }
 
 }  // namespace morskin

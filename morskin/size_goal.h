@@ -7,6 +7,7 @@
 
 #include "certify/sizing.h"
 #include "geometry/run.h"
+#include "skin/skin_surface.h"
 
 namespace morskin {
 
@@ -33,5 +34,20 @@ struct SizeGoal {
 /// vertices, for edges are as long as the lesser of length scale and limit, times a constant.
 /// @throws what make_mesh() does
 void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geometry::Run& run);
+
+/// What the curvature makes of a mesh whose edges are limited by length: where the length scale is
+/// below the limit, edges are shorter than asked.
+struct BentPart {
+  double area_share = 0;        ///< of the area, where the length scale is below the limit
+  double triangles = 0;         ///< there
+  double forced_triangles = 0;  ///< there at least, with circumradii up to max_provable_share
+};
+/// Circumradius over length scale up to which the certificate proves a triangle, cut into pieces
+/// (papers/4.3-large-molecules.md). Such a triangle's area is at most 3 sqrt(3) / 4 of its square.
+inline constexpr double max_provable_share = 0.68;
+
+struct MeshResult;
+/// @param result  with the cells of its vertices
+BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result);
 
 }  // namespace morskin

@@ -50,6 +50,35 @@ TEST_CASE("a number of triangles is met within a tenth, and fewer than C allows 
   CHECK(make_mesh(skin, coarse({.density = {}, .triangles = 4})).mesh.triangles.size() == least);
 }
 
+TEST_CASE(
+    "where the skin bends, less than 1.7 times the triangles that the proof forces are left") {
+  std::size_t bent_skins = 0;
+  for_molecules({"5tmn_ligand.pdb", "9dna.pdb"}, [&](const auto& balls) {
+    const PreparedSkin skin = prepare_skin(balls);
+    for (const double wanted : {1., 2., 5.}) {
+      const MeshResult result = make_mesh(skin, coarse({.density = wanted, .triangles = {}}));
+      const BentPart bent = bent_part(skin.surface, result);
+      CAPTURE(bent.triangles);
+      CHECK(bent.area_share <= 1);
+      CHECK(bent.triangles >= bent.forced_triangles);
+      if (bent.area_share < 0.1) continue;
+      CHECK(bent.triangles < 1.7 * bent.forced_triangles);
+      ++bent_skins;
+    }
+  });
+  CHECK(bent_skins > 2);
+}
+
+TEST_CASE("on a ball with its own length scale the triangles forced are 4 pi times 1.7") {
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 2)});
+  const MeshResult result = make_mesh(skin, {.sizing = {.C = 0.02}});
+  const BentPart bent = bent_part(skin.surface, result);
+  CHECK(bent.area_share == doctest::Approx(1));
+  CHECK(bent.triangles == doctest::Approx(static_cast<double>(result.mesh.triangles.size())));
+  const double largest_share = 3 * std::sqrt(3) / 4 * 0.68 * 0.68;
+  CHECK(bent.forced_triangles == doctest::Approx(4 * M_PI / largest_share).epsilon(1e-3));
+}
+
 TEST_CASE("sizes that make no sense are refused") {
   const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 1)});
   for (const SizeGoal& goal : {SizeGoal{1, 100}, SizeGoal{0, {}}, SizeGoal{-1, {}},
