@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "geometry/kd_tree.h"
@@ -87,9 +88,13 @@ std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
     });
     return free;
   };
-  // Whole triangles first: then every component gets one, for points of other components are
-  // farther away than a length scale.
-  for (std::size_t i = 0; i < critical.size(); ++i) {
+  // Whole triangles first, so that every component gets one, in the order of their length scales: a
+  // point of a large component may stand nearer to a small one than its own length scale, beside it
+  // in its tangent plane, but it has critical points elsewhere.
+  std::vector<std::size_t> by_scale(critical.size());
+  std::iota(by_scale.begin(), by_scale.end(), std::size_t{0});
+  std::ranges::stable_sort(by_scale, {}, [&](auto i) { return critical[i].point.length_scale; });
+  for (const std::size_t i : by_scale) {
     if (has_triangle[i] == 0) continue;
     if (!is_free(3 * i) || !is_free(3 * i + 1) || !is_free(3 * i + 2)) continue;
     for (std::size_t k = 0; k < 3; ++k) is_seed[3 * i + k] = 1;

@@ -172,7 +172,7 @@ TEST_CASE("snapshots are closed meshes that come at the times asked for") {
   CHECK(seen == std::vector<long>{0, 4, 2, 2});
 }
 
-TEST_CASE("a thin triangle with its ball's centre on another part of the skin is not broken there") {
+TEST_CASE("a thin triangle whose ball is centred on another part of the skin is not broken there") {
   const auto skin = prepared(support::ball_set(20));
   REQUIRE(skin);
   grown(*skin);
