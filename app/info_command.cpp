@@ -10,6 +10,7 @@
 #include "app/report.h"
 #include "app/strict_json.h"
 #include "geometry/regular_triangulation.h"
+#include "morskin/method.h"
 
 namespace morskin::app {
 namespace {
@@ -54,10 +55,12 @@ double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& 
   return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
 }
 
-// The peak memory of a run (papers/4.3-large-molecules.md).
-double estimated_bytes(const skin::Molecule& molecule, double triangles) {
-  constexpr double per_atom = 1500, per_triangle = 150;
-  return per_atom * static_cast<double>(molecule.atoms.size()) + per_triangle * triangles;
+// The peak memory of a run by the usual method (papers/4.3-large-molecules.md).
+double estimated_bytes(const MoleculeInput& input, const certify::Sizing& sizing,
+                       double triangles) {
+  const bool is_static = morskin::usual_method(input.points, sizing) == morskin::Method::Static;
+  const double per_atom = is_static ? 14'000 : 1500, per_triangle = is_static ? 500 : 150;
+  return per_atom * static_cast<double>(input.points.size()) + per_triangle * triangles;
 }
 
 struct Info {
@@ -76,7 +79,7 @@ Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
           patch_radii(input.points),
           hidden,
           triangles,
-          estimated_bytes(input.molecule, triangles)};
+          estimated_bytes(input, arguments.sizing, triangles)};
 }
 
 std::string json_text(const MoleculeInput& input, const InfoArguments& arguments,

@@ -9,26 +9,27 @@
 
 namespace morskin {
 
-Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
-  if (options.method) return *options.method;
+Method usual_method(std::span<const geometry::WeightedPoint> balls, const certify::Sizing& sizing) {
   // Measured (bench/MEASUREMENTS.md): beyond this C the static method makes as dense a mesh in less
   // time, unless most edges are far shorter than the atoms' radii would have them. It takes 14 kB
   // an atom, so the largest are left to the sweep.
   constexpr double coarse_C = 0.25, limiting_share = 0.25;
   constexpr std::size_t most_balls = 50'000;
-  const auto& balls = skin.surface.points();
-  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
-  if (options.mesher || is_of_the_sweep || options.sizing.C <= coarse_C ||
-      balls.size() > most_balls) {
-    return Method::Sweep;
-  }
+  if (sizing.C <= coarse_C || balls.size() > most_balls) return Method::Sweep;
   std::vector<double> weights;
   for (const geometry::WeightedPoint& p : balls) weights.push_back(p.weight);
   const auto median = weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
   std::nth_element(weights.begin(), median, weights.end());
   const double usual_patch = skin::patch_radius(std::max(*median, 0.0));
-  const bool is_by_length = options.sizing.largest_length_scale < limiting_share * usual_patch;
+  const bool is_by_length = sizing.largest_length_scale < limiting_share * usual_patch;
   return is_by_length ? Method::Sweep : Method::Static;
+}
+
+Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
+  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
+  if (options.method) return *options.method;
+  if (options.mesher || is_of_the_sweep) return Method::Sweep;
+  return usual_method(skin.surface.points(), options.sizing);
 }
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,

@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "front/experimental_guards.h"
 #include "front/operation_counter.h"
@@ -76,9 +77,13 @@ struct MeshingOptions {
   double goal_deg() const { return angle_goal_deg.value_or(refine::AngleGoal::usual_deg(sizing)); }
 };
 
-/// The method asked for or, without one, what meshes best: the sweep, but the static method where
-/// triangles are coarse, the curvature makes their sizes and there are at most 50,000 balls. There
-/// the sweep lays three to four times as many as are kept.
+/// What meshes best: the sweep, but the static method where triangles are coarse, the curvature
+/// makes their sizes and there are at most 50,000 balls. There the sweep lays three to four times
+/// as many as are kept.
+/// @pre there is a ball
+Method usual_method(std::span<const geometry::WeightedPoint> balls, const certify::Sizing& sizing);
+/// The method asked for or, without one, the usual one; the sweep for all that asks for a part of
+/// it.
 Method method_of(const PreparedSkin& skin, const MeshingOptions& options);
 
 /// Meshes by these options, and smooths what a method of the library has made.

@@ -80,17 +80,34 @@ void Growth::run(const geometry::Run& run) {
   for (; shown < options_.snapshot_times.size(); ++shown) show(options_.end);
 }
 
+namespace {
+
+[[noreturn]] void run_away(const std::string& where) {
+  throw geometry::LimitReached("the growing mesh has run away, to " + where +
+                               ": the skin passes a state that doubles do not resolve; "
+                               "use --method sweep or static");
+}
+
+/// Where the skin passed a degenerate state a vertex's path may have led nowhere.
+void require_finite(const surface::Mesh& mesh) {
+  for (const surface::SurfacePoint& p : mesh.points) {
+    if (!p.position.allFinite()) run_away("a vertex that is nowhere");
+  }
+}
+
+}  // namespace
+
 void Growth::require_sane_size() const {
   const std::size_t vertices = mesh_.surface().vertex_count() - mesh_.dead_count();
   if (static_cast<double>(vertices) <= max_vertices(metamorphoses_.size(), options_)) return;
-  throw geometry::LimitReached("the growing mesh has run away, to " + std::to_string(vertices) +
-                               " vertices: the skin passes a state that doubles do not resolve; "
-                               "use --method sweep or static");
+  run_away(std::to_string(vertices) + " vertices");
 }
 
 surface::Mesh Growth::mesh() {
   mesh_.set_time(options_.end);
-  return mesh_.snapshot();
+  surface::Mesh mesh = mesh_.snapshot();
+  require_finite(mesh);
+  return mesh;
 }
 
 void Growth::show(double time) {

@@ -1,0 +1,47 @@
+/// The method that meshes where nobody names one.
+
+#include "morskin/method.h"
+
+#include "morskin/pipeline.h"
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using namespace morskin::support;
+
+namespace {
+
+certify::Sizing limited(double C, double largest_length_scale) {
+  certify::Sizing sizing = sizing_for(C);
+  sizing.largest_length_scale = largest_length_scale;
+  return sizing;
+}
+
+}  // namespace
+
+TEST_CASE("coarse meshes are static unless most edges are limited by length or balls are many") {
+  const WeightedPoints balls(50'000, ball(0, 0, 0, 2));
+  CHECK(usual_method(balls, sizing_for(0.25)) == Method::Sweep);
+  CHECK(usual_method(balls, sizing_for(0.26)) == Method::Static);
+  CHECK(usual_method(balls, limited(0.4, 0.45)) == Method::Sweep);
+  CHECK(usual_method(balls, limited(0.4, 0.55)) == Method::Static);
+  const WeightedPoints more(50'001, ball(0, 0, 0, 2));
+  CHECK(usual_method(more, sizing_for(0.4)) == Method::Sweep);
+}
+
+TEST_CASE("what asks for a part of the sweep is swept, and a method asked for is taken") {
+  const PreparedSkin skin = prepare_skin({ball(0, 0, 0, 2)});
+  const certify::Sizing coarse = sizing_for(0.4);
+  CHECK(method_of(skin, {.sizing = coarse}) == Method::Static);
+  CHECK(method_of(skin, {.sizing = coarse, .method = Method::Sweep}) == Method::Sweep);
+  CHECK(method_of(skin, {.sizing = {}, .method = Method::Static}) == Method::Static);
+  CHECK(method_of(skin, {.sizing = coarse, .fronts = 1}) == Method::Sweep);
+  CHECK(method_of(skin, {.sizing = coarse, .guard = front::Guard::Spheres}) == Method::Sweep);
+}
+
+TEST_CASE("a result names the method that made it") {
+  const PreparedSkin skin = prepare_skin(molecule("benzene.pdb", skin::Model::Vdw));
+  CHECK(make_mesh(skin, {.sizing = {}}).method == Method::Sweep);
+  const MeshResult coarse = make_mesh(skin, {.sizing = sizing_for(0.4)});
+  CHECK(coarse.method == Method::Static);
+  CHECK_MESSAGE(coarse.certificate.certified, coarse.certificate.reason);
+}
