@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -99,6 +100,17 @@ void finish(Limits& limits, const Typed& typed) {
   if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
 }
 
+/// keep, drop or a volume: what is below it is dropped.
+double parsed_voids(const std::string& text) {
+  if (text == "keep") return 0;
+  if (text == "drop") return std::numeric_limits<double>::infinity();
+  const std::optional<double> volume = geometry::parse_double(text);
+  if (!volume || !(*volume >= 0 && std::isfinite(*volume))) {
+    throw UsageError("--voids takes keep, drop or a volume of at least 0 cubic Angstrom");
+  }
+  return *volume;
+}
+
 /// @param file  the molecule; not molecule.input where that is a mesh
 void finish(MoleculeArguments& molecule, const std::filesystem::path& file, const Typed& typed) {
   const bool gives_weights = skin::molecule_format_of(file) == skin::MoleculeFormat::Xyzw;
@@ -113,6 +125,7 @@ void finish(MoleculeArguments& molecule, const std::filesystem::path& file, cons
   if (molecule.model == skin::Model::Given && typed.probe) {
     throw UsageError("weights that are given need no probe; leave out --probe");
   }
+  if (typed.voids) molecule.drop_voids_below = parsed_voids(*typed.voids);
   molecule.probe = typed.probe.value_or(molecule.probe);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
     throw UsageError("--probe must be from 0 to 10000 Angstrom");

@@ -32,6 +32,7 @@ struct MoleculeArguments {
   skin::Model model = skin::Model::Vdw;
   double probe = 1.4;  ///< Angstrom
   bool waters = false;
+  double drop_voids_below = 0;  ///< Angstrom^3; infinite for all
 };
 
 /// How a skin is meshed: by a method of the library or by a baseline to compare it with.
@@ -95,6 +96,7 @@ struct InfoArguments {
   MoleculeArguments molecule;
   certify::Sizing sizing;
   bool json = false;
+  unsigned threads = 1;  ///< at most; the result is the same for any number
 };
 
 struct CheckArguments {

@@ -1,5 +1,6 @@
 #include "app/certificate_file.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -40,20 +41,21 @@ ordered_json top_simplices(const geometry::RegularTriangulation& triangulation) 
 std::string certificate_text(const geometry::IndexedMesh& mesh,
                              std::span<const surface::SurfacePoint> points,
                              std::span<const geometry::VertexId> component_vertices,
-                             const skin::SkinSurface& skin, const certify::Sizing& sizing) {
-  const geometry::RegularTriangulation& triangulation = skin.triangulation();
+                             const morskin::PreparedSkin& skin, const certify::Sizing& sizing) {
+  const geometry::RegularTriangulation& triangulation = skin.surface.triangulation();
   ordered_json vertex_atoms = ordered_json::array();
   for (const surface::SurfacePoint& point : points) {
-    vertex_atoms.push_back(indices(skin.atoms(point.cell)));
+    vertex_atoms.push_back(indices(skin.surface.atoms(point.cell)));
   }
   const ordered_json certificate{{"format", "morskin-certificate-1"},
-                                 {"balls", skin.points().size()},
+                                 {"balls", skin.surface.points().size()},
                                  {"vertices", mesh.positions.size()},
                                  {"triangles", mesh.triangles.size()},
                                  {"dimension", triangulation.dimension},
                                  {"C", sizing.C},
                                  {"Q", sizing.Q},
                                  {"simplices", top_simplices(triangulation)},
+                                 {"dropped_voids", std::ranges::count(skin.is_dropped, 1)},
                                  {"component_vertices", indices(component_vertices)},
                                  {"vertex_atoms", std::move(vertex_atoms)}};
   return certificate.dump() + "\n";

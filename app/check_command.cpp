@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -23,37 +24,48 @@ using skin::SkinComponents;
 
 constexpr std::size_t max_triangles = geometry::SurfaceMesh::max_triangles;
 
-// The mesh's components on each of the skin's: by their first vertex, and by the sign of their
-// volume, which is negative in a void. Empty if rounding makes the skin's indistinguishable.
+// The skin's components by their two sides, named.
+std::map<SkinComponents::Sides, CoveredComponent> named_components(
+    const MoleculeInput& input, const morskin::PreparedSkin& skin) {
+  std::map<SkinComponents::Sides, CoveredComponent> named;
+  const auto body_with = [&](std::uint32_t body) {
+    return "the body with " + skin::describe(input.molecule, skin.topology.bodies[body]);
+  };
+  for (const std::uint32_t body : skin.topology.outer_bodies) {
+    named[{body, std::nullopt}] = {"the outer surface of " + body_with(body), false, {}};
+  }
+  for (std::uint32_t cavity = 0; cavity < skin.topology.voids.size(); ++cavity) {
+    const skin::Void& v = skin.topology.voids[cavity];
+    const std::string at = "the void at " + brief(v.centre.x()) + " " + brief(v.centre.y()) + " " +
+                           brief(v.centre.z());
+    for (const std::uint32_t body : v.bodies) {
+      const std::string name = v.bodies.size() == 1
+                                   ? "the wall of " + at
+                                   : "the surface between " + at + " and " + body_with(body);
+      named[{body, cavity}] = {name, skin.has_dropped(cavity), {}};
+    }
+  }
+  return named;
+}
+
+// The mesh's components on each of the skin's, by their first vertex. Empty if rounding makes the
+// skin's indistinguishable.
 std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
                                                  const morskin::PreparedSkin& skin,
                                                  const IndexedMesh& mesh,
                                                  const geometry::MeshCheck& topology,
                                                  std::span<const surface::SurfacePoint> points) {
-  const SkinComponents parts(skin.surface);
-  if (parts.body_count() != skin.topology.betti[0] ||
-      parts.void_count() != skin.topology.betti[2]) {
-    return {};
+  const SkinComponents parts(skin.surface, skin.topology);
+  auto named = named_components(input, skin);
+  for (std::uint32_t c = 0; c < topology.components.size(); ++c) {
+    const std::uint32_t first = mesh.triangles[topology.components[c].first_triangle][0];
+    const auto sides = parts.sides(points[first]);
+    const auto found = sides ? named.find(*sides) : named.end();
+    if (found == named.end()) return {};
+    found->second.by.push_back(c);
   }
   std::vector<CoveredComponent> covered;
-  for (std::uint32_t body = 0; body < parts.body_count(); ++body) {
-    covered.push_back(
-        {"the outer surface of the body with " + skin::describe(input.molecule, parts.atom(body)),
-         {}});
-  }
-  for (std::uint32_t cavity = 0; cavity < parts.void_count(); ++cavity) {
-    const geometry::Point& at = parts.centre(cavity);
-    covered.push_back(
-        {"the wall of the void at " + brief(at.x()) + " " + brief(at.y()) + " " + brief(at.z()),
-         {}});
-  }
-  for (std::uint32_t c = 0; c < topology.components.size(); ++c) {
-    const geometry::MeshComponent& component = topology.components[c];
-    const auto sides = parts.sides(points[mesh.triangles[component.first_triangle][0]]);
-    if (!sides) return {};
-    const bool is_cavity = component.volume < 0 && sides->cavity;
-    covered[is_cavity ? parts.body_count() + *sides->cavity : sides->body].by.push_back(c);
-  }
+  for (auto& [sides, component] : named) covered.push_back(std::move(component));
   return covered;
 }
 
@@ -65,18 +77,18 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   StagedOutputs outputs(names);
   const MoleculeInput input = read_input(*arguments.against);
   const morskin::Run run(arguments.threads);
-  const morskin::PreparedSkin skin = prepare_skin(input, run);
+  const morskin::PreparedSkin skin = prepare_skin(input, *arguments.against, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
   AgainstSkin result;
   const std::vector<surface::CellId> cells = certify::cells_of(points);
   result.certificate =
-      certify::certify(mesh, {{}, cells}, skin.surface, skin.topology, arguments.sizing, run);
+      certify::certify(mesh, {{}, cells}, skin.surface, skin.expected(), arguments.sizing, run);
   result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
-    write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices,
-                                           skin.surface, arguments.sizing));
+    write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices, skin,
+                                           arguments.sizing));
   }
   return result;
 }
@@ -90,8 +102,9 @@ void check_agreement(const CheckReport& report) {
     throw std::logic_error("a mesh proved homeomorphic to the skin intersects itself");
   }
   const auto& covered = report.against->covered;
-  if (!std::ranges::all_of(covered, [](const auto& c) { return c.by.size() == 1; })) {
-    throw std::logic_error("a mesh proved homeomorphic to the skin misses a component of it");
+  if (!std::ranges::all_of(covered, [](const auto& c) { return c.is_well(); })) {
+    throw std::logic_error(
+        "a mesh proved homeomorphic to the skin has others of its components than it should");
   }
 }
 

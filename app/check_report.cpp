@@ -102,7 +102,9 @@ void add_skin_json(ordered_json& json, const AgainstSkin& against) {
   }
   json["skin_components"] = ordered_json::array();
   for (const CoveredComponent& component : against.covered) {
-    json["skin_components"].push_back({{"name", component.name}, {"covered_by", component.by}});
+    json["skin_components"].push_back({{"name", component.name},
+                                       {"dropped", component.is_dropped},
+                                       {"covered_by", component.by}});
   }
 }
 

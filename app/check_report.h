@@ -27,10 +27,14 @@ struct Verdict {
   bool is_required = true;  ///< whether the mesh fails if it is broken
 };
 
-/// A component of the skin and the mesh's components that lie on it: one, if all is well.
+/// A component of the skin and the mesh's components that lie on it: one, if all is well, or none
+/// if it is dropped.
 struct CoveredComponent {
   std::string name;  ///< "outer surface of the body with atom CA of ALA 12"
+  bool is_dropped;
   std::vector<std::uint32_t> by;
+
+  bool is_well() const { return by.size() == (is_dropped ? 0 : 1); }
 };
 
 /// The part of the report that needs the molecule.

@@ -48,12 +48,14 @@ Verdict on_components(const AgainstSkin& against) {
     verdict.reason = "cannot be told: the skin's components are too close for rounding";
   }
   for (const CoveredComponent& component : against.covered) {
-    if (component.by.size() == 1) continue;
+    if (component.is_well()) continue;
     verdict.holds = false;
     verdict.reason += verdict.reason.empty() ? "" : "; ";
     verdict.reason += component.by.empty()
                           ? component.name + " is missing"
-                          : component.name + " is covered by components " + list(component.by);
+                          : component.name +
+                                (component.is_dropped ? ", which is to be dropped," : "") +
+                                " is covered by components " + list(component.by);
     if (verdict.reason.size() > 400) {
       verdict.reason += "; and others";
       break;

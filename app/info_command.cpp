@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/commands.h"
@@ -67,19 +68,32 @@ struct Info {
   RadiusRange radii;    ///< of the atoms
   RadiusRange patches;  ///< of their sphere patches
   std::size_t hidden;
+  std::optional<SkinParts> parts;
+  std::string refusal;  ///< why there is no skin, and are no parts of it
   double triangles, bytes;
 };
 
 Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
   const auto [least, most] =
       std::ranges::minmax_element(input.molecule.atoms, {}, &skin::Atom::radius);
-  const std::size_t hidden = geometry::regular_triangulation(input.points).hidden.size();
   const double triangles = estimated_triangles(input.molecule, arguments);
-  return {{least->radius, most->radius},
-          patch_radii(input.points),
-          hidden,
-          triangles,
-          estimated_bytes(input, arguments.sizing, triangles)};
+  Info info{{least->radius, most->radius},
+            patch_radii(input.points),
+            0,
+            {},
+            "",
+            triangles,
+            estimated_bytes(input, arguments.sizing, triangles)};
+  const morskin::Run run(arguments.threads);
+  try {
+    const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
+    info.hidden = skin.surface.triangulation().hidden.size();
+    info.parts = skin_parts(skin, run);
+  } catch (const geometry::RefusedInput& refused) {
+    info.hidden = geometry::regular_triangulation(input.points).hidden.size();
+    info.refusal = refused.what();
+  }
+  return info;
 }
 
 std::string json_text(const MoleculeInput& input, const InfoArguments& arguments,
@@ -106,6 +120,8 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                                  {"Q", arguments.sizing.Q},
                                  {"estimated_triangles", std::round(rounded(info.triangles, 2))},
                                  {"estimated_bytes", std::round(rounded(info.bytes, 2))}};
+  if (info.parts) add_skin_parts(json, *info.parts);
+  if (!info.parts) json["refused"] = info.refusal;
   return strict_json(json);
 }
 
@@ -128,6 +144,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                               ", probe " + brief(arguments.molecule.probe) + " A");
   text += line("duplicates", grouped(counts.duplicates));
   text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
+  text += info.parts ? skin_parts_text(*info.parts) : line("refused", info.refusal);
   constexpr double max_in_digits = 1e15;
   const double triangles = rounded(info.triangles, 2);
   text += line("triangles", "about " +

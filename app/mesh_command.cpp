@@ -171,18 +171,20 @@ std::string missed_size(const morskin::SizeGoal& goal, const certify::Certificat
 
 bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
 
-void describe_run(MeshReport& report, const MeshArguments& arguments, const skin::SkinSurface& skin,
-                  const morskin::MeshResult& result, const MeshDelivery& delivery,
-                  const morskin::Run& run) {
+void describe_run(MeshReport& report, const MeshArguments& arguments,
+                  const morskin::PreparedSkin& skin, const morskin::MeshResult& result,
+                  const MeshDelivery& delivery, const morskin::Run& run) {
   report.certificate = result.certificate;
   report.sizing = result.sizing;
   report.missed_size = missed_size(arguments.size_goal, result.certificate);
   const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
   const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
-  if (is_size_asked) report.bent = run.stage("certify", [&] { return bent_part(skin, result); });
+  if (is_size_asked)
+    report.bent = run.stage("certify", [&] { return bent_part(skin.surface, result); });
   if (prints_report(arguments) || arguments.report) {
     report.quality =
         run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });
+    report.parts = skin_parts(skin, run);
   }
   report.certified_file = delivery.certified_file();
   report.counts = result;
@@ -241,7 +243,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());
-  const morskin::PreparedSkin skin = prepare_skin(input, run);
+  const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
   input = {};  // only the skin is needed from here on
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
@@ -254,7 +256,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                   : is_static              ? MeshMethod::Static
                                            : MeshMethod::Sweep;
   report.fronts = arguments.fronts;
-  describe_run(report, arguments, skin.surface, result, delivery, run);
+  describe_run(report, arguments, skin, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;
@@ -271,7 +273,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   std::string certificate;
   if (arguments.certificate) {
     certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
-                                   report.certificate.degree_vertices, skin.surface, result.sizing);
+                                   report.certificate.degree_vertices, skin, result.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }
   time_limit.cancel();

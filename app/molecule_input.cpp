@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/exact_range.h"
+#include "morskin/voids.h"
 #include "skin/molecule_files.h"
 #include "skin/singular_skin.h"
 
@@ -91,6 +92,13 @@ morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Ru
         describe(input.molecule, apart.largest) +
         ": doubles cannot carry both; mesh them from two files");
   }
+}
+
+morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const MoleculeArguments& arguments,
+                                   const morskin::Run& run) {
+  morskin::PreparedSkin skin = prepare_skin(input, run);
+  morskin::drop_voids(skin, arguments.drop_voids_below, run);
+  return skin;
 }
 
 RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points) {

@@ -28,6 +28,9 @@ MoleculeInput read_input(const MoleculeArguments& arguments);
 /// @throws geometry::RefusedInput
 morskin::PreparedSkin prepare_skin(const MoleculeInput& input,
                                    const morskin::Run& run = morskin::Run());
+/// Without the voids that the arguments leave out.
+morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const MoleculeArguments& arguments,
+                                   const morskin::Run& run);
 
 /// Smallest and largest radius of the atoms' sphere patches, Angstrom.
 struct RadiusRange {

@@ -53,6 +53,15 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
   command.add_flag("--waters", molecule.waters, "Keep the waters");
 }
 
+void add_voids_option(CLI::App& command, Typed& typed) {
+  command
+      .add_option("--voids", typed.voids,
+                  "Voids inside the skin: keep; drop all, as if they were filled; or\n"
+                  "drop those below a volume, cubic Angstrom. With a void go the bodies\n"
+                  "inside it")
+      ->default_str("keep");
+}
+
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
       .add_option("-C", typed.C,
@@ -115,6 +124,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->required()
       ->allow_extra_args(false);
   add_molecule_options(command, mesh.molecule, typed);
+  add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_option("--density", typed.density,
                      "In place of --size: so many vertices per square Angstrom");
@@ -220,8 +230,10 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
       *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
   command.add_option("INPUT", info.molecule.input, "The molecule")->required();
   add_molecule_options(command, info.molecule, typed);
+  add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_flag("--json", info.json, "Print JSON");
+  add_threads_option(command, info.threads);
 }
 
 void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
@@ -234,6 +246,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, against, typed);
+  add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,
                    "Do not search for self-intersections");

@@ -26,7 +26,7 @@ struct Typed {
   std::string guard = "everywhere";
   std::optional<int> fronts;
   std::optional<double> C, Q, size, density, triangles, angle_goal;
-  std::optional<std::string> grow;
+  std::optional<std::string> grow, voids;
   TypedPicture picture;
 };
 

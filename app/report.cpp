@@ -131,6 +131,7 @@ std::string json_text(const MeshReport& report) {
                     {"triangles", std::round(report.bent->triangles)},
                     {"forced_triangles", std::round(report.bent->forced_triangles)}};
   }
+  add_skin_parts(json, report.parts);
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
   json["quality"] = quality_json(report.quality, report.certificate.area);
@@ -273,6 +274,7 @@ std::string people_text(const MeshReport& report) {
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
   }
   if (!report.missed_size.empty()) text += line("missed", report.missed_size);
+  text += skin_parts_text(report.parts);
   if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
   text += certificate_text(report.certificate, report.sizing) +
           quality_text(report.quality, report.certificate.area);

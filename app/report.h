@@ -11,6 +11,7 @@
 
 #include "app/molecule_input.h"
 #include "app/report_lines.h"
+#include "app/skin_parts.h"
 #include "bench/baselines/growth.h"
 #include "certify/mesh_quality.h"
 #include "morskin/pipeline.h"
@@ -31,11 +32,12 @@ struct MeshReport {
   MoleculeArguments molecule;
   certify::Sizing sizing;
   std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
-  std::string missed_size;  ///< what was asked of the size and not reached, in words
+  std::string missed_size;                ///< what was asked of the size and not reached, in words
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;
   std::size_t rounded_coordinates = 0;  ///< MoleculeInput::rounded_coordinates
+  SkinParts parts;
   double patch_radius_min = 0, patch_radius_max = 0;
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
   std::string certified_file;

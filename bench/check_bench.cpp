@@ -13,7 +13,6 @@
 #include "geometry/self_intersections.h"
 #include "geometry/surface_mesh.h"
 #include "morskin/pipeline.h"
-#include "skin/skin_components.h"
 
 namespace {
 
@@ -77,8 +76,6 @@ int main(int count, char** words) {
     }
     return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, filter);
   });
-  kernel("check/skin_components",
-         [](const Million& m) { return skin::SkinComponents(m.skin.surface).body_count(); });
   benchmark::Initialize(&count, words);
   benchmark::RunSpecifiedBenchmarks();
 }

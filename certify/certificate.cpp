@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/covered_parts.h"
 #include "certify/covering_degree.h"
 #include "certify/delaunay_filter.h"
 #include "certify/located_vertices.h"
@@ -55,6 +56,7 @@ class Certifier {
       const auto check_covering = [&] {
         check_covering_degree();
         out_.compare_counts();
+        check_parts(expected);
         measure_shape();
       };
       const auto check_balls = [&] {
@@ -92,6 +94,13 @@ class Certifier {
   void add(TriangleFindings found);
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
+  /// Where only some components are expected: whether it is these that are covered.
+  void check_parts(const surface::Topology& expected) {
+    const bool is_carried = out_.holds(Claim::Upright) && out_.holds(Claim::Tube);
+    if (expected.inside.empty() || !is_carried) return;
+    const std::string why = objection_to_parts(located(), expected);
+    if (!why.empty()) out_.fail(Claim::Counts, why);
+  }
 
   const IndexedMesh& mesh_;
   const surface::Surface& surface_;

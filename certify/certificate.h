@@ -9,7 +9,9 @@
 ///               covering map;
 ///   tube        the flow carries every point of a triangle to the skin (c2);
 ///   degree 1    at one vertex of every component the covering has one sheet (c3);
-///   counts      components, Euler characteristic and genus equal the dual complex's.
+///   counts      components, Euler characteristic and genus equal the dual complex's, and where
+///               only some components are meshed it is these: each bounds two parts of space, and
+///               the mesh winds round a point of every part as they do.
 ///
 /// Vertices need not lie on the skin for that. Whether they do, to residual_bound(), and to the
 /// rounding to floats where all coordinates are floats, as in STL, is a claim of its own.
@@ -51,8 +53,8 @@ struct Certificate {
   double min_sine = 1;
   std::size_t sharpest_triangle = 0;
   double claimed_angle_deg = 0;  ///< the sizing's
-  double worst_L = 0;  ///< smallest R_ab over its bound in [L]: above 1 is good
-  double worst_U = 0;  ///< largest R_abc over its bound in [U]: below 1 is good
+  double worst_L = 0;            ///< smallest R_ab over its bound in [L]: above 1 is good
+  double worst_U = 0;            ///< largest R_abc over its bound in [U]: below 1 is good
   std::size_t violations_L = 0;
   std::size_t violations_U = 0;
   /// Bound on the distance of a vertex, Angstrom; infinite where there is none.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "morskin/voids.h"
 #include "skin/model.h"
 
 namespace morskin {
@@ -38,7 +39,9 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
   const bool is_sweep = method_of(skin, options) == Method::Sweep;
   MethodResult made = is_sweep ? sweep_method(skin, options, observer, run)
                                : static_method(skin, options, observer, run);
-  if (made.open_edges > 0 || options.goal_deg() == 0) return made;
+  if (made.open_edges > 0) return made;
+  drop_components(skin, made.mesh, run);
+  if (options.goal_deg() == 0) return made;
   // So much more than asked, in degrees, that rounding cannot bring a file's angle below.
   constexpr double margin_deg = 1e-9;
   const double goal_deg = options.goal_deg() + margin_deg;
@@ -58,7 +61,9 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
   if (made.angles.left > 0) {
     run.stage("refine angles in space", [&] {
       auto refined = refine_angles_in_space(skin, made.mesh, options.sizing, bound_deg, run);
-      if (refined) made.mesh = std::move(*refined);
+      if (!refined) return;
+      made.mesh = std::move(*refined);
+      drop_components(skin, made.mesh, run);
     });
   }
   return made;

@@ -7,6 +7,7 @@
 #include "geometry/files/mesh_files.h"
 #include "geometry/union_find.h"
 #include "morskin/pipeline.h"
+#include "morskin/voids.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 #include "skin/singular_skin.h"
@@ -199,13 +200,14 @@ Skin::Skin(std::span<const Atom> atoms, const SkinOptions& options, const RunOpt
     : prepared_(with_errors([&] {
         std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
         const std::size_t rounded = geometry::move_to_exact_grid(points);
-        return std::make_shared<const Prepared>(
-            Prepared{prepare_skin(std::move(points), inside(run)), rounded});
+        PreparedSkin skin = prepare_skin(std::move(points), inside(run));
+        drop_voids(skin, options.drop_voids_below, inside(run));
+        return std::make_shared<const Prepared>(Prepared{std::move(skin), rounded});
       })) {}
 
 std::size_t Skin::rounded_coordinates() const { return prepared_->rounded_coordinates; }
-std::size_t Skin::components() const { return prepared_->skin.topology.skin_components(); }
-std::size_t Skin::genus() const { return prepared_->skin.topology.skin_genus(); }
+std::size_t Skin::components() const { return prepared_->skin.expected().components; }
+std::size_t Skin::genus() const { return prepared_->skin.expected().genus; }
 
 SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
   return with_errors([&] {
@@ -221,8 +223,9 @@ SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
 Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,
                           const RunOptions& run) const {
   return with_errors([&] {
-    return outside(certify::certify(inside(mesh), prepared_->skin.surface, prepared_->skin.topology,
-                                    sizing_of(options), inside(run)));
+    const PreparedSkin& skin = prepared_->skin;
+    return outside(certify::certify(inside(mesh), skin.surface, skin.expected(), sizing_of(options),
+                                    inside(run)));
   });
 }
 

@@ -77,6 +77,9 @@ enum class Model {
 struct SkinOptions {
   Model model = Model::Vdw;
   double probe = 1.4;  ///< Angstrom, >= 0
+  /// Voids of a volume proved to be below this, Angstrom^3, are left out, as if they were filled;
+  /// infinite for all.
+  double drop_voids_below = 0;
 };
 
 /// How it is done, which does not change what comes out.
@@ -155,6 +158,7 @@ class Skin {
   explicit Skin(std::span<const Atom> atoms, const SkinOptions& options = {},
                 const RunOptions& run = {});
 
+  /// Of what is meshed: without those that bound voids which are left out.
   std::size_t components() const;
   std::size_t genus() const;  ///< summed over components
   /// Of the atoms' coordinates, those below 2^-68 that lost digits to the range of the exact

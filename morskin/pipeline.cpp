@@ -99,7 +99,7 @@ class Delivering {
         run_.stage("deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {})); });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
-      return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.topology,
+      return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),
                               sizing_, run_);
     });
     if (arrived.defect.empty()) return;

@@ -92,7 +92,7 @@ PreparedSkin prepare_skin(std::vector<geometry::WeightedPoint> points, const Run
       run.stage("dual complex", [&] { return skin::dual_complex(surface, run); });
   check_necks(surface);
   surface.forget_facets();
-  return {std::move(surface), topology};
+  return {std::move(surface), std::move(topology)};
 }
 
 double sphere_share(const skin::SkinSurface& skin, const certify::Sizing& sizing) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "certify/sizing.h"
 #include "geometry/error.h"
 #include "geometry/run.h"
 #include "skin/dual_complex.h"
+#include "surface/topology.h"
 
 namespace morskin {
 
@@ -15,7 +17,14 @@ using geometry::Run;
 /// What was made from it names its cells, so it must live as long.
 struct PreparedSkin {
   skin::SkinSurface surface;
-  skin::DualComplex topology;
+  skin::DualComplex topology;         ///< of the whole skin
+  std::vector<char> is_dropped = {};  ///< by void, not to be meshed; empty: none (voids.h)
+
+  bool has_dropped(std::uint32_t cavity) const {
+    return !is_dropped.empty() && is_dropped[cavity] != 0;
+  }
+  /// Of the components to be meshed.
+  surface::Topology expected() const;
 };
 
 /// The balls differ so much in size, or lie so far out, that doubles cannot carry both ends.

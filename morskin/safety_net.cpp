@@ -61,12 +61,12 @@ surface::Topology component_topology(long euler_characteristic) {
   return {1, genus, euler_characteristic};
 }
 
-/// The skin's components, each with its topology, or all of them as one where rounding leaves them
-/// indistinguishable.
+/// The skin's components to be meshed, each with its topology, or all of them as one where rounding
+/// leaves them indistinguishable.
 class Parts {
  public:
   Parts(const PreparedSkin& skin, const morse::MorseFunction& function)
-      : skin_(skin), components_(skin.surface) {
+      : skin_(skin), components_(skin.surface, skin.topology) {
     const morse::CriticalPoints critical = morse::critical_points(skin.surface, function);
     std::map<Sides, long> characteristic;
     bool is_known = critical.degeneracies.empty();
@@ -79,15 +79,15 @@ class Parts {
     for (const auto& [sides, chi] : characteristic) {
       sum += chi;
       is_known = is_known && chi <= 2 && chi % 2 == 0;
+      if (sides.cavity && skin.has_dropped(*sides.cavity)) continue;
       topologies_.push_back(component_topology(chi));
       index_.emplace(sides, index_.size());
     }
-    if (is_known && sum == skin.topology.skin_euler_characteristic() &&
-        index_.size() == skin.topology.skin_components()) {
-      return;
-    }
+    is_known = is_known && sum == skin.topology.skin_euler_characteristic() &&
+               characteristic.size() == skin.topology.skin_components();
+    if (is_known) return;
     index_.clear();
-    topologies_ = {skin.topology};
+    topologies_ = {skin.expected()};
   }
 
   std::size_t count() const { return topologies_.size(); }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
@@ -132,17 +135,29 @@ std::vector<char> members(const Membership<N>& membership, unsigned threads) {
   return result;
 }
 
+constexpr std::uint32_t no_part = DualComplex::no_part;
+/// Takes the place of a void's number in what follows.
+constexpr std::uint32_t outside_all = no_part - 1;
+
+/// Numbers the sets among the elements that count, in the order of their roots, from 0; the others
+/// get no_part.
 template <class Counted>
-std::size_t count_roots(geometry::UnionFind& sets, std::size_t n, Counted counted) {
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < n; ++i) count += counted(i) && sets.root(i) == i;
-  return count;
+std::vector<std::uint32_t> numbered(geometry::UnionFind& sets, std::size_t n, Counted counted) {
+  std::vector<std::uint32_t> number(n, no_part);
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!counted(i)) continue;
+    const std::uint32_t root = sets.root(i);
+    number[i] = root == i ? next++ : number[root];
+  }
+  return number;
 }
 
-/// The voids of K: tetrahedra not in K, joined through triangles not in K. The last set is the
-/// outside of the hull.
-std::size_t count_voids(const Cofaces& tetrahedra_of, const std::vector<char>& triangle_in,
-                        const std::vector<char>& tetrahedron_in) {
+/// By tetrahedron, the void it is in: tetrahedra not in K are joined through triangles not in K.
+/// Those in K get no_part, those outside outside_all.
+std::vector<std::uint32_t> void_of_tetrahedron(const Cofaces& tetrahedra_of,
+                                               const std::vector<char>& triangle_in,
+                                               const std::vector<char>& tetrahedron_in) {
   const auto outside = static_cast<std::uint32_t>(tetrahedron_in.size());
   geometry::UnionFind complement(tetrahedron_in.size() + 1);
   for (std::size_t f = 0; f < triangle_in.size(); ++f) {
@@ -151,9 +166,83 @@ std::size_t count_voids(const Cofaces& tetrahedra_of, const std::vector<char>& t
     if (around.empty()) continue;
     complement.join(around[0], around.size() == 2 ? around[1] : outside);
   }
-  const auto is_out = [&](std::uint32_t c) { return c == outside || tetrahedron_in[c] == 0; };
-  return count_roots(complement, tetrahedron_in.size() + 1, is_out) - 1;
+  const auto is_outside = [&](std::uint32_t c) {
+    return tetrahedron_in[c] == 0 && complement.root(c) == complement.root(outside);
+  };
+  auto number = numbered(complement, outside,
+                         [&](std::uint32_t c) { return tetrahedron_in[c] == 0 && !is_outside(c); });
+  for (std::uint32_t c = 0; c < outside; ++c) {
+    if (is_outside(c)) number[c] = outside_all;
+  }
+  return number;
 }
+
+/// The voids and the outside, found from the tetrahedra down. A simplex not in K lies in the part
+/// of its cofaces; one in K with such a coface is part of the wall. The hull's outside counts as a
+/// coface of its triangles, and of all that has no other.
+class Complement {
+ public:
+  Complement(const SkinSurface& skin, std::span<const std::uint32_t> void_of_tetrahedron)
+      : above_(void_of_tetrahedron.begin(), void_of_tetrahedron.end()) {
+    for (std::uint32_t t = 0; t < above_.size(); ++t) {
+      if (above_[t] == no_part || above_[t] == outside_all) continue;
+      const Patch ball = skin.complex().patch(skin.complex().cell(3, t));
+      const double clearance = std::sqrt(std::max(-ball.half_weight, 0.0));
+      if (above_[t] == voids_.size()) voids_.push_back({t, ball.centre, clearance, {}, 0});
+      Void& here = voids_[above_[t]];
+      ++here.euler_characteristic;
+      if (clearance > here.clearance) {
+        here.tetrahedron = t;
+        here.centre = ball.centre;
+        here.clearance = clearance;
+      }
+    }
+  }
+
+  /// Goes on to the next lower dimension, of which the simplices are given.
+  /// @param vertex_of  a vertex of a simplex
+  template <class VertexOf>
+  void descend(const Cofaces& cofaces, const std::vector<char>& in, int dimension,
+               VertexOf vertex_of) {
+    std::vector<std::uint32_t> here(in.size(), no_part);
+    const auto add = [&](std::size_t s, std::uint32_t part) {
+      if (part == no_part) return;
+      if (in[s]) walls_.emplace_back(part, vertex_of(s));
+      if (!in[s]) here[s] = part;
+    };
+    for (std::size_t s = 0; s < in.size(); ++s) {
+      const auto around = cofaces.of(s);
+      for (const std::uint32_t c : around) add(s, above_[c]);
+      if (around.empty() || (dimension == 2 && around.size() == 1)) add(s, outside_all);
+      if (here[s] == no_part || here[s] == outside_all) continue;
+      voids_[here[s]].euler_characteristic += dimension == 1 ? 1 : -1;
+    }
+    std::ranges::sort(walls_);
+    walls_.erase(std::ranges::unique(walls_).begin(), walls_.end());
+    above_ = std::move(here);
+  }
+
+  void give_to(DualComplex& result) {
+    const auto add = [&](std::vector<std::uint32_t>& bodies, std::uint32_t vertex) {
+      bodies.push_back(result.body_of_vertex[vertex]);
+    };
+    for (const auto& [part, vertex] : walls_) {
+      add(part == outside_all ? result.outer_bodies : voids_[part].bodies, vertex);
+    }
+    const auto make_set = [](std::vector<std::uint32_t>& bodies) {
+      std::ranges::sort(bodies);
+      bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
+    };
+    make_set(result.outer_bodies);
+    for (Void& v : voids_) make_set(v.bodies);
+    result.voids = std::move(voids_);
+  }
+
+ private:
+  std::vector<std::uint32_t> above_;  ///< the part by simplex of the dimension above
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> walls_;  ///< parts, and vertices in K
+  std::vector<Void> voids_;
+};
 
 std::size_t count(const std::vector<char>& in) {
   return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
@@ -170,22 +259,29 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
   // From the highest dimension down, keeping only what the next one needs: in a big molecule these
   // lists make the peak of memory before there is a mesh.
   auto in3 = members<4>({skin, t.tetrahedra, {}, {}, {}}, threads);
+  std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
+  for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
+  const auto first_vertex = [&](const auto& simplex) { return vertex_of_atom[simplex[0].index()]; };
   std::vector<char> in2, in1, in0;
+  std::optional<Complement> complement;
   {
     const Cofaces tetrahedra_of =
         cofaces(t.triangles.size(), t.tetrahedra,
                 [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
     in2 = members<3>({skin, t.triangles, t.tetrahedra, tetrahedra_of, in3}, threads);
-    result.betti[2] = count_voids(tetrahedra_of, in2, in3);
+    result.void_of_tetrahedron = void_of_tetrahedron(tetrahedra_of, in2, in3);
+    complement.emplace(skin, result.void_of_tetrahedron);
+    complement->descend(tetrahedra_of, in2, 2,
+                        [&](std::size_t s) { return first_vertex(t.triangles[s]); });
   }
   {
     const Cofaces triangles_of =
         cofaces(t.edges.size(), t.triangles,
                 [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
     in1 = members<2>({skin, t.edges, t.triangles, triangles_of, in2}, threads);
+    complement->descend(triangles_of, in1, 1,
+                        [&](std::size_t s) { return first_vertex(t.edges[s]); });
   }
-  std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
-  for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
   {
     std::vector<std::array<AtomId, 1>> vertices(t.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = {t.vertices[v]};
@@ -193,6 +289,8 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
       return vertex_of_atom[t.edges[s][1 - k].index()];
     });
     in0 = members<1>({skin, vertices, t.edges, edges_of, in1}, threads);
+    complement->descend(edges_of, in0, 0,
+                        [](std::size_t s) { return static_cast<std::uint32_t>(s); });
   }
   result.simplices = {count(in0), count(in1), count(in2), count(in3)};
 
@@ -201,7 +299,14 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
     if (!in1[e]) continue;
     body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
   }
-  result.betti[0] = count_roots(body, in0.size(), [&](std::uint32_t v) { return in0[v] == 1; });
+  result.body_of_vertex = numbered(body, in0.size(), [&](std::uint32_t v) { return in0[v] == 1; });
+  for (std::uint32_t v = 0; v < in0.size(); ++v) {
+    if (result.body_of_vertex[v] == result.bodies.size()) result.bodies.push_back(t.vertices[v]);
+  }
+  complement->give_to(result);
+  for (std::uint32_t& v : result.void_of_tetrahedron) v = v == outside_all ? no_part : v;
+  result.betti[0] = result.bodies.size();
+  result.betti[2] = result.voids.size();
   result.betti[1] = static_cast<std::size_t>(static_cast<long>(result.betti[0] + result.betti[2]) -
                                              result.euler_characteristic());
   return result;

@@ -5,14 +5,39 @@
 /// equivalent to it, so it gives the topology of the skin without any mesh. All signs are exact.
 /// Source: Edelsbrunner, Skin surfaces (1999).
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "skin/skin_surface.h"
 #include "surface/topology.h"
 
 namespace morskin::skin {
 
+/// A bounded component of the complement of the skin's body.
+struct Void {
+  /// The deepest orthocentre in it, and the tetrahedron that it belongs to. About it a ball of
+  /// radius `clearance`, Angstrom, is free.
+  std::uint32_t tetrahedron;
+  Point centre;
+  double clearance;
+  /// The components of the body about and in it, ascending. The skin has one component between each
+  /// of them and the void.
+  std::vector<std::uint32_t> bodies;
+  long euler_characteristic = 0;  ///< of the void itself; that of its boundary is twice as large
+};
+
 struct DualComplex {
-  std::array<std::size_t, 4> simplices{};  ///< of K, by dimension
-  std::array<std::size_t, 3> betti{};      ///< components, tunnels, voids of the body
+  static constexpr std::uint32_t no_part = 0xFFFFFFFF;
+
+  std::array<std::size_t, 4> simplices{};   ///< of K, by dimension
+  std::array<std::size_t, 3> betti{};       ///< components, tunnels, voids of the body
+  std::vector<AtomId> bodies;               ///< the first atom of each component of the body
+  std::vector<std::uint32_t> outer_bodies;  ///< those that border on the outside, ascending
+  std::vector<Void> voids;
+  /// By index in the triangulation: the part that the deepest points of its mixed cell lie in.
+  std::vector<std::uint32_t> body_of_vertex;       ///< no_part if not in K
+  std::vector<std::uint32_t> void_of_tetrahedron;  ///< no_part if in K or outside
 
   long euler_characteristic() const {
     return static_cast<long>(simplices[0] + simplices[2]) -

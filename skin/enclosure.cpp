@@ -137,13 +137,12 @@ Real lower_bound(const Point& x, const Vector3<Real>& q, Real least_power) {
 template <class Real>
 class Search {
  public:
-  Search(std::span<const WeightedPoint> points, const PowerTree& tree, const Point& x)
-      : points_(points), tree_(tree), x_(x) {}
+  Search(std::span<const WeightedPoint> points, const LeastPower& powers, const Point& x)
+      : points_(points), powers_(powers), x_(x) {}
 
   /// Tries the first atoms as they are.
   void begin(std::span<const AtomId> atoms) {
     for (const AtomId a : atoms) add(a);
-    nearest_ = atoms.front();
     const std::span<const Seen<Real>> first(seen_.data(), count_);
     if (const auto s = best_shares(first)) take(upper(first, *s));
   }
@@ -183,7 +182,7 @@ class Search {
   void take(const Upper<Real>& found) {
     if (!is_finite(found.bound)) return;
     const Vector3<Real> q = x_.cast<Real>() - found.m;
-    const auto least = tree_.least(q, nearest_, points_[nearest_.index()]);
+    const auto least = powers_.at(q, std::span(ids_.data(), count_));
     nearest_ = least.atom;
     low_ = std::max(lower_bound(x_, q, least.lower_bound), low_);
     best_.low = rounded_down(low_);
@@ -220,7 +219,7 @@ class Search {
   }
 
   const std::span<const WeightedPoint> points_;
-  const PowerTree& tree_;
+  const LeastPower& powers_;
   const Point& x_;
   std::array<AtomId, max_atoms> ids_;
   std::array<Seen<Real>, max_atoms> seen_;
@@ -233,9 +232,9 @@ class Search {
 };
 
 template <class Real>
-Enclosure search(std::span<const WeightedPoint> points, const PowerTree& tree, const Point& x,
+Enclosure search(std::span<const WeightedPoint> points, const LeastPower& powers, const Point& x,
                  std::span<const AtomId> atoms) {
-  Search<Real> search(points, tree, x);
+  Search<Real> search(points, powers, x);
   search.begin(atoms);
   while (!search.is_narrow() && search.improve()) {
   }
@@ -244,16 +243,16 @@ Enclosure search(std::span<const WeightedPoint> points, const PowerTree& tree, c
 
 }  // namespace
 
-Enclosure enclose(std::span<const WeightedPoint> points, const PowerTree& tree, const Point& x,
+Enclosure enclose(std::span<const WeightedPoint> points, const LeastPower& powers, const Point& x,
                   std::span<const AtomId> atoms) {
   constexpr double max_coordinate = 0x1p500;  // beyond, squares may overflow
   for (const double coordinate : x) {
     if (!(std::abs(coordinate) <= max_coordinate))
       return {-infinity, infinity, Vector::Zero(), infinity};
   }
-  const Enclosure in_doubles = search<double>(points, tree, x, atoms);
+  const Enclosure in_doubles = search<double>(points, powers, x, atoms);
   if (in_doubles.error < wide * in_doubles.half_gradient.norm()) return in_doubles;
-  const Enclosure close = search<Quad>(points, tree, x, atoms);
+  const Enclosure close = search<Quad>(points, powers, x, atoms);
   return close.error < in_doubles.error ? close : in_doubles;
 }
 

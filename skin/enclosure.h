@@ -21,15 +21,16 @@
 
 #include "geometry/id.h"
 #include "geometry/point.h"
-#include "skin/power_tree.h"
+#include "skin/least_power.h"
 #include "surface/enclosure.h"
 
 namespace morskin::skin {
 
-/// @param points  as the tree was built from
+/// @param powers  of the same points
 /// @param atoms   one to four to try first: the corners of x's mixed cell. Others give wide bounds
 ///                or cost time, never wrong bounds.
-surface::Enclosure enclose(std::span<const geometry::WeightedPoint> points, const PowerTree& tree,
-                           const geometry::Point& x, std::span<const geometry::AtomId> atoms);
+surface::Enclosure enclose(std::span<const geometry::WeightedPoint> points,
+                           const LeastPower& powers, const geometry::Point& x,
+                           std::span<const geometry::AtomId> atoms);
 
 }  // namespace morskin::skin

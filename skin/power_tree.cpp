@@ -18,19 +18,6 @@ namespace {
 
 constexpr std::uint32_t max_leaf = 8;
 
-/// The power of an atom at an offset, rounded down but for the last subtraction. The computed
-/// square is at most (1 + u)^5 < 1 + 8 u times the true one: a difference of coordinates is rounded
-/// once and squared, the square and two sums once each.
-///
-/// Rounding is monotone: with no component of the offset larger in magnitude and no smaller weight
-/// the result is not larger. So a box bounds its atoms without any margin.
-template <class Real>
-Real power_below(const Vector3<Real>& offset, double weight) {
-  constexpr Real down = 1 - 8 * unit_roundoff<Real>;
-  const Real square = offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z();
-  return square * down - Real(weight);
-}
-
 }  // namespace
 
 PowerTree::PowerTree(std::span<const WeightedPoint> points) : ids_(points.size()) {
@@ -122,9 +109,7 @@ PowerTree::Least<Real> PowerTree::least(const Vector3<Real>& q, AtomId guess,
   const Vector3<Real> offset = point.position.cast<Real>() - q;
   Search<Real> s{q, guess.value, power_below(offset, point.weight)};
   search(s, nodes_[0]);
-  // The last subtraction was rounded once; squares may have been rounded to subnormal numbers.
-  const Real lower_bound = s.least - 4 * unit_roundoff<Real> * magnitude(s.least) - underflow;
-  return {AtomId{s.atom}, lower_bound};
+  return {AtomId{s.atom}, last_rounded_down(s.least)};
 }
 
 template PowerTree::Least<double> PowerTree::least(const Vector3<double>&, AtomId,

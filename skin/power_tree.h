@@ -17,6 +17,26 @@
 
 namespace morskin::skin {
 
+/// The power of an atom at an offset, rounded down but for the last subtraction. The computed
+/// square is at most (1 + u)^5 < 1 + 8 u times the true one: a difference of coordinates is rounded
+/// once and squared, the square and two sums once each.
+///
+/// Rounding is monotone: with no component of the offset larger in magnitude and no smaller weight
+/// the result is not larger. So a box bounds its atoms without any margin.
+template <class Real>
+Real power_below(const Vector3<Real>& offset, double weight) {
+  constexpr Real down = 1 - 8 * unit_roundoff<Real>;
+  const Real square = offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z();
+  return square * down - Real(weight);
+}
+
+/// The same with the last subtraction rounded down too; squares may have been rounded to subnormal
+/// numbers.
+template <class Real>
+Real last_rounded_down(const Real& power) {
+  return power - 4 * unit_roundoff<Real> * magnitude(power) - underflow;
+}
+
 class PowerTree {
  public:
   /// @pre there is a point; all are finite.

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/union_find.h"
-
 namespace morskin::skin {
 
 namespace {
-
-using geometry::UnionFind;
 
 /// The walls of a cell to cells of one dimension.
 template <class Visit>
@@ -19,94 +15,14 @@ void for_each_wall_to(const MixedComplex& complex, CellId cell, int dimension, V
   }
 }
 
-/// Whether the cell's orthocentre lies between those of its neighbours of that dimension: on the
-/// simplex if they are facets, on the dual cell if they are cofaces.
-bool is_centre_between(const MixedComplex& complex, CellId cell, int dimension) {
-  const Point& centre = complex.patch(cell).centre;
-  bool is_between = true;
-  for_each_wall_to(complex, cell, dimension, [&](const Wall& wall) {
-    is_between = is_between && wall.normal.dot(complex.patch(wall.beyond).centre - centre) >= 0;
-  });
-  return is_between;
-}
-
 }  // namespace
 
-SkinComponents::SkinComponents(const SkinSurface& skin) : skin_(skin) {
-  find_bodies();
-  find_voids();
-}
-
-/// Atoms of positive weight, joined along edges on which the weight stays positive. Its minimum on
-/// the edge is at the orthocentre or at an end.
-void SkinComponents::find_bodies() {
-  const geometry::RegularTriangulation& t = skin_.triangulation();
-  const MixedComplex& complex = skin_.complex();
-  UnionFind sets(t.vertices.size());
-  const auto is_body = [&](std::uint32_t v) {
-    return complex.patch(complex.cell(0, v)).half_weight > 0;
-  };
-  for (std::size_t e = 0; e < t.edges.size(); ++e) {
-    const CellId cell = complex.cell(1, e);
-    std::vector<std::uint32_t> ends;
-    for_each_wall_to(complex, cell, 0, [&](const Wall& wall) {
-      ends.push_back(static_cast<std::uint32_t>(complex.simplex_index(wall.beyond)));
-    });
-    if (!is_body(ends[0]) || !is_body(ends[1])) continue;
-    if (complex.patch(cell).half_weight > 0 || !is_centre_between(complex, cell, 0)) {
-      sets.join(ends[0], ends[1]);
-    }
-  }
-  body_of_vertex_.resize(t.vertices.size());
-  for (std::uint32_t v = 0; v < t.vertices.size(); ++v) {
-    const std::uint32_t root = sets.root(v);
-    body_of_vertex_[v] = body_of_vertex_[root];
-    if (root != v || !is_body(v)) continue;
-    body_of_vertex_[v] = static_cast<std::uint32_t>(bodies_.size());
-    bodies_.push_back(t.vertices[v]);
-  }
-}
-
-/// The dual: tetrahedra of negative weight, joined through triangles on whose dual segment it stays
-/// negative. The last set is the outside.
-void SkinComponents::find_voids() {
-  const geometry::RegularTriangulation& t = skin_.triangulation();
-  const MixedComplex& complex = skin_.complex();
-  const auto outside = static_cast<std::uint32_t>(t.tetrahedra.size());
-  UnionFind sets(t.tetrahedra.size() + 1);
-  const auto is_void = [&](std::uint32_t v) {
-    return v == outside || complex.patch(complex.cell(3, v)).half_weight < 0;
-  };
-  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
-    const CellId cell = complex.cell(2, f);
-    std::array ends{outside, outside};
-    std::size_t count = 0;
-    for_each_wall_to(complex, cell, 3, [&](const Wall& wall) {
-      ends[count++] = static_cast<std::uint32_t>(complex.simplex_index(wall.beyond));
-    });
-    if (!is_void(ends[0]) || !is_void(ends[1])) continue;
-    if (complex.patch(cell).half_weight < 0 || !is_centre_between(complex, cell, 3)) {
-      sets.join(ends[0], ends[1]);
-    }
-  }
-  void_of_tetrahedron_.resize(t.tetrahedra.size());
-  for (std::uint32_t v = 0; v < t.tetrahedra.size(); ++v) {
-    const std::uint32_t root = sets.root(v);
-    if (root == sets.root(outside)) continue;
-    void_of_tetrahedron_[v] = void_of_tetrahedron_[root];
-    if (root != v || !is_void(v)) continue;
-    void_of_tetrahedron_[v] = static_cast<std::uint32_t>(voids_.size());
-    voids_.push_back(complex.patch(complex.cell(3, v)).centre);
-  }
-}
-
 /// Goes from cell to cell, away from the orthocentres, to one of the last dimension, 0 or 3.
-std::optional<SkinComponents::End> SkinComponents::path_end(const SurfacePoint& x,
+std::optional<SkinComponents::End> SkinComponents::path_end(const Point& x, CellId cell,
                                                             int last_dimension) const {
   const MixedComplex& complex = skin_.complex();
   const bool is_down = last_dimension == 0;
-  Point at = x.position;
-  CellId cell = x.cell;
+  Point at = x;
   for (int d = complex.dimension(cell); d != last_dimension; d += is_down ? -1 : 1) {
     const Patch& patch = complex.patch(cell);
     const Vector u = at - patch.centre;
@@ -133,15 +49,39 @@ std::optional<SkinComponents::End> SkinComponents::path_end(const SurfacePoint& 
   return End{cell, false};
 }
 
+std::optional<std::uint32_t> SkinComponents::void_of(const End& end) const {
+  if (end.is_at_infinity) return std::nullopt;
+  const std::uint32_t part = topology_.void_of_tetrahedron[skin_.complex().simplex_index(end.cell)];
+  return part == DualComplex::no_part ? std::nullopt : std::optional(part);
+}
+
+/// An atom that others cover is not in K, though it lies in the body: from there the path goes on.
+std::optional<std::uint32_t> SkinComponents::body_below(const Point& x, CellId cell) const {
+  constexpr int max_covered = 8;
+  Point at = x;
+  for (int k = 0; k < max_covered; ++k) {
+    const std::optional<End> down = path_end(at, cell, 0);
+    if (!down) return std::nullopt;
+    const std::uint32_t body = topology_.body_of_vertex[skin_.complex().simplex_index(down->cell)];
+    if (body != DualComplex::no_part) return body;
+    at = skin_.patch(down->cell).centre;
+    cell = skin_.locate(at, down->cell);
+  }
+  return std::nullopt;
+}
+
 std::optional<SkinComponents::Sides> SkinComponents::sides(const SurfacePoint& x) const {
   const MixedComplex& complex = skin_.complex();
-  const std::optional<End> down = path_end(x, 0), up = path_end(x, 3);
-  if (!down || !up || !(complex.patch(down->cell).half_weight > 0)) return std::nullopt;
-  Sides sides{body_of_vertex_[complex.simplex_index(down->cell)], std::nullopt};
-  if (up->is_at_infinity) return sides;
-  if (!(complex.patch(up->cell).half_weight < 0)) return std::nullopt;
-  sides.cavity = void_of_tetrahedron_[complex.simplex_index(up->cell)];
-  return sides;
+  const std::optional<std::uint32_t> body = body_below(x.position, x.cell);
+  const std::optional<End> up = path_end(x.position, x.cell, 3);
+  if (!body || !up) return std::nullopt;
+  if (!up->is_at_infinity && !(complex.patch(up->cell).half_weight < 0)) return std::nullopt;
+  return Sides{*body, void_of(*up)};
+}
+
+std::optional<std::uint32_t> SkinComponents::void_at(const Point& x, CellId cell) const {
+  const std::optional<End> up = path_end(x, cell, 3);
+  return up ? void_of(*up) : std::nullopt;
 }
 
 }  // namespace morskin::skin

@@ -13,50 +13,41 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "skin/skin_surface.h"
+#include "skin/dual_complex.h"
 
 namespace morskin::skin {
 
 class SkinComponents {
  public:
-  /// Computed in doubles, so it may be wrong where the skin is singular to rounding: compare
-  /// body_count() and void_count() with the exact numbers of the dual complex.
-  /// @param skin  must outlive this object.
-  explicit SkinComponents(const SkinSurface& skin);
-
-  std::size_t body_count() const { return bodies_.size(); }
-  std::size_t void_count() const { return voids_.size(); }
+  /// @param skin, topology  must outlive this object.
+  SkinComponents(const SkinSurface& skin, const DualComplex& topology)
+      : skin_(skin), topology_(topology) {}
 
   /// A component of the skin by its two sides.
   struct Sides {
-    std::uint32_t body = 0;               ///< component of the body, < body_count()
-    std::optional<std::uint32_t> cavity;  ///< void, < void_count(); nothing for the outside
+    std::uint32_t body = 0;               ///< in DualComplex::bodies
+    std::optional<std::uint32_t> cavity;  ///< in DualComplex::voids; nothing for the outside
     friend auto operator<=>(const Sides&, const Sides&) = default;
   };
-  /// Nothing if rounding loses the path from x. @pre x lies on the skin.
+  /// Walked in doubles, between parts that were found exactly. Nothing if rounding loses the path.
+  /// @pre x lies on the skin.
   std::optional<Sides> sides(const SurfacePoint& x) const;
-
-  /// The first atom in a component of the body.
-  AtomId atom(std::uint32_t body) const { return bodies_[body]; }
-  /// A point in a void.
-  const Point& centre(std::uint32_t cavity) const { return voids_[cavity]; }
+  /// The void that a point of the complement lies in; nothing outside them all.
+  /// @pre G(x) > 0, and x lies in the cell
+  std::optional<std::uint32_t> void_at(const Point& x, CellId cell) const;
 
  private:
   struct End {
     CellId cell;
     bool is_at_infinity = false;
   };
-  std::optional<End> path_end(const SurfacePoint& x, int last_dimension) const;
-  void find_bodies();
-  void find_voids();
+  std::optional<End> path_end(const Point& x, CellId cell, int last_dimension) const;
+  std::optional<std::uint32_t> body_below(const Point& x, CellId cell) const;
+  std::optional<std::uint32_t> void_of(const End& end) const;
 
   const SkinSurface& skin_;
-  std::vector<std::uint32_t> body_of_vertex_;  ///< by index in the triangulation
-  std::vector<std::optional<std::uint32_t>> void_of_tetrahedron_;  ///< nothing: outside
-  std::vector<AtomId> bodies_;
-  std::vector<Point> voids_;
+  const DualComplex& topology_;
 };
 
 }  // namespace morskin::skin

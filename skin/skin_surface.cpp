@@ -34,7 +34,7 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, MixedComplex::Keep k
           return MixedComplex(std::move(points), std::move(triangulation), keep, run);
         });
       }()),
-      tree_(complex_.points()) {}
+      powers_(complex_.points(), complex_.triangulation().edges) {}
 
 std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) const {
   const Patch patch = this->patch(x.cell);
@@ -126,7 +126,7 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
 
 surface::Enclosure SkinSurface::enclose(const Point& x, CellId hint) const {
   const CellAtoms atoms = this->atoms(locate(x, hint));
-  return skin::enclose(points(), tree_, x, {atoms.begin(), atoms.size()});
+  return skin::enclose(points(), powers_, x, {atoms.begin(), atoms.size()});
 }
 
 std::optional<SurfacePoint> SkinSurface::project(const Point& x, CellId hint) const {

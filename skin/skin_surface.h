@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "geometry/run.h"
+#include "skin/least_power.h"
 #include "skin/mixed_complex.h"
-#include "skin/power_tree.h"
 #include "surface/surface.h"
 
 namespace morskin::skin {
@@ -61,8 +61,6 @@ class SkinSurface final : public surface::Surface {
   }
   /// The corners of the cell's simplex.
   CellAtoms atoms(CellId cell) const;
-  /// Of all atoms.
-  const PowerTree& power_tree() const { return tree_; }
 
   /// The principal curvatures at a point of the skin, 1/Angstrom, positive where the body is
   /// convex; the first is the larger in magnitude, 1/rho.
@@ -117,7 +115,7 @@ class SkinSurface final : public surface::Surface {
   CellId search(const Point& x, CellId start) const;
 
   MixedComplex complex_;
-  PowerTree tree_;
+  LeastPower powers_;
 };
 
 /// Bounds on the surface that a patch can describe, up to a length scale.

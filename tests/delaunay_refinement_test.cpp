@@ -180,7 +180,7 @@ TEST_CASE("seeds keep apart, and every component of the skin has a triangle of t
   for_seeds(300, [&](unsigned seed) {
     const auto skin = prepared(seed % 2 == 0 ? ball_set(seed) : nasty_set(seed));
     if (!skin) return;
-    const skin::SkinComponents components(skin->surface);
+    const skin::SkinComponents components(skin->surface, skin->topology);
     for (const double C : {0.08, 0.4}) {
       CAPTURE(C);
       const Sizing sizing{.C = C, .Q = Sizing::quality_for(C)};

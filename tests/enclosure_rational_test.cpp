@@ -105,7 +105,7 @@ TEST_CASE("an enclosure holds G and N of nasty sets of balls in rational arithme
   support::for_seeds(600, [&](unsigned seed) {
     std::vector<WeightedPoint> points = support::nasty_set(seed);
     if (points.size() > 6) points.resize(6);
-    const skin::PowerTree tree(points);
+    const skin::LeastPower powers(points);
     support::Random random(seed);
     for (int i = 0; i < 6; ++i) {
       // Around an atom, at a distance between that of its patch and a billionth of it.
@@ -114,7 +114,7 @@ TEST_CASE("an enclosure holds G and N of nasty sets of balls in rational arithme
       const double distance = patch * std::pow(10.0, random.between(-9, 0.5));
       const Point x = about.position + distance * random.direction();
       const AtomId hint{random.below(points.size())};
-      const surface::Enclosure found = skin::enclose(points, tree, x, {&hint, 1});
+      const surface::Enclosure found = skin::enclose(points, powers, x, {&hint, 1});
       const Exact truth = by_definition(points, x);
       CHECK(mpq_class(found.low) <= truth.value);
       CHECK(mpq_class(found.high) >= truth.value);

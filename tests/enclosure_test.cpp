@@ -108,7 +108,7 @@ TEST_CASE("an enclosure holds G and N, whichever atoms are tried first, and is n
   support::for_seeds(300, [&](unsigned seed) {
     const Case test = some_case(seed);
     support::Random random(seed);
-    const skin::PowerTree tree(test.points);
+    const skin::LeastPower powers(test.points);
     for (int i = 0; i < 12; ++i) {
       const Point x = test.centre + test.scale * random.between(0, 8) * random.direction();
       const Truth g = truth(test.points, x);
@@ -117,7 +117,7 @@ TEST_CASE("an enclosure holds G and N, whichever atoms are tried first, and is n
            ++k) {
         hint.push_back(AtomId{random.below(test.points.size())});
       }
-      const Enclosure found = skin::enclose(test.points, tree, x, hint);
+      const Enclosure found = skin::enclose(test.points, powers, x, hint);
       const long double oracle = 0x1p-57L * g.size;
       CHECK(found.low <= g.value + oracle);
       CHECK(found.high >= g.value - oracle);
@@ -144,7 +144,7 @@ TEST_CASE("necks and gaps too thin for doubles are enclosed narrowly") {
     const Point shift = seed % 2 == 0 ? Point(0, 0, 0) : Point(0, 512, -4096);
     const std::vector<WeightedPoint> points{{shift + Point(-a, 0, 0), weight},
                                             {shift + Point(a, 0, 0), weight}};
-    const skin::PowerTree tree(points);
+    const skin::LeastPower powers(points);
     const double rho = std::sqrt(static_cast<double>(skin::magnitude(d)) / 2);
     REQUIRE(rho < 2e-8);
     const std::vector<AtomId> atoms{AtomId{0U}, AtomId{1U}};
@@ -153,7 +153,7 @@ TEST_CASE("necks and gaps too thin for doubles are enclosed narrowly") {
       const Point offset = x - shift;
       const Eigen::Matrix<Quad, 3, 1> N(-offset.x(), offset.y(), offset.z());
       const Quad value = N[1] * N[1] + N[2] * N[2] - N[0] * N[0] - d / 2;
-      const Enclosure found = skin::enclose(points, tree, x, {atoms.data(), 1 + random.below(2)});
+      const Enclosure found = skin::enclose(points, powers, x, {atoms.data(), 1 + random.below(2)});
       CHECK(found.low <= value);
       CHECK(found.high >= value);
       CHECK((found.half_gradient.cast<Quad>() - N).cast<double>().norm() <= found.error);
@@ -165,14 +165,14 @@ TEST_CASE("necks and gaps too thin for doubles are enclosed narrowly") {
 
 TEST_CASE("a point that is no number, or too far for its square, has no bounds") {
   const std::vector<WeightedPoint> points{{Point::Zero(), 2}};
-  const skin::PowerTree tree(points);
+  const skin::LeastPower powers(points);
   const AtomId atom{0U};
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity(), -1e300, 1e160}) {
     for (int axis = 0; axis < 3; ++axis) {
       Point x(1, 0, 0);
       x[axis] = bad;
-      const Enclosure found = skin::enclose(points, tree, x, {&atom, 1});
+      const Enclosure found = skin::enclose(points, powers, x, {&atom, 1});
       CHECK(found.low == -std::numeric_limits<double>::infinity());
       CHECK(found.high == std::numeric_limits<double>::infinity());
       CHECK(found.error == std::numeric_limits<double>::infinity());

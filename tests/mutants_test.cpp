@@ -42,8 +42,8 @@ class SecondOpinion {
         folder_.file(number + ".ply", geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));
     const auto points = certify::locate_vertices(mesh, of.skin.surface);
     const auto witness = folder_.file(
-        number + ".json", app::certificate_text(mesh, points, certificate.degree_vertices,
-                                                of.skin.surface, of.sizing));
+        number + ".json",
+        app::certificate_text(mesh, points, certificate.degree_vertices, of.skin, of.sizing));
     list_ += balls.string() + "\n" + file.string() + "\n" + witness.string() + "\n";
     questions_.push_back({of.name + ": " + kind, wrong, is_proved});
   }

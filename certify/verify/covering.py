@@ -4,17 +4,17 @@
   (c2) tube     |G| < |N|^2 there: every point flows to the skin, past no critical point;
   (c3) degree   each component has a vertex that the flow reaches from no other point of the mesh.
 
-N changes by at most the distance, and |G(p)| <= R^2 + g at a point p of a triangle with
-circumradius R and |G| <= g at its corners; p lies within R of a corner.
-"""
+N changes by at most the distance, and |G| <= R^2 + g on a triangle with circumradius R and |G| <= g
+at its corners, of which each of its points has one within R."""
+
+from fractions import Fraction
 
 import numpy as np
 
 from enclosure import TINY, UNIT, down, least_on_hull, length, up
 from manifold import NotProved
 
-MAX_DEPTH = 5  # a triangle is cut into at most 4^5 pieces
-MAX_CANDIDATES = 16
+MAX_DEPTH, MAX_CANDIDATES = 5, 16  # a triangle is cut into at most 4^5 pieces
 
 
 def longest_path(n, g):
@@ -26,15 +26,11 @@ def longest_path(n, g):
 
 
 class Covering:
-    """The mesh over the skin. Raises NotProved.
-
-    @param balls  by vertex, four for its enclosure"""
-
+    """The mesh over the skin; `balls` are four by vertex, for its enclosure. Raises NotProved."""
     def __init__(self, positions, triangles, skin, balls):
         self.positions, self.triangles, self.skin = positions, triangles, skin
         self.bounds = skin.enclose(positions, balls)
-        # Edges are rounded once, so the cross product errs by 4 u (|x y'| + |x' y|) in each
-        # coordinate, by less than 8 u |e_1| |e_2| in length.
+        # Edges are rounded once: a cross product errs by less than 8 u |e_1| |e_2| in length.
         self.corners = positions[triangles]
         e = self.corners[:, [2, 0, 1]] - self.corners[:, [1, 2, 0]]  # opposite each corner
         self.edges = up(length(e))
@@ -55,9 +51,8 @@ class Covering:
         return down(dot - up(at.high * (self.normal_error[t] + 4 * UNIT)) - at.r)
 
     def prove_tube(self):
-        """(c1) and (c2), about the corner opposite the longest side; where that does not do, about
-        the centroids of ever smaller pieces. A midpoint errs by k u |p| in each coordinate at depth
-        k, a centroid by less than 3 u |p| more."""
+        """(c1) and (c2), about the corner opposite the longest side, else the centroids of smaller
+        pieces. At depth k a midpoint's coordinates err by k u |p|, a centroid's by 3 u |p| more."""
         t, pieces, off = np.arange(len(self.triangles)), self.corners, 0
         at = self.bounds[self.triangles[t, self.edges.argmax(1)]]
         r = np.sort(self.edges, axis=1)[:, 1]
@@ -76,10 +71,9 @@ class Covering:
         raise NotProved(f"tube: triangle {t.min()} is too big")
 
     def hold(self, t, at, r, off):
-        """Whether (c1) and (c2) hold on a piece of each triangle t, no point p of which is farther
-        than r from a point x with the bounds `at`, which is no farther than `off` from t's plane.
-        In |G(p) - G(x)| <= 2 |N(x) . (p - x)| + r^2 only the part of N along t counts, but for
-        `off`."""
+        """Whether (c1) and (c2) hold on a piece of each triangle t, within r of a point x with the
+        bounds `at` that is no farther than `off` from t's plane. In |G(p) - G(x)| <=
+        2 |N(x) . (p - x)| + r^2 only the part of N along t counts, but for `off`."""
         upright = self.upright(at, t)
         wrong = ~(upright > 0) | ~(at.g < at.low**2)
         if wrong.any():
@@ -92,10 +86,28 @@ class Covering:
         np.maximum.at(self.path, t[holds], path[holds])
         return holds
 
-    def prove_degree(self, label, wanted):
-        """(c3), at the vertices wanted or others.
+    def winding_number(self, p):
+        """How often the skin that is covered goes round p, three Fractions: as often as the mesh,
+        if no path between them meets p. Triangles above p count, exactly, by the way they face."""
+        at = np.array(p, dtype=float)
+        slack = 2.0**-50 * np.abs(at).max()
+        arms, path, xy = self.corners - at, up(self.path + slack), self.corners[:, :, :2]
+        near = ~(down(length(arms[:, 0]) - up(2 * self.R)) > path)
+        if not (distance_below(arms[near], arms[near]) > path[near]).all():
+            raise NotProved(f"degree: a triangle is too near to {at} to tell which part it bounds")
+        turns = 0
+        above = ((xy.min(1) <= at[:2] + slack) & (xy.max(1) >= at[:2] - slack)).all(1)
+        for t in self.corners[above].tolist():
+            a, b, c = ([Fraction(v) - o for v, o in zip(corner, p)] for corner in t)
+            crossed = [(e[0] * f[1] - f[0] * e[1], (f[1] > 0) - (e[1] > 0))
+                       for e, f in ((a, b), (b, c), (c, a))]
+            turn = sum(way for side, way in crossed if side * way > 0)
+            volume = sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+            turns += turn if turn * volume > 0 else 0
+        return turns
 
-        @param label  by vertex, its component's least vertex"""
+    def prove_degree(self, label, wanted):
+        """(c3), at the vertices wanted or others; `label` is by vertex its component's least."""
         for component in np.unique(label):
             members = np.flatnonzero(label == component)
             spread = members[np.arange(MAX_CANDIDATES) * len(members) // MAX_CANDIDATES]
@@ -106,8 +118,8 @@ class Covering:
 
     def is_covered_once(self, v):
         at, own = self.bounds[[v]], np.flatnonzero((self.triangles == v).any(1))
-        # To a point p over the same point of the skin G changes by at most |G(p)| + |G(v)|. So
-        # short a path does not come back to the plane of a triangle at v.
+        # To a point p over the same point of the skin G changes by at most |G(p)| + |G(v)|. On so
+        # short a path one does not come back to the plane of a triangle at v.
         path = longest_path(at.low, up(self.G + at.g))
         if not (path[own] < self.upright(at, own)).all():
             return False
@@ -127,9 +139,8 @@ class Covering:
 
 
 def turn_once(arms, seen, axis):
-    """Whether triangles with a corner at 0, which turn forward as seen along the axis, go round it
-    once: their angles add up to a multiple of 2 pi. An angle in (0, pi) is found to 2^-20, or to
-    2^-20 less 2 pi, if its sides are not seen too short."""
+    """Whether triangles with a corner at 0, turning forward seen along the axis, go round it once.
+    An angle in (0, pi) is found to 2^-20, or to that less 2 pi, if its sides are not too short."""
     corner = (arms == 0).all(2).argmax(1)
     a, b = (np.take_along_axis(seen, ((corner + k) % 3)[:, None, None], 1)[:, 0] for k in (1, 2))
     angles = np.arctan2(np.cross(a, b) @ axis, (a * b).sum(1))
@@ -138,9 +149,9 @@ def turn_once(arms, seen, axis):
 
 
 def distance_below(seen, arms, axis=None):
-    """Below the distance from 0 to triangles with the corners `arms`; with an axis, from the line
-    along it. Whatever the unit vector y, it is at least the least y . arm; y points to the nearest
-    point of `seen`, the triangles as far as y may see them."""
+    """Below the distance from 0, or an axis through it, to triangles with the corners `arms`: for
+    any unit vector y at least the least y . arm. It points to the nearest point of `seen`, the same
+    or their projections."""
     y = (least_on_hull(seen, np.zeros((len(seen), 3)))[:, :, None] * seen).sum(1)
     along = 0.0  # of y along the axis, where arms tell nothing
     with np.errstate(all="ignore"):

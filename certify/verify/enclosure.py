@@ -5,10 +5,8 @@ With u_i = z_i - x and pi_i(y) = |y - z_i|^2 - w_i:
   below  L = min over all balls of pi_i(q) / 2 - |x - q|^2 <= G(x) for any point q;
   N      |N(x) + m| <= sqrt(2 (U - L)), for U is strongly convex in m and least at m = -N(x).
 The corners of x's mixed cell give the best l and q; a bad guess makes a wide bound, no wrong one.
-
 Rounding: u = 2^-53 bounds the relative error of + - * / sqrt. Limits on the input keep overflow
-away, and whatever underflow adds, 2^-1075 times other factors, is below TINY.
-"""
+away, and what underflow adds, 2^-1075 times other factors, is below TINY."""
 
 from itertools import combinations
 
@@ -19,7 +17,7 @@ TINY = 1e-200
 SLACK = 2.0**-45  # above the relative error of any 200 roundings in a row
 
 # |N - n| <= r, |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; four balls
-# that give these, and that of least power at q.
+# that give these, that of least power at q.
 BOUNDS = np.dtype([("n", "f8", 3), ("r", "f8"), ("g", "f8"), ("low", "f8"), ("high", "f8"),
                    ("gap", "f8"), ("balls", "i8", 4), ("entering", "i8")])
 
@@ -62,7 +60,6 @@ def least_on_hull(u, powers):
 
 class Skin:
     """The balls, as G's definition needs them."""
-
     def __init__(self, balls):
         self.z, self.w = balls[:, :3].copy(), balls[:, 3].copy()
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+from pathlib import Path
 
 import numpy as np
 
@@ -21,8 +22,7 @@ def read_balls(path):
 
 def read_mesh(path):
     """Positions, V x 3, and triangles, T x 3, of an OFF file or a PLY file like morskin's."""
-    with open(path, "rb") as file:
-        data = file.read()
+    data = Path(path).read_bytes()
     header = PLY.match(data)
     if header:
         vertices, faces = int(header[2]), int(header[3])
@@ -45,8 +45,7 @@ def read_mesh(path):
 def read_certificate(path, balls, vertices, triangles):
     """The witness, with the right sizes and indices that exist; no more is believed of it. The
     balls of a vertex are four, one of them several times if there are fewer."""
-    with open(path, encoding="utf-8") as file:
-        witness = json.load(file)
+    witness = json.loads(Path(path).read_text(encoding="utf-8"))
     head = [witness[key] for key in ("format", "balls", "vertices", "triangles")]
     if head != ["morskin-certificate-1", balls, vertices, triangles]:
         raise ValueError(f"{path}: not the certificate of these balls and this mesh")
@@ -58,4 +57,4 @@ def read_certificate(path, balls, vertices, triangles):
             all(0 <= v < vertices for v in chosen)):
         raise ValueError(f"{path}: an index is wrong")
     return {"simplices": simplices, "vertex_atoms": atoms, "component_vertices": chosen,
-            "C": float(witness["C"]), "Q": float(witness["Q"])}
+            "dropped_voids": int(witness["dropped_voids"])}

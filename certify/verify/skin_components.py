@@ -1,22 +1,22 @@
-"""How many components the skin has at most: bodies, of {G < 0}, and voids in them. Exact integers.
+"""A point in every part of space that the skin bounds: bodies, of {G < 0}, and voids in them. Some
+parts may have several. Exact integers.
 
 Bodies. A convex combination c of centres has the weight w_c = sum l_i (w_i - |z_i - c|^2), and
 G(y) <= |y - c|^2 - w_c / 2. From a point where G < 0 a path inside leads to a c with w_c > 0 and,
-as w_c is convex in l, on to a centre of positive weight. Two such centres are joined inside if the
-spheres of radii sqrt(w) about them overlap.
+as w_c is convex in l, on to a centre of positive weight. Two are joined inside if their spheres of
+radii sqrt(w) overlap.
 
 Voids. With P the least power, G(y) >= P(q) / 2 - |y - q|^2. From a point where G > 0 a path
 outside leads to a q with P(q) > 0, then uphill to infinity or a corner of the power diagram, which
 is the orthocentre of a tetrahedron. Two of these are joined outside if P > 0 on the edge between
 them, which is dual to their common facet. There are none if all centres lie in one plane.
-
-The tetrahedra are a witness, checked here: no ball has less power at the orthocentre of one than
-its corners, and across each facet another follows, or there is no centre. So they cover the convex
-hull, and all corners of the power diagram are theirs.
-"""
+The tetrahedra are checked: no ball has less power at the orthocentre of one than its corners, and
+across each facet another follows, or there is no centre. So they cover the convex hull, and all
+corners of the power diagram are theirs."""
 
 from collections import defaultdict
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -26,12 +26,11 @@ from manifold import NotProved, components
 
 class Balls:
     """Centres and weights as integers, all scaled by one power of two."""
-
     def __init__(self, balls):
         rows = [[Fraction(x) for x in row] for row in balls]
-        scale = max(x.denominator for row in rows for x in row)
-        self.z = np.array([[int(x * scale) for x in row[:3]] for row in rows], dtype=object)
-        self.w = np.array([int(row[3] * scale**2) for row in rows], dtype=object)
+        self.scale = max(x.denominator for row in rows for x in row)
+        self.z = np.array([[int(x * self.scale) for x in row[:3]] for row in rows], dtype=object)
+        self.w = np.array([int(row[3] * self.scale**2) for row in rows], dtype=object)
 
     def arms(self, origin, i):
         """e = z_i - z_o, and h: at z_o + y ball i has h - 2 y . e more power than ball o."""
@@ -52,9 +51,11 @@ class Balls:
         e, h = self.arms(origin, i)
         return D * (D * h - (e * m).sum(-1))
 
-    def is_outside(self, origin, m, D):
-        """Whether the power of ball o is positive at z_o + m / 2D."""
-        return (m * m).sum(-1) > 4 * D * D * self.w[origin]
+    def point(self, origin, m=(0, 0, 0), D=1):
+        return [Fraction(2 * D * z + a, 2 * D * self.scale) for z, a in zip(self.z[origin], m)]
+
+    def power(self, origin, m, D):
+        return Fraction(1) * (m * m).sum(-1) / (4 * D * D) - self.w[origin]
 
     def overlap(self, i, j):
         """Whether the distance is below sqrt(w_i) + sqrt(w_j), both positive."""
@@ -87,32 +88,35 @@ class Balls:
         return sides_of
 
 
-def count_sets(count, elements, pairs):
-    a, b = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
-    return len(set(components(count, a, b)[elements]))
+def deepest(depth, pairs):
+    """Of each set of elements of positive depth that the pairs join, the deepest."""
+    label = components(len(depth), *pairs.T)
+    order = np.argsort(-depth, kind="stable")
+    return [i for i in order[np.unique(label[order], return_index=True)[1]] if depth[i] > 0]
 
 
-def skin_components(rows, simplices, pairs):
-    """At most so many bodies and voids.
+@lru_cache  # of many meshes of one skin
+def skin_components(rows, simplices, nearest):
+    """Points in the bodies, and in the voids. What is given of a triangulation is not believed.
 
-    @param simplices  a triangulation, believed of nothing
-    @param pairs      of balls that may overlap besides"""
+    @param nearest  by ball, one that may overlap it besides"""
     balls, count = Balls(rows), len(simplices)
-    pairs = np.array([*pairs, *(pair for s in simplices for pair in combinations(s, 2))])
-    bodies = count_sets(len(rows), np.flatnonzero(balls.w > 0), pairs[balls.overlap(*pairs.T)])
+    pairs = [*enumerate(nearest), *(pair for s in simplices for pair in combinations(s, 2))]
+    pairs = np.array(pairs, dtype=np.int64).reshape(-1, 2)
+    bodies = [balls.point(i) for i in deepest(balls.w, pairs[balls.overlap(*pairs.T)])]
     if balls.are_in_plane():
-        return bodies, 0
+        return bodies, []
     if not simplices or {len(s) for s in simplices} != {4}:
         raise NotProved("triangulation: not of tetrahedra")
     tetrahedra = np.array(simplices)
-    sides_of = balls.facets(tetrahedra)
-    is_free = [*balls.is_outside(tetrahedra[:, 0], *balls.orthocentres(tetrahedra)), True]
+    sides_of, (m, D) = balls.facets(tetrahedra), balls.orthocentres(tetrahedra)
+    P = np.array([*balls.power(tetrahedra[:, 0], m, D), np.inf])  # the last one is outside
     # P is least at the orthocentre of a facet, unless an apex has less power there.
-    doors, first = [], np.array([*sides_of])
-    for facet, m, D, sides in zip(first, *balls.orthocentres(first), sides_of.values()):
-        ends = [s for s, _ in sides] + [count] * (2 - len(sides))  # the last one is outside
-        if is_free[ends[0]] and is_free[ends[1]] and (
-                balls.is_outside(facet[0], m, D) or
-                any(balls.excess(facet[0], m, D, apex) < 0 for _, apex in sides)):
+    doors, first = [(count, count)], np.array([*sides_of])
+    for facet, sides, at, E in zip(first, sides_of.values(), *balls.orthocentres(first)):
+        ends = [s for s, _ in sides] + [count] * (2 - len(sides))
+        if (P[ends] > 0).all() and (balls.power(facet[0], at, E) > 0 or any(
+                balls.excess(facet[0], at, E, apex) < 0 for _, apex in sides)):
             doors.append(ends)
-    return bodies, count_sets(count + 1, np.flatnonzero(is_free), doors) - 1
+    found = [s for s in deepest(P, np.array(doors)) if s != count]
+    return bodies, [balls.point(tetrahedra[s, 0], m[s], D[s]) for s in found]

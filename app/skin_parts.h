@@ -1,0 +1,35 @@
+#pragma once
+
+/// What of a skin makes a mesh finer than a solver wishes: voids, necks and tunnels.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "morskin/prepared_skin.h"
+#include "skin/void_volume.h"
+#include "skin/waists.h"
+
+namespace morskin::app {
+
+struct SkinParts {
+  struct Cavity {
+    geometry::Point at;         ///< its deepest point
+    skin::VolumeBounds volume;  ///< Angstrom^3
+    std::size_t bodies_inside;
+    bool is_dropped;
+  };
+  std::vector<Cavity> voids;       ///< the largest first
+  std::vector<skin::Waist> necks;  ///< the narrowest first
+  std::vector<skin::Waist> tunnels;
+};
+
+/// In the stage "voids".
+SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run);
+
+/// Adds "voids", all of them, "necks" and "tunnels", the number and the narrowest.
+void add_skin_parts(nlohmann::ordered_json& json, const SkinParts& parts);
+/// Three lines.
+std::string skin_parts_text(const SkinParts& parts);
+
+}  // namespace morskin::app

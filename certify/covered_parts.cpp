@@ -1,0 +1,65 @@
+#include "certify/covered_parts.h"
+
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include "certify/distance_bounds.h"
+#include "certify/tube.h"
+#include "certify/winding_number.h"
+#include "geometry/kd_tree.h"
+
+namespace morskin::certify {
+
+namespace {
+
+/// A margin far above the rounding of the few operations that it follows.
+constexpr double up = 1 + 1e-6;
+
+/// A point that a path from a triangle to the surface may pass; nothing if there is none.
+std::optional<std::size_t> point_on_path(const LocatedMesh& mesh,
+                                         const std::vector<Point>& points) {
+  const geometry::KdTree<geometry::VertexId> tree(points);
+  std::optional<std::size_t> found;
+  for (const auto& triangle : mesh.mesh.triangles) {
+    const TriangleBounds shape = mesh.shape(triangle);
+    const double path =
+        up * prove_tube(mesh.surface, mesh.corners(triangle), shape, mesh.corner_bounds(triangle))
+                 .max_path;
+    const Point& corner = mesh.position(triangle[0]);
+    tree.for_each_within(corner, up * (2 * shape.circumradius + path), [&](const auto& near) {
+      Offsets offsets;
+      for (std::size_t k = 0; k < 3; ++k) {
+        offsets[k] = mesh.position(triangle[k]) - points[near.id.index()];
+      }
+      if (!(distance_below(offsets) > path)) found = near.id.index();
+    });
+  }
+  return found;
+}
+
+std::string in_words(const Point& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.6g %.6g %.6g", p.x(), p.y(), p.z());
+  return text;
+}
+
+}  // namespace
+
+std::string objection_to_parts(const LocatedMesh& mesh, const surface::Topology& expected) {
+  std::vector<Point> points = expected.inside;
+  points.insert(points.end(), expected.outside.begin(), expected.outside.end());
+  if (const auto near = point_on_path(mesh, points)) {
+    return "a triangle is too near to " + in_words(points[*near]) + " to tell what it bounds there";
+  }
+  const auto windings = winding_numbers(mesh.mesh, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_inside = i < expected.inside.size();
+    if (windings[i] == (is_inside ? 1 : 0)) continue;
+    return "others than the components to be meshed: the mesh should " +
+           std::string(is_inside ? "go once" : "not go") + " round " + in_words(points[i]);
+  }
+  return "";
+}
+
+}  // namespace morskin::certify

@@ -1,0 +1,101 @@
+#include "morskin/voids.h"
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/parallel.h"
+#include "skin/skin_components.h"
+
+namespace morskin {
+
+namespace {
+
+/// Of the volumes that are told: a round void's is known to some 4 %.
+constexpr double usual_fineness = 1.0 / 6;
+/// Tried one after the other where a bound lies within a volume's own.
+constexpr double decisive_fineness = 1.0 / 100;
+
+bool is_surely_below(const PreparedSkin& skin, std::uint32_t cavity, double bound) {
+  for (double fineness = 0.5; fineness > decisive_fineness; fineness /= 2) {
+    const auto volume = skin::void_volume(skin.surface, skin.topology, cavity, fineness);
+    if (volume.high < bound) return true;
+    if (volume.low >= bound) return false;
+  }
+  return false;
+}
+
+/// Calls visit(void) for each, on several threads.
+template <class Visit>
+void for_each_void(const PreparedSkin& skin, const Run& run, Visit visit) {
+  run.stage("voids", [&] {
+    geometry::for_each_task(run.threads(), skin.topology.voids.size(),
+                            [&](std::size_t cavity) { visit(static_cast<std::uint32_t>(cavity)); });
+  });
+}
+
+}  // namespace
+
+surface::Topology PreparedSkin::expected() const {
+  surface::Topology result = topology;
+  if (is_dropped.empty()) return result;
+  for (std::size_t i = 0; i < topology.voids.size(); ++i) {
+    const skin::Void& v = topology.voids[i];
+    (has_dropped(static_cast<std::uint32_t>(i)) ? result.inside : result.outside)
+        .push_back(v.centre);
+    if (is_dropped[i] == 0) continue;
+    result.components -= v.bodies.size();
+    result.euler_characteristic -= 2 * v.euler_characteristic;
+  }
+  for (const geometry::AtomId atom : topology.bodies) {
+    result.inside.push_back(surface.points()[atom.index()].position);
+  }
+  result.genus = static_cast<std::size_t>(static_cast<long>(result.components) -
+                                          result.euler_characteristic / 2);
+  return result;
+}
+
+std::vector<skin::VolumeBounds> void_volumes(const PreparedSkin& skin, const Run& run) {
+  std::vector<skin::VolumeBounds> volumes(skin.topology.voids.size());
+  for_each_void(skin, run, [&](std::uint32_t cavity) {
+    volumes[cavity] = skin::void_volume(skin.surface, skin.topology, cavity, usual_fineness);
+  });
+  return volumes;
+}
+
+void drop_voids(PreparedSkin& skin, double below, const Run& run) {
+  if (!(below >= 0)) throw geometry::RefusedInput("voids have no volume below 0");
+  skin.is_dropped.clear();
+  if (below == 0 || skin.topology.voids.empty()) return;
+  std::vector<char> is_dropped(skin.topology.voids.size(), 1);
+  if (std::isfinite(below)) {
+    for_each_void(skin, run, [&](std::uint32_t cavity) {
+      is_dropped[cavity] = is_surely_below(skin, cavity, below) ? 1 : 0;
+    });
+  }
+  skin.is_dropped = std::move(is_dropped);
+}
+
+void drop_components(const PreparedSkin& skin, surface::Mesh& mesh, const Run& run) {
+  if (skin.is_dropped.empty()) return;
+  const skin::SkinComponents parts(skin.surface, skin.topology);
+  const geometry::Components components = geometry::components(mesh.surface);
+  enum class Fate : char { Unknown, Kept, Dropped };
+  std::vector<Fate> fates(components.count, Fate::Unknown);
+  std::vector<geometry::TriangleId> dropped;
+  for (std::size_t t = 0; t < components.of_triangle.size(); ++t) {
+    const geometry::TriangleId triangle{t};
+    if (mesh.surface.is_removed(triangle)) continue;
+    Fate& fate = fates[components.of_triangle[t]];
+    if (fate == Fate::Unknown) {
+      const auto sides = parts.sides(mesh.at(mesh.surface.corners(triangle)[0]));
+      const bool is_dropped = sides && sides->cavity && skin.has_dropped(*sides->cavity);
+      fate = is_dropped ? Fate::Dropped : Fate::Kept;
+    }
+    if (fate == Fate::Dropped) dropped.push_back(triangle);
+  }
+  if (dropped.empty()) return;
+  mesh.surface.remove(dropped);
+  mesh.surface.compact(run.threads());
+}
+
+}  // namespace morskin

@@ -1,0 +1,46 @@
+#pragma once
+
+/// The least power distance from a point to any of many weighted points, as a proved lower bound.
+///
+/// Over the regular triangulation the power to a fixed q, interpolated between the vertices, is a
+/// convex function, so its sublevel sets are connected. If all neighbours of a set S of atoms have
+/// more power than the most in S, none but S has so little, and the least is found in S. Where
+/// rounding leaves that open, or the atoms tried are the wrong ones, a search over all atoms
+/// decides.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skin/power_tree.h"
+
+namespace morskin::skin {
+
+class LeastPower {
+ public:
+  /// @param edges   all of the points' regular triangulation; without any, all is searched
+  explicit LeastPower(std::span<const geometry::WeightedPoint> points,
+                      std::span<const std::array<geometry::AtomId, 2>> edges = {});
+
+  /// @param tried  at least one atom; those of the least power, if all goes well
+  template <class Real>
+  PowerTree::Least<Real> at(const Vector3<Real>& q, std::span<const geometry::AtomId> tried) const;
+
+ private:
+  template <class Real>
+  std::optional<PowerTree::Least<Real>> among(const Vector3<Real>& q,
+                                              std::span<const geometry::AtomId> tried) const;
+  std::span<const geometry::AtomId> neighbours(geometry::AtomId atom) const {
+    return {neighbours_.data() + first_[atom.index()],
+            first_[atom.index() + 1] - first_[atom.index()]};
+  }
+
+  std::vector<geometry::WeightedPoint> points_;
+  std::vector<std::uint32_t> first_;  ///< by atom, into neighbours_
+  std::vector<geometry::AtomId> neighbours_;
+  PowerTree tree_;
+};
+
+}  // namespace morskin::skin

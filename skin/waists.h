@@ -1,0 +1,27 @@
+#pragma once
+
+/// Where the skin closes about a circle: necks of the body, about an edge, and tunnels through it,
+/// about the normal of a triangle. Narrow ones force small triangles, however coarse a mesh is to
+/// be.
+
+#include <vector>
+
+#include "skin/skin_surface.h"
+
+namespace morskin::skin {
+
+struct Waist {
+  CellId cell;
+  bool is_tunnel;  ///< or else a neck
+  Point centre;    ///< the orthocentre of the cell's atoms
+  double radius;   ///< of the circle, Angstrom
+  /// The integral of rho^-2 over the hyperboloid, as far as the cell goes along its axis. Above the
+  /// true one where other cells cut into the hyperboloid, as they do in wide waists.
+  double demand;
+};
+
+/// The narrowest first. A waist is a patch whose orthocentre lies in its cell and whose quadric has
+/// one sheet.
+std::vector<Waist> waists(const SkinSurface& skin);
+
+}  // namespace morskin::skin
