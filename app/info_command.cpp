@@ -28,6 +28,7 @@ Growth growth(skin::Model model) {
     case skin::Model::Sas:
       return {85, 2000};
     case skin::Model::Vdw:
+    case skin::Model::SesLike:
     case skin::Model::Given:
       return {900, 0};
   }

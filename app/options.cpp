@@ -22,10 +22,11 @@ constexpr const char* about =
 constexpr const char* closing =
     "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
     "atom's sphere patch has the radius sqrt(W/2)):\n"
-    "  paper   W = sqrt(2) (r + p), as the paper prints it\n"
-    "  sas     W = 2 (r + p)^2      patches have the solvent-accessible radius\n"
-    "  vdw     W = 2 r^2            patches have the radius r; the probe plays no part (default)\n"
-    "  given   W as in the file, of XYZW only\n"
+    "  paper     W = sqrt(2) (r + p), as the paper prints it\n"
+    "  sas       W = 2 (r + p)^2     patches have the solvent-accessible radius\n"
+    "  vdw       W = 2 r^2           patches have the radius r; p plays no part (default)\n"
+    "  ses-like  W = 2 (r + 0.25)^2  the skin nearest to a solvent-excluded surface\n"
+    "  given     W as in the file, of XYZW only\n"
     "\n"
     "Examples:\n"
     "  morskin mesh 1crn.pdb -o 1crn.ply\n"
@@ -44,9 +45,9 @@ constexpr const char* closing =
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
   command
       .add_option("--model", typed.model,
-                  "How radii become weights: paper, sas or vdw; given for an INPUT of\n"
-                  "weights, which XYZW has without it")
-      ->check(CLI::IsMember({"paper", "sas", "vdw", "given"}))
+                  "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
+                  "INPUT of weights, which XYZW has without it")
+      ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
       ->default_str("vdw");
   command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
       ->default_str("1.4");

@@ -17,7 +17,7 @@ PROBE = 1.4  # Angstrom
 class SolventExcludedSurface:
     """Of balls: centres, n x 3, and van der Waals radii, Angstrom."""
 
-    def __init__(self, centres, radii, probe=PROBE, spacing=0.12, step=0.25):
+    def __init__(self, centres, radii, probe=PROBE, spacing=0.2, step=0.3):
         self.centres, self.radii, self.probe = centres, radii, probe
         self.reach = radii + probe
         self._make_grid(step)

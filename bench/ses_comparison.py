@@ -1,4 +1,4 @@
-"""Compares the mesh of a skin with the solvent-excluded surface of the same balls; numpy and scipy."""
+"""The mesh of a skin beside the solvent-excluded surface of the same balls; numpy and scipy."""
 
 import sys
 from pathlib import Path

@@ -78,14 +78,18 @@ def run_chain(rows, folder, chain, timeout):
 
 def table(rows):
     """The rows of the page: by offset, medians over the chains."""
-    lines = ["| patches larger by | skin to SES, mean, 95 % | SES to skin, mean, 95 % | area | "
-             "volume | energy | genus |", "|---|---|---|---|---|---|---|"]
+    lines = ["| patches larger by | skin to SES, mean, 95 % | SES to skin, mean, 95 % | "
+             "95 % above 1 Å | area | volume | energy | genus |",
+             "|---|---|---|---|---|---|---|---|"]
     for offset in OFFSETS:
+        these = [r for r in rows if float(r["offset"]) == offset]
+        far = sum(float(r["to_ses_95"]) > 1 or float(r["from_ses_95"]) > 1 for r in these)
+
         def of(column):
-            return statistics.median(float(r[column]) for r in rows
-                                     if float(r["offset"]) == offset)
+            return statistics.median(float(r[column]) for r in these)
         lines.append(f"| {offset} Å | {of('to_ses_mean'):.3f}, {of('to_ses_95'):.2f} Å | "
-                     f"{of('from_ses_mean'):.3f}, {of('from_ses_95'):.2f} Å | {of('area'):.2f} | "
+                     f"{of('from_ses_mean'):.3f}, {of('from_ses_95'):.2f} Å | "
+                     f"{far} of {len(these)} | {of('area'):.2f} | "
                      f"{of('volume'):.3f} | {of('energy'):.3f} | {of('genus'):.0f} |")
     return "\n".join(lines)
 

@@ -77,6 +77,8 @@ skin::Model inside(Model model) {
       return skin::Model::Sas;
     case Model::Vdw:
       return skin::Model::Vdw;
+    case Model::SesLike:
+      return skin::Model::SesLike;
     default:
       return skin::Model::Paper;
   }

@@ -68,9 +68,10 @@ std::vector<Atom> read_molecule(const std::filesystem::path& file);
 /// How large a sphere the skin has about an atom of radius r that nothing else is near, with a
 /// probe of radius p.
 enum class Model {
-  Paper,  ///< sqrt(sqrt(2) (r + p) / 2), the number in Angstrom: as in the paper's Table 1
-  Sas,    ///< r + p: solvent-accessible
-  Vdw,    ///< r: van der Waals; also for spheres that are no atoms
+  Paper,    ///< sqrt(sqrt(2) (r + p) / 2), the number in Angstrom: as in the paper's Table 1
+  Sas,      ///< r + p: solvent-accessible
+  Vdw,      ///< r: van der Waals; also for spheres that are no atoms
+  SesLike,  ///< r + 0.25: of these skins the nearest to a solvent-excluded surface, but none
 };
 
 /// Which of many skins of the same atoms.

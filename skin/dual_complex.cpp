@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
-#include "geometry/union_find.h"
+#include "skin/complement.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::skin {
@@ -19,35 +17,6 @@ namespace {
 
 using geometry::RegularTriangulation;
 using geometry::Sign;
-
-/// The cofaces of all simplices of one dimension, by index.
-struct Cofaces {
-  std::vector<std::uint32_t> first;  ///< by simplex, into indices
-  std::vector<std::uint32_t> indices;
-
-  std::span<const std::uint32_t> of(std::size_t simplex) const {
-    return {indices.data() + first[simplex], first[simplex + 1] - first[simplex]};
-  }
-};
-
-template <std::size_t N, class FacetIndex>
-Cofaces cofaces(std::size_t facets, const std::vector<std::array<AtomId, N>>& simplices,
-                FacetIndex facet_index) {
-  Cofaces result;
-  result.first.assign(facets + 2, 0);
-  for (std::size_t s = 0; s < simplices.size(); ++s) {
-    for (std::size_t k = 0; k < N; ++k) ++result.first[facet_index(s, k) + 2];
-  }
-  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  result.indices.resize(result.first.back());
-  for (std::uint32_t s = 0; s < simplices.size(); ++s) {
-    for (std::size_t k = 0; k < N; ++k) {
-      result.indices[result.first[facet_index(s, k) + 1]++] = s;
-    }
-  }
-  result.first.pop_back();
-  return result;
-}
 
 /// The vertex of a coface that the simplex lacks.
 template <std::size_t N>
@@ -135,115 +104,6 @@ std::vector<char> members(const Membership<N>& membership, unsigned threads) {
   return result;
 }
 
-constexpr std::uint32_t no_part = DualComplex::no_part;
-/// Takes the place of a void's number in what follows.
-constexpr std::uint32_t outside_all = no_part - 1;
-
-/// Numbers the sets among the elements that count, in the order of their roots, from 0; the others
-/// get no_part.
-template <class Counted>
-std::vector<std::uint32_t> numbered(geometry::UnionFind& sets, std::size_t n, Counted counted) {
-  std::vector<std::uint32_t> number(n, no_part);
-  std::uint32_t next = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!counted(i)) continue;
-    const std::uint32_t root = sets.root(i);
-    number[i] = root == i ? next++ : number[root];
-  }
-  return number;
-}
-
-/// By tetrahedron, the void it is in: tetrahedra not in K are joined through triangles not in K.
-/// Those in K get no_part, those outside outside_all.
-std::vector<std::uint32_t> void_of_tetrahedron(const Cofaces& tetrahedra_of,
-                                               const std::vector<char>& triangle_in,
-                                               const std::vector<char>& tetrahedron_in) {
-  const auto outside = static_cast<std::uint32_t>(tetrahedron_in.size());
-  geometry::UnionFind complement(tetrahedron_in.size() + 1);
-  for (std::size_t f = 0; f < triangle_in.size(); ++f) {
-    if (triangle_in[f]) continue;
-    const auto around = tetrahedra_of.of(f);
-    if (around.empty()) continue;
-    complement.join(around[0], around.size() == 2 ? around[1] : outside);
-  }
-  const auto is_outside = [&](std::uint32_t c) {
-    return tetrahedron_in[c] == 0 && complement.root(c) == complement.root(outside);
-  };
-  auto number = numbered(complement, outside,
-                         [&](std::uint32_t c) { return tetrahedron_in[c] == 0 && !is_outside(c); });
-  for (std::uint32_t c = 0; c < outside; ++c) {
-    if (is_outside(c)) number[c] = outside_all;
-  }
-  return number;
-}
-
-/// The voids and the outside, found from the tetrahedra down. A simplex not in K lies in the part
-/// of its cofaces; one in K with such a coface is part of the wall. The hull's outside counts as a
-/// coface of its triangles, and of all that has no other.
-class Complement {
- public:
-  Complement(const SkinSurface& skin, std::span<const std::uint32_t> void_of_tetrahedron)
-      : above_(void_of_tetrahedron.begin(), void_of_tetrahedron.end()) {
-    for (std::uint32_t t = 0; t < above_.size(); ++t) {
-      if (above_[t] == no_part || above_[t] == outside_all) continue;
-      const Patch ball = skin.complex().patch(skin.complex().cell(3, t));
-      const double clearance = std::sqrt(std::max(-ball.half_weight, 0.0));
-      if (above_[t] == voids_.size()) voids_.push_back({t, ball.centre, clearance, {}, 0});
-      Void& here = voids_[above_[t]];
-      ++here.euler_characteristic;
-      if (clearance > here.clearance) {
-        here.tetrahedron = t;
-        here.centre = ball.centre;
-        here.clearance = clearance;
-      }
-    }
-  }
-
-  /// Goes on to the next lower dimension, of which the simplices are given.
-  /// @param vertex_of  a vertex of a simplex
-  template <class VertexOf>
-  void descend(const Cofaces& cofaces, const std::vector<char>& in, int dimension,
-               VertexOf vertex_of) {
-    std::vector<std::uint32_t> here(in.size(), no_part);
-    const auto add = [&](std::size_t s, std::uint32_t part) {
-      if (part == no_part) return;
-      if (in[s]) walls_.emplace_back(part, vertex_of(s));
-      if (!in[s]) here[s] = part;
-    };
-    for (std::size_t s = 0; s < in.size(); ++s) {
-      const auto around = cofaces.of(s);
-      for (const std::uint32_t c : around) add(s, above_[c]);
-      if (around.empty() || (dimension == 2 && around.size() == 1)) add(s, outside_all);
-      if (here[s] == no_part || here[s] == outside_all) continue;
-      voids_[here[s]].euler_characteristic += dimension == 1 ? 1 : -1;
-    }
-    std::ranges::sort(walls_);
-    walls_.erase(std::ranges::unique(walls_).begin(), walls_.end());
-    above_ = std::move(here);
-  }
-
-  void give_to(DualComplex& result) {
-    const auto add = [&](std::vector<std::uint32_t>& bodies, std::uint32_t vertex) {
-      bodies.push_back(result.body_of_vertex[vertex]);
-    };
-    for (const auto& [part, vertex] : walls_) {
-      add(part == outside_all ? result.outer_bodies : voids_[part].bodies, vertex);
-    }
-    const auto make_set = [](std::vector<std::uint32_t>& bodies) {
-      std::ranges::sort(bodies);
-      bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
-    };
-    make_set(result.outer_bodies);
-    for (Void& v : voids_) make_set(v.bodies);
-    result.voids = std::move(voids_);
-  }
-
- private:
-  std::vector<std::uint32_t> above_;  ///< the part by simplex of the dimension above
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> walls_;  ///< parts, and vertices in K
-  std::vector<Void> voids_;
-};
-
 std::size_t count(const std::vector<char>& in) {
   return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
 }
@@ -304,7 +164,8 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
     if (result.body_of_vertex[v] == result.bodies.size()) result.bodies.push_back(t.vertices[v]);
   }
   complement->give_to(result);
-  for (std::uint32_t& v : result.void_of_tetrahedron) v = v == outside_all ? no_part : v;
+  for (std::uint32_t& v : result.void_of_tetrahedron)
+    v = v == Complement::outside ? DualComplex::no_part : v;
   result.betti[0] = result.bodies.size();
   result.betti[2] = result.voids.size();
   result.betti[1] = static_cast<std::size_t>(static_cast<long>(result.betti[0] + result.betti[2]) -

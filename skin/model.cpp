@@ -12,10 +12,11 @@
 namespace morskin::skin {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Model>, 4> names = {{
+constexpr std::array<std::pair<std::string_view, Model>, 5> names = {{
     {"paper", Model::Paper},
     {"sas", Model::Sas},
     {"vdw", Model::Vdw},
+    {"ses-like", Model::SesLike},
     {"given", Model::Given},
 }};
 
@@ -55,6 +56,8 @@ double weight(double radius, Model model, double probe) {
       return 2 * (radius + probe) * (radius + probe);
     case Model::Vdw:
       return 2 * radius * radius;
+    case Model::SesLike:
+      return weight(radius, Model::Sas, ses_like_offset);
     case Model::Given:
       break;
   }

@@ -17,13 +17,20 @@ namespace morskin::skin {
 ///     Paper   W = sqrt(2) (r + p)    as printed; the only reading that gives Table 1's counts
 ///     Sas     W = 2 (r + p)^2        patches have the solvent-accessible radius r + p
 ///     Vdw     W = 2 r^2              patches have the radius r; the probe plays no part
+///     SesLike W = 2 (r + s)^2        s = ses_like_offset: of these skins the one that comes
+///     nearest
+///                                    to the solvent-excluded surface for a probe of 1.4 Angstrom
+///                                    (bench/ses_like.py); it is none. The probe plays no part
 ///     Given   W as in the file       of a file of weights (XYZW), which has no radii
 ///
 /// Source:  Cheng & Shi 2004, section 2.1.
 /// Erratum: the weight printed there is a length; Paper takes its number as Angstrom^2.
-enum class Model { Paper, Sas, Vdw, Given };
+enum class Model { Paper, Sas, Vdw, SesLike, Given };
 
-/// The model called "paper", "sas", "vdw" or "given"; nothing for other words.
+/// By how much the patches of SesLike are larger than the atoms, Angstrom.
+inline constexpr double ses_like_offset = 0.25;
+
+/// The model called "paper", "sas", "vdw", "ses-like" or "given"; nothing for other words.
 std::optional<Model> parse_model(std::string_view name);
 std::string_view name_of(Model model);
 

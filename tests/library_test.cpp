@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -60,6 +61,22 @@ TEST_CASE("a bundled molecule is read, meshed and certified, and its files hold 
     CHECK(read.triangles == mesh.triangles().triangles);
     CHECK(mesh.skin().certify(read).certified);
   }
+}
+
+TEST_CASE("a skin without its voids is meshed and certified without them") {
+  const auto atoms = morskin::read_molecule("bench/molecules/shell_hollow.xyzr");
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const Skin whole(atoms), filled(atoms, {.drop_voids_below = all}),
+      same(atoms, {.drop_voids_below = 1});
+  CHECK(whole.components() == 2);
+  CHECK(filled.components() == 1);
+  CHECK(same.components() == 2);
+  const SkinMesh mesh = filled.mesh({.C = 0.2});
+  CHECK(mesh.certificate().certified);
+  CHECK(mesh.certificate().components == 1);
+  CHECK(filled.certify(mesh.triangles(), {.C = 0.2}).certified);
+  CHECK_FALSE(whole.certify(mesh.triangles(), {.C = 0.2}).is_homeomorphic);
+  CHECK(kind_of([&] { Skin(atoms, {.drop_voids_below = -1}); }) == Error::Kind::Refused);
 }
 
 TEST_CASE("threads, progress and the life of the skin change nothing of a mesh") {

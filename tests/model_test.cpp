@@ -8,7 +8,7 @@ using namespace morskin::skin;
 
 namespace {
 
-constexpr Model all_models[] = {Model::Paper, Model::Sas, Model::Vdw};
+constexpr Model all_models[] = {Model::Paper, Model::Sas, Model::Vdw, Model::SesLike};
 constexpr double probe = 1.4;
 
 Molecule carbon_and_oxygen() { return parse_molecule("0.1 0 -3.25 1.7\n1.2 0 0 1.52\n", "a.xyzr"); }
@@ -26,6 +26,7 @@ TEST_CASE("sas patches have the solvent-accessible radius and vdw patches the at
     CAPTURE(radius);
     CHECK(patch_radius(weight(radius, Model::Sas, probe)) == doctest::Approx(radius + probe));
     CHECK(patch_radius(weight(radius, Model::Vdw, probe)) == doctest::Approx(radius));
+    CHECK(weight(radius, Model::SesLike, probe) == weight(radius, Model::Sas, ses_like_offset));
   }
 }
 

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Voids, necks and tunnels on the command line. Usage: voids_command_test.py path/to/morskin"""
+
+import json
+
+from support.command import MOLECULES, CommandTest, main
+
+SHELL = MOLECULES / "shell_hollow.xyzr"  # one void of some 875 cubic Angstrom
+
+
+class Voids(CommandTest):
+    def meshed(self, *words):
+        return self.mesh_json(SHELL, "-o", "mesh.ply", "-C", "0.2", *words)
+
+    def checked(self, *words, code=0):
+        return self.check("mesh.ply", "--against", SHELL, "-C", "0.2", *words, code=code)
+
+    def broken(self, report):
+        return {v["name"]: v["reason"] for v in report["verdicts"] if not v["holds"]}
+
+    def test_a_void_is_kept_or_dropped_as_asked_and_the_report_says_which(self):
+        for words, is_dropped in (((), False), (("--voids", "keep"), False),
+                                  (("--voids", "drop"), True), (("--voids", "500"), False),
+                                  (("--voids", "1e3"), True)):
+            with self.subTest(words=words):
+                report = self.meshed(*words)
+                self.assertTrue(report["certified"])
+                void, = report["voids"]
+                self.assertEqual(void["dropped"], is_dropped)
+                self.assertEqual(report["components"], 1 if is_dropped else 2)
+                low, high = void["volume"]
+                self.assertTrue(840 < low < high < 900)
+
+    def test_check_compares_with_the_components_that_are_kept(self):
+        name = "every component once"
+        self.meshed("--voids", "drop")
+        self.checked("--voids", "drop")
+        self.assertIn("wall of the void", self.broken(self.checked(code=5))[name])
+        self.meshed()
+        self.checked()
+        reason = self.broken(self.checked("--voids", "drop", code=5))[name]
+        self.assertRegex(reason, "wall of the void at .*, which is to be dropped, is covered by")
+
+    def test_a_volume_that_is_none_is_refused(self):
+        for wrong in ("-1", "all", "nan", "inf", ""):
+            words = ("mesh", SHELL, "-o", "mesh.ply", f"--voids={wrong}")
+            done = self.run_morskin(*words, code=2)
+            self.assertIn(b"--voids", done.stderr)
+
+    def test_info_lists_voids_necks_and_tunnels_before_there_is_a_mesh(self):
+        info = json.loads(self.run_morskin("info", SHELL, "--json").stdout)
+        self.assertEqual(len(info["voids"]), 1)
+        self.assertEqual(info["tunnels"]["count"], 0)
+        necks = info["necks"]
+        self.assertEqual(len(necks["narrowest"]), min(necks["count"], 20))
+        radii = [neck["radius"] for neck in necks["narrowest"]]
+        self.assertEqual(radii, sorted(radii))
+        self.assertGreater(necks["forced_triangles"], necks["narrowest"][0]["forced_triangles"])
+
+    def test_info_tells_what_it_can_of_a_singular_skin(self):
+        touching = self.input("touching.xyzw", "0 0 0 1\n2 0 0 1\n")
+        self.run_morskin("mesh", touching, "-o", "mesh.ply", code=4)
+        info = json.loads(self.run_morskin("info", touching, "--json").stdout)
+        self.assertEqual(info["atoms"], 2)
+        self.assertIn("singular", info["refused"])
+        self.assertNotIn("voids", info)
+
+
+if __name__ == "__main__":
+    main()

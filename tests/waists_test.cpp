@@ -1,0 +1,64 @@
+#include "skin/waists.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/meshes.h"
+
+using namespace morskin;
+using geometry::WeightedPoint;
+
+namespace {
+
+/// Two balls at a distance of 2, of a weight that leaves a neck, or a gap, of this radius.
+std::vector<WeightedPoint> pair(double radius, int sign) {
+  // The edge's orthocentre has the weight w - 1; half of it is the radius squared.
+  const double weight = 1 + sign * 2 * radius * radius;
+  return {{{-1, 0, 0}, weight}, {{1, 0, 0}, weight}};
+}
+
+}  // namespace
+
+TEST_CASE("a waist demands the integral over its hyperboloid") {
+  for (const double radius : {1e-4, 0.01, 0.1, 0.3}) {
+    CAPTURE(radius);
+    const auto skin = support::prepared(pair(radius, 1));
+    REQUIRE(skin);
+    const auto found = skin::waists(skin->surface);
+    REQUIRE(found.size() == 1);
+    CHECK_FALSE(found[0].is_tunnel);
+    CHECK(found[0].radius == doctest::Approx(radius));
+    CHECK(found[0].centre.norm() < 1e-12);
+    // The cell is a slab of thickness 1. By the midpoint rule over ds, in the variable of asinh.
+    double sum = 0;
+    const int steps = 20'000;
+    const double end = std::asinh(0.5 / radius);
+    for (int i = 0; i < steps; ++i) {
+      const double t = (i + 0.5) / steps * end;
+      const double s = radius * std::sinh(t), ds = radius * std::cosh(t) * end / steps;
+      sum += 2 * 2 * M_PI * ds / std::sqrt(radius * radius + 2 * s * s);
+    }
+    CHECK(found[0].demand == doctest::Approx(sum).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("balls that do not meet have no neck, and three about a hole have one tunnel") {
+  const auto apart = support::prepared(pair(0.1, -1));
+  REQUIRE(apart);
+  CHECK(skin::waists(apart->surface).empty());
+  // The centre has the power 4/3 - w.
+  const double radius = 0.05, weight = 4.0 / 3 - 2 * radius * radius;
+  const double h = std::sqrt(3.0);
+  const auto ring =
+      support::prepared({{{0, 0, 0}, weight}, {{2, 0, 0}, weight}, {{1, h, 0}, weight}});
+  REQUIRE(ring);
+  REQUIRE(ring->topology.skin_genus() == 1);
+  const auto found = skin::waists(ring->surface);
+  REQUIRE(found.size() == 4);
+  CHECK(std::ranges::is_sorted(found, {}, &skin::Waist::radius));
+  CHECK(found[0].is_tunnel);
+  CHECK(found[0].radius == doctest::Approx(radius));
+  CHECK(std::ranges::count_if(found, &skin::Waist::is_tunnel) == 1);
+}
