@@ -184,7 +184,7 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   if (prints_report(arguments) || arguments.report) {
     report.quality =
         run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });
-    report.parts = skin_parts(skin, run);
+    report.parts = run.stage("certify", [&] { return skin_parts(skin, result); });
   }
   report.certified_file = delivery.certified_file();
   report.counts = result;

@@ -1,12 +1,19 @@
 #include "app/skin_parts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <ranges>
+#include <utility>
 
 #include "app/report_lines.h"
+#include "geometry/union_find.h"
 #include "morskin/size_goal.h"
 #include "morskin/voids.h"
+#include "skin/skin_components.h"
 
 namespace morskin::app {
 namespace {
@@ -42,16 +49,19 @@ ordered_json waists_json(const std::vector<skin::Waist>& waists) {
           {"narrowest", std::move(narrowest)}};
 }
 
-std::string volumes_text(const std::vector<SkinParts::Cavity>& voids) {
-  const double largest = voids.front().volume.middle(), smallest = voids.back().volume.middle();
-  return brief(smallest, 3) + (voids.size() == 1 ? "" : " to " + brief(largest, 3)) + " A^3";
-}
-
 std::string voids_text(const std::vector<SkinParts::Cavity>& voids) {
   if (voids.empty()) return line("voids", "none");
   const auto dropped = static_cast<std::size_t>(
       std::ranges::count_if(voids, [](const auto& v) { return v.is_dropped; }));
-  return line("voids", grouped(voids.size()) + " of " + volumes_text(voids) +
+  std::string volumes;
+  for (const SkinParts::Cavity& v : voids | std::views::reverse) {
+    if (v.volume) volumes = " of " + brief(v.volume->middle(), 3) + " A^3";
+    if (v.volume) break;
+  }
+  if (voids.front().volume && voids.size() - dropped > 1) {
+    volumes.insert(volumes.size() - 4, " to " + brief(voids.front().volume->middle(), 3));
+  }
+  return line("voids", grouped(voids.size()) + volumes +
                            (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped"));
 }
 
@@ -62,30 +72,80 @@ std::string waists_text(const char* label, const std::vector<skin::Waist>& waist
                          grouped(std::llround(forced_triangles(waists))) + " triangles");
 }
 
-}  // namespace
-
-SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run) {
+SkinParts parts_without_volumes(const morskin::PreparedSkin& skin) {
   SkinParts parts;
-  const std::vector<skin::VolumeBounds> volumes = morskin::void_volumes(skin, run);
-  for (std::uint32_t i = 0; i < volumes.size(); ++i) {
+  for (std::uint32_t i = 0; i < skin.topology.voids.size(); ++i) {
     const skin::Void& v = skin.topology.voids[i];
-    parts.voids.push_back({v.centre, volumes[i], v.bodies.size() - 1, skin.has_dropped(i)});
+    parts.voids.push_back({v.centre, std::nullopt, v.bodies.size() - 1, skin.has_dropped(i)});
   }
-  std::ranges::stable_sort(parts.voids, std::greater(),
-                           [](const SkinParts::Cavity& v) { return v.volume.middle(); });
   for (const skin::Waist& w : skin::waists(skin.surface)) {
     (w.is_tunnel ? parts.tunnels : parts.necks).push_back(w);
   }
   return parts;
 }
 
+/// The largest first, those without a volume last.
+void sort_by_volume(std::vector<SkinParts::Cavity>& voids) {
+  std::ranges::stable_sort(voids, std::greater(), [](const SkinParts::Cavity& v) {
+    return v.volume ? v.volume->middle() : -1;
+  });
+}
+
+/// By component of the skin what the mesh's on it encloses, negative in a void.
+std::map<skin::SkinComponents::Sides, double> enclosed_volumes(const morskin::PreparedSkin& skin,
+                                                               const morskin::MeshResult& result) {
+  const std::vector<geometry::Point>& at = result.mesh.positions;
+  geometry::UnionFind sets(at.size());
+  for (const auto& [a, b, c] : result.mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  std::vector<double> volumes(at.size(), 0);
+  for (const auto& [a, b, c] : result.mesh.triangles) {
+    const std::uint32_t root = sets.root(a);
+    const geometry::Point& o = at[root];
+    volumes[root] += (at[a] - o).dot((at[b] - o).cross(at[c] - o)) / 6;
+  }
+  const skin::SkinComponents components(skin.surface, skin.topology);
+  std::map<skin::SkinComponents::Sides, double> result_by_sides;
+  for (std::uint32_t v = 0; v < at.size(); ++v) {
+    if (sets.root(v) != v) continue;
+    const auto sides = components.sides(skin.surface.at(at[v], result.cells[v]));
+    if (sides) result_by_sides[*sides] += volumes[v];
+  }
+  return result_by_sides;
+}
+
+}  // namespace
+
+SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run) {
+  SkinParts parts = parts_without_volumes(skin);
+  const std::vector<skin::VolumeBounds> volumes = morskin::void_volumes(skin, run);
+  for (std::size_t i = 0; i < volumes.size(); ++i) parts.voids[i].volume = volumes[i];
+  sort_by_volume(parts.voids);
+  return parts;
+}
+
+SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::MeshResult& result) {
+  SkinParts parts = parts_without_volumes(skin);
+  if (parts.voids.empty()) return parts;
+  for (const auto& [sides, volume] : enclosed_volumes(skin, result)) {
+    if (!sides.cavity) continue;
+    auto& sum = parts.voids[*sides.cavity].volume;
+    const double before = sum ? sum->low : 0;
+    sum = skin::VolumeBounds{before - volume, before - volume};
+  }
+  sort_by_volume(parts.voids);
+  return parts;
+}
+
 void add_skin_parts(ordered_json& json, const SkinParts& parts) {
   json["voids"] = ordered_json::array();
   for (const SkinParts::Cavity& v : parts.voids) {
-    json["voids"].push_back({{"volume", {rounded(v.volume.low), rounded(v.volume.high)}},
-                             {"at", point_json(v.at)},
-                             {"bodies_inside", v.bodies_inside},
-                             {"dropped", v.is_dropped}});
+    ordered_json cavity = {
+        {"at", point_json(v.at)}, {"bodies_inside", v.bodies_inside}, {"dropped", v.is_dropped}};
+    if (v.volume) cavity["volume"] = {rounded(v.volume->low), rounded(v.volume->high)};
+    json["voids"].push_back(std::move(cavity));
   }
   json["necks"] = waists_json(parts.necks);
   json["tunnels"] = waists_json(parts.tunnels);

@@ -3,10 +3,11 @@
 /// What of a skin makes a mesh finer than a solver wishes: voids, necks and tunnels.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "morskin/prepared_skin.h"
+#include "morskin/pipeline.h"
 #include "skin/void_volume.h"
 #include "skin/waists.h"
 
@@ -14,8 +15,8 @@ namespace morskin::app {
 
 struct SkinParts {
   struct Cavity {
-    geometry::Point at;         ///< its deepest point
-    skin::VolumeBounds volume;  ///< Angstrom^3
+    geometry::Point at;                        ///< its deepest point
+    std::optional<skin::VolumeBounds> volume;  ///< Angstrom^3
     std::size_t bodies_inside;
     bool is_dropped;
   };
@@ -24,8 +25,11 @@ struct SkinParts {
   std::vector<skin::Waist> tunnels;
 };
 
-/// In the stage "voids".
+/// Before there is a mesh, with bounds on the volumes. In the stage "voids".
 SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run);
+/// With the volumes that the walls in a closed mesh enclose, bodies inside taken off; none of voids
+/// that are dropped.
+SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::MeshResult& result);
 
 /// Adds "voids", all of them, "necks" and "tunnels", the number and the narrowest.
 void add_skin_parts(nlohmann::ordered_json& json, const SkinParts& parts);

@@ -12,6 +12,22 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "certify" / "ver
 from files import read_mesh  # noqa: E402
 
 
+def check_on_two_balls():
+    """The surface of two equal balls is known: two caps and a piece of a torus. Raises ValueError
+    where a point lies more than 0.01 Angstrom off it, or the area is off by 1 %."""
+    r, p, half = 1.7, 1.4, 1.5
+    reach = r + p
+    found = SolventExcludedSurface(np.array([[0, 0, -half], [0, 0, half]]), np.array([r, r]))
+    ring, angle = np.sqrt(reach**2 - half**2), np.arcsin(half / reach)
+    across, along = np.hypot(*found.points.T[:2]), np.abs(found.points[:, 2])
+    torus, ball = p - np.hypot(across - ring, along), np.hypot(across, along - half) - r
+    off = np.abs(np.where(along < half * p / reach, torus, ball)).max()
+    area = 4 * np.pi * r * (r + r * half / reach) + 4 * np.pi * p * (ring * angle -
+                                                                     p * np.sin(angle))
+    if not (off < 0.01 and abs(found.area / area - 1) < 0.01):
+        raise ValueError(f"points are {off} Angstrom off, the area is {found.area}, not {area}")
+
+
 class Comparison:
     """With the balls of an XYZR file.
 

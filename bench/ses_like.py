@@ -102,6 +102,8 @@ def read(path):
 def main():
     options = argument_parser(__doc__, timeout=600,
                               results="papers/results/ses-like.tsv").parse_args()
+    from ses_comparison import check_on_two_balls  # here, for --help without numpy
+    check_on_two_balls()
     folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 3) as rows:
         for chain in CHAINS:

@@ -10,18 +10,26 @@ namespace morskin {
 
 namespace {
 
-/// Of the volumes that are told: a round void's is known to some 4 %.
-constexpr double usual_fineness = 1.0 / 6;
-/// Tried one after the other where a bound lies within a volume's own.
-constexpr double decisive_fineness = 1.0 / 100;
+/// Cubes are made finer until this is enough, or no longer than that.
+constexpr double coarsest = 0.5, finest = 1.0 / 100;
+/// Bounds that are told differ by no more than this share, if `finest_told` allows it.
+constexpr double narrow = 0.04, finest_told = 1.0 / 10;
+
+/// The volume with finer and finer cubes, until it will do.
+template <class WillDo>
+skin::VolumeBounds volume_until(const PreparedSkin& skin, std::uint32_t cavity, double last,
+                                WillDo will_do) {
+  skin::VolumeBounds volume;
+  for (double fineness = coarsest; fineness > last; fineness /= 2) {
+    volume = skin::void_volume(skin.surface, skin.topology, cavity, fineness);
+    if (will_do(volume)) break;
+  }
+  return volume;
+}
 
 bool is_surely_below(const PreparedSkin& skin, std::uint32_t cavity, double bound) {
-  for (double fineness = 0.5; fineness > decisive_fineness; fineness /= 2) {
-    const auto volume = skin::void_volume(skin.surface, skin.topology, cavity, fineness);
-    if (volume.high < bound) return true;
-    if (volume.low >= bound) return false;
-  }
-  return false;
+  const auto is_decided = [&](const auto& v) { return v.high < bound || v.low >= bound; };
+  return volume_until(skin, cavity, finest, is_decided).high < bound;
 }
 
 /// Calls visit(void) for each, on several threads.
@@ -57,7 +65,8 @@ surface::Topology PreparedSkin::expected() const {
 std::vector<skin::VolumeBounds> void_volumes(const PreparedSkin& skin, const Run& run) {
   std::vector<skin::VolumeBounds> volumes(skin.topology.voids.size());
   for_each_void(skin, run, [&](std::uint32_t cavity) {
-    volumes[cavity] = skin::void_volume(skin.surface, skin.topology, cavity, usual_fineness);
+    volumes[cavity] = volume_until(skin, cavity, finest_told,
+                                   [](const auto& v) { return v.high - v.low <= narrow * v.high; });
   });
   return volumes;
 }

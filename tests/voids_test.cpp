@@ -13,6 +13,7 @@
 #include "geometry/mesh_check.h"
 #include "skin/skin_components.h"
 #include "tests/support/meshes.h"
+#include "tests/support/nasty_sets.h"
 
 using namespace morskin;
 using geometry::IndexedMesh;
@@ -187,8 +188,10 @@ TEST_CASE("voids are dropped by their volume, and none that might be larger") {
 }
 
 TEST_CASE("each component of the skin lies between a body and a void or the outside, once") {
-  support::for_seeds(300, [&](unsigned seed) {
-    const auto skin = support::prepared(support::ball_set(seed));
+  support::for_seeds(600, [&](unsigned seed) {
+    // Flat ones, lattices and single balls among them.
+    const auto skin =
+        support::prepared(seed % 2 == 0 ? support::ball_set(seed) : support::nasty_set(seed));
     if (!skin) return;
     const skin::DualComplex& topology = skin->topology;
     std::size_t pairs = topology.outer_bodies.size();
