@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -14,7 +13,7 @@
 #include "app/limits.h"
 #include "app/options.h"
 #include "app/output_names.h"
-#include "geometry/files/text_lines.h"
+#include "app/typed_values.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
@@ -37,26 +36,6 @@ std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   if (typed.height) return parsed_height(*typed.height);
   if (typed.function) return parsed_function(*typed.function);
   return std::nullopt;
-}
-
-// "1500000", "200K", "1.5G": K, M, G and T are powers of 1024.
-std::uint64_t parsed_bytes(std::string_view text) {
-  constexpr std::string_view units = "KMGT";
-  constexpr double most = 0x1p62;  // far beyond any machine, far from overflow
-  std::string_view digits = text;
-  double factor = 1;
-  if (!text.empty()) {
-    const std::size_t unit = units.find(static_cast<char>(text.back() & ~0x20));
-    if (unit != std::string_view::npos) {
-      factor = std::ldexp(1.0, 10 * static_cast<int>(unit + 1));
-      digits.remove_suffix(1);
-    }
-  }
-  const std::optional<double> value = geometry::parse_double(digits);
-  if (!value || !(*value * factor >= 1 && *value * factor <= most)) {
-    throw UsageError("--max-memory needs a number of bytes, or one with K, M, G or T, as in 2G");
-  }
-  return static_cast<std::uint64_t>(*value * factor);
 }
 
 void check_sizing(const certify::Sizing& sizing) {
@@ -98,17 +77,6 @@ void finish(Limits& limits, const Typed& typed) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
   if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
-}
-
-/// keep, drop or a volume: what is below it is dropped.
-double parsed_voids(const std::string& text) {
-  if (text == "keep") return 0;
-  if (text == "drop") return std::numeric_limits<double>::infinity();
-  const std::optional<double> volume = geometry::parse_double(text);
-  if (!volume || !(*volume >= 0 && std::isfinite(*volume))) {
-    throw UsageError("--voids takes keep, drop or a volume of at least 0 cubic Angstrom");
-  }
-  return *volume;
 }
 
 /// @param file  the molecule; not molecule.input where that is a mesh

@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <utility>
+#include <vector>
 
 #include "app/report_lines.h"
 #include "geometry/union_find.h"
@@ -49,19 +49,22 @@ ordered_json waists_json(const std::vector<skin::Waist>& waists) {
           {"narrowest", std::move(narrowest)}};
 }
 
+/// " of 0.14 to 4.3 A^3", of those that are known.
+std::string volumes_text(const std::vector<SkinParts::Cavity>& voids) {
+  std::vector<double> known;
+  for (const SkinParts::Cavity& v : voids) {
+    if (v.volume) known.push_back(v.volume->middle());
+  }
+  if (known.empty()) return "";
+  const std::string largest = known.size() == 1 ? "" : " to " + brief(known.front(), 3);
+  return " of " + brief(known.back(), 3) + largest + " A^3";
+}
+
 std::string voids_text(const std::vector<SkinParts::Cavity>& voids) {
   if (voids.empty()) return line("voids", "none");
   const auto dropped = static_cast<std::size_t>(
       std::ranges::count_if(voids, [](const auto& v) { return v.is_dropped; }));
-  std::string volumes;
-  for (const SkinParts::Cavity& v : voids | std::views::reverse) {
-    if (v.volume) volumes = " of " + brief(v.volume->middle(), 3) + " A^3";
-    if (v.volume) break;
-  }
-  if (voids.front().volume && voids.size() - dropped > 1) {
-    volumes.insert(volumes.size() - 4, " to " + brief(voids.front().volume->middle(), 3));
-  }
-  return line("voids", grouped(voids.size()) + volumes +
+  return line("voids", grouped(voids.size()) + volumes_text(voids) +
                            (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped"));
 }
 

@@ -1,0 +1,41 @@
+#include "app/typed_values.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "app/arguments.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::app {
+
+std::uint64_t parsed_bytes(std::string_view text) {
+  constexpr std::string_view units = "KMGT";
+  constexpr double most = 0x1p62;  // far beyond any machine, far from overflow
+  std::string_view digits = text;
+  double factor = 1;
+  if (!text.empty()) {
+    const std::size_t unit = units.find(static_cast<char>(text.back() & ~0x20));
+    if (unit != std::string_view::npos) {
+      factor = std::ldexp(1.0, 10 * static_cast<int>(unit + 1));
+      digits.remove_suffix(1);
+    }
+  }
+  const std::optional<double> value = geometry::parse_double(digits);
+  if (!value || !(*value * factor >= 1 && *value * factor <= most)) {
+    throw UsageError("--max-memory needs a number of bytes, or one with K, M, G or T, as in 2G");
+  }
+  return static_cast<std::uint64_t>(*value * factor);
+}
+
+double parsed_voids(std::string_view text) {
+  if (text == "keep") return 0;
+  if (text == "drop") return std::numeric_limits<double>::infinity();
+  const std::optional<double> volume = geometry::parse_double(text);
+  if (!volume || !(*volume >= 0 && std::isfinite(*volume))) {
+    throw UsageError("--voids takes keep, drop or a volume of at least 0 cubic Angstrom");
+  }
+  return *volume;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,19 @@
+#pragma once
+
+/// Values of options that are numbers or words.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace morskin::app {
+
+/// Of --max-memory: "1500000", "200K", "1.5G"; K, M, G and T are powers of 1024.
+/// @throws UsageError
+std::uint64_t parsed_bytes(std::string_view text);
+
+/// Of --voids: keep, drop or a volume, Angstrom^3. Voids below the result are dropped.
+/// @throws UsageError
+double parsed_voids(std::string_view text);
+
+}  // namespace morskin::app
