@@ -41,6 +41,19 @@ void for_each_void(const PreparedSkin& skin, const Run& run, Visit visit) {
   });
 }
 
+/// One of each body: its centre lies deepest, farther from the skin than triangles are off it.
+std::vector<geometry::AtomId> heaviest_atoms(const PreparedSkin& skin) {
+  const auto weight = [&](geometry::AtomId a) { return skin.surface.points()[a.index()].weight; };
+  const std::vector<geometry::AtomId>& vertices = skin.surface.triangulation().vertices;
+  std::vector<geometry::AtomId> heaviest = skin.topology.bodies;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::uint32_t body = skin.topology.body_of_vertex[v];
+    if (body == skin::DualComplex::no_part) continue;
+    if (weight(vertices[v]) > weight(heaviest[body])) heaviest[body] = vertices[v];
+  }
+  return heaviest;
+}
+
 }  // namespace
 
 surface::Topology PreparedSkin::expected() const {
@@ -54,7 +67,7 @@ surface::Topology PreparedSkin::expected() const {
     result.components -= v.bodies.size();
     result.euler_characteristic -= 2 * v.euler_characteristic;
   }
-  for (const geometry::AtomId atom : topology.bodies) {
+  for (const geometry::AtomId atom : heaviest_atoms(*this)) {
     result.inside.push_back(surface.points()[atom.index()].position);
   }
   result.genus = static_cast<std::size_t>(static_cast<long>(result.components) -
