@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "app/complex_files.h"
@@ -150,22 +150,16 @@ void finish(ViewArguments& view, const Typed& typed) {
   view.progress = parsed_progress(typed.progress);
 }
 
-/// --grow T0..T1
-void parse_growth(MeshArguments& mesh, const std::string& text) {
-  if (mesh.method != MeshMethod::Dynamic) throw UsageError("--grow is for --method dynamic");
-  double from = 0, to = 0;
-  // "-3..0" would read "-3." as a number: cut at the two dots.
-  const std::size_t dots = text.find("..");
-  if (dots != std::string::npos) {
-    std::istringstream first(text.substr(0, dots)), last(text.substr(dots + 2));
-    if (first >> from && first.eof() && last >> to && last.eof() && std::isfinite(from) &&
-        std::isfinite(to) && from < to) {
-      mesh.growth_shown_from = from;
-      mesh.grow_to = to;
-      return;
-    }
+void check_grading(const MeshArguments& mesh) {
+  if (!(*mesh.grading >= morskin::min_grading && std::isfinite(*mesh.grading))) {
+    throw UsageError("--grading must be at least 0.01");
   }
-  throw UsageError("--grow needs two times, the earlier first, as in --grow -3..0");
+  if (mesh.method != MeshMethod::Auto && mesh.method != MeshMethod::Static) {
+    throw UsageError("--grading is for --method static");
+  }
+  if (mesh.angle_goal_deg.value_or(certify::guaranteed_angle_deg) < certify::guaranteed_angle_deg) {
+    throw UsageError("--grading needs an --angle-goal of 30 or more");
+  }
 }
 
 void finish(MeshArguments& mesh, const Typed& typed) {
@@ -190,7 +184,10 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
     throw UsageError("--grid must be above 0");
   }
-  if (typed.grow) parse_growth(mesh, *typed.grow);
+  if (typed.grow) {
+    if (!is_dynamic) throw UsageError("--grow is for --method dynamic");
+    std::tie(mesh.growth_shown_from, mesh.grow_to) = parsed_growth(*typed.grow);
+  }
   if ((typed.fronts || typed.guard != "everywhere") && !is_sweep) {
     throw UsageError("--fronts and --guard are for --method sweep");
   }
@@ -210,6 +207,8 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if ((typed.size || mesh.size_goal.is_set()) && !is_smoothed) {
     throw UsageError("--size, --density and --triangles are for the methods sweep and static");
   }
+  mesh.grading = typed.grading;
+  if (mesh.grading) check_grading(mesh);
   check_outputs(mesh);
 }
 

@@ -51,6 +51,7 @@ struct MeshArguments {
   std::vector<std::filesystem::path> outputs;
   certify::Sizing sizing;
   morskin::SizeGoal size_goal;
+  std::optional<double> grading;
   std::optional<double> angle_goal_deg;  ///< of the smoothing; 0 for none
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;

@@ -60,6 +60,7 @@ morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
   options.size_goal = arguments.size_goal;
+  options.grading = arguments.grading;
   options.angle_goal_deg = arguments.angle_goal_deg;
   options.function = arguments.function;
   options.fronts = arguments.fronts;
@@ -180,11 +181,15 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
   const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
   if (is_size_asked)
-    report.bent = run.stage("certify", [&] { return bent_part(skin.surface, result); });
+    report.bent = run.stage("describe", [&] { return bent_part(skin.surface, result); });
+  if (arguments.grading) {
+    report.grading = run.stage(
+        "describe", [&] { return morskin::measure_grading(result.mesh, *arguments.grading); });
+  }
   if (prints_report(arguments) || arguments.report) {
     report.quality =
-        run.stage("certify", [&] { return certify::measure_quality(result.mesh, run); });
-    report.parts = run.stage("certify", [&] { return skin_parts(skin, result); });
+        run.stage("describe", [&] { return certify::measure_quality(result.mesh, run); });
+    report.parts = run.stage("describe", [&] { return skin_parts(skin, result); });
   }
   report.certified_file = delivery.certified_file();
   report.counts = result;
@@ -193,12 +198,15 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   seconds.triangulate = run.seconds("triangulate");
   seconds.mixed_complex = run.seconds("mixed complex");
   seconds.dual_complex = run.seconds("dual complex");
+  seconds.voids = run.seconds("voids");
   seconds.critical_points = run.seconds("critical points") + run.seconds("integral lines");
   seconds.sweep = run.seconds("sweep") + run.seconds("grow") + run.seconds("marching cubes");
-  seconds.refine = run.seconds("refine");
-  seconds.smooth = run.seconds("smooth");
+  seconds.refine =
+      run.seconds("refine") + run.seconds("refine angles") + run.seconds("refine angles in space");
+  seconds.smooth = run.seconds("smooth") + run.seconds("improve angles");
   seconds.write = delivery.seconds_writing();
   seconds.certify = run.seconds("deliver") - seconds.write + run.seconds("certify");
+  seconds.describe = run.seconds("describe");
 }
 
 void publish(const MeshReport& report, const MeshArguments& arguments) {

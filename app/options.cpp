@@ -4,43 +4,11 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/help_text.h"
 #include "app/version.h"
 
 namespace morskin::app {
 namespace {
-
-constexpr const char* about =
-    "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
-    "the\n"
-    "surface, has no angle below 30 degrees, and can be checked again from the written file.\n"
-    "\n"
-    "INPUT is PDB, mmCIF, PQR, XYZ, XYZR (x y z r) or XYZW (x y z w, w the weight), each also\n"
-    "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. The first "
-    "model\n"
-    "is read, of alternate locations the likeliest, and no water unless asked.\n";
-
-constexpr const char* closing =
-    "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"
-    "atom's sphere patch has the radius sqrt(W/2)):\n"
-    "  paper     W = sqrt(2) (r + p), as the paper prints it\n"
-    "  sas       W = 2 (r + p)^2     patches have the solvent-accessible radius\n"
-    "  vdw       W = 2 r^2           patches have the radius r; p plays no part (default)\n"
-    "  ses-like  W = 2 (r + 0.25)^2  the skin nearest to a solvent-excluded surface\n"
-    "  given     W as in the file, of XYZW only\n"
-    "\n"
-    "Examples:\n"
-    "  morskin mesh 1crn.pdb -o 1crn.ply\n"
-    "  morskin mesh 1crn.cif.gz -o 1crn.ply -o 1crn.vtu --model sas --report 1crn.json\n"
-    "  morskin check 1crn.ply --against 1crn.pdb\n"
-    "  morskin morse 1crn.pdb -o 1crn.json --function distance:9,9,7\n"
-    "  morskin info 1crn.pdb --json\n"
-    "  morskin view 1crn.pdb -o 1crn.html\n"
-    "\n"
-    "Exit codes:\n"
-    "  0  meshed and certified           5  not certified: see OUT.unverified\n"
-    "  2  wrong arguments                6  a limit of memory or time was reached\n"
-    "  3  input unreadable               7  output not writable\n"
-    "  4  input refused (names atoms)   70  internal error\n";
 
 void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
   command
@@ -131,6 +99,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                      "In place of --size: so many vertices per square Angstrom");
   command.add_option("--triangles", typed.triangles,
                      "In place of --size: so many triangles, found by trial meshes");
+  command.add_option("--grading", typed.grading,
+                     "By how much edges may grow for each Angstrom from where they are\n"
+                     "short, 0.2 for instance, with -C 0.4; what -C allows anyway is 0.18\n"
+                     "with 0.08 and 0.87 with 0.4. By the static method");
   command
       .add_option("--angle-goal", typed.angle_goal,
                   "Degrees: vertices are moved, taken out and put in until no angle is\n"

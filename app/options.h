@@ -25,7 +25,7 @@ struct Typed {
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<int> fronts;
-  std::optional<double> C, Q, size, density, triangles, angle_goal;
+  std::optional<double> C, Q, size, density, triangles, grading, angle_goal;
   std::optional<std::string> grow, voids;
   TypedPicture picture;
 };

@@ -47,11 +47,13 @@ ordered_json seconds_json(const RunSeconds& seconds) {
           {"triangulate", rounded(seconds.triangulate)},
           {"mixed_complex", rounded(seconds.mixed_complex)},
           {"dual_complex", rounded(seconds.dual_complex)},
+          {"voids", rounded(seconds.voids)},
           {"critical_points", rounded(seconds.critical_points)},
           {"sweep", rounded(seconds.sweep)},
           {"refine", rounded(seconds.refine)},
           {"smooth", rounded(seconds.smooth)},
           {"certify", rounded(seconds.certify)},
+          {"describe", rounded(seconds.describe)},
           {"write", rounded(seconds.write)},
           {"total", rounded(seconds.total)}};
 }
@@ -97,15 +99,6 @@ std::string critical_text(const morskin::CriticalCounts& counts) {
          " + " + counted(counts[2], "maximum", "maxima");
 }
 
-std::string bent_text(const morskin::BentPart& bent) {
-  return line("bent", brief(100 * bent.area_share, 3) +
-                          "% of the area bends too much for edges so long: " +
-                          grouped(std::llround(bent.triangles)) + " triangles, " +
-                          brief(bent.triangles / bent.forced_triangles) + " times the " +
-                          grouped(std::llround(bent.forced_triangles)) +
-                          " that R <= 0.68 length scales forces");
-}
-
 std::string json_text(const MeshReport& report) {
   ordered_json json = {{"input", report.molecule.input.string()},
                        {"model", skin::name_of(report.molecule.model)},
@@ -125,12 +118,7 @@ std::string json_text(const MeshReport& report) {
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
-  if (!report.missed_size.empty()) json["missed_size"] = report.missed_size;
-  if (report.bent) {
-    json["bent"] = {{"area_share", rounded(report.bent->area_share)},
-                    {"triangles", std::round(report.bent->triangles)},
-                    {"forced_triangles", std::round(report.bent->forced_triangles)}};
-  }
+  add_sizes(json, report);
   add_skin_parts(json, report.parts);
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
   json.update(certificate_json(report.certificate));
@@ -273,9 +261,8 @@ std::string people_text(const MeshReport& report) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
   }
-  if (!report.missed_size.empty()) text += line("missed", report.missed_size);
   text += skin_parts_text(report.parts);
-  if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
+  text += sizes_text(report);
   text += certificate_text(report.certificate, report.sizing) +
           quality_text(report.quality, report.certificate.area);
   text += method_text(report);

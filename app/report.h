@@ -21,9 +21,13 @@ namespace morskin::app {
 
 /// Seconds by stage, by the wall clock.
 struct RunSeconds {
-  double read = 0, triangulate = 0, mixed_complex = 0, dual_complex = 0, critical_points = 0;
-  double sweep = 0;  ///< or what another method does in its place
-  double refine = 0, smooth = 0, write = 0, certify = 0, total = 0;
+  double read = 0, triangulate = 0, mixed_complex = 0, dual_complex = 0, voids = 0;
+  double critical_points = 0;
+  double sweep = 0;               ///< or what another method does in its place
+  double refine = 0, smooth = 0;  ///< both with what they do for angles
+  double write = 0, certify = 0;
+  double describe = 0;  ///< what only the report needs: its quality, parts and sizes
+  double total = 0;
 };
 
 /// Everything `morskin mesh` tells about a run. Every figure of the certificate was measured on the
@@ -32,7 +36,8 @@ struct MeshReport {
   MoleculeArguments molecule;
   certify::Sizing sizing;
   std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
-  std::string missed_size;                ///< what was asked of the size and not reached, in words
+  std::optional<morskin::Grading> grading;
+  std::string missed_size;  ///< what was asked of the size and not reached, in words
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;
@@ -77,6 +82,13 @@ std::string certified_text(const certify::Certificate& certificate);
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
 std::string certificate_text(const certify::Certificate& certificate,
                              const certify::Sizing& sizing);
+
+// size_report.cpp
+
+/// What was asked of the sizes and not reached, how much of the skin bends too much, and how edges
+/// grow; nothing where no size was asked for.
+void add_sizes(nlohmann::ordered_json& json, const MeshReport& report);
+std::string sizes_text(const MeshReport& report);
 
 // quality_report.cpp
 

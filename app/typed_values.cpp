@@ -38,4 +38,16 @@ double parsed_voids(std::string_view text) {
   return *volume;
 }
 
+std::pair<double, double> parsed_growth(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  if (dots != std::string_view::npos) {
+    const std::optional<double> from = geometry::parse_double(text.substr(0, dots));
+    const std::optional<double> to = geometry::parse_double(text.substr(dots + 2));
+    if (from && to && std::isfinite(*from) && std::isfinite(*to) && *from < *to) {
+      return {*from, *to};
+    }
+  }
+  throw UsageError("--grow needs two times, the earlier first, as in --grow -3..0");
+}
+
 }  // namespace morskin::app

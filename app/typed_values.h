@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace morskin::app {
 
@@ -15,5 +16,9 @@ std::uint64_t parsed_bytes(std::string_view text);
 /// Of --voids: keep, drop or a volume, Angstrom^3. Voids below the result are dropped.
 /// @throws UsageError
 double parsed_voids(std::string_view text);
+
+/// Of --grow: T0..T1, the earlier first.
+/// @throws UsageError
+std::pair<double, double> parsed_growth(std::string_view text);
 
 }  // namespace morskin::app

@@ -75,11 +75,6 @@ def table(rows):
     return "\n".join(lines)
 
 
-def read(path):
-    lines = path.read_text(encoding="utf-8").splitlines()
-    return [dict(zip(lines[0].split("\t"), line.split("\t"))) for line in lines[1:]]
-
-
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)

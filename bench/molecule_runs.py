@@ -145,6 +145,12 @@ class Rows:
         self.rows.append(row)
 
 
+def read_rows(path):
+    """The rows of such a file, all values as text."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    return [dict(zip(lines[0].split("\t"), line.split("\t"))) for line in lines[1:]]
+
+
 def end(failures, runs):
     """Ends the script: well if there were runs and no failures."""
     if not runs:

@@ -8,8 +8,8 @@ import struct
 
 import ablation
 
-STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "critical_points", "sweep",
-          "refine", "smooth", "certify", "write"]
+STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "voids", "critical_points",
+          "sweep", "refine", "smooth", "certify", "describe", "write"]
 
 # Table 1 as printed: name, triangles, smallest angle, seconds of the sweep, of the dynamic method.
 PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),

@@ -42,25 +42,26 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
   if (made.open_edges > 0) return made;
   drop_components(skin, made.mesh, run);
   if (options.goal_deg() == 0) return made;
+  const SizedSurface sized(skin.surface, options.sizes);
   // So much more than asked, in degrees, that rounding cannot bring a file's angle below.
   constexpr double margin_deg = 1e-9;
   const double goal_deg = options.goal_deg() + margin_deg;
   const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
   made.smoothing = run.stage(
-      "smooth", [&] { return refine::smooth(skin.surface, options.sizing, made.mesh, goal, run); });
+      "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
   if (made.smoothing.left > 0) {
     made.improvement = run.stage("improve angles", [&] {
-      return refine::improve_angles(skin.surface, options.sizing, made.mesh, goal, run);
+      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, run);
     });
   }
   if (made.below_goal() == 0) return made;
   const double bound_deg = std::min(goal_deg, certify::guaranteed_angle_deg + margin_deg);
   made.angles = run.stage("refine angles", [&] {
-    return refine::refine_angles(skin.surface, options.sizing, made.mesh, bound_deg, run);
+    return refine::refine_angles(*sized, options.sizing, made.mesh, bound_deg, run);
   });
   if (made.angles.left > 0) {
     run.stage("refine angles in space", [&] {
-      auto refined = refine_angles_in_space(skin, made.mesh, options.sizing, bound_deg, run);
+      auto refined = refine_angles_in_space(skin, made.mesh, options, bound_deg, run);
       if (!refined) return;
       made.mesh = std::move(*refined);
       drop_components(skin, made.mesh, run);

@@ -11,6 +11,7 @@
 #include "front/experimental_guards.h"
 #include "front/operation_counter.h"
 #include "morse/choose_function.h"
+#include "morskin/grading.h"
 #include "morskin/mesh_method.h"
 #include "morskin/observer.h"
 #include "morskin/prepared_skin.h"
@@ -62,7 +63,11 @@ struct MeshingOptions {
   /// as far as that can be done under [L] and [U]; 0 leaves them as they are. Without one,
   /// AngleGoal::usual_deg().
   std::optional<double> angle_goal_deg = {};
-  std::optional<Method> method = {};  ///< without one, method_of()
+  /// By how much edges may grow for each Angstrom (grading.h). Where that is less than they would,
+  /// the method is the static one. It wants an angle goal of 30 degrees or more.
+  std::optional<double> grading = {};
+  std::shared_ptr<const surface::SizeField> sizes = {};  ///< make_mesh() makes it of the grading
+  std::optional<Method> method = {};                     ///< without one, method_of()
   /// From outside the library, in place of the method: its mesh is left as it is.
   Mesher mesher = {};
   /// The function to sweep along; without one, the height y with a small tilt, and further tilts
@@ -101,7 +106,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
 /// @return nothing where the facets do not become a surface
 std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
                                                     const surface::Mesh& mesh,
-                                                    const certify::Sizing& sizing,
+                                                    const MeshingOptions& options,
                                                     double min_angle_deg, const Run& run);
 
 /// The sweep, then refinement.

@@ -95,6 +95,7 @@ MeshingOptions inside(const MeshOptions& options) {
   MeshingOptions result;
   result.sizing = sizing_of(options);
   result.size_goal = {options.density, options.triangles};
+  result.grading = options.grading;
   result.angle_goal_deg = options.angle_goal_deg;
   result.method = options.method;
   result.fronts = options.fronts;

@@ -103,6 +103,9 @@ struct MeshOptions {
   /// vertices per square Angstrom; triangles. Reached as far as C allows; 0.4 is as coarse as it
   /// gets.
   std::optional<double> edge_length = {}, density = {}, triangles = {};
+  /// By how much edges may grow for each Angstrom from where the curvature makes them short, at
+  /// least 0.01. By the static method, with an angle goal of 30 degrees or more.
+  std::optional<double> grading = {};
   /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
   /// Without one 35 up to C = 0.2, and no angle above 105; 30 beyond.
   std::optional<double> angle_goal_deg = {};

@@ -59,6 +59,16 @@ void check(const MeshingOptions& options) {
   if (!(options.goal_deg() >= 0 && options.goal_deg() <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
   }
+  if (!options.grading) return;
+  if (!(*options.grading >= min_grading && std::isfinite(*options.grading))) {
+    throw geometry::RefusedInput("the grading must be at least 0.01");
+  }
+  const bool is_other_method = options.mesher || options.fronts == 1 ||
+                               options.method.value_or(Method::Static) != Method::Static;
+  if (is_other_method || options.goal_deg() < certify::guaranteed_angle_deg) {
+    throw geometry::RefusedInput(
+        "grading is for the static method, with a goal of 30 degrees or more");
+  }
 }
 
 /// A mesh on its way from the mesher to the certificate, with what is known of it.
@@ -123,6 +133,10 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
   if (!options.mesher && options.goal_deg() >= certify::guaranteed_angle_deg) {
     options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
   }
+  if (options.grading) {
+    options.sizes = size_field(skin, options, run);
+    if (options.sizes) options.method = Method::Static;
+  }
   if (options.size_goal.is_set()) settle_size(skin, options, run);
   const Method method = method_of(skin, options);
   options.method = method;
@@ -137,7 +151,8 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
                     {}};
   const Delivering deliver(skin, options.sizing, observer, run);
   deliver(result, parcel.twins);
-  if (!result.certificate.certified && mend(skin, options, !asked.method, result, run))
+  const bool is_method_free = !asked.method && !options.sizes;
+  if (!result.certificate.certified && mend(skin, options, is_method_free, result, run))
     deliver(result, {});
   return result;
 }

@@ -21,8 +21,10 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
   }
   result.function = chosen.function;
   run.stage("refine", [&] {
-    front::StaticResult refined =
-        front::static_mesh(surface, chosen.critical.points, options.sizing, run);
+    const SizedSurface sized(surface, options.sizes);
+    std::vector<morse::CriticalPoint> seeds = chosen.critical.points;
+    for (morse::CriticalPoint& seed : seeds) seed.point = sized.sized(seed.point);
+    front::StaticResult refined = front::static_mesh(*sized, seeds, options.sizing, run);
     result.mesh = std::move(refined.mesh);
     for (surface::SurfacePoint& p : result.mesh.points) {
       p.cell = skin.surface.complex().same(p.cell, surface.complex());
@@ -31,7 +33,8 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
     if (result.open_edges == 0) {
       // Where C is coarse, samples that show the skin's topology stand nearer to others than [L]
       // allows. Once the mesh is a surface most of them are not needed any more.
-      refine::Refinement contraction(skin.surface, options.sizing, result.mesh, run);
+      const SizedSurface kept(skin.surface, options.sizes);
+      refine::Refinement contraction(*kept, options.sizing, result.mesh, run);
       contraction.run();
       result.refinement = contraction.counts();
     } else {
@@ -45,7 +48,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
 
 std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
                                                     const surface::Mesh& mesh,
-                                                    const certify::Sizing& sizing,
+                                                    const MeshingOptions& options,
                                                     double min_angle_deg, const Run& run) {
   const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All, run);
   std::vector<surface::SurfacePoint> seeds(mesh.points.begin(), mesh.points.end());
@@ -53,7 +56,8 @@ std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
     p.position = p.position.unaryExpr(&geometry::on_exact_grid);
     p.cell = surface.complex().same(p.cell, skin.surface.complex());
   }
-  refine::DelaunayRefinement refinement(surface, sizing, seeds, min_angle_deg);
+  const SizedSurface sized(surface, options.sizes);
+  refine::DelaunayRefinement refinement(*sized, options.sizing, seeds, min_angle_deg);
   refinement.run(run);
   surface::Mesh refined = refinement.mesh();
   if (geometry::validate(refined.surface)) return std::nullopt;

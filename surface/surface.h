@@ -80,7 +80,7 @@ class Surface {
   virtual PatchExtent extent(CellId cell, double max_length_scale) const = 0;
 
   /// x with its normal and length scale. @pre x lies on F, in `cell`.
-  SurfacePoint at(const Point& x, CellId cell) const {
+  virtual SurfacePoint at(const Point& x, CellId cell) const {
     const Vector n = jet(x, cell).half_gradient;
     const double rho = n.norm();
     return {x, n / rho, rho, cell};

@@ -87,7 +87,7 @@ TEST_CASE("what refinement leaves of a mesh by the static method, refinement in 
     const AngleRefinementCounts counts = refine_angles(skin.surface, sizing, mesh, 30);
     left += counts.left;
     if (counts.left > 0) {
-      auto refined = refine_angles_in_space(skin, mesh, sizing, 30, geometry::Run(1));
+      auto refined = refine_angles_in_space(skin, mesh, {.sizing = sizing}, 30, geometry::Run(1));
       REQUIRE(refined);
       mesh = std::move(*refined);
     }
@@ -103,7 +103,8 @@ TEST_CASE("what refinement leaves of a mesh by the static method, refinement in 
 TEST_CASE("refinement in space does the same") {
   for_cases([](const PreparedSkin& skin, const Sizing& sizing) {
     const Mesh mesh = rough_mesh(skin, sizing);
-    const auto refined = refine_angles_in_space(skin, mesh, sizing, 30, geometry::Run(1));
+    const auto refined =
+        refine_angles_in_space(skin, mesh, {.sizing = sizing}, 30, geometry::Run(1));
     REQUIRE(refined);
     CHECK(smallest_angle(*refined) >= 30 - 1e-9);
     CHECK(shortest_edge(*refined) >= (1 - 1e-9) * shortest_edge(mesh));

@@ -6,7 +6,7 @@ import json
 import math
 from collections import Counter
 
-from support.command import CommandTest, main
+from support.command import MOLECULES, CommandTest, main
 
 
 class Quality(CommandTest):
@@ -92,6 +92,23 @@ class Quality(CommandTest):
         self.assertEqual(quality["smallest_angle_histogram"][0], 1)
         self.assertEqual(quality["largest_angle_histogram"][-1], 1)
         self.assertEqual(quality["vertices_by_valence"], [2, 0, 0, 1] + 6 * [0])
+
+    def test_a_grading_is_reported_and_words_that_do_not_go_with_it_are_refused(self):
+        words = ("mesh", MOLECULES / "9dna.pdb", "-o", "mesh.ply", "-C", "0.4", "--json")
+        report = json.loads(self.run_morskin(*words, "--grading", "0.2").stdout)
+        grading = report["grading"]
+        self.assertTrue(report["certified"])
+        self.assertEqual((grading["allowed"], report["method"]), (0.2, "static"))
+        self.assertLessEqual(1, grading["median"])
+        self.assertLess(grading["quantile_99"], 1.6)
+        self.assertLessEqual(grading["quantile_99"], grading["largest"])
+        self.assertNotIn("grading", json.loads(self.run_morskin(*words).stdout))
+        for wrong in (("--grading", "0"), ("--grading", "nan"),
+                      ("--grading", "0.2", "--fronts", "1"),
+                      ("--grading", "0.2", "--method", "dynamic"),
+                      ("--grading", "0.2", "--angle-goal", "20")):
+            with self.subTest(wrong=wrong):
+                self.assertIn(b"--grading", self.run_morskin(*words, *wrong, code=2).stderr)
 
 
 if __name__ == "__main__":

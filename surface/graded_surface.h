@@ -1,0 +1,64 @@
+#pragma once
+
+/// A view of a surface whose length scales are limited by a size field, so that triangles, which
+/// are as large as the length scales, grow slowly from where they have to be small.
+///
+/// Of the laws of surface.h the length scale's stands in a weaker form, which is all that meshing
+/// needs: it is at most |N| and 1-Lipschitz, so that the balls of that radius touch the surface
+/// without meeting it. A certificate is of the surface itself.
+
+#include "surface/size_field.h"
+#include "surface/surface.h"
+
+namespace morskin::surface {
+
+class GradedSurface final : public Surface {
+ public:
+  /// @param surface, sizes  must outlive this object
+  /// @pre the field's slope is at most 1.
+  GradedSurface(const Surface& surface, const SizeField& sizes)
+      : surface_(&surface), sizes_(&sizes) {}
+
+  CellId locate(const Point& x, CellId hint) const override { return surface_->locate(x, hint); }
+  bool is_in(const Point& x, CellId cell) const override { return surface_->is_in(x, cell); }
+  Jet jet(const Point& x, CellId cell) const override { return surface_->jet(x, cell); }
+  double length_scale(const Point& x, CellId cell) const override {
+    return sizes_->limited(surface_->length_scale(x, cell), x);
+  }
+  Enclosure enclose(const Point& x, CellId hint) const override {
+    return surface_->enclose(x, hint);
+  }
+  std::optional<SurfacePoint> project(const Point& x, CellId hint) const override {
+    std::optional<SurfacePoint> found = surface_->project(x, hint);
+    if (found) *found = graded(*found);
+    return found;
+  }
+  double residual_bound(double rho) const override { return surface_->residual_bound(rho); }
+  LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override {
+    return surface_->crossings(p, q, hint);
+  }
+  BoundingBall bounding_ball() const override { return surface_->bounding_ball(); }
+  double max_length_scale() const override { return surface_->max_length_scale(); }
+  std::vector<Point> samples() const override { return surface_->samples(); }
+  std::size_t cell_count() const override { return surface_->cell_count(); }
+  /// Of the surface itself: the integral of its own length scale.
+  PatchExtent extent(CellId cell, double max_length_scale) const override {
+    return surface_->extent(cell, max_length_scale);
+  }
+
+  SurfacePoint at(const Point& x, CellId cell) const override {
+    return graded(surface_->at(x, cell));
+  }
+
+  /// A point of the surface, with the length scale that counts here.
+  SurfacePoint graded(SurfacePoint x) const {
+    x.length_scale = sizes_->limited(x.length_scale, x.position);
+    return x;
+  }
+
+ private:
+  const Surface* surface_;
+  const SizeField* sizes_;
+};
+
+}  // namespace morskin::surface

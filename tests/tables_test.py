@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Tables on pages are the ones that papers/results makes, of all the runs that the scripts in bench
+plan, and every run in them is good."""
+
+import re
+import statistics
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+import densities  # noqa: E402
+import ses_like  # noqa: E402
+from molecule_runs import read_rows  # noqa: E402
+
+
+def wrong_densities(rows):
+    asked = [(r["molecule"], int(r["asked"])) for r in rows]
+    if asked != [(m, d) for m in densities.MOLECULES for d in densities.DENSITIES]:
+        yield "not the runs of bench/densities.py"
+    for r in rows:
+        if r["verdict"].startswith("FAILED") or float(r["min_angle"]) < 30:
+            yield f"{r['molecule']} with {r['asked']}: {r['verdict']}, {r['min_angle']} degrees"
+        if r["verdict"] == "made" and abs(float(r["made"]) / float(r["asked"]) - 1) > 0.1:
+            yield f"{r['molecule']} with {r['asked']}: {r['made']} is off by more than a tenth"
+
+
+def wrong_offsets(rows):
+    """The model ses-like must have the smallest 95 % distances."""
+    if [(r["chain"], float(r["offset"])) for r in rows] != [(c, o) for c in ses_like.CHAINS
+                                                            for o in ses_like.OFFSETS]:
+        yield "not the runs of bench/ses_like.py"
+    yield from (f"{r['chain']}: {r['verdict']}" for r in rows if r["verdict"] != "certified")
+
+    def farthest(offset):
+        return statistics.median(max(float(r["to_ses_95"]), float(r["from_ses_95"]))
+                                 for r in rows if float(r["offset"]) == offset)
+    code = (ROOT / "skin" / "model.h").read_text(encoding="utf-8")
+    used = float(re.search(r"ses_like_offset = ([\d.]+);", code)[1])
+    if used != min(ses_like.OFFSETS, key=farthest):
+        yield f"the model's {used} is not the offset with the smallest distances"
+
+
+TABLES = [(densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
+          (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets)]
+
+
+def complaints():
+    for script, results, page, wrong in TABLES:
+        rows = read_rows(ROOT / "papers" / "results" / results)
+        if script.table(rows) not in (ROOT / "papers" / page).read_text(encoding="utf-8"):
+            yield f"{page} has not the table of {results}:\n{script.table(rows)}"
+        yield from (f"{results}: {complaint}" for complaint in wrong(rows))
+
+
+def main():
+    found = list(complaints())
+    for complaint in found:
+        print(complaint)
+    print(f"{len(TABLES)} tables, {len(found)} complaints")
+    sys.exit(bool(found))
+
+
+if __name__ == "__main__":
+    main()
