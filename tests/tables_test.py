@@ -9,6 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
+import condition  # noqa: E402
 import densities  # noqa: E402
 import ses_like  # noqa: E402
 from molecule_runs import read_rows  # noqa: E402
@@ -41,8 +42,18 @@ def wrong_offsets(rows):
         yield f"the model's {used} is not the offset with the smallest distances"
 
 
+def wrong_conditions(rows):
+    if [(r["model"], r["options"]) for r in rows] != [(m, " ".join(words))
+                                                      for m, words in condition.MESHES]:
+        yield "not the runs of bench/condition.py"
+    for r in rows:
+        if r["verdict"] != "certified" or float(r["min_angle"]) < 30:
+            yield f"{r['model']} {r['options']}: {r['verdict']}, {r['min_angle']} degrees"
+
+
 TABLES = [(densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
-          (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets)]
+          (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets),
+          (condition, "condition.tsv", "coarser-skins.md", wrong_conditions)]
 
 
 def complaints():
