@@ -12,8 +12,9 @@ namespace morskin {
 
 namespace {
 
-/// Edges of the trial are at most a third of the length scale: at the far end it is at most a third
-/// larger, and a triangle's middle is nearer to its corners than their edges are long.
+/// [U] keeps every point of the skin within some C Q = 0.17 length scales of a vertex of the trial.
+/// So the vertex has at most 1 / (1 - 0.17) = 1.2 times the point's length scale, and stands off by
+/// 0.2 of that: with a slope of at most 1 the point counts for no more than 1.4 times its own.
 constexpr double trial_C = 0.1;
 
 }  // namespace

@@ -9,10 +9,28 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
+import ablation  # noqa: E402
 import condition  # noqa: E402
 import densities  # noqa: E402
 import ses_like  # noqa: E402
 from molecule_runs import read_rows  # noqa: E402
+
+
+def wrong_ablation(rows):
+    """Each switch of the program must have a row of its own."""
+    if [r["as_printed"] for r in rows] != list(ablation.ROWS):
+        yield "not the rows of bench/ablation.py"
+    header = (ROOT / "bench" / "ablation" / "as_printed.h").read_text(encoding="utf-8")
+    switches = re.findall(r'\{"([\w-]+)", &AsPrinted::', header)
+    alone = [row[0][0] for row in ablation.ROWS.values() if len(row[0]) == 1]
+    if sorted(switches) != sorted(alone):
+        yield "the rows of bench/ablation.py with one switch are not the program's switches"
+    for r in rows:
+        if int(r["certified"]) + int(r["failed"]) + int(r["out_of_time"]) != int(r["runs"]):
+            yield f"{r['as_printed']}: the outcomes are not as many as the runs"
+    if ablation.failures([{**r, "runs": int(r["runs"]), "certified": int(r["certified"])}
+                          for r in rows]):
+        yield "with nothing as printed not every run is certified"
 
 
 def wrong_densities(rows):
@@ -51,7 +69,9 @@ def wrong_conditions(rows):
             yield f"{r['model']} {r['options']}: {r['verdict']}, {r['min_angle']} degrees"
 
 
-TABLES = [(densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
+TABLES = [(ablation, "ablation.tsv", "5-results.md", wrong_ablation),
+          (ablation, "ablation.tsv", "results/table1.md", wrong_ablation),
+          (densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
           (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets),
           (condition, "condition.tsv", "coarser-skins.md", wrong_conditions)]
 
