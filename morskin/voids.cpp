@@ -1,9 +1,12 @@
 #include "morskin/voids.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "geometry/parallel.h"
+#include "skin/orthocentre.h"
 #include "skin/skin_components.h"
 
 namespace morskin {
@@ -54,6 +57,18 @@ std::vector<geometry::AtomId> heaviest_atoms(const PreparedSkin& skin) {
   return heaviest;
 }
 
+/// A point in the void, and surely in this one. @throws geometry::RefusedInput  if no double is one
+geometry::Point point_in(const skin::Void& cavity, const skin::SkinSurface& surface) {
+  std::array<geometry::WeightedPoint, 4> tetrahedron;
+  std::ranges::transform(surface.triangulation().tetrahedra[cavity.tetrahedron],
+                         tetrahedron.begin(),
+                         [&](geometry::AtomId atom) { return surface.points()[atom.index()]; });
+  if (const auto point = skin::point_in_free_ball(tetrahedron)) return *point;
+  throw geometry::RefusedInput(
+      "a void is narrower than coordinates resolve, so voids cannot be dropped: move the molecule "
+      "to the origin, or keep them");
+}
+
 }  // namespace
 
 surface::Topology PreparedSkin::expected() const {
@@ -62,7 +77,7 @@ surface::Topology PreparedSkin::expected() const {
   for (std::size_t i = 0; i < topology.voids.size(); ++i) {
     const skin::Void& v = topology.voids[i];
     (has_dropped(static_cast<std::uint32_t>(i)) ? result.inside : result.outside)
-        .push_back(v.centre);
+        .push_back(point_in(v, surface));
     if (is_dropped[i] == 0) continue;
     result.components -= v.bodies.size();
     result.euler_characteristic -= 2 * v.euler_characteristic;
@@ -95,6 +110,7 @@ void drop_voids(PreparedSkin& skin, double below, const Run& run) {
     });
   }
   skin.is_dropped = std::move(is_dropped);
+  skin.expected();  // refuses now what it would refuse when the mesh is there
 }
 
 void drop_components(const PreparedSkin& skin, surface::Mesh& mesh, const Run& run) {

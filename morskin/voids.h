@@ -16,7 +16,7 @@ std::vector<skin::VolumeBounds> void_volumes(const PreparedSkin& skin, const Run
 
 /// Marks the voids whose volume is proved to be below a bound: those to be left out.
 /// @param below  Angstrom^3; infinite for all voids, which then are not measured; 0 for none
-/// @throws geometry::RefusedInput  for a bound below 0 or NaN
+/// @throws geometry::RefusedInput  for a bound below 0 or NaN, or a void too narrow to be told
 void drop_voids(PreparedSkin& skin, double below, const Run& run = Run());
 
 /// Takes the components that bound dropped voids out of a closed mesh of the whole skin. Each is

@@ -16,8 +16,8 @@ namespace morskin::skin {
 
 /// A bounded component of the complement of the skin's body.
 struct Void {
-  /// The deepest orthocentre in it, and the tetrahedron that it belongs to. About it a ball of
-  /// radius `clearance`, Angstrom, is free.
+  /// The deepest orthocentre in it, rounded, and its tetrahedron. About it a ball of radius
+  /// `clearance`, Angstrom, is free; `point_in_free_ball` is exact about that.
   std::uint32_t tetrahedron;
   Point centre;
   double clearance;

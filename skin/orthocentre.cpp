@@ -1,10 +1,13 @@
 #include "skin/orthocentre.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 
+#include "geometry/exact_range.h"
+#include "geometry/predicates.h"
 #include "skin/exact_vectors.h"
 
 namespace morskin::skin {
@@ -152,6 +155,22 @@ double rough_weight(const std::array<WeightedPoint, 4>& tetrahedron) {
     return first_weight - square;
   }
   return static_cast<double>(orthocentre(tetrahedron).weight);
+}
+
+/// With z = p + n / (2 d) for the first point p, and a = x - p, the condition 2 |x - z|^2 < -w
+/// reads 8 d^2 |a|^2 + |n|^2 + 4 d^2 w_p < 8 d a . n.
+std::optional<Point> point_in_free_ball(const std::array<WeightedPoint, 4>& tetrahedron) {
+  const WeightedPoint& p = tetrahedron[0];
+  const auto [n, d, unused] = fraction(exact_arms(tetrahedron), 4);
+  const Wide z = wide(p.position) + n.rounded() / (2 * rounded(d));
+  const Point x = z.cast<double>().unaryExpr(&geometry::on_exact_grid);
+  if (!std::ranges::all_of(x, geometry::is_exact_coordinate)) return std::nullopt;
+  const ExactVector a(p.position, x);
+  const Expansion four(4), eight(8);
+  const Expansion square = eight * a.dot(a) + four * Expansion(p.weight);
+  const Expansion excess = d * (d * square - eight * a.dot(n)) + n.dot(n);
+  if (excess.sign() != geometry::Sign::Negative) return std::nullopt;
+  return x;
 }
 
 Vector direction_off_facet(std::span<const Point> points) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "geometry/point.h"
@@ -31,6 +32,13 @@ Orthocentre orthocentre(std::span<const geometry::WeightedPoint> simplex);
 /// first point's weight: in doubles where these suffice, as for nearly all tetrahedra of a
 /// molecule.
 double rough_weight(const std::array<geometry::WeightedPoint, 4>& tetrahedron);
+
+/// A stored point in the free ball about a tetrahedron's orthocentre z: nearer to z than the root
+/// of -w / 2, for its weight w. It is z, rounded; nothing where there is no such ball or rounding
+/// leaves it. Both are decided exactly.
+/// @param tetrahedron  affinely independent, in the range of geometry/predicates.h
+std::optional<geometry::Point> point_in_free_ball(
+    const std::array<geometry::WeightedPoint, 4>& tetrahedron);
 
 /// The unit vector orthogonal to a facet of a simplex, towards the opposite vertex, right to a few
 /// last bits.

@@ -2,7 +2,6 @@
 /// side.
 
 #include <doctest/doctest.h>
-#include <gmpxx.h>
 
 #include <array>
 #include <cmath>
@@ -11,39 +10,16 @@
 
 #include "skin/enclosure.h"
 #include "tests/support/nasty_sets.h"
+#include "tests/support/rationals.h"
 #include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::AtomId;
 using geometry::Point;
 using geometry::WeightedPoint;
+using namespace morskin::support::rational;
 
 namespace {
-
-using Vector = std::array<mpq_class, 3>;
-
-mpq_class dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector exact(const Point& p) { return {mpq_class(p.x()), mpq_class(p.y()), mpq_class(p.z())}; }
-
-/// The solution of a square system by elimination; nothing where it is singular.
-std::optional<std::vector<mpq_class>> solve(std::vector<std::vector<mpq_class>> rows) {
-  const std::size_t n = rows.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    while (pivot < n && rows[pivot][k] == 0) ++pivot;
-    if (pivot == n) return std::nullopt;
-    std::swap(rows[k], rows[pivot]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || rows[i][k] == 0) continue;
-      const mpq_class factor = rows[i][k] / rows[k][k];
-      for (std::size_t j = k; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
-    }
-  }
-  std::vector<mpq_class> solution;
-  for (std::size_t k = 0; k < n; ++k) solution.push_back(rows[k][n] / rows[k][k]);
-  return solution;
-}
 
 struct Exact {
   mpq_class value;

@@ -2,6 +2,7 @@
 
 #include "geometry/orthosphere.h"
 #include "tests/support/nasty_sets.h"
+#include "tests/support/rationals.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -47,6 +48,21 @@ void for_simplices(unsigned count, Law law) {
     const auto simplex = some_simplex(seed, 2 + seed % 3);
     if (is_independent(simplex)) law(simplex);
   });
+}
+
+/// The orthocentre of a tetrahedron in rational numbers.
+rational::Vector exact_orthocentre(const std::array<WeightedPoint, 4>& simplex) {
+  using namespace rational;
+  const Vector first = exact(simplex[0].position);
+  std::vector<std::vector<mpq_class>> rows;
+  for (std::size_t i = 1; i < 4; ++i) {
+    const Vector e = minus(exact(simplex[i].position), first);
+    rows.push_back({2 * e[0], 2 * e[1], 2 * e[2],
+                    dot(e, e) + mpq_class(simplex[0].weight) - mpq_class(simplex[i].weight)});
+  }
+  const auto offset = solve(rows);
+  REQUIRE(offset);
+  return {first[0] + (*offset)[0], first[1] + (*offset)[1], first[2] + (*offset)[2]};
 }
 
 }  // namespace
@@ -117,4 +133,36 @@ TEST_CASE("the rough weight of a tetrahedron is its orthocentre's to 2^-20 of it
     CHECK(std::abs(rough - exact) <= promised_share * std::abs(simplex[0].weight));
   });
   CHECK(tested > 3000);  // the law was put to the test
+}
+
+TEST_CASE(
+    "a point in a free ball about an orthocentre is in it, and there is one unless it is tiny") {
+  using namespace rational;
+  std::size_t found = 0, none = 0;
+  for_seeds(3000, [&](unsigned seed) {
+    const std::vector<WeightedPoint> corners = some_simplex(seed, 4);
+    if (!is_independent(corners)) return;
+    const skin::Orthocentre z = skin::orthocentre(corners);
+    if (!(z.position.norm() < 1e4)) return;  // lighter weights would round, and move it
+    for (const double radius : {1.0, 1e-3, 1e-8, 1e-15, 1e-17, 0.0}) {
+      CAPTURE(radius);
+      std::array<WeightedPoint, 4> simplex;
+      std::ranges::copy(corners, simplex.begin());
+      for (WeightedPoint& p : simplex) p.weight -= static_cast<double>(z.weight) + 2 * radius;
+      const Vector centre = exact_orthocentre(simplex);
+      const Vector arm = minus(centre, exact(simplex[0].position));
+      const mpq_class clearance = (dot(arm, arm) - mpq_class(simplex[0].weight)) / 2;  // squared
+      const mpq_class size = abs(centre[0]) + abs(centre[1]) + abs(centre[2]);
+      const mpq_class rounding = 0x1p-53 * size;
+      const auto point = skin::point_in_free_ball(simplex);
+      ++(point ? found : none);
+      if (!point) CHECK(clearance <= rounding * rounding);
+      if (!point) continue;
+      const Vector off = minus(exact(*point), centre);
+      CHECK(dot(off, off) < clearance);
+      CHECK(dot(off, off) <= 2 * rounding * rounding);
+    }
+  });
+  CHECK(found > 3000);
+  CHECK(none > 1000);
 }
