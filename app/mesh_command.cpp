@@ -150,26 +150,6 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
-// What was asked for and not reached, within a tenth; empty if nothing.
-std::string missed_size(const morskin::SizeGoal& goal, const certify::Certificate& made) {
-  constexpr double tenth = 0.1;
-  const auto is_missed = [&](double is, double wanted) {
-    return !(std::abs(is - wanted) <= tenth * wanted);
-  };
-  const auto vertices = static_cast<double>(made.vertices);
-  const auto triangles = static_cast<double>(made.triangles);
-  std::string wanted;
-  if (goal.density && is_missed(vertices / made.area, *goal.density)) {
-    wanted = brief(*goal.density) + " vertices per A^2";
-  }
-  if (goal.triangles && is_missed(triangles, *goal.triangles)) {
-    wanted = grouped(static_cast<std::size_t>(*goal.triangles)) + " triangles";
-  }
-  if (wanted.empty()) return "";
-  return "not " + wanted + ", as asked: where the skin bends strongly, in necks, voids and " +
-         "crevices, -C forces more triangles, 0.4 the fewest";
-}
-
 bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
 
 void describe_run(MeshReport& report, const MeshArguments& arguments,
@@ -177,7 +157,7 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
                   const MeshDelivery& delivery, const morskin::Run& run) {
   report.certificate = result.certificate;
   report.sizing = result.sizing;
-  report.missed_size = missed_size(arguments.size_goal, result.certificate);
+  report.size_goal = arguments.size_goal;
   const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
   const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
   if (is_size_asked)

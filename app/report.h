@@ -37,7 +37,7 @@ struct MeshReport {
   certify::Sizing sizing;
   std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
   std::optional<morskin::Grading> grading;
-  std::string missed_size;  ///< what was asked of the size and not reached, in words
+  morskin::SizeGoal size_goal;  ///< what was asked for
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;

@@ -11,6 +11,27 @@ namespace morskin::app {
 
 namespace {
 
+/// What was asked for and not reached, within a tenth; empty if nothing.
+std::string missed_size(const MeshReport& report) {
+  constexpr double tenth = 0.1;
+  const auto is_missed = [&](double is, double wanted) {
+    return !(std::abs(is - wanted) <= tenth * wanted);
+  };
+  const auto& [density, count] = report.size_goal;
+  const certify::Certificate& made = report.certificate;
+  std::string wanted;
+  if (density && is_missed(static_cast<double>(made.vertices) / made.area, *density)) {
+    wanted = brief(*density) + " vertices per A^2";
+  }
+  if (count && is_missed(static_cast<double>(made.triangles), *count)) {
+    wanted = grouped(static_cast<std::size_t>(*count)) + " triangles";
+  }
+  if (wanted.empty()) return "";
+  return "not " + wanted + ", as asked: where the skin bends strongly, in necks, voids and " +
+         "crevices, -C forces more triangles, 0.4 the fewest" +
+         (report.grading ? "; about these so does --grading" : "");
+}
+
 std::string bent_text(const morskin::BentPart& bent) {
   return line("bent", brief(100 * bent.area_share, 3) +
                           "% of the area bends too much for edges so long: " +
@@ -30,7 +51,7 @@ std::string grading_text(const morskin::Grading& grading) {
 }  // namespace
 
 void add_sizes(nlohmann::ordered_json& json, const MeshReport& report) {
-  if (!report.missed_size.empty()) json["missed_size"] = report.missed_size;
+  if (const std::string missed = missed_size(report); !missed.empty()) json["missed_size"] = missed;
   if (report.bent) {
     json["bent"] = {{"area_share", rounded(report.bent->area_share)},
                     {"triangles", std::round(report.bent->triangles)},
@@ -46,7 +67,9 @@ void add_sizes(nlohmann::ordered_json& json, const MeshReport& report) {
 
 std::string sizes_text(const MeshReport& report) {
   std::string text;
-  if (!report.missed_size.empty()) text += line("missed", report.missed_size);
+  if (const std::string missed = missed_size(report); !missed.empty()) {
+    text += line("missed", missed);
+  }
   if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
   if (report.grading) text += grading_text(*report.grading);
   return text;

@@ -12,9 +12,10 @@ namespace morskin {
 
 namespace {
 
-/// [U] keeps every point of the skin within some C Q = 0.17 length scales of a vertex of the trial.
-/// So the vertex has at most 1 / (1 - 0.17) = 1.2 times the point's length scale, and stands off by
-/// 0.2 of that: with a slope of at most 1 the point counts for no more than 1.4 times its own.
+/// The trial is certified, by the safety net if need be: [U] keeps every point of the skin within
+/// some C Q = 0.17 length scales of a vertex of the trial. So the vertex has at most 1 / (1 - 0.17)
+/// = 1.2 times the point's length scale, and stands off by 0.2 of that: with a slope of at most 1
+/// the point counts for no more than 1.4 times its own.
 constexpr double trial_C = 0.1;
 
 }  // namespace
@@ -28,12 +29,11 @@ std::shared_ptr<const surface::SizeField> size_field(const PreparedSkin& skin,
   trial.sizing.C = std::min(options.sizing.C, trial_C);
   trial.sizing.Q = certify::Sizing::quality_for(trial.sizing.C);
   trial.angle_goal_deg = 0;
-  trial.method = Method::Sweep;
   trial.function = options.function;
-  Observer unobserved;
-  const MethodResult made = run_method(skin, trial, unobserved, run);
+  const MeshResult made = make_mesh(skin, trial, run);
   std::vector<surface::SizeField::Source> sources;
-  for (const surface::SurfacePoint& p : made.mesh.points) {
+  for (std::size_t v = 0; v < made.cells.size(); ++v) {
+    const surface::SurfacePoint p = skin.surface.at(made.mesh.positions[v], made.cells[v]);
     sources.push_back({p.position, p.length_scale});
   }
   return std::make_shared<surface::SizeField>(std::move(sources), slope);
