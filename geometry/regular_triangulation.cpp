@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
+#include "geometry/parallel.h"
+#include "geometry/prefetch.h"
 #include "geometry/triangulator.h"
 
 namespace morskin::geometry {
@@ -12,47 +15,6 @@ namespace {
 template <std::size_t Size>
 using Simplices = std::vector<std::array<AtomId, Size>>;
 
-/// By atom, the index of the first simplex that begins with it; then the end.
-template <std::size_t Size>
-std::vector<std::uint32_t> starts_by_first(const Simplices<Size>& simplices,
-                                           std::size_t atom_count) {
-  std::vector<std::uint32_t> starts(atom_count + 1, 0);
-  for (const auto& simplex : simplices) ++starts[simplex[0].index() + 1];
-  for (std::size_t i = 0; i < atom_count; ++i) starts[i + 1] += starts[i];
-  return starts;
-}
-
-/// The second corner, and the third if any, as one number with the same order.
-template <std::size_t Size>
-std::uint64_t middle(const std::array<AtomId, Size>& simplex) {
-  if constexpr (Size == 2) return simplex[1].value;
-  return std::uint64_t{simplex[1].value} << 32 | simplex[Size == 2 ? 1 : 2].value;
-}
-
-/// Lexicographic order of simplices with the same first corner.
-template <std::size_t Size>
-bool precedes(const std::array<AtomId, Size>& a, const std::array<AtomId, Size>& b) {
-  const std::uint64_t middle_a = middle(a);
-  const std::uint64_t middle_b = middle(b);
-  if (Size < 4 || middle_a != middle_b) return middle_a < middle_b;
-  return a[Size - 1] < b[Size - 1];
-}
-
-/// Sorts lexicographically and drops repetitions: by the first corner with a counting sort, then
-/// within each corner's few.
-template <std::size_t Size>
-void sort_unique(Simplices<Size>& simplices, std::size_t atom_count) {
-  const std::vector<std::uint32_t> starts = starts_by_first(simplices, atom_count);
-  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-  Simplices<Size> sorted(simplices.size());
-  for (const auto& simplex : simplices) sorted[next[simplex[0].index()]++] = simplex;
-  for (std::size_t i = 0; i < atom_count; ++i) {
-    std::sort(sorted.begin() + starts[i], sorted.begin() + starts[i + 1], precedes<Size>);
-  }
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  simplices = std::move(sorted);
-}
-
 template <std::size_t Size>
 std::array<AtomId, Size - 1> without(const std::array<AtomId, Size>& simplex, std::size_t corner) {
   std::array<AtomId, Size - 1> rest;
@@ -60,83 +22,242 @@ std::array<AtomId, Size - 1> without(const std::array<AtomId, Size>& simplex, st
   return rest;
 }
 
+/// Two atoms as one number with the same order.
+std::uint64_t pair_of(AtomId b, AtomId c) { return std::uint64_t{b.value} << 32 | c.value; }
+
+AtomId first_of(std::uint64_t pair) { return AtomId(static_cast<std::uint32_t>(pair >> 32)); }
+AtomId second_of(std::uint64_t pair) { return AtomId(static_cast<std::uint32_t>(pair)); }
+
+/// The corners after the first as one number with the same order. @pre two or three corners
+template <std::size_t Size>
+std::uint64_t rest_of(const std::array<AtomId, Size>& simplex) {
+  static_assert(Size == 2 || Size == 3);
+  return Size == 2 ? simplex[1].value : pair_of(simplex[1], simplex[Size - 1]);
+}
+
+/// Sorts, by insertion where there are few: of the branches one for each value goes wrong.
+template <class Values>
+void sort_few(Values&& values) {
+  constexpr std::ptrdiff_t few = 48;
+  if (std::ssize(values) > few) {
+    std::ranges::sort(values);
+    return;
+  }
+  for (auto next = values.begin(); next != values.end(); ++next) {
+    const auto value = *next;
+    auto hole = next;
+    for (; hole != values.begin() && value < hole[-1]; --hole) *hole = hole[-1];
+    *hole = value;
+  }
+}
+
+template <class Value>
+void sort_unique(std::vector<Value>& values) {
+  sort_few(values);
+  const auto repeated = std::ranges::unique(values);
+  values.erase(repeated.begin(), repeated.end());
+}
+
+/// Simplices by their first corner.
+template <std::size_t Size>
+struct Buckets {
+  Simplices<Size> simplices = {};
+  std::vector<std::uint32_t> starts = {0};  ///< by atom, then the end
+
+  std::span<std::array<AtomId, Size>> of(AtomId atom) {
+    const std::uint32_t start = starts[atom.index()];
+    return std::span(simplices).subspan(start, starts[atom.index() + 1] - start);
+  }
+  /// Adds those of the next atom, each made of a value.
+  template <class Values, class Simplex>
+  void append(const Values& values, Simplex simplex) {
+    std::uint32_t at = starts.back();
+    simplices.resize(at + values.size());
+    for (const auto value : values) simplices[at++] = simplex(value);
+    starts.push_back(at);
+  }
+};
+
+template <std::size_t Size>
+Buckets<Size> into_buckets(const Simplices<Size>& simplices, std::size_t atom_count) {
+  Buckets<Size> result{Simplices<Size>(simplices.size()),
+                       std::vector<std::uint32_t>(atom_count + 2, 0)};
+  auto& starts = result.starts;
+  for (const auto& simplex : simplices) ++starts[simplex[0].index() + 2];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  for (const auto& simplex : simplices) {
+    result.simplices[starts[simplex[0].index() + 1]++] = simplex;
+  }
+  starts.pop_back();
+  return result;
+}
+
+/// One after the other, of consecutive atoms.
+template <std::size_t Size>
+Buckets<Size> joined(const std::vector<Buckets<Size>>& parts, unsigned threads) {
+  Buckets<Size> result;
+  std::vector<std::uint32_t> offsets;
+  for (const Buckets<Size>& part : parts) {
+    const std::uint32_t offset = offsets.emplace_back(result.starts.back());
+    for (const std::uint32_t end : std::span(part.starts).subspan(1)) {
+      result.starts.push_back(offset + end);
+    }
+  }
+  result.simplices.resize(result.starts.back());
+  for_each_task(threads, parts.size(), [&](std::size_t k) {
+    std::ranges::copy(parts[k].simplices, result.simplices.begin() + offsets[k]);
+  });
+  return result;
+}
+
+/// The simplices of the highest dimension and, of each lower one, those that begin with an atom
+/// with which no simplex about them of a higher dimension begins.
+struct Found {
+  Simplices<4> tetrahedra;
+  Simplices<3> triangles;
+  Simplices<2> edges;
+};
+
+/// A tetrahedron's corners in the order of their atoms.
+struct SortedCorners {
+  std::array<AtomId, 4> atoms;
+  std::size_t first = 0, second = 0;  ///< the indices of the first two
+
+  SortedCorners(const Triangulator& triangulator, const Triangulator::Tetrahedron& t) {
+    std::array<std::uint64_t, 4> keys;  // of atom and index
+    for (std::size_t k = 0; k < 4; ++k) {
+      keys[k] = std::uint64_t{triangulator.atom(t.corners[k])->value} << 2 | k;
+    }
+    // A network, for its branches cannot be predicted.
+    const auto order = [&](std::size_t i, std::size_t j) {
+      const std::uint64_t low = std::min(keys[i], keys[j]);
+      keys[j] = std::max(keys[i], keys[j]);
+      keys[i] = low;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    for (std::size_t k = 0; k < 4; ++k) atoms[k] = AtomId(static_cast<std::uint32_t>(keys[k] >> 2));
+    first = keys[0] & 3;
+    second = keys[1] & 3;
+  }
+};
+
+/// Such a triangle is the facet opposite the first corner of a tetrahedron, and what lies behind it
+/// comes before its own corners too; such an edge joins the last two corners of all tetrahedra
+/// about it. The edges are some more than these.
+Found find_in_space(const Triangulator& triangulator) {
+  Found found;
+  const auto tetrahedra = triangulator.tetrahedra();
+  found.tetrahedra.reserve(tetrahedra.size());
+  const auto is_behind_before = [&](Triangulator::Facet facet, AtomId atom) {
+    const auto& there = tetrahedra[Triangulator::tetrahedron_of(facet)];
+    const auto behind = triangulator.atom(there.corners[Triangulator::index_of(facet)]);
+    return !behind || *behind < atom;  // nothing at infinity
+  };
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+    const Triangulator::Tetrahedron& t = tetrahedra[i];
+    if (!triangulator.is_live(i) || triangulator.is_ghost(t)) continue;
+    const SortedCorners corners(triangulator, t);
+    const auto& [a, b, c, d] = corners.atoms;
+    found.tetrahedra.push_back(corners.atoms);
+    if (!is_behind_before(t.neighbours[corners.first], c)) continue;
+    if (is_behind_before(t.neighbours[corners.first], b)) found.triangles.push_back({b, c, d});
+    if (is_behind_before(t.neighbours[corners.second], c)) found.edges.push_back({c, d});
+  }
+  return found;
+}
+
+/// The same of points in a plane or on a line, where apexes take the place of other corners.
+Found find_in_span(const Triangulator& triangulator) {
+  Found found;
+  const auto tetrahedra = triangulator.tetrahedra();
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+    if (!triangulator.is_live(i) || triangulator.is_ghost(tetrahedra[i])) continue;
+    std::vector<AtomId> atoms;
+    for (const Triangulator::Corner corner : tetrahedra[i].corners) {
+      if (const auto atom = triangulator.atom(corner)) atoms.push_back(*atom);
+    }
+    if (std::ssize(atoms) != triangulator.dimension() + 1) continue;
+    std::ranges::sort(atoms);
+    if (atoms.size() == 3) found.triangles.push_back({atoms[0], atoms[1], atoms[2]});
+    if (atoms.size() > 1) found.edges.push_back({atoms.end()[-2], atoms.end()[-1]});
+  }
+  return found;
+}
+
+/// All simplices, sorted.
+struct Complex {
+  Buckets<4> tetrahedra;
+  Buckets<3> triangles;
+  Buckets<2> edges;
+};
+
+/// What begins with an atom are the facets of what begins with it a dimension higher, and what was
+/// found apart.
+Complex complete(Found found, std::size_t atom_count, unsigned threads) {
+  Buckets<4> tetrahedra = into_buckets(found.tetrahedra, atom_count);
+  Buckets<3> other_triangles = into_buckets(found.triangles, atom_count);
+  Buckets<2> other_edges = into_buckets(found.edges, atom_count);
+  found = {};
+  std::vector<Buckets<3>> triangles(block_count(atom_count));
+  std::vector<Buckets<2>> edges(block_count(atom_count));
+  for_each_block(threads, atom_count, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    std::vector<std::uint64_t> pairs;
+    std::vector<AtomId> seconds;
+    for (std::size_t i = begin; i < end; ++i) {
+      const AtomId a(i);
+      sort_few(tetrahedra.of(a));
+      pairs.clear();
+      for (const auto& [same, b, c, d] : tetrahedra.of(a)) {
+        pairs.insert(pairs.end(), {pair_of(b, c), pair_of(b, d), pair_of(c, d)});
+      }
+      for (const auto& triangle : other_triangles.of(a)) pairs.push_back(rest_of(triangle));
+      sort_unique(pairs);
+      triangles[block].append(pairs, [&](std::uint64_t pair) {
+        return std::array{a, first_of(pair), second_of(pair)};
+      });
+      seconds.clear();
+      for (const std::uint64_t pair : pairs) {
+        if (seconds.empty() || seconds.back() != first_of(pair)) seconds.push_back(first_of(pair));
+      }
+      for (const std::uint64_t pair : pairs) seconds.push_back(second_of(pair));
+      for (const auto& edge : other_edges.of(a)) seconds.push_back(edge[1]);
+      sort_unique(seconds);
+      edges[block].append(seconds, [&](AtomId b) { return std::array{a, b}; });
+    }
+  });
+  return {std::move(tetrahedra), joined(triangles, threads), joined(edges, threads)};
+}
+
 /// By simplex, the indices of its facets, entry k opposite corner k. The binary search uses a
 /// conditional move, since its branches are unpredictable.
 template <std::size_t Size>
 std::vector<std::array<std::uint32_t, Size>> facet_indices(const Simplices<Size>& simplices,
-                                                           const Simplices<Size - 1>& facets,
-                                                           std::size_t atom_count) {
-  static_assert(Size <= 4, "middle() must tell apart all facets with one first corner");
-  const std::vector<std::uint32_t> starts = starts_by_first(facets, atom_count);
+                                                           const Buckets<Size - 1>& facets,
+                                                           unsigned threads) {
+  constexpr std::size_t ahead = 8;
   std::vector<std::array<std::uint32_t, Size>> indices(simplices.size());
-  for (std::size_t i = 0; i < simplices.size(); ++i) {
-    for (std::size_t k = 0; k < Size; ++k) {
-      const auto facet = without(simplices[i], k);
-      const std::uint64_t wanted = middle(facet);
-      std::uint32_t index = starts[facet[0].index()];
-      std::uint32_t candidates = starts[facet[0].index() + 1] - index;
-      while (candidates > 1) {
-        const std::uint32_t half = candidates / 2;
-        index += middle(facets[index + half]) <= wanted ? half : 0;
-        candidates -= half;
+  for_each_block(threads, simplices.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // The facet opposite the first corner begins with another, far off.
+      if (i + 2 * ahead < end) prefetch(&facets.starts[simplices[i + 2 * ahead][1].index()]);
+      if (i + ahead < end) {
+        prefetch(&facets.simplices[facets.starts[simplices[i + ahead][1].index()]]);
       }
-      indices[i][k] = index;
+      for (std::size_t k = 0; k < Size; ++k) {
+        const auto facet = without(simplices[i], k);
+        const std::uint64_t wanted = rest_of(facet);
+        std::uint32_t index = facets.starts[facet[0].index()];
+        std::uint32_t candidates = facets.starts[facet[0].index() + 1] - index;
+        while (candidates > 1) {
+          const std::uint32_t half = candidates / 2;
+          index += rest_of(facets.simplices[index + half]) <= wanted ? half : 0;
+          candidates -= half;
+        }
+        indices[i][k] = index;
+      }
     }
-  }
+  });
   return indices;
-}
-
-/// The edges of sorted triangles, most of them several times.
-Simplices<2> edges_of(const Simplices<3>& triangles) {
-  Simplices<2> edges;
-  edges.reserve(5 * triangles.size() / 2);
-  for (const auto& [a, b, c] : triangles) {
-    if (edges.empty() || edges.back() != std::array{a, b}) edges.push_back({a, b});
-    edges.push_back({b, c});
-    edges.push_back({a, c});
-  }
-  return edges;
-}
-
-/// The simplices with Size atoms as corners and apexes as the others, none at infinity.
-template <std::size_t Size>
-Simplices<Size> top_simplices(const Triangulator& triangulator) {
-  Simplices<Size> simplices;
-  for (std::size_t i = 0; i < triangulator.tetrahedra().size(); ++i) {
-    const Triangulator::Tetrahedron& t = triangulator.tetrahedra()[i];
-    if (!triangulator.is_live(i) || triangulator.is_ghost(t)) continue;
-    std::array<AtomId, 4> atoms;
-    std::size_t count = 0;
-    for (const Triangulator::Corner corner : t.corners) {
-      if (const auto atom = triangulator.atom(corner)) atoms[count++] = *atom;
-    }
-    if (count != Size) continue;
-    std::sort(atoms.begin(), atoms.begin() + Size);
-    std::array<AtomId, Size>& simplex = simplices.emplace_back();
-    std::copy_n(atoms.begin(), Size, simplex.begin());
-  }
-  return simplices;
-}
-
-/// The facets of finite tetrahedra, each from one of its two sides.
-Simplices<3> facets(const Triangulator& triangulator) {
-  Simplices<3> triangles;
-  const auto tetrahedra = triangulator.tetrahedra();
-  triangles.reserve(2 * tetrahedra.size());
-  for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
-    const Triangulator::Tetrahedron& t = tetrahedra[i];
-    if (!triangulator.is_live(i) || triangulator.is_ghost(t)) continue;
-    std::array<AtomId, 4> atoms;
-    for (std::size_t k = 0; k < 4; ++k) atoms[k] = *triangulator.atom(t.corners[k]);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t behind = Triangulator::tetrahedron_of(t.neighbours[k]);
-      if (behind < i && !triangulator.is_ghost(tetrahedra[behind])) continue;
-      std::array<AtomId, 3> triangle = without(atoms, k);
-      std::sort(triangle.begin(), triangle.end());
-      triangles.push_back(triangle);
-    }
-  }
-  return triangles;
 }
 
 /// The heaviest of points at one position, the smallest id if equal.
@@ -152,21 +273,20 @@ AtomId heaviest(std::span<const WeightedPoint> points) {
 RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points, const Run& run) {
   RegularTriangulation result;
   std::vector<bool> is_vertex(points.size(), false);
+  Found found;
   {
     const Triangulator triangulator(points, run);
     result.dimension = triangulator.dimension();
-    if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
-    if (result.dimension == 1) result.edges = top_simplices<2>(triangulator);
-    if (result.dimension == 2) result.triangles = top_simplices<3>(triangulator);
-    if (result.dimension == 3) result.tetrahedra = top_simplices<4>(triangulator);
-    if (result.dimension == 3) result.triangles = facets(triangulator);
+    found = result.dimension == 3 ? find_in_space(triangulator) : find_in_span(triangulator);
   }
-  sort_unique(result.tetrahedra, points.size());
-  sort_unique(result.triangles, points.size());
-  if (result.dimension >= 2) result.edges = edges_of(result.triangles);
-  sort_unique(result.edges, points.size());
-  result.tetrahedron_triangles = facet_indices(result.tetrahedra, result.triangles, points.size());
-  result.triangle_edges = facet_indices(result.triangles, result.edges, points.size());
+  if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
+  Complex all = complete(std::move(found), points.size(), run.threads());
+  result.tetrahedron_triangles =
+      facet_indices(all.tetrahedra.simplices, all.triangles, run.threads());
+  result.triangle_edges = facet_indices(all.triangles.simplices, all.edges, run.threads());
+  result.tetrahedra = std::move(all.tetrahedra.simplices);
+  result.triangles = std::move(all.triangles.simplices);
+  result.edges = std::move(all.edges.simplices);
   for (const auto& [a, b] : result.edges) is_vertex[a.index()] = is_vertex[b.index()] = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     (is_vertex[i] ? result.vertices : result.hidden).push_back(AtomId(i));

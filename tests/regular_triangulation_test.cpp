@@ -208,3 +208,18 @@ TEST_CASE("shuffled points give the same simplices when nothing is degenerate") 
     CHECK(tetrahedra == t.tetrahedra);
   });
 }
+
+TEST_CASE("the complex is the same for any number of threads") {
+  Points points = random_points(7, 20000, 0.02);
+  points.push_back({{0.5, 0.5, 0.5}, 0.1});  // with hundreds of neighbours
+  const RegularTriangulation one = checked_triangulation(points);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    const RegularTriangulation t = regular_triangulation(points, Run(threads));
+    CHECK(t.vertices == one.vertices);
+    CHECK(t.edges == one.edges);
+    CHECK(t.triangles == one.triangles);
+    CHECK(t.tetrahedra == one.tetrahedra);
+    CHECK(t.triangle_edges == one.triangle_edges);
+    CHECK(t.tetrahedron_triangles == one.tetrahedron_triangles);
+  }
+}
