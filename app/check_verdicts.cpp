@@ -77,7 +77,10 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
         std::pair(Claim::U, "[U]")}) {
     const bool needs_manifold = claim == Claim::Counts || claim == Claim::Degree;
     if (needs_manifold && !c.broken_by(Claim::Manifold).empty()) continue;
-    verdicts.push_back({name, c.broken_by(claim).empty(), c.broken_by(claim), true});
+    // [L] is there for the angles, and so no condition where these are known.
+    const bool is_condition =
+        claim != Claim::L || !(c.proved_angle_deg() >= certify::guaranteed_angle_deg);
+    verdicts.push_back({name, c.broken_by(claim).empty(), c.broken_by(claim), is_condition});
   }
   verdicts.push_back({"homeomorphic to the skin, proved", c.is_homeomorphic,
                       c.is_homeomorphic ? "" : c.reason, true});

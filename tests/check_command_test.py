@@ -62,6 +62,17 @@ class Check(CommandTest):
         text = self.run_morskin("check", "good.off", *self.words).stdout
         self.assertNotIn(b"NO", text)
 
+    def test_edges_too_short_for_L_are_no_fault_where_the_angles_are_known(self):
+        self.good_mesh()
+        report = self.check("good.off", *self.words, "-C", "0.2")
+        self.assertTrue(report["certified"] and report["passed"])
+        self.assertGreater(report["violations_L"], 0)
+        self.assertEqual([v["name"] for v in report["verdicts"] if not v["holds"]], ["[L]"])
+        self.run_morskin("mesh", MOLECULES / "shell_hollow.xyzr", "-o", "good.off", "-q",
+                         "--model", "vdw", "--angle-goal", "0")
+        report = self.check("good.off", *self.words, "-C", "0.2", code=5)
+        self.assertFalse(report["certified"] or report["passed"])
+
     def test_a_flipped_triangle(self):
         vertices, triangles = self.good_mesh()
         triangles[9] = triangles[9][::-1]
