@@ -171,6 +171,17 @@ TEST_CASE("with a void go the bodies inside it") {
   CHECK(made.certificate.components == 1);
 }
 
+TEST_CASE("voids are not dropped where no stored point is surely in one") {
+  PreparedSkin skin = prepare_skin(four_about_a_void(1, 0.1));
+  REQUIRE(skin.topology.voids.size() == 1);
+  // The same tetrahedron with heavier balls, which leave no free ball about its orthocentre.
+  std::vector<WeightedPoint> heavier = skin.surface.points();
+  for (WeightedPoint& p : heavier) p.weight = 3.2;
+  skin.surface = prepare_skin(heavier).surface;
+  CHECK_THROWS_AS(drop_voids(skin, all), geometry::RefusedInput);
+  CHECK_THROWS_AS(skin.expected(), geometry::RefusedInput);
+}
+
 TEST_CASE("voids are dropped by their volume, and none that might be larger") {
   const PreparedSkin whole = prepare_skin(support::molecule("1crn.pdb", skin::Model::Vdw));
   const auto volumes = void_volumes(whole);
