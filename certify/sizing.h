@@ -106,11 +106,14 @@ struct Sizing {
   }
 
   /// The median edge over the length scale, where rho varies little. A front's edges are nearly as
-  /// long as its disk's radius, which is 0.87 of the largest. Coarsening stops when most triangles
+  /// long as its disk's radius, which is 0.87 of the largest and, for small C, has an equilateral
+  /// triangle of 0.88 of the circumradius in [U]. Coarsening stops when most triangles
   /// are near spare_limit; it leaves an even mesh alone if removing one vertex already makes
   /// triangles beyond that limit, with circumradii as large as the edges.
   double edge_share() const {
-    if (!is_coarser_than_laid()) return usual_edge * tangent_disk_share();
+    if (!is_coarser_than_laid()) {
+      return std::min(usual_edge * tangent_disk_share(), usual_fine_edge * C * Q);
+    }
     const double laid_edge = Sizing{C, Q}.laid().edge_share();
     const bool is_left_alone = spare_limit * C * Q < 0.93 * laid_edge;
     return is_left_alone ? laid_edge : usual_coarse_edge * C * Q;
@@ -119,7 +122,7 @@ struct Sizing {
   void set_edge_length(double length) { largest_length_scale = length / edge_share(); }
   double edge_length() const { return largest_length_scale * edge_share(); }
 
-  static constexpr double usual_edge = 0.85, usual_coarse_edge = 1.125;  ///< measured
+  static constexpr double usual_edge = 0.85, usual_fine_edge = 1.49, usual_coarse_edge = 1.125;
   /// The share of [U] up to which coarsening removes vertices that may stay.
   static constexpr double spare_limit = 0.75;
 };

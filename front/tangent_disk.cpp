@@ -10,7 +10,8 @@ TangentDisk::TangentDisk(const surface::Surface& surface, const certify::Sizing&
     : surface_(surface),
       sizing_(sizing),
       spacing_(spacing),
-      share_(spacing_.disk_share * sizing.tangent_disk_share()),
+      share_(std::min(spacing.disk_share * sizing.tangent_disk_share(),
+                      spacing.fan_share * std::sqrt(3) * sizing.C * sizing.Q)),
       wing_cosine_(std::cos(spacing_.wing_angle_deg * M_PI / 180)) {}
 
 double TangentDisk::view_share() const {

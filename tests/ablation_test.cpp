@@ -98,6 +98,25 @@ TEST_CASE("the printed disk is a fixed share of the length scale, and never smal
   });
 }
 
+TEST_CASE(
+    "the disk is 0.87 of the paper's or, for small C, the one whose even fan takes 0.88 of [U]") {
+  const PreparedSkin skin = prepare_skin({{{0, 0, 0}, 1.0}});
+  bool is_by_disk = false, is_by_fan = false;
+  for (const double C : {0.002, 0.01, 0.04, 0.05, 0.08, 0.2}) {
+    CAPTURE(C);
+    const certify::Sizing sizing{C, certify::Sizing::quality_for(C)};
+    const double share = front::TangentDisk(skin.surface, sizing).share();
+    const double by_disk = share / sizing.tangent_disk_share();
+    const double by_fan = share / (std::sqrt(3) * sizing.C * sizing.Q);  // circumradius over [U]'s
+    CHECK(by_disk <= 0.87 * (1 + 1e-12));
+    CHECK(by_fan <= 0.88 * (1 + 1e-12));
+    is_by_disk |= by_disk > 0.87 * (1 - 1e-12);
+    is_by_fan |= by_fan > 0.88 * (1 - 1e-12);
+  }
+  CHECK(is_by_disk);
+  CHECK(is_by_fan);
+}
+
 TEST_CASE("contracted by distance, spheres at the ends of an arc overlap only where none is left") {
   constexpr double share = 0.3;
   std::size_t contracted = 0;

@@ -142,6 +142,15 @@ TEST_CASE("other constants give meshes that keep their own bounds, finer for sma
   }
 }
 
+TEST_CASE("however fine the mesh, the front leaves less than one vertex in eight to insert") {
+  const PreparedSkin skin = prepare_skin(molecule("caffeine.xyz", skin::Model::Vdw));
+  for (const double C : {0.08, 0.04, 0.02}) {
+    CAPTURE(C);
+    const MeshResult result = make_mesh(skin, with({C, 1.65}));
+    CHECK(8 * result.refinement.insert < result.mesh.positions.size());
+  }
+}
+
 TEST_CASE(
     "operations and stages are counted: one bowl for each surviving minimum, progress from stage "
     "to stage") {

@@ -42,7 +42,10 @@ std::size_t sweep(const PreparedSkin& skin, const morse::Guide& guide,
 
 front::Spacing spacing(const AsPrinted& printed) {
   front::Spacing spacing;
-  if (printed.radius) spacing.disk_share = 1;
+  if (printed.radius) {
+    spacing.disk_share = 1;
+    spacing.fan_share = std::numeric_limits<double>::infinity();
+  }
   if (printed.length_scale) spacing.is_by_both_ends = false;
   if (printed.sectors) spacing.rounds_up = true;
   if (printed.wings) spacing.wing_angle_deg = 90;
