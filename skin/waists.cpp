@@ -8,11 +8,12 @@ namespace morskin::skin {
 
 namespace {
 
-/// How far a cell goes from its orthocentre along an axis, Angstrom; as far as the skin does where
-/// no wall ends it.
-double reach(const SkinSurface& skin, CellId cell, const Patch& patch, const Vector& axis) {
+/// How far a cell goes from its orthocentre along an axis, Angstrom; `farthest` where no wall ends
+/// it.
+double reach(const SkinSurface& skin, CellId cell, const Patch& patch, const Vector& axis,
+             double farthest) {
   constexpr double parallel = 0.999;  // walls across the axis; the others lie along it
-  double distance = 2 * skin.bounding_ball().radius;
+  double distance = farthest;
   for (const Wall& wall : skin.complex().kept_walls(cell)) {
     if (wall.normal.dot(axis) < parallel) continue;
     distance = std::min(distance, wall.offset - wall.normal.dot(patch.centre));
@@ -31,6 +32,7 @@ double demand(double radius, double below, double above) {
 
 std::vector<Waist> waists(const SkinSurface& skin) {
   std::vector<Waist> found;
+  const double farthest = 2 * skin.bounding_ball().radius;
   for (std::size_t i = 0; i < skin.cell_count(); ++i) {
     const CellId cell(i);
     const int dimension = skin.complex().dimension(cell);
@@ -40,8 +42,8 @@ std::vector<Waist> waists(const SkinSurface& skin) {
     if (is_tunnel ? patch.half_weight >= 0 : patch.half_weight <= 0) continue;
     if (!skin.is_in(patch.centre, cell)) continue;
     const double radius = std::sqrt(std::abs(patch.half_weight));
-    const double below = reach(skin, cell, patch, -patch.axis);
-    const double above = reach(skin, cell, patch, patch.axis);
+    const double below = reach(skin, cell, patch, -patch.axis, farthest);
+    const double above = reach(skin, cell, patch, patch.axis, farthest);
     found.push_back({cell, is_tunnel, patch.centre, radius, demand(radius, below, above)});
   }
   std::ranges::sort(found, {}, [](const Waist& w) { return std::pair(w.radius, w.cell.value); });
