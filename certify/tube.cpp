@@ -125,8 +125,10 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
 
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
                   const Circumcircle& circle, double max_G) {
-  const auto expect = [&](const Point& x, CellId hint) {
-    const surface::Jet jet = surface.jet(x, surface.locate(x, hint));
+  CellId near = corners[0]->cell;  // of the last point: pieces come side by side
+  const auto expect = [&](const Point& x, CellId) {
+    near = surface.locate(x, near);
+    const surface::Jet jet = surface.jet(x, near);
     return Enclosure::without_rounding(jet.value, jet.half_gradient);
   };
   const TriangleBounds triangle{circle.radius, circle.doubled_area.normalized(), 0};

@@ -33,6 +33,13 @@ Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
   return usual_method(skin.surface.points(), options.sizing);
 }
 
+/// Whether lengths were asked for, with a C that makes meshes as coarse as it allows.
+bool is_thinned(const MeshingOptions& options) {
+  const bool is_by_length =
+      options.size_goal.is_set() || std::isfinite(options.sizing.largest_length_scale);
+  return is_by_length && options.sizing.is_coarser_than_laid() && !options.sizes;
+}
+
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
                         const Run& run) {
   if (options.mesher) return options.mesher(skin, options, observer, run);
@@ -41,6 +48,9 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
                                : static_method(skin, options, observer, run);
   if (made.open_edges > 0) return made;
   drop_components(skin, made.mesh, run);
+  if (is_thinned(options)) {
+    run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, run); });
+  }
   if (options.goal_deg() == 0) return made;
   const SizedSurface sized(skin.surface, options.sizes);
   // So much more than asked, in degrees, that rounding cannot bring a file's angle below.

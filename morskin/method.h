@@ -20,6 +20,7 @@
 #include "refine/angle_refinement.h"
 #include "refine/refinement.h"
 #include "refine/smoothing.h"
+#include "refine/thinning.h"
 
 namespace morskin {
 

@@ -19,8 +19,9 @@ constexpr std::size_t max_neighbours = 12;
 
 }  // namespace
 
-Coarsening::Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh)
-    : surface_(surface), sizing_(sizing), mesh_(mesh), is_tried_(mesh.surface, 0) {}
+Coarsening::Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+                       double limit)
+    : surface_(surface), sizing_(sizing), limit_(limit), mesh_(mesh), is_tried_(mesh.surface, 0) {}
 
 std::size_t Coarsening::run(const Subdomain& subdomain) {
   const std::size_t before = removed_;
@@ -36,7 +37,7 @@ std::size_t Coarsening::run(const Subdomain& subdomain) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     prefetch_next(all, i);
-    if (!is_removed(all[i])) remove(all[i], Sizing::spare_limit);
+    if (!is_removed(all[i])) remove(all[i], limit_);
   }
   return removed_ - before;
 }

@@ -17,12 +17,14 @@ namespace morskin::refine {
 class Coarsening {
  public:
   /// @param sizing  what the mesh is to meet
+  /// @param limit   the share of [U] up to which vertices are removed that may stay
   /// @param mesh    vertices are points of the surface; may have a boundary, and may grow, be
   ///                compacted or have another appended between runs
-  Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh);
+  Coarsening(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+             double limit = Sizing::spare_limit);
 
   /// Tries the vertices that are new since the last run or had to wait. Removes first those nearer
-  /// to a neighbour than [L] allows, then others while all triangles stay well below [U]. Ids stay
+  /// to a neighbour than [L] allows, then others while all triangles stay below the limit. Ids stay
   /// free until the mesh is compacted.
   /// @param subdomain  only vertices that it contains with their neighbours are removed; the others
   ///                   wait. The whole mesh if that is closed.
@@ -40,6 +42,7 @@ class Coarsening {
 
   const surface::Surface& surface_;
   const Sizing sizing_;
+  const double limit_;
   Mesh& mesh_;
   /// Vertices that a run has tried: neither new nor waiting.
   geometry::VertexData<char> is_tried_;

@@ -152,4 +152,21 @@ VertexMover::Moved VertexMover::move(VertexId v) {
   return has_moved ? Moved::Yes : Moved::No;
 }
 
+void VertexMover::even_out(VertexId v) {
+  if (!gather_neighbours(v)) return;
+  SurfacePoint& at = mesh_.points[v];
+  Vector sum = Vector::Zero();
+  double weights = 0;
+  for (const VertexId x : ring_) {
+    const SurfacePoint& p = mesh_.at(x);
+    const Vector to_p = p.position - at.position;
+    const double weight = to_p.norm() / (at.length_scale + p.length_scale);
+    sum += weight * to_p;
+    weights += weight;
+  }
+  const Vector step = sum / weights;
+  const auto y = surface_.project(at.position + step - at.normal.dot(step) * at.normal, at.cell);
+  if (y && keeps_size(*y) && keeps_provable(*y)) at = *y;
+}
+
 }  // namespace morskin::refine

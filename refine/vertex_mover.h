@@ -25,6 +25,10 @@ class VertexMover {
   /// Moves v by ever smaller steps, as long as its worst triangle gets better and is not good
   /// enough.
   Moved move(VertexId v);
+  /// Moves v to the mean of its neighbours, those counting more that are far away for their length
+  /// scales, if [L], [U] and the certificate's conditions hold there; whatever the goal. Balls may
+  /// be left with a vertex inside.
+  void even_out(VertexId v);
 
  private:
   bool gather_neighbours(VertexId v);

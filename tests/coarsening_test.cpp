@@ -2,11 +2,14 @@
 
 #include "refine/coarsening.h"
 
+#include <algorithm>
+
 #include "certify/certificate.h"
 #include "certify/tube.h"
 #include "front/snapshots.h"
 #include "front/two_fronts.h"
 #include "refine/refinement.h"
+#include "refine/thinning.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -192,4 +195,56 @@ TEST_CASE(
       if (C <= Sizing::largest_proved_C) CHECK(laid.Q == Q);
     }
   }
+}
+
+TEST_CASE("a thinned mesh has a tenth fewer vertices, keeps its topology and can be certified") {
+  const Sizing sizing = sizing_for(0.4);
+  std::size_t before = 0, after = 0;
+  for_each_fine_mesh(30, [&](const PreparedSkin& skin, const Mesh& fine) {
+    Mesh mesh = fine;
+    Coarsening(skin.surface, sizing, mesh).run();
+    mesh.surface.compact();
+    Refinement(skin.surface, sizing, mesh).run();
+    const std::size_t vertices = mesh.points.size();
+    const std::size_t removed = thin(skin.surface, sizing, mesh);
+    CHECK(mesh.points.size() + removed == vertices);
+    CHECK(validate(mesh.surface).value_or("") == "");
+    CHECK(euler_characteristic(mesh.surface) == euler_characteristic(fine.surface));
+    CHECK(components(mesh.surface).count == components(fine.surface).count);
+    CHECK(is_fine_enough(skin.surface, mesh, sizing));
+    before += vertices;
+    after += mesh.points.size();
+    check_certified_refined(skin, mesh, sizing);
+  });
+  CHECK(10 * after < 9 * before);
+}
+
+TEST_CASE("thinning leaves the vertices four edges from where the curvature decides the size") {
+  Sizing sizing = sizing_for(0.4);
+  sizing.set_edge_length(0.5);
+  const auto by_position = [](const Point& a, const Point& b) {
+    return std::ranges::lexicographical_compare(a, b);
+  };
+  std::size_t left = 0, removed = 0;
+  for_skins(20, [&](const PreparedSkin& skin) {
+    Mesh mesh = fine_mesh(skin, sizing.laid());
+    Refinement(skin.surface, sizing, mesh).run();
+    const Mesh refined = mesh;
+    removed += thin(skin.surface, sizing, mesh);
+    std::vector<Point> positions;
+    for (const SurfacePoint& p : mesh.points) positions.push_back(p.position);
+    std::ranges::sort(positions, by_position);
+    for (std::size_t i = 0; i < refined.points.size(); ++i) {
+      const VertexId v{i};
+      const bool is_near = std::ranges::any_of(refined.points, [&](const SurfacePoint& p) {
+        return p.length_scale < sizing.largest_length_scale &&
+               (p.position - refined.position(v)).norm() < 4 * sizing.edge_length();
+      });
+      if (is_near) continue;
+      CHECK(std::ranges::binary_search(positions, refined.position(v), by_position));
+      ++left;
+    }
+  });
+  CHECK(left > 1000);
+  CHECK(removed > 100);
 }

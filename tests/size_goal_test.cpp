@@ -39,7 +39,7 @@ TEST_CASE("a density is met within a tenth where the skin allows it, and the mes
   CHECK(met > 10);
 }
 
-TEST_CASE("a number of triangles is met within a tenth, and fewer than C allows are not promised") {
+TEST_CASE("a number of triangles is met within a tenth, one too small gives fewer than C alone") {
   const PreparedSkin skin = prepare_skin(molecule("5tmn_ligand.pdb", skin::Model::Vdw));
   const std::size_t least = make_mesh(skin, coarse({})).mesh.triangles.size();
   for (const double wanted : {2000., 10'000., 60'000.}) {
@@ -47,11 +47,13 @@ TEST_CASE("a number of triangles is met within a tenth, and fewer than C allows 
     CHECK(std::abs(static_cast<double>(result.mesh.triangles.size()) / wanted - 1) <= 0.1);
     CHECK(result.certificate.certified);
   }
-  CHECK(make_mesh(skin, coarse({.density = {}, .triangles = 4})).mesh.triangles.size() == least);
+  const MeshResult fewest = make_mesh(skin, coarse({.density = {}, .triangles = 4}));
+  CHECK(fewest.certificate.certified);
+  CHECK(fewest.mesh.triangles.size() < least);
+  CHECK(2 * fewest.mesh.triangles.size() > least);
 }
 
-TEST_CASE(
-    "where the skin bends, less than 1.7 times the triangles that the proof forces are left") {
+TEST_CASE("where the skin bends, at most 1.3 times the triangles that the proof forces are left") {
   std::size_t bent_skins = 0;
   for_molecules({"5tmn_ligand.pdb", "9dna.pdb"}, [&](const auto& balls) {
     const PreparedSkin skin = prepare_skin(balls);
@@ -61,7 +63,7 @@ TEST_CASE(
       CAPTURE(bent.triangles);
       CHECK(bent.area_share <= 1 + 1e-12);
       if (bent.area_share < 0.1) continue;
-      CHECK(bent.triangles < 1.7 * bent.forced_triangles);
+      CHECK(bent.triangles < 1.3 * bent.forced_triangles);
       ++bent_skins;
     }
   });
