@@ -54,13 +54,17 @@ LazySurfaceBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const 
 }
 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
-bool LocalOperations::is_big(TriangleId t, const Circumcircle& circle) const {
-  const auto [a, b, c] = mesh_.surface.corners(t);
-  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+bool LocalOperations::is_big(const std::array<const SurfacePoint*, 3>& p,
+                             const Circumcircle& circle) const {
   const double rho = min_length_scale(p);
   if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
   if (sizing_.is_tube_proved()) return false;
   return !expects_tube(surface_, p, circle, surface_.residual_bound(rho));
+}
+
+bool LocalOperations::is_big(VertexId a, VertexId b, VertexId c) const {
+  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
+  return is_big(p, circumcircle(p[0]->position, p[1]->position, p[2]->position));
 }
 
 /// Finds whether a triangle breaks [L] or [U].
@@ -68,7 +72,7 @@ Circumcircle LocalOperations::inspect(TriangleId t, Work& found) const {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
   Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  if (is_big(t, circle)) found.big.push_back(t);
+  if (is_big(p, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
@@ -127,6 +131,7 @@ bool LocalOperations::flip_if_better(HalfEdgeId h) {
     const Depth exactly_then = deeper(upper.exact_depth(at_b), lower.exact_depth(at_a));
     if (exactly_then.min >= exactly_now.min) return false;
   }
+  if (keeps_sizes_ && (is_big(a, d, c) || is_big(b, c, d))) return false;
   mesh_.surface.flip(h);
   note_flip(h);
   return true;
@@ -216,8 +221,7 @@ void LocalOperations::insert_into_big_triangles(std::size_t max_insertions) {
 bool LocalOperations::insert(TriangleId t) {
   const SurfaceMesh& connectivity = mesh_.surface;
   const auto [a, b, c] = connectivity.corners(t);
-  const Circumcircle circle = circumcircle(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-  if (!is_big(t, circle)) return true;
+  if (!is_big(a, b, c)) return true;
   if (!subdomain_.is_whole() && free_slots_.empty()) return false;
   const auto is_far_enough = [&](const Insertion& where) {
     const auto corners = connectivity.corners(where.under);

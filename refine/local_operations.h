@@ -48,6 +48,9 @@ class LocalOperations {
   /// Notes all changes from now on.
   void record_in(Journal& journal) { journal_ = &journal; }
 
+  /// From now on no flip is made that leaves a triangle too big, where no vertex is to break it.
+  void keep_sizes() { keeps_sizes_ = true; }
+
   void flip_where_needed();
   /// Takes a vertex out, if what it leaves can be covered by triangles that face outward. Edges
   /// that ought to be flipped then are left as work.
@@ -94,7 +97,8 @@ class LocalOperations {
   void report_progress(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
-  bool is_big(TriangleId t, const Circumcircle& circle) const;
+  bool is_big(const std::array<const SurfacePoint*, 3>& p, const Circumcircle& circle) const;
+  bool is_big(VertexId a, VertexId b, VertexId c) const;
   auto points() const {
     return [this](VertexId v) -> const SurfacePoint& { return mesh_.at(v); };
   }
@@ -108,6 +112,7 @@ class LocalOperations {
   std::vector<SurfaceMesh::FreeSlots> free_slots_;
   RefinementCounts counts_;
   VertexRemoval removal_;
+  bool keeps_sizes_ = false;
   Journal* journal_ = nullptr;
   std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;

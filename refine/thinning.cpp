@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "refine/coarsening.h"
-#include "refine/refinement.h"
+#include "refine/local_operations.h"
 #include "refine/vertex_mover.h"
 
 namespace morskin::refine {
@@ -28,18 +28,16 @@ geometry::Parts bent_vertices(const Mesh& mesh, const Sizing& sizing) {
   return parts;
 }
 
-/// One turn. @return whether the mesh is as well refined as before
-bool turn(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh, geometry::Parts& parts,
-          const geometry::Run& run) {
-  const Subdomain bent(parts, 0);
-  VertexMover mover(surface, sizing, mesh, AngleGoal(0), bent);
-  for (std::size_t i = 0; i < mesh.surface.vertex_count(); ++i) mover.even_out(VertexId{i});
-  constexpr double whole = 1;  // of [U]
-  Coarsening(surface, sizing, mesh, whole).run(bent);
-  mesh.surface.compact(run.threads());
-  Refinement refinement(surface, sizing, mesh, run);
-  refinement.run();
-  return refinement.counts().refused == 0;
+/// Makes the edges at these vertices Delaunay, as far as no triangle becomes too big.
+void flip(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+          const geometry::Parts& bent) {
+  Work work;
+  for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
+    if (bent[mesh.surface.origin(HalfEdgeId{i})] == 0) work.to_flip.push_back(HalfEdgeId{i});
+  }
+  LocalOperations operations(surface, sizing, mesh, std::move(work));
+  operations.keep_sizes();
+  operations.flip_where_needed();
 }
 
 }  // namespace
@@ -48,14 +46,17 @@ std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& me
                  const geometry::Run& run) {
   const std::size_t at_first = mesh.surface.vertex_count();
   for (int k = 0; k < max_turns; ++k) {
-    Mesh thinner = mesh;
-    geometry::Parts parts = bent_vertices(mesh, sizing);
-    const auto bent = static_cast<double>(std::ranges::count(parts, geometry::Part{0}));
-    const bool is_refined = turn(surface, sizing, thinner, parts, run);
-    const std::size_t before = mesh.surface.vertex_count(), after = thinner.surface.vertex_count();
-    if (!is_refined || after >= before) break;
-    mesh = std::move(thinner);
-    if (static_cast<double>(before - after) < least_gain * bent) break;
+    geometry::Parts bent = bent_vertices(mesh, sizing);
+    const auto count = static_cast<double>(std::ranges::count(bent, geometry::Part{0}));
+    const Subdomain subdomain(bent, 0);
+    VertexMover mover(surface, sizing, mesh, AngleGoal(0), subdomain);
+    for (std::size_t i = 0; i < mesh.surface.vertex_count(); ++i) mover.even_out(VertexId{i});
+    flip(surface, sizing, mesh, bent);
+    constexpr double whole = 1;  // of [U]
+    const std::size_t removed = Coarsening(surface, sizing, mesh, whole).run(subdomain);
+    mesh.surface.compact(run.threads());
+    flip(surface, sizing, mesh, bent_vertices(mesh, sizing));
+    if (static_cast<double>(removed) < least_gain * count) break;
   }
   return at_first - mesh.surface.vertex_count();
 }

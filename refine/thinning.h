@@ -3,10 +3,11 @@
 /// Thinning: as few triangles as [U] allows, where a length was asked for that the curvature does
 /// not. Not in the paper.
 ///
-/// In turns the vertices are evened out, taken out as long as [U] and the certificate's conditions
-/// hold, and the mesh is refined. Even triangles have small circles for their area, so the next
-/// turn can take out more. Vertices where the length decides stay where they are, unless they are
-/// next to others.
+/// In turns the vertices are evened out, edges made Delaunay, and vertices taken out. Even
+/// triangles have small circles for their area, so the next turn can take out more. Nothing is done
+/// that breaks [U] or the certificate's conditions, so no vertex has to go in again; for that some
+/// edges stay that are not Delaunay. Vertices where the length decides stay where they are, unless
+/// they are next to others.
 
 #include <cstddef>
 
@@ -15,7 +16,7 @@
 
 namespace morskin::refine {
 
-/// @param mesh  refined for this sizing; comes out so, and compact
+/// @param mesh  refined for this sizing; comes out compact
 /// @return the number of vertices by which it has fewer
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                  const geometry::Run& run = geometry::Run());
