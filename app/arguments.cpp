@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "app/complex_files.h"
 #include "app/function_argument.h"
+#include "app/implied_command.h"
 #include "app/limits.h"
 #include "app/options.h"
 #include "app/output_names.h"
@@ -275,7 +277,11 @@ Arguments parse_arguments(int count, const char* const* words) {
   Typed typed;
   add_commands(app, all, typed);
   try {
-    app.parse(count, words);
+    std::vector<const char*> completed(words, words + count);
+    const auto implied = implied_command(std::span(completed).subspan(1), app);
+    if (implied) completed.insert(completed.begin() + 1, implied->c_str());
+    all.info.is_implied = implied.has_value();
+    app.parse(static_cast<int>(completed.size()), completed.data());
     return chosen(app, all, typed);
   } catch (const CLI::ParseError& error) {
     const bool is_complaint = error.get_exit_code() != 0;

@@ -95,6 +95,7 @@ struct BallsArguments {
 
 struct InfoArguments {
   MoleculeArguments molecule;
+  bool is_implied = false;  ///< by a molecule without a command: then the text says how to go on
   certify::Sizing sizing;
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number

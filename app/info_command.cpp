@@ -126,6 +126,15 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
   return strict_json(json);
 }
 
+/// What a newcomer types to have the mesh.
+std::string next_step(const std::filesystem::path& input) {
+  const bool is_named = input != "-";
+  std::filesystem::path mesh = is_named ? input.filename() : "mesh";
+  if (mesh.extension() == ".gz") mesh = mesh.stem();
+  return "morskin " + input.string() + " -o " + mesh.replace_extension(".ply").string() +
+         " writes the mesh; all options: morskin mesh --help";
+}
+
 std::string people_text(const MoleculeInput& input, const InfoArguments& arguments,
                         const Info& info) {
   const skin::ReadingCounts& counts = input.molecule.counts;
@@ -154,6 +163,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                                 ": a guess from the heavy atoms and C, by what proteins had");
   text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
                              " MiB with so many triangles");
+  if (arguments.is_implied) text += line("next", next_step(arguments.molecule.input));
   return text;
 }
 

@@ -311,11 +311,13 @@ def main():
                                             repetitions=options.repetitions,
                                             is_quick=options.quick)
     ended = environment()
-    tables.write_environment(options.results / "environment.json", started, ended, options, rows)
+    known = tables.write_environment(options.results / "environment.json", started, ended, options,
+                                     rows)
     for name in PARTS:
         if name not in rows and (earlier := tables.earlier_rows(options.results, name)):
             rows[name] = earlier
-            notes.add(f"{name}: these are the rows of an earlier run")
+            at = {"date": "unknown", "cpu": "an unknown machine"} | known.get(name, {})
+            notes.add(f"{name}: the rows of an earlier run, of {at['date'][:10]} on {at['cpu']}")
     text = tables.table1_text(rows, methods, notes.lines, started)
     (options.results / "table1.md").write_text(text, encoding="utf-8")
     print("\n" + text)

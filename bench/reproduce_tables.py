@@ -144,7 +144,7 @@ def angle_counts(points, triangles):
 
 
 def write_environment(path, started, ended, options, parts):
-    """The environment of these parts; that of parts run earlier is kept."""
+    """The environment of these parts; that of parts run earlier is kept. Returns both."""
     now = dict(started)
     now["load_at_start"], now["load_at_end"] = now.pop("load"), ended["load"]
     now["date_at_end"] = ended["date"]
@@ -152,6 +152,7 @@ def write_environment(path, started, ended, options, parts):
     earlier = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     text = earlier | {part: now for part in parts}
     path.write_text(json.dumps(text, indent=2) + "\n", encoding="utf-8")
+    return text
 
 
 def molecules_text(rows, methods):

@@ -33,7 +33,7 @@ Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
   return usual_method(skin.surface.points(), options.sizing);
 }
 
-/// Whether lengths were asked for, with a C that makes meshes as coarse as it allows.
+/// Whether a length was asked for, with a C coarser than fronts are laid with.
 bool is_thinned(const MeshingOptions& options) {
   const bool is_by_length =
       options.size_goal.is_set() || std::isfinite(options.sizing.largest_length_scale);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Thinning: as few triangles as [U] allows, where a length was asked for that the curvature does
-/// not. Not in the paper.
+/// Thinning: as few triangles as [U] allows, where a length was asked for and the skin bends too
+/// much for it. Not in the paper.
 ///
 /// In turns the vertices are evened out, edges made Delaunay, and vertices taken out. Even
 /// triangles have small circles for their area, so the next turn can take out more. Nothing is done
