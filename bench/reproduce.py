@@ -318,7 +318,8 @@ def main():
             rows[name] = earlier
             at = {"date": "unknown", "cpu": "an unknown machine"} | known.get(name, {})
             notes.add(f"{name}: the rows of an earlier run, of {at['date'][:10]} on {at['cpu']}")
-    text = tables.table1_text(rows, methods, notes.lines, started)
+    text = tables.table1_text(rows, methods, notes.lines,
+                              known.get("table1", known[wanted[0]]))
     (options.results / "table1.md").write_text(text, encoding="utf-8")
     print("\n" + text)
     failures = [f for part in parts.values() for f in part.failures]

@@ -233,11 +233,11 @@ def asked_text(rows):
     return markdown(["asked of the sweep", "asked", "found", "met"], body)
 
 
-def table1_text(rows, methods, notes, started):
-    """The whole of table1.md."""
-    date, cpu, load = started["date"][:10], started["cpu"], started["load"]
+def table1_text(rows, methods, notes, at):
+    """The whole of table1.md; `at` is the environment of Table 1 itself."""
+    date, cpu, load = at["date"][:10], at["cpu"], at["load_at_start"]
     text = f"# Table 1, run of {date}\n\n"
-    text += (f"{cpu}, {started['cores']} cores, {started['compiler']}; load at the start "
+    text += (f"{cpu}, {at['cores']} cores, {at['compiler']}; load at the start "
              f"{load[0]:.1f}. Times are of whole runs, file in to certified file out, with as many "
              "threads as the method uses.\n\n")
     if "table1" in rows:

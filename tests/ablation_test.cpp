@@ -113,6 +113,12 @@ TEST_CASE(
     is_by_disk |= by_disk > 0.87 * (1 - 1e-12);
     is_by_fan |= by_fan > 0.88 * (1 - 1e-12);
   }
+  const auto by_disk = [&](double C) {
+    const certify::Sizing sizing{C, 1.65};
+    return front::TangentDisk(skin.surface, sizing).share() / sizing.tangent_disk_share();
+  };
+  CHECK(by_disk(0.0423) == doctest::Approx(0.87).epsilon(1e-9));
+  CHECK(by_disk(0.0421) < 0.87 * (1 - 1e-6));
   CHECK(is_by_disk);
   CHECK(is_by_fan);
 }
