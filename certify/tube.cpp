@@ -15,7 +15,12 @@ constexpr int max_depth = 5;
 
 /// Margin of the comparisons below, in shares of |N|: far above the rounding of the few operations
 /// that lead to either side, 2^-48 together.
-constexpr double margin = 1e-6;
+constexpr double margin_of_proof = 1e-6;
+
+/// A mesher's, who takes N as if it were exact: a proof then succeeds whose N is off by 2^-12 of
+/// itself (skin/enclosure.cpp), an error e. It lowers |N|^2 by 2 e min|N| and raises the bound on
+/// |G| by 2 e r. Where (c2) is near, r < min|N|, so |N| < 2 min|N|, and both make 2^-9 min|N|^2.
+constexpr double margin_of_mesher = 0x1p-9;
 
 /// (c1) and (c2) on a triangle's pieces.
 /// @tparam Enclose  (point, cell) -> Enclosure
@@ -23,8 +28,13 @@ template <class Enclose>
 class Pieces {
  public:
   /// @param max_G  on all of the triangle
-  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double max_G, double off_plane)
-      : enclose_(enclose), triangle_(triangle), max_G_(max_G), off_plane_(off_plane) {}
+  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double max_G, double off_plane,
+         double margin)
+      : enclose_(enclose),
+        triangle_(triangle),
+        max_G_(max_G),
+        off_plane_(off_plane),
+        margin_(margin) {}
 
   /// Whether both hold on all of a piece.
   ///
@@ -48,8 +58,8 @@ class Pieces {
     const double along = std::sqrt(std::max(0.0, size * size - upright * upright)) + tilt + error;
     const double value = std::min(max_G_, max_G + 2 * (along * r + size * off_plane_) + r * r);
     const double min_N = size - error - r;
-    const bool is_upright = upright - tilt - error - r > margin * size;
-    const bool is_in_tube = min_N > 0 && value < (1 - margin) * min_N * min_N;
+    const bool is_upright = upright - tilt - error - r > margin_ * size;
+    const bool is_in_tube = min_N > 0 && value < (1 - margin_) * min_N * min_N;
     if (is_upright && is_in_tube) {
       proof_.max_path = std::max(proof_.max_path, max_flow_path(min_N, value));
       return true;
@@ -69,13 +79,14 @@ class Pieces {
   const TriangleBounds& triangle_;
   const double max_G_;
   const double off_plane_;
+  const double margin_;
   TubeProof proof_{true, true, 0};
 };
 
 /// The proof with any way to enclose G and N at a point.
 template <class Enclose>
 TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBounds& triangle,
-                const CornerBounds& bounds) {
+                const CornerBounds& bounds, double margin) {
   std::array<double, 3> squared;  // of the side opposite corner k
   for (std::size_t k = 0; k < 3; ++k) {
     squared[k] = (corners[(k + 1) % 3]->position - corners[(k + 2) % 3]->position).squaredNorm();
@@ -100,7 +111,7 @@ TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBo
   double largest = 0;
   for (const SurfacePoint* p : corners) largest = std::max(largest, p->position.lpNorm<1>());
   const double off_plane = 0x1p-49 * largest;
-  Pieces<Enclose> pieces(enclose, triangle, g, off_plane);
+  Pieces<Enclose> pieces(enclose, triangle, g, off_plane, margin);
   const bool holds =
       pieces.hold({corners[0]->position, corners[1]->position, corners[2]->position}, a.cell, 0);
   TubeProof proof = pieces.proof();
@@ -120,7 +131,7 @@ double max_flow_path(double n, double g) {
 TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
                      const TriangleBounds& triangle, const CornerBounds& bounds) {
   const auto enclose = [&](const Point& x, CellId cell) { return surface.enclose(x, cell); };
-  return prove(enclose, corners, triangle, bounds);
+  return prove(enclose, corners, triangle, bounds, margin_of_proof);
 }
 
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
@@ -132,7 +143,7 @@ bool expects_tube(const surface::Surface& surface, const Corners& corners,
     return Enclosure::without_rounding(jet.value, jet.half_gradient);
   };
   const TriangleBounds triangle{circle.radius, circle.doubled_area.normalized(), 0};
-  return prove(expect, corners, triangle, {max_G, 0}).holds();
+  return prove(expect, corners, triangle, {max_G, 0}, margin_of_mesher).holds();
 }
 
 }  // namespace morskin::certify

@@ -33,11 +33,58 @@ Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
   return usual_method(skin.surface.points(), options.sizing);
 }
 
+/// So much more than asked, in degrees, that rounding cannot bring a file's angle below.
+constexpr double angle_margin_deg = 1e-9;
+
+/// Below which angles are raised by insertions where moves do not.
+double angle_bound_deg(const MeshingOptions& options) {
+  return std::min(options.goal_deg(), certify::guaranteed_angle_deg) + angle_margin_deg;
+}
+
 /// Whether a length was asked for, with a C coarser than fronts are laid with.
 bool is_thinned(const MeshingOptions& options) {
   const bool is_by_length =
       options.size_goal.is_set() || std::isfinite(options.sizing.largest_length_scale);
   return is_by_length && options.sizing.is_coarser_than_laid() && !options.sizes;
+}
+
+/// Raises angles to the goal by moves, then what is below 30 degrees by insertions.
+void raise_angles(const PreparedSkin& skin, const MeshingOptions& options, MethodResult& made,
+                  const Run& run) {
+  const SizedSurface sized(skin.surface, options.sizes);
+  const double goal_deg = options.goal_deg() + angle_margin_deg;
+  const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
+  made.smoothing = run.stage(
+      "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
+  made.improvement = {};
+  made.angles = {};
+  if (made.smoothing.left > 0) {
+    made.improvement = run.stage("improve angles", [&] {
+      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, run);
+    });
+  }
+  if (made.below_goal() == 0) return;
+  made.angles = run.stage("refine angles", [&] {
+    return refine::refine_angles(*sized, options.sizing, made.mesh, angle_bound_deg(options), run);
+  });
+}
+
+/// Thins the mesh, then raises its angles. Where that leaves some it is thinned again from the
+/// start, but for these places.
+void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& options,
+                           MethodResult& made, const Run& run) {
+  constexpr int max_attempts = 6;
+  const surface::Mesh whole = made.mesh;
+  std::vector<geometry::Point> except;
+  for (int k = 0; k < max_attempts; ++k) {
+    if (k > 0) made.mesh = whole;
+    run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, except, run); });
+    if (options.goal_deg() == 0) return;
+    raise_angles(skin, options, made, run);
+    const std::vector<geometry::Point>& left = made.angles.left;
+    if (left.empty()) return;
+    except.insert(except.end(), left.begin(), left.end());
+  }
 }
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
@@ -49,34 +96,17 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
   if (made.open_edges > 0) return made;
   drop_components(skin, made.mesh, run);
   if (is_thinned(options)) {
-    run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, run); });
+    thin_and_raise_angles(skin, options, made, run);
+  } else if (options.goal_deg() > 0) {
+    raise_angles(skin, options, made, run);
   }
-  if (options.goal_deg() == 0) return made;
-  const SizedSurface sized(skin.surface, options.sizes);
-  // So much more than asked, in degrees, that rounding cannot bring a file's angle below.
-  constexpr double margin_deg = 1e-9;
-  const double goal_deg = options.goal_deg() + margin_deg;
-  const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
-  made.smoothing = run.stage(
-      "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
-  if (made.smoothing.left > 0) {
-    made.improvement = run.stage("improve angles", [&] {
-      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, run);
-    });
-  }
-  if (made.below_goal() == 0) return made;
-  const double bound_deg = std::min(goal_deg, certify::guaranteed_angle_deg + margin_deg);
-  made.angles = run.stage("refine angles", [&] {
-    return refine::refine_angles(*sized, options.sizing, made.mesh, bound_deg, run);
+  if (made.angles.left.empty()) return made;
+  run.stage("refine angles in space", [&] {
+    auto refined = refine_angles_in_space(skin, made.mesh, options, angle_bound_deg(options), run);
+    if (!refined) return;
+    made.mesh = std::move(*refined);
+    drop_components(skin, made.mesh, run);
   });
-  if (made.angles.left > 0) {
-    run.stage("refine angles in space", [&] {
-      auto refined = refine_angles_in_space(skin, made.mesh, options, bound_deg, run);
-      if (!refined) return;
-      made.mesh = std::move(*refined);
-      drop_components(skin, made.mesh, run);
-    });
-  }
   return made;
 }
 

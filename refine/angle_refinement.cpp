@@ -92,7 +92,7 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
       return !near.is_any_within(at, (1 - rounding) * least);
     });
     if (!is_in) {
-      ++counts.left;
+      counts.left.push_back(mesh.position(mesh.surface.corners(t)[0]));
       continue;
     }
     ++counts.inserted;

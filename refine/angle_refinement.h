@@ -11,6 +11,7 @@
 /// on the way are broken as well: their balls' radii are bounded from below by the length scale.
 
 #include <cstddef>
+#include <vector>
 
 #include "geometry/run.h"
 #include "refine/names.h"
@@ -19,7 +20,7 @@ namespace morskin::refine {
 
 struct AngleRefinementCounts {
   std::size_t inserted = 0;
-  std::size_t left = 0;  ///< triangles below the bound that could not be broken
+  std::vector<Point> left;  ///< first corners of triangles below the bound that it did not break
 };
 
 /// @param bound_deg  at most 30

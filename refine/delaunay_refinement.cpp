@@ -54,7 +54,7 @@ void DelaunayRefinement::run(const geometry::Run& run) {
   inspect_new(all);
   do {
     insert_all(run);
-  } while (follow_dual_edges() || make_disks());
+  } while (!is_endless() && (follow_dual_edges() || make_disks()));
   work_ = std::vector<std::vector<Work>>(buckets);  // all done; gives the memory back
 }
 
@@ -171,7 +171,8 @@ DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet,
                                                      CellId cell) const {
   // Both, so that rounding cannot leave a circumradius above its bound.
   const double radius = std::max(facet.circle.radius, std::hypot(facet.circle.radius, height));
-  return {facet.circle.centre + height * facet.normal, cell, height, radius / facet.largest};
+  return {facet.circle.centre + height * facet.normal, cell, height, radius,
+          radius / facet.largest};
 }
 
 /// A crossing of the dual edge from the circumcentre of an inside tetrahedron to that of an outside
@@ -232,16 +233,39 @@ bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
   if (ball.height > 0) std::swap(hints[0], hints[1]);
   if (!delaunay_.add(unweighted(x->position), hints)) return false;
   samples_.push_back(*x);
+  counts_.misplaced += is_misplaced(ball);
   ++now_;
   duals_.resize(delaunay_.tetrahedra().size());
   inspect_new(delaunay_.added());
   return true;
 }
 
+/// The well placed samples come to an end, those that are not may beget others for ever. Some are
+/// harmless.
+bool DelaunayRefinement::is_endless() const {
+  constexpr std::size_t harmless = 64, largest_share = 16;
+  return counts_.misplaced > harmless + samples_.size() / largest_share;
+}
+
+/// Whether the last sample is nearer to another than a surface ball's centre can be: the ball is
+/// empty, so that is its radius. Rounding has the better of it then, as where a neck is so narrow
+/// that it leaves the sign of G at the circumcentres to chance.
+bool DelaunayRefinement::is_misplaced(const Ball& ball) const {
+  constexpr double clearly_nearer = 0.5;
+  const auto newest = static_cast<Corner>(samples_.size() - 1);
+  const Point& x = samples_[newest].position;
+  const double least = clearly_nearer * clearly_nearer * ball.radius * ball.radius;
+  return std::ranges::any_of(delaunay_.added(), [&](std::uint32_t t) {
+    return !is_ghost(t) && std::ranges::any_of(delaunay_.tetrahedra()[t].corners, [&](Corner c) {
+      return c != newest && (samples_[c].position - x).squaredNorm() < least;
+    });
+  });
+}
+
 /// Breaks facets, the biggest first, until none is too big.
 void DelaunayRefinement::insert_all(const geometry::Run& run) {
   for (std::size_t bucket = buckets; bucket-- > 0;) {
-    while (!work_[bucket].empty()) {
+    while (!work_[bucket].empty() && !is_endless()) {
       const Work work = work_[bucket].back();
       work_[bucket].pop_back();
       if (!stands(work)) continue;

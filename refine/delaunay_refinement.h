@@ -22,7 +22,9 @@
 /// No point is ever deleted. Where Q^2 > 2 + 4 C Q no ball too big for [U] makes a pair too short
 /// for [L], and seeds are kept apart, so short edges could come only from samples that the topology
 /// took; `front/static_method` sees to both. For all other constants the spacing of the points
-/// still has a lower bound, so the process ends.
+/// still has a lower bound, so the process ends. That holds for exact balls; where rounding has the
+/// better of them, samples come to lie nearer to others than their balls' radii. These are counted,
+/// and when they are too many the facets are left as they are.
 ///
 /// Source: Chew 1993; Boissonnat & Oudot 2005; Cheng, Dey, Edelsbrunner & Sullivan 2001 ([L], [U]).
 
@@ -46,6 +48,7 @@ struct DelaunayRefinementCounts {
   std::size_t topological = 0;       ///< insertions because the facets at a vertex were no disk
   std::size_t hidden_crossings = 0;  ///< of these, found only by following whole dual edges
   std::size_t refused = 0;           ///< balls too big that could not be broken
+  std::size_t misplaced = 0;         ///< nearer to a sample than their ball's radius allows
   std::size_t tetrahedra = 0;        ///< made in all
 };
 
@@ -93,6 +96,7 @@ class DelaunayRefinement {
     Point centre;
     CellId cell;
     double height;           ///< of the centre over the facet, along its dual edge, outwards
+    double radius;
     double ratio;            ///< radius over the largest that [U] allows: below 1 is good
     bool keeps_off = false;  ///< its centre goes in only as far from the corners as [L] wants
   };
@@ -124,6 +128,8 @@ class DelaunayRefinement {
   bool is_thin(Facet facet) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
   bool insert(const Ball& ball, Facet facet);
+  bool is_misplaced(const Ball& ball) const;
+  bool is_endless() const;
   bool stands(const Work& work) const;
   void push(const Ball& ball, Facet facet);
   void insert_all(const geometry::Run& run);

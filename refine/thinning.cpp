@@ -12,18 +12,27 @@ namespace morskin::refine {
 namespace {
 
 /// Turns end when one takes out a smaller share of the bent part's vertices.
-constexpr double least_gain = 0.01;
-constexpr int max_turns = 3;
+constexpr double least_gain = 0.005;
+constexpr int max_turns = 5;
 
 /// By vertex, 0 where the length scale decides the size of the triangles and not a length, and at
 /// the neighbours: else nothing could be done at the border, and most bent parts are small.
-geometry::Parts bent_vertices(const Mesh& mesh, const Sizing& sizing) {
+geometry::Parts bent_vertices(const Mesh& mesh, const Sizing& sizing,
+                              const std::vector<Point>& except) {
   geometry::Parts parts(mesh.surface.vertex_count(), geometry::no_part);
+  const auto is_excepted = [&](const SurfacePoint& p) {
+    constexpr double reach = 5;  // length scales, some four edges
+    return std::ranges::any_of(
+        except, [&](const Point& x) { return (x - p.position).norm() < reach * p.length_scale; });
+  };
   for (std::size_t i = 0; i < mesh.surface.vertex_count(); ++i) {
     const VertexId v{i};
     if (!(mesh.at(v).length_scale < sizing.largest_length_scale)) continue;
-    parts[v] = 0;
-    mesh.surface.for_each_outgoing(v, [&](HalfEdgeId h) { parts[mesh.surface.target(h)] = 0; });
+    const auto mark = [&](VertexId u) {
+      if (!is_excepted(mesh.at(u))) parts[u] = 0;
+    };
+    mark(v);
+    mesh.surface.for_each_outgoing(v, [&](HalfEdgeId h) { mark(mesh.surface.target(h)); });
   }
   return parts;
 }
@@ -43,10 +52,10 @@ void flip(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
 }  // namespace
 
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                 const geometry::Run& run) {
+                 const std::vector<Point>& except, const geometry::Run& run) {
   const std::size_t at_first = mesh.surface.vertex_count();
   for (int k = 0; k < max_turns; ++k) {
-    geometry::Parts bent = bent_vertices(mesh, sizing);
+    geometry::Parts bent = bent_vertices(mesh, sizing, except);
     const auto count = static_cast<double>(std::ranges::count(bent, geometry::Part{0}));
     const Subdomain subdomain(bent, 0);
     VertexMover mover(surface, sizing, mesh, AngleGoal(0), subdomain);
@@ -55,7 +64,7 @@ std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& me
     constexpr double whole = 1;  // of [U]
     const std::size_t removed = Coarsening(surface, sizing, mesh, whole).run(subdomain);
     mesh.surface.compact(run.threads());
-    flip(surface, sizing, mesh, bent_vertices(mesh, sizing));
+    flip(surface, sizing, mesh, bent_vertices(mesh, sizing, except));
     if (static_cast<double>(removed) < least_gain * count) break;
   }
   return at_first - mesh.surface.vertex_count();

@@ -10,15 +10,18 @@
 /// they are next to others.
 
 #include <cstddef>
+#include <vector>
 
 #include "geometry/run.h"
 #include "refine/names.h"
 
 namespace morskin::refine {
 
-/// @param mesh  refined for this sizing; comes out compact
+/// @param mesh    refined for this sizing; comes out compact
+/// @param except  places within five length scales of which it stays as it is
 /// @return the number of vertices by which it has fewer
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+                 const std::vector<Point>& except = {},
                  const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine

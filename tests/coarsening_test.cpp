@@ -32,6 +32,17 @@ void for_each_fine_mesh(unsigned count, Check check) {
   });
 }
 
+bool by_position(const Point& a, const Point& b) {
+  return std::ranges::lexicographical_compare(a, b);
+}
+
+std::vector<Point> sorted_positions(const Mesh& mesh) {
+  std::vector<Point> positions;
+  for (const SurfacePoint& p : mesh.points) positions.push_back(p.position);
+  std::ranges::sort(positions, by_position);
+  return positions;
+}
+
 std::size_t short_edges(const Mesh& mesh, const Sizing& sizing) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3 * mesh.surface.triangle_count(); ++i) {
@@ -226,18 +237,13 @@ TEST_CASE("a thinned mesh has a tenth fewer vertices, keeps its topology and can
 TEST_CASE("thinning leaves the vertices four edges from where the curvature decides the size") {
   Sizing sizing = sizing_for(0.4);
   sizing.set_edge_length(0.5);
-  const auto by_position = [](const Point& a, const Point& b) {
-    return std::ranges::lexicographical_compare(a, b);
-  };
   std::size_t left = 0, removed = 0;
   for_skins(20, [&](const PreparedSkin& skin) {
     Mesh mesh = fine_mesh(skin, sizing.laid());
     Refinement(skin.surface, sizing, mesh).run();
     const Mesh refined = mesh;
     removed += thin(skin.surface, sizing, mesh);
-    std::vector<Point> positions;
-    for (const SurfacePoint& p : mesh.points) positions.push_back(p.position);
-    std::ranges::sort(positions, by_position);
+    const std::vector<Point> positions = sorted_positions(mesh);
     for (std::size_t i = 0; i < refined.points.size(); ++i) {
       const VertexId v{i};
       const bool is_near = std::ranges::any_of(refined.points, [&](const SurfacePoint& p) {
@@ -250,5 +256,26 @@ TEST_CASE("thinning leaves the vertices four edges from where the curvature deci
     }
   });
   CHECK(left > 1000);
+  CHECK(removed > 100);
+}
+
+TEST_CASE("thinning leaves places that are excepted as they are") {
+  const Sizing sizing = sizing_for(0.4);
+  std::size_t left = 0, removed = 0;
+  for_skins(20, [&](const PreparedSkin& skin) {
+    Mesh mesh = fine_mesh(skin, sizing.laid());
+    Refinement(skin.surface, sizing, mesh).run();
+    mesh.surface.compact();
+    const Mesh refined = mesh;
+    const Point place = refined.position(VertexId{0U});
+    removed += thin(skin.surface, sizing, mesh, {place});
+    const std::vector<Point> positions = sorted_positions(mesh);
+    for (const SurfacePoint& p : refined.points) {
+      if ((p.position - place).norm() > 2 * p.length_scale) continue;
+      CHECK(std::ranges::binary_search(positions, p.position, by_position));
+      ++left;
+    }
+  });
+  CHECK(left > 100);
   CHECK(removed > 100);
 }

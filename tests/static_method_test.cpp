@@ -51,6 +51,22 @@ TEST_CASE("the static method breaks what the certificate could not prove of a co
   });
 }
 
+TEST_CASE("where a neck is too narrow for the signs of G beside it the static method ends") {
+  // A turned lattice, shrunk to five balls: samples were put into a neck of radius 3e-9 for ever.
+  for (const double C : {0.25, 0.3}) {
+    CAPTURE(C);
+    const auto result =
+        meshed({ball(5.084209190162315, -1.9682353223775713, -1.3096998037624372, 1.5),
+                ball(7.404211399020838, -3.32446655565779, 1.1959391552192413, 1.5),
+                ball(5.884546391227071, -4.7782390665531596, 0.9181555152183558, 1.5),
+                ball(8.298465284292796, -3.717250446935805, -1.6406134713732061, 1.5),
+                ball(6.7788002764990285, -5.171022957831174, -1.9183971113740914, 1.5)},
+               by_static_method(sizing_for(C)));
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+    CHECK(result.fallbacks.empty());
+  }
+}
+
 TEST_CASE("a small component beside a large one, nearer than the large length scale, is not lost") {
   // PDB entry 1BMF (wwPDB, CC0 1.0), to a hundredth of an Angstrom, model vdw: with C = 0.4 seeds
   // on the large component left the small one none.
