@@ -211,6 +211,8 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   }
   mesh.grading = typed.grading;
   if (mesh.grading) check_grading(mesh);
+  if (typed.vertex_data) mesh.vertex_data = parsed_vertex_data(*typed.vertex_data);
+  add_msms_partners(mesh.outputs);
   check_outputs(mesh);
 }
 

@@ -15,6 +15,7 @@
 #include "certify/sizing.h"
 #include "front/experimental_guards.h"
 #include "morse/morse_function.h"
+#include "morskin/mesh_attributes.h"
 #include "morskin/size_goal.h"
 #include "skin/model.h"
 
@@ -46,9 +47,18 @@ std::string_view name_of(MeshMethod method);
 
 enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error is a terminal
 
+/// What files that can hold it tell of the skin beside the mesh.
+struct VertexData {
+  std::vector<morskin::Datum> data;
+  bool residues = false;  ///< and chains
+};
+
 struct MeshArguments {
   MoleculeArguments molecule;
+  /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
+  VertexData vertex_data;
+  std::optional<std::filesystem::path> areas;  ///< of atoms and residues, a CSV file
   certify::Sizing sizing;
   morskin::SizeGoal size_goal;
   std::optional<double> grading;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "app/atom_tables.h"
 #include "app/certificate_file.h"
 #include "app/commands.h"
 #include "app/function_argument.h"
@@ -91,11 +92,15 @@ morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
 
 // Feeds what is no regular file, which gets certified meshes only.
 std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
-                                        const geometry::IndexedMesh& mesh, bool is_certified) {
+                                        const MeshDelivery& delivery,
+                                        const morskin::MeshResult& result) {
   std::vector<std::filesystem::path> names;
+  const bool is_certified = result.certificate.certified;
   for (const std::filesystem::path& path : arguments.outputs) {
     if (!is_certified || !geometry::is_written_directly(path)) continue;
-    geometry::write_file_atomically(path, geometry::serialized(mesh, format_of(path)));
+    geometry::write_file_atomically(
+        path, geometry::serialized(result.mesh, format_of(path),
+                                   delivery.attributes(result.mesh, result.cells)));
     names.push_back(path);
   }
   return names;
@@ -223,8 +228,10 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   std::vector<std::filesystem::path> names = arguments.outputs;
   if (arguments.report) names.push_back(*arguments.report);
   if (arguments.certificate) names.push_back(*arguments.certificate);
+  if (arguments.areas) names.push_back(*arguments.areas);
   StagedOutputs outputs(names);
   std::span<PendingFile> files = outputs.files();
+  PendingFile* const areas_file = take_last(files, arguments.areas);
   PendingFile* const certificate_file = take_last(files, arguments.certificate);
   PendingFile* const report_file = take_last(files, arguments.report);
   check_unverified_names(files);
@@ -232,10 +239,14 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());
   const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
+  std::vector<morskin::AtomProperty> properties;
+  if (arguments.vertex_data.residues) properties = residue_properties(input.molecule.atoms);
+  const std::vector<skin::Atom> atoms =
+      arguments.areas ? std::move(input.molecule.atoms) : std::vector<skin::Atom>();
   input = {};  // only the skin is needed from here on
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
-  MeshDelivery delivery(arguments, outputs, files);
+  MeshDelivery delivery(arguments, outputs, files, skin.surface, std::move(properties));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
   const bool is_static = result.method == morskin::Method::Static;
@@ -248,8 +259,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;
-  const std::vector<std::filesystem::path> fed =
-      feed(arguments, result.mesh, report.certificate.certified);
+  const std::vector<std::filesystem::path> fed = feed(arguments, delivery, result);
   report.seconds.write += delivering.seconds();
   report.seconds.total = total.seconds();
   const std::string_view suffix = report.certificate.certified ? "" : unverified;
@@ -264,14 +274,23 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                                    report.certificate.degree_vertices, skin, result.sizing);
     if (certificate_file != nullptr) certificate_file->write(certificate);
   }
+  std::string areas;
+  if (arguments.areas) {
+    areas = areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells));
+    if (areas_file != nullptr) areas_file->write(areas);
+  }
   time_limit.cancel();
   outputs.undisturbed([&] {
     for (PendingFile& file : files) file.commit(suffix);
     if (report_file != nullptr) report_file->commit();
     if (certificate_file != nullptr) certificate_file->commit(suffix);
+    if (areas_file != nullptr) areas_file->commit(suffix);
   });
   if (arguments.certificate && certificate_file == nullptr) {
     geometry::write_file_atomically(*arguments.certificate, certificate);
+  }
+  if (arguments.areas && areas_file == nullptr) {
+    geometry::write_file_atomically(*arguments.areas, areas);
   }
   publish(report, arguments);
   return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;

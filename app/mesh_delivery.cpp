@@ -1,7 +1,9 @@
 #include "app/mesh_delivery.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "app/output_names.h"
 #include "app/snapshots.h"
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
@@ -13,12 +15,8 @@ using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
 bool keeps_coordinates(MeshFormat format) {
-  return format != MeshFormat::Stl && format != MeshFormat::Vtu;
-}
-
-IndexedMesh content_of(const geometry::PendingFile& file) {
-  return geometry::parse_mesh(geometry::read_file(file.temporary_name()).view(),
-                              file.path().string());
+  // MSMS's two files are read together.
+  return format != MeshFormat::Stl && format != MeshFormat::Vtu && format != MeshFormat::MsmsFaces;
 }
 
 }  // namespace
@@ -42,10 +40,27 @@ std::vector<front::SweepObserver*> MeshDelivery::sweep_observers() {
   return {&*snapshots_};
 }
 
-morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh) {
+geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
+                                                  std::span<const geometry::CellId> cells) const {
+  const auto is_any = [&](auto... formats) {
+    return std::ranges::any_of(arguments_.outputs, [&](const std::filesystem::path& path) {
+      return ((format_of(path) == formats) || ...);
+    });
+  };
+  geometry::MeshAttributes result;
+  if (is_any(MeshFormat::PlyBinary, MeshFormat::Vtu)) {
+    result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
+  }
+  if (is_any(MeshFormat::MsmsVertices)) result.msms = msms_columns(skin_, mesh, cells);
+  return result;
+}
+
+morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
+                                                  std::span<const geometry::CellId> cells) {
   geometry::timed(seconds_writing_, [&] {
+    const geometry::MeshAttributes beside = attributes(mesh, cells);
     for (geometry::PendingFile& file : files_) {
-      file.write(geometry::serialized(mesh, format_of(file.path())));
+      file.write(geometry::serialized(mesh, format_of(file.path()), beside));
     }
   });
   Delivery delivery{std::move(mesh), {}};
@@ -55,6 +70,18 @@ morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh) {
     delivery.defect = error.what();
   }
   return delivery;
+}
+
+IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
+  const geometry::FileBytes bytes = geometry::read_file(file.temporary_name());
+  if (format_of(file.path()) != MeshFormat::MsmsVertices) {
+    return geometry::parse_mesh(bytes.view(), file.path().string());
+  }
+  const std::filesystem::path partner = msms_partner(file.path());
+  const auto faces = std::ranges::find(files_, partner, &geometry::PendingFile::path);
+  return geometry::parse_msms(bytes.view(), file.path().string(),
+                              geometry::read_file(faces->temporary_name()).view(),
+                              partner.string());
 }
 
 void MeshDelivery::read_back(Delivery& delivery) {

@@ -16,16 +16,26 @@ namespace morskin::app {
 /// snapshots that were asked for.
 class MeshDelivery : public morskin::Observer {
  public:
-  /// @param arguments, outputs, files  must outlive this; the files are those of the mesh
+  /// @param arguments, outputs, files, skin  must outlive this; the files are those of the mesh
+  /// @param properties  of atoms, to be told as well
   MeshDelivery(const MeshArguments& arguments, StagedOutputs& outputs,
-               std::span<geometry::PendingFile> files)
-      : arguments_(arguments), outputs_(outputs), files_(files) {}
+               std::span<geometry::PendingFile> files, const skin::SkinSurface& skin,
+               std::vector<morskin::AtomProperty> properties)
+      : arguments_(arguments),
+        outputs_(outputs),
+        files_(files),
+        skin_(skin),
+        properties_(std::move(properties)) {}
 
   void guided(const morse::Guide& guide) override;
   std::vector<front::SweepObserver*> sweep_observers() override;
   /// Reads back the first file whose format keeps every coordinate; if there is none, the bytes
   /// that a PLY file would have. Other such files must hold the same mesh.
-  Delivery deliver(geometry::IndexedMesh mesh) override;
+  Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId> cells) override;
+
+  /// What is told beside the mesh, as far as one of the outputs takes it.
+  geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
+                                      std::span<const geometry::CellId> cells) const;
 
   /// What was read back.
   const std::string& certified_file() const { return certified_file_; }
@@ -33,10 +43,13 @@ class MeshDelivery : public morskin::Observer {
 
  private:
   void read_back(Delivery& delivery);
+  geometry::IndexedMesh content_of(const geometry::PendingFile& file) const;
 
   const MeshArguments& arguments_;
   StagedOutputs& outputs_;
   std::span<geometry::PendingFile> files_;
+  const skin::SkinSurface& skin_;
+  const std::vector<morskin::AtomProperty> properties_;
   std::optional<front::Snapshots> snapshots_;
   std::size_t snapshots_written_ = 0;
   std::string certified_file_;

@@ -87,11 +87,16 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply, .off, .obj, .vtu (exact)\n"
-                  "or .stl (single precision); repeat for several.\n"
+                  "The mesh, by its ending: .ply, .off, .obj, .vtu, .vert with .face,\n"
+                  "MSMS's (exact), or .stl (single precision); repeat for several.\n"
                   "\"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
+  command.add_option("--vertex-data", typed.vertex_data,
+                     "Also into .ply and .vtu, with commas between: normal, curvature,\n"
+                     "directions, scale, atom, shares, component, patch, residue; or all");
+  command.add_option("--areas", mesh.areas,
+                     "Also write the areas of atoms and residues to this file, as CSV");
   add_molecule_options(command, mesh.molecule, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);

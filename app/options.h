@@ -26,7 +26,7 @@ struct Typed {
   std::string guard = "everywhere";
   std::optional<int> fronts;
   std::optional<double> C, Q, size, density, triangles, grading, angle_goal;
-  std::optional<std::string> grow, voids;
+  std::optional<std::string> grow, voids, vertex_data;
   TypedPicture picture;
 };
 

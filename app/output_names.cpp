@@ -68,6 +68,7 @@ void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
   if (mesh.certificate) names.push_back(*mesh.certificate);
+  if (mesh.areas) names.push_back(*mesh.areas);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     check_not_input(names[i], mesh.molecule);
@@ -84,9 +85,25 @@ void check_outputs(const MeshArguments& mesh) {
   for (const std::filesystem::path& output : mesh.outputs) {
     if (!is_special(output) && !geometry::mesh_format_of(output)) {
       throw UsageError(output.string() +
-                       ": the ending stands for no mesh format; use .ply, .off, .obj, .stl or "
-                       ".vtu");
+                       ": the ending stands for no mesh format; use .ply, .off, .obj, .stl, "
+                       ".vtu or .vert");
     }
+  }
+}
+
+std::filesystem::path msms_partner(std::filesystem::path path) {
+  const bool is_of_vertices = geometry::mesh_format_of(path) == geometry::MeshFormat::MsmsVertices;
+  return path.replace_extension(is_of_vertices ? ".face" : ".vert");
+}
+
+void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
+  const std::vector<std::filesystem::path> named = outputs;
+  for (const std::filesystem::path& path : named) {
+    const auto format = geometry::mesh_format_of(path);
+    const bool is_msms =
+        format == geometry::MeshFormat::MsmsVertices || format == geometry::MeshFormat::MsmsFaces;
+    const std::filesystem::path partner = msms_partner(path);
+    if (is_msms && std::ranges::find(outputs, partner) == outputs.end()) outputs.push_back(partner);
   }
 }
 

@@ -29,4 +29,10 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
 /// to standard output.
 void check_outputs(const MeshArguments& mesh);
 
+/// Behind each file of MSMS the other: the same name with .face or .vert. Where both are named,
+/// nothing is added.
+void add_msms_partners(std::vector<std::filesystem::path>& outputs);
+/// The other file's name.
+std::filesystem::path msms_partner(std::filesystem::path path);
+
 }  // namespace morskin::app

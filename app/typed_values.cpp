@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
-#include "app/arguments.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
@@ -48,6 +48,26 @@ std::pair<double, double> parsed_growth(std::string_view text) {
     }
   }
   throw UsageError("--grow needs two times, the earlier first, as in --grow -3..0");
+}
+
+VertexData parsed_vertex_data(std::string_view text) {
+  const std::span<const morskin::Datum> all = morskin::all_data();
+  if (text == "all") return {{all.begin(), all.end()}, true};
+  VertexData result;
+  while (true) {
+    const std::string_view name = text.substr(0, text.find(','));
+    const std::optional<morskin::Datum> datum = morskin::parse_datum(name);
+    if (datum) result.data.push_back(*datum);
+    if (name == "residue") result.residues = true;
+    if (!datum && name != "residue") {
+      std::string known;
+      for (const morskin::Datum d : all) known += std::string(morskin::name_of(d)) + ", ";
+      throw UsageError("--vertex-data takes " + known +
+                       "residue or all, with commas between; not " + geometry::quoted(name));
+    }
+    if (name.size() == text.size()) return result;
+    text.remove_prefix(name.size() + 1);
+  }
 }
 
 }  // namespace morskin::app

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "app/arguments.h"
+
 namespace morskin::app {
 
 /// Of --max-memory: "1500000", "200K", "1.5G"; K, M, G and T are powers of 1024.
@@ -20,5 +22,9 @@ double parsed_voids(std::string_view text);
 /// Of --grow: T0..T1, the earlier first.
 /// @throws UsageError
 std::pair<double, double> parsed_growth(std::string_view text);
+
+/// Of --vertex-data: names of groups with commas between them, or all.
+/// @throws UsageError
+VertexData parsed_vertex_data(std::string_view text);
 
 }  // namespace morskin::app

@@ -16,7 +16,7 @@ using namespace morskin;
 /// Writes binary PLY and reads it back, in memory.
 class AsFile : public morskin::Observer {
  public:
-  Delivery deliver(geometry::IndexedMesh mesh) override {
+  Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId>) override {
     const std::string bytes = geometry::serialized(mesh, geometry::MeshFormat::PlyBinary);
     return {geometry::parse_mesh(bytes, "memory"), {}};
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/prefetch.h"
+#include "geometry/union_find.h"
 
 namespace morskin::geometry {
 
@@ -84,6 +85,21 @@ AngleHistogram angle_histogram(const IndexedMesh& mesh) {
     }
   }
   return counts;
+}
+
+std::vector<std::uint32_t> vertex_components(const IndexedMesh& mesh) {
+  UnionFind sets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  std::vector<std::uint32_t> component(sets.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < sets.size(); ++v) {
+    const std::uint32_t first = sets.root(v);  // the lowest of its component
+    component[v] = first == v ? count++ : component[first];
+  }
+  return component;
 }
 
 }  // namespace morskin::geometry

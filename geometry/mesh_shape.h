@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/indexed_mesh.h"
 
@@ -31,6 +33,9 @@ struct MeshShape {
   double volume = 0;  ///< Angstrom^3 inside a closed mesh, without voids
 };
 MeshShape measure_shape(const IndexedMesh& mesh);
+
+/// By vertex, the number of its component; they count from 0 in the order of their first vertices.
+std::vector<std::uint32_t> vertex_components(const IndexedMesh& mesh);
 
 /// By k from 0 to 17, the number of angles in [10 k, 10 k + 10) degrees; 180 counts in the last.
 using AngleHistogram = std::array<std::size_t, 18>;

@@ -5,9 +5,10 @@
 #include "certify/located_vertices.h"
 #include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
-#include "geometry/union_find.h"
+#include "geometry/mesh_shape.h"
 #include "morskin/pipeline.h"
 #include "morskin/voids.h"
+#include "skin/curvatures.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
 #include "skin/singular_skin.h"
@@ -144,30 +145,12 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
   return points;
 }
 
-/// By vertex, the number of its component.
-std::vector<std::uint32_t> components_of(const geometry::IndexedMesh& mesh) {
-  geometry::UnionFind sets(mesh.positions.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
-  std::vector<std::uint32_t> component(sets.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < sets.size(); ++v) {
-    const std::uint32_t first = sets.root(v);
-    component[v] = first == v ? count++ : component[first];
-  }
-  return component;
-}
-
-/// Of the atoms whose simplex a cell belongs to, the nearest to x by power distance.
-std::uint32_t nearest_atom(const skin::SkinSurface& skin, const surface::SurfacePoint& x) {
-  const auto power = [&](geometry::AtomId atom) {
-    const geometry::WeightedPoint& p = skin.points()[atom.index()];
-    return (x.position - p.position).squaredNorm() - p.weight;
-  };
-  const skin::CellAtoms atoms = skin.atoms(x.cell);
-  return std::ranges::min(atoms, {}, power).value;
+/// The principal curvatures, the larger in magnitude first.
+std::array<double, 2> curvatures_by_size(const skin::SkinSurface& skin,
+                                         const surface::SurfacePoint& x) {
+  auto [first, second] = skin::curvatures(skin.patch(x.cell), x).principal;
+  if (std::abs(second) > std::abs(first)) std::swap(first, second);
+  return {first, second};
 }
 
 }  // namespace
@@ -236,14 +219,14 @@ std::vector<SkinPoint> Skin::points(const TriangleMesh& mesh) const {
   return with_errors([&] {
     const geometry::IndexedMesh from = inside(mesh);
     const skin::SkinSurface& surface = prepared_->skin.surface;
-    const std::vector<std::uint32_t> component = components_of(from);
+    const std::vector<std::uint32_t> component = geometry::vertex_components(from);
     const std::vector<surface::SurfacePoint> points = certify::locate_vertices(from, surface);
     std::vector<SkinPoint> result;
     result.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
       const surface::SurfacePoint& x = points[v];
-      result.push_back({outside(x.normal), x.length_scale, surface.principal_curvatures(x),
-                        nearest_atom(surface, x), component[v]});
+      result.push_back({outside(x.normal), x.length_scale, curvatures_by_size(surface, x),
+                        surface.nearest_atom(x.position, x.cell).value, component[v]});
     }
     return result;
   });

@@ -148,7 +148,7 @@ struct SkinPoint {
   double length_scale;               ///< the smallest radius of curvature
   std::array<double, 2> curvatures;  ///< principal, 1/Angstrom, positive where the body is
                                      ///< convex; the first is the larger in magnitude
-  std::uint32_t atom;                ///< nearest by power distance of those that shape the patch
+  std::uint32_t atom;                ///< nearest by power distance
   std::uint32_t component;           ///< of the mesh, from 0 in the order of the vertices
 };
 

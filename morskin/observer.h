@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,11 @@ class Observer {
   };
   /// Delivers a finished mesh. The delivered mesh is certified; if that fails, a mended one may be
   /// delivered in its place.
-  virtual Delivery deliver(geometry::IndexedMesh mesh) { return {std::move(mesh), {}}; }
+  /// @param cells  by vertex, the mixed cell it lies in
+  virtual Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId> cells) {
+    static_cast<void>(cells);
+    return {std::move(mesh), {}};
+  }
 };
 
 }  // namespace morskin

@@ -106,7 +106,9 @@ class Delivering {
 
   void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
     Observer::Delivery arrived =
-        run_.stage("deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {})); });
+        run_.stage("deliver", [&] {
+          return observer_.deliver(std::exchange(result.mesh, {}), result.cells);
+        });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
       return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),

@@ -27,6 +27,18 @@ LeastPower::LeastPower(std::span<const WeightedPoint> points,
   first_.pop_back();
 }
 
+AtomId LeastPower::nearest(const geometry::Point& x, AtomId start) const {
+  const auto rank = [&](AtomId a) {
+    const WeightedPoint& p = points_[a.index()];
+    return std::pair((x - p.position).squaredNorm() - p.weight, a);
+  };
+  auto best = rank(start);
+  for (auto before = best;; before = best) {
+    for (const AtomId a : neighbours(before.second)) best = std::min(best, rank(a));
+    if (best == before) return best.second;
+  }
+}
+
 /// Nothing unless S, the tried atoms that tie for the least power, is all there is at its level. An
 /// atom in no edge is hidden, or nothing is known of its neighbours.
 ///

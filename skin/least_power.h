@@ -24,6 +24,11 @@ class LeastPower {
   explicit LeastPower(std::span<const geometry::WeightedPoint> points,
                       std::span<const std::array<geometry::AtomId, 2>> edges = {});
 
+  /// The atom of the least power distance to x, rounded; of equals the one with the lowest id. By
+  /// a walk that ends there, for no other atom has less than all its neighbours.
+  /// @param start  not hidden; best one near x
+  geometry::AtomId nearest(const geometry::Point& x, geometry::AtomId start) const;
+
   /// @param tried  at least one atom; those of the least power, if all goes well
   template <class Real>
   PowerTree::Least<Real> at(const Vector3<Real>& q, std::span<const geometry::AtomId> tried) const;

@@ -36,14 +36,6 @@ SkinSurface::SkinSurface(std::vector<WeightedPoint> points, MixedComplex::Keep k
       }()),
       powers_(complex_.points(), complex_.triangulation().edges) {}
 
-std::array<double, 2> SkinSurface::principal_curvatures(const SurfacePoint& x) const {
-  const Patch patch = this->patch(x.cell);
-  const double first = patch.sign / x.length_scale;
-  if (patch.axis.isZero(0)) return {first, first};
-  const double cosine = patch.axis.dot(x.normal);
-  return {first, first * (2 * cosine * cosine - 1)};
-}
-
 CellAtoms SkinSurface::atoms(CellId cell) const {
   const std::size_t index = complex_.simplex_index(cell);
   const geometry::RegularTriangulation& t = complex_.triangulation();
@@ -57,6 +49,10 @@ CellAtoms SkinSurface::atoms(CellId cell) const {
     default:
       return CellAtoms(t.tetrahedra[index]);
   }
+}
+
+AtomId SkinSurface::nearest_atom(const Point& x, CellId cell) const {
+  return powers_.nearest(x, *atoms(cell).begin());
 }
 
 CellId SkinSurface::locate(const Point& x, CellId hint) const {

@@ -62,13 +62,9 @@ class SkinSurface final : public surface::Surface {
   /// The corners of the cell's simplex.
   CellAtoms atoms(CellId cell) const;
 
-  /// The principal curvatures at a point of the skin, 1/Angstrom, positive where the body is
-  /// convex; the first is the larger in magnitude, 1/rho.
-  ///
-  /// With M = sign (I - 2 a a^T) the derivative of N (patch.h), the normal's is M / rho restricted
-  /// to the tangent plane: there sign / rho across the axis a, and along its projection, whose
-  /// square is 1 - (a . n)^2, sign (2 (a . n)^2 - 1) / rho. A sphere has no axis.
-  std::array<double, 2> principal_curvatures(const SurfacePoint& x) const;
+  /// The atom of the least power distance to x; of equals the one with the lowest id.
+  /// @param cell  that contains x
+  AtomId nearest_atom(const Point& x, CellId cell) const;
 
   /// The mixed cell that contains x, by a walk over cell walls.
   ///

@@ -35,7 +35,7 @@ class Recorder : public Observer {
     breaches = ablation::count_breaches(sizing_, mesh);
     start_ += cpu_seconds() - before;
   }
-  Delivery deliver(geometry::IndexedMesh mesh) override {
+  Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId>) override {
     seconds = cpu_seconds() - start_;
     return {std::move(mesh), {}};
   }

@@ -60,12 +60,14 @@ namespace {
 
 constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> endings = {{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> endings = {{
     {".ply", MeshFormat::PlyBinary},
     {".off", MeshFormat::Off},
     {".obj", MeshFormat::Obj},
     {".stl", MeshFormat::Stl},
     {".vtu", MeshFormat::Vtu},
+    {".vert", MeshFormat::MsmsVertices},
+    {".face", MeshFormat::MsmsFaces},
 }};
 
 // The first line that is neither blank nor a comment.
@@ -99,10 +101,11 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-std::string serialized(const IndexedMesh& mesh, MeshFormat format) {
+std::string serialized(const IndexedMesh& mesh, MeshFormat format,
+                       const MeshAttributes& attributes) {
   switch (format) {
     case MeshFormat::PlyBinary:
-      return mesh_formats::ply_binary(mesh);
+      return mesh_formats::ply_binary(mesh, attributes);
     case MeshFormat::PlyAscii:
       return mesh_formats::ply_ascii(mesh);
     case MeshFormat::Off:
@@ -112,7 +115,11 @@ std::string serialized(const IndexedMesh& mesh, MeshFormat format) {
     case MeshFormat::Stl:
       return mesh_formats::stl(mesh);
     case MeshFormat::Vtu:
-      return mesh_formats::vtu(mesh);
+      return mesh_formats::vtu(mesh, attributes);
+    case MeshFormat::MsmsVertices:
+      return mesh_formats::msms_vertices(mesh, attributes.msms);
+    case MeshFormat::MsmsFaces:
+      return mesh_formats::msms_faces(mesh, attributes.msms);
   }
   return {};
 }
@@ -123,10 +130,11 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, Mesh
 
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   const std::optional<MeshFormat> format = mesh_format_of(path);
-  if (!format) {
-    throw UnwritableOutput(path.string() +
-                           ": cannot write: the ending stands for no mesh format; "
-                           "use .ply, .off, .obj, .stl or .vtu");
+  const bool is_msms = format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
+  if (!format || is_msms) {
+    throw UnwritableOutput(path.string() + ": cannot write: the ending stands for " +
+                           (is_msms ? "two files, which hold more than a mesh" : "no mesh format") +
+                           "; use .ply, .off, .obj, .stl or .vtu");
   }
   write_mesh(path, mesh, *format);
 }
@@ -203,6 +211,11 @@ IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
     case MeshFormat::PlyBinary:
     case MeshFormat::PlyAscii:
       return mesh_formats::parse_ply(bytes, source);
+    case MeshFormat::MsmsVertices:
+    case MeshFormat::MsmsFaces:
+      throw UnreadableInput(source +
+                            ": is one of the two files of MSMS; name a file, so that the "
+                            "other can be found beside it");
     case MeshFormat::Off:
       return mesh_formats::parse_off(bytes, source);
     case MeshFormat::Obj:
@@ -213,6 +226,11 @@ IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
       break;
   }
   throw UnreadableInput(source + ": VTU files are only written; use the PLY, OFF or OBJ file");
+}
+
+IndexedMesh parse_msms(std::string_view vertices, const std::string& vertices_source,
+                       std::string_view faces, const std::string& faces_source) {
+  return mesh_formats::parse_msms({vertices, vertices_source}, {faces, faces_source});
 }
 
 }  // namespace morskin::geometry

@@ -6,7 +6,9 @@
 //   PLY (binary or ASCII), OFF, OBJ   everything, every coordinate to the last bit
 //   VTU                               the same; written only
 //   STL                               single precision coordinates, no sharing of vertices
-//   MSMS (.vert and .face)            three decimals as that program writes them; read only
+//   MSMS (.vert and .face)            everything; three decimals where that program wrote them
+//
+// Binary PLY and VTU take attributes as well (geometry/mesh_attributes.h). MSMS's need them.
 //
 // Any of them may be gzipped, whatever its name.
 
@@ -16,6 +18,7 @@
 #include <string_view>
 
 #include "geometry/indexed_mesh.h"
+#include "geometry/mesh_attributes.h"
 
 namespace morskin::geometry {
 
@@ -24,8 +27,10 @@ enum class MeshFormat {
   PlyAscii,
   Off,
   Obj,
-  Stl,  ///< binary; single precision by definition, so close vertices may coincide
-  Vtu,  ///< VTK unstructured grid (XML, base64) for ParaView
+  Stl,           ///< binary; single precision by definition, so close vertices may coincide
+  Vtu,           ///< VTK unstructured grid (XML, base64) for ParaView
+  MsmsVertices,  ///< with normals, and a partner of the same name with the other ending
+  MsmsFaces,
 };
 
 /// The format of a file's ending, in upper or lower case; .ply means binary.
@@ -33,11 +38,15 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 
 /// The bytes of `mesh` in `format`. Numbers spelled in decimal are the shortest that read back as
 /// the same double.
-std::string serialized(const IndexedMesh& mesh, MeshFormat format);
+/// @param attributes  for PlyBinary and Vtu, its vertices and triangles; for MSMS's files, its
+///                    columns, by vertex and triangle
+std::string serialized(const IndexedMesh& mesh, MeshFormat format,
+                       const MeshAttributes& attributes = {});
 
 /// Writes `mesh` to `path`, whole or not at all (see write_file_atomically).
 ///
-/// @throws UnwritableOutput  also if the ending is of no format
+/// @throws UnwritableOutput  also if the ending is of no format, or of one that takes more than a
+///                           mesh
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format);
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
@@ -56,5 +65,11 @@ IndexedMesh read_mesh(const std::filesystem::path& path);
 /// @param source  the name for messages; its ending may decide the format.
 /// @throws UnreadableInput  as above
 IndexedMesh parse_mesh(std::string_view bytes, const std::string& source);
+
+/// The mesh in the two files of MSMS.
+/// @param vertices_source, faces_source  the names for messages
+/// @throws UnreadableInput  as above
+IndexedMesh parse_msms(std::string_view vertices, const std::string& vertices_source,
+                       std::string_view faces, const std::string& faces_source);
 
 }  // namespace morskin::geometry

@@ -9,6 +9,7 @@
 
 #include "geometry/files/text_lines.h"
 #include "geometry/indexed_mesh.h"
+#include "geometry/mesh_attributes.h"
 
 namespace morskin::geometry::mesh_formats {
 
@@ -24,12 +25,14 @@ struct MsmsFile {
 };
 IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces);
 
-std::string ply_binary(const IndexedMesh& mesh);
+std::string ply_binary(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
 std::string ply_ascii(const IndexedMesh& mesh);
 std::string off(const IndexedMesh& mesh);
 std::string obj(const IndexedMesh& mesh);
 std::string stl(const IndexedMesh& mesh);
-std::string vtu(const IndexedMesh& mesh);
+std::string vtu(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns);
+std::string msms_faces(const IndexedMesh& mesh, const MsmsColumns& columns);
 
 /// Appends the polygon's triangles, all with its first corner. @pre at least three corners.
 void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);

@@ -77,4 +77,42 @@ IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
   return mesh;
 }
 
+// Probe radius and density are MSMS's own and mean nothing here.
+std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns) {
+  std::string text = "# x y z nx ny nz 0 sphere kind\n# vertices spheres density probe\n";
+  text.reserve(text.size() + 130 * mesh.positions.size());
+  append_number(text, std::uint64_t{mesh.positions.size()});
+  text += ' ';
+  append_number(text, std::uint64_t{columns.sphere_count});
+  text += " 0 0\n";
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    append_position(text, mesh.positions[v]);
+    text.back() = ' ';
+    append_position(text, columns.normals[v]);
+    text.back() = ' ';
+    text += "0 ";
+    append_number(text, std::uint64_t{columns.spheres[v]} + 1);
+    text += ' ';
+    append_number(text, std::uint64_t{columns.kinds[v]});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string msms_faces(const IndexedMesh& mesh, const MsmsColumns& columns) {
+  std::string text = "# a b c kind 1\n# faces spheres density probe\n";
+  text.reserve(text.size() + 30 * mesh.triangles.size());
+  append_number(text, std::uint64_t{mesh.triangles.size()});
+  text += ' ';
+  append_number(text, std::uint64_t{columns.sphere_count});
+  text += " 0 0\n";
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    append_corners(text, mesh.triangles[t], 1);
+    text.back() = ' ';
+    append_number(text, std::uint64_t{columns.face_kinds[t]});
+    text += " 1\n";
+  }
+  return text;
+}
+
 }  // namespace morskin::geometry::mesh_formats

@@ -1,4 +1,4 @@
-// PLY, binary and ASCII.
+// Reads PLY, binary and ASCII.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,6 @@
 namespace morskin::geometry::mesh_formats {
 namespace {
 
-constexpr std::size_t face_size = 13;  // in our files: one byte 3, three 32-bit corners
 constexpr double max_vertices = std::numeric_limits<std::uint32_t>::max();
 
 static_assert(sizeof(Point) == 3 * sizeof(double));
@@ -220,18 +219,6 @@ IndexedMesh read_body(Body body, const PlyHeader& header, const std::string& sou
   return mesh;
 }
 
-std::string header_text(const IndexedMesh& mesh, std::string_view encoding) {
-  std::string text = "ply\nformat ";
-  text += encoding;
-  text += " 1.0\ncomment Angstrom\nelement vertex ";
-  append_number(text, std::uint64_t{mesh.positions.size()});
-  text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-  append_number(text, std::uint64_t{mesh.triangles.size()});
-  // "int" rather than "uint", the only type of corners that some readers know.
-  text += "\nproperty list uchar int vertex_indices\nend_header\n";
-  return text;
-}
-
 }  // namespace
 
 IndexedMesh parse_ply(std::string_view bytes, const std::string& source) {
@@ -240,40 +227,6 @@ IndexedMesh parse_ply(std::string_view bytes, const std::string& source) {
     return read_body(PlyAsciiBody(header, source), header, source);
   }
   return read_body(PlyBinaryBody(header, source), header, source);
-}
-
-std::string ply_binary(const IndexedMesh& mesh) {
-  std::string bytes = header_text(mesh, "binary_little_endian");
-  bytes.reserve(bytes.size() + sizeof(Point) * mesh.positions.size() +
-                face_size * mesh.triangles.size());
-  if (!mesh.positions.empty()) {
-    bytes.append(reinterpret_cast<const char*>(mesh.positions.data()->data()),
-                 sizeof(Point) * mesh.positions.size());
-  }
-  // Faces go through a small block, so that the large string is written only once.
-  constexpr std::size_t block_faces = 1024;
-  std::array<char, block_faces * face_size> block;
-  for (std::size_t first = 0; first < mesh.triangles.size(); first += block_faces) {
-    const std::size_t count = std::min(block_faces, mesh.triangles.size() - first);
-    char* at = block.data();
-    for (std::size_t i = 0; i < count; ++i, at += face_size) {
-      *at = 3;
-      std::memcpy(at + 1, mesh.triangles[first + i].data(), face_size - 1);
-    }
-    bytes.append(block.data(), count * face_size);
-  }
-  return bytes;
-}
-
-std::string ply_ascii(const IndexedMesh& mesh) {
-  std::string text = header_text(mesh, "ascii");
-  text.reserve(text.size() + 60 * mesh.positions.size() + 24 * mesh.triangles.size());
-  for (const Point& position : mesh.positions) append_position(text, position);
-  for (const TriangleCorners& triangle : mesh.triangles) {
-    text += '3';
-    append_corners(text, triangle);
-  }
-  return text;
 }
 
 }  // namespace morskin::geometry::mesh_formats

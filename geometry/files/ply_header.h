@@ -11,6 +11,8 @@
 
 namespace morskin::geometry::mesh_formats {
 
+constexpr std::size_t face_size = 13;  ///< in our files: one byte 3, three 32-bit corners
+
 enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 enum class PlyScalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 

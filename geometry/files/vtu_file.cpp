@@ -5,7 +5,7 @@
 
 namespace morskin::geometry::mesh_formats {
 
-std::string vtu(const IndexedMesh& mesh) {
+std::string vtu(const IndexedMesh& mesh, const MeshAttributes& attributes) {
   VtuGrid grid;
   grid.points = mesh.positions;
   grid.corners.reserve(3 * mesh.triangles.size());
@@ -15,6 +15,8 @@ std::string vtu(const IndexedMesh& mesh) {
     grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
   }
   grid.kinds.assign(mesh.triangles.size(), VtuCell::Triangle);
+  grid.point_attributes = attributes.vertices;
+  grid.cell_attributes = attributes.triangles;
   return geometry::vtu(grid);
 }
 

@@ -52,6 +52,25 @@ void append_named(std::string& text, std::string_view type, const VtuGrid::Named
   }
 }
 
+void append_attributes(std::string& text, std::span<const Attribute> attributes) {
+  for (const Attribute& a : attributes) {
+    std::string described = a.is_whole ? "type=\"Int32\"" : "type=\"Float64\"";
+    described += " Name=\"" + a.name + "\" NumberOfComponents=\"";
+    append_number(described, std::uint64_t{a.columns.size()});
+    described += '"';
+    for (std::size_t i = 0; i < a.columns.size() && a.columns.size() > 1; ++i) {
+      described += " ComponentName";
+      append_number(described, std::uint64_t{i});
+      described += "=\"" + a.columns[i] + "\"";
+    }
+    if (a.is_whole) {
+      append_array(text, described, std::vector<std::int32_t>(a.numbers.begin(), a.numbers.end()));
+    } else {
+      append_array(text, described, a.numbers);
+    }
+  }
+}
+
 }  // namespace
 
 std::string vtu(const VtuGrid& grid) {
@@ -69,15 +88,17 @@ std::string vtu(const VtuGrid& grid) {
   text += "\" NumberOfCells=\"";
   append_number(text, std::uint64_t{grid.ends.size()});
   text += "\">\n";
-  if (!grid.point_numbers.empty()) {
+  if (!grid.point_numbers.empty() || !grid.point_attributes.empty()) {
     text += "<PointData>\n";
     append_named(text, "Float64", grid.point_numbers);
+    append_attributes(text, grid.point_attributes);
     text += "</PointData>\n";
   }
-  if (!grid.cell_numbers.empty() || !grid.cell_integers.empty()) {
+  if (!grid.cell_numbers.empty() || !grid.cell_integers.empty() || !grid.cell_attributes.empty()) {
     text += "<CellData>\n";
     append_named(text, "Int64", grid.cell_integers);
     append_named(text, "Float64", grid.cell_numbers);
+    append_attributes(text, grid.cell_attributes);
     text += "</CellData>\n";
   }
   text += "<Points>\n";

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/mesh_attributes.h"
 #include "geometry/point.h"
 
 namespace morskin::geometry {
@@ -27,6 +28,7 @@ struct VtuGrid {
   Named<double> point_numbers;        ///< name and a number for each point
   Named<double> cell_numbers;         ///< name and a number for each cell
   Named<std::int64_t> cell_integers;  ///< name and an integer for each cell
+  std::span<const Attribute> point_attributes, cell_attributes;
 };
 
 /// The bytes of the file, every coordinate to the last bit.

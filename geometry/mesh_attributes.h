@@ -1,0 +1,36 @@
+#pragma once
+
+/// Numbers beside a mesh: what a file can hold of its vertices and triangles besides where they
+/// are.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace morskin::geometry {
+
+/// One or more numbers for each vertex, or for each triangle.
+struct Attribute {
+  std::string name;                  ///< "curvature": what VTU calls them together
+  std::vector<std::string> columns;  ///< a name for each: what PLY calls them
+  std::vector<double> numbers;       ///< all of the first element, then of the next
+  bool is_whole = false;             ///< whole numbers of at most 32 bits
+};
+
+/// What MSMS's two files hold besides the mesh.
+struct MsmsColumns {
+  std::vector<Vector> normals;           ///< by vertex
+  std::uint32_t sphere_count = 0;
+  std::vector<std::uint32_t> spheres;    ///< by vertex, the nearest, from 0
+  std::vector<std::uint8_t> kinds;       ///< by vertex
+  std::vector<std::uint8_t> face_kinds;  ///< by triangle: 1 toric, 2 reentrant, 3 contact
+};
+
+struct MeshAttributes {
+  std::vector<Attribute> vertices, triangles;
+  MsmsColumns msms;  ///< empty unless such a file is to be written
+};
+
+}  // namespace morskin::geometry

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""What `mesh --vertex-data`, `--areas` and MSMS's two files hold, read by others' readers.
+Usage: vertex_data_test.py path/to/morskin"""
+
+import csv
+import math
+import struct
+import subprocess
+
+import meshio
+import numpy
+
+from support.command import MOLECULES, CommandTest, main
+
+GROUPS = ["normal", "curvature", "directions", "scale", "atom", "shares", "component", "patch",
+          "residue"]
+
+
+class VertexData(CommandTest):
+    def meshed(self, *words, molecule=MOLECULES / "1crn.pdb"):
+        return self.mesh_json(molecule, "-C", "0.2", *words)
+
+    def ply(self, name):
+        """Columns of the vertices and of the faces, by name, read by the header alone."""
+        data = (self.folder / name).read_bytes()
+        end = data.index(b"end_header\n") + 11
+        sizes = {"double": ("d", 8), "int": ("i", 4)}
+        counts, formats, names = {}, {"vertex": "<", "face": "<B3i"}, {"vertex": [], "face": ["n"]}
+        names["face"] += ["a", "b", "c"]
+        for line in data[:end].decode().splitlines():
+            words = line.split()
+            if words[0] == "element":
+                element = words[1]
+                counts[element] = int(words[2])
+            elif words[0] == "property" and words[1] != "list":
+                formats[element] += sizes[words[1]][0]
+                names[element].append(words[2])
+        columns = {}
+        for element in ("vertex", "face"):
+            size = struct.calcsize(formats[element]) * counts[element]
+            rows = list(struct.iter_unpack(formats[element], data[end:end + size]))
+            columns[element] = dict(zip(names[element], map(numpy.array, zip(*rows))))
+            end += size
+        self.assertEqual(end, len(data))
+        return columns["vertex"], columns["face"]
+
+    def test_all_that_can_be_told_agrees_with_itself_and_with_the_report(self):
+        report = self.meshed("-o", "m.ply", "--vertex-data", "all")
+        vertex, face = self.ply("m.ply")
+        unit = numpy.array([vertex[c] for c in ("nx", "ny", "nz")])
+        self.assertLess(abs(numpy.linalg.norm(unit, axis=0) - 1).max(), 1e-12)
+        k1, k2 = vertex["k1"], vertex["k2"]
+        self.assertTrue((k1 >= k2).all())
+        numpy.testing.assert_allclose(vertex["mean_curvature"], (k1 + k2) / 2)
+        numpy.testing.assert_allclose(vertex["gaussian_curvature"], k1 * k2)
+        numpy.testing.assert_allclose(numpy.maximum(abs(k1), abs(k2)) * vertex["length_scale"], 1)
+        shares = numpy.array([vertex[f"share{i}"] for i in (1, 2, 3, 4)])
+        numpy.testing.assert_allclose(shares.sum(axis=0), 1)
+        atoms = numpy.array([vertex[f"atom{i}"] for i in (1, 2, 3, 4)])
+        self.assertTrue(((atoms >= 0) | (shares == 0)).all())
+        self.assertEqual(len(set(vertex["component"])), report["components"])
+        self.assertEqual(set(vertex["residue"]), set(range(46)))  # crambin's
+        self.assertTrue(set(face["patch"]) <= {0, 1, 2, 3})
+        for corner in "abc":
+            self.assertTrue((face["component"] == vertex["component"][face[corner]]).all())
+
+    def test_shape_index_is_what_surface_learning_makes_of_mean_and_gaussian_curvature(self):
+        self.meshed("-o", "m.ply", "--vertex-data", "curvature")
+        vertex, _ = self.ply("m.ply")
+        H, K = vertex["mean_curvature"], vertex["gaussian_curvature"]
+        root = numpy.sqrt(numpy.maximum(H * H - K, 0))
+        is_clear = root > 1e-6
+        theirs = 2 / math.pi * numpy.arctan(H[is_clear] / root[is_clear])
+        numpy.testing.assert_allclose(vertex["shape_index"][is_clear], theirs, atol=1e-6)
+
+    def test_the_mesh_is_the_same_with_and_without_what_is_told(self):
+        self.meshed("-o", "plain.ply", "-o", "plain.off")
+        self.meshed("-o", "told.ply", "-o", "told.vtu", "-o", "told.off", "--vertex-data", "all")
+        plain, told = meshio.read(self.folder / "plain.ply"), self.ply("told.ply")[0]
+        for axis, name in enumerate("xyz"):
+            self.assertTrue((plain.points[:, axis] == told[name]).all())
+        self.assertEqual((self.folder / "plain.off").read_bytes(),
+                         (self.folder / "told.off").read_bytes())
+        self.assertEqual(self.check("told.ply", "--against", MOLECULES / "1crn.pdb", "-C", "0.2")
+                         ["certified"], True)
+
+    def test_meshio_reads_vtu_and_ply_with_all_that_is_told(self):
+        self.meshed("-o", "m.ply", "-o", "m.vtu", "--vertex-data", "all")
+        vertex, face = self.ply("m.ply")
+        vtu = meshio.read(self.folder / "m.vtu")
+        self.assertTrue((vtu.points[:, 0] == vertex["x"]).all())
+        numpy.testing.assert_array_equal(vtu.point_data["normal"][:, 2], vertex["nz"])
+        numpy.testing.assert_array_equal(vtu.point_data["curvature"][:, 0], vertex["k1"])
+        numpy.testing.assert_array_equal(vtu.point_data["residue"].ravel(), vertex["residue"])
+        numpy.testing.assert_array_equal(vtu.cell_data["patch"][0].ravel(), face["patch"])
+        # Of PLY meshio reads no numbers of triangles.
+        self.meshed("-o", "m.ply", "--vertex-data", "curvature,atom")
+        ply = meshio.read(self.folder / "m.ply")
+        numpy.testing.assert_array_equal(ply.point_data["k2"], vertex["k2"])
+        numpy.testing.assert_array_equal(ply.point_data["atom"], vertex["atom"])
+
+    def test_a_word_that_is_no_group_is_refused_with_those_that_are(self):
+        said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "normals",
+                                code=2).stderr.decode()
+        for group in GROUPS:
+            self.assertIn(group, said)
+        self.assertEqual(self.names(), [])
+
+    def test_either_of_the_two_names_of_msms_writes_both_files_and_check_reads_them(self):
+        for name in ("m.vert", "m.face"):
+            with self.subTest(name):
+                self.meshed("-o", name)
+                self.assertEqual(self.names(), ["m.face", "m.vert"])
+                found = self.check("m.vert", "--against", MOLECULES / "1crn.pdb", "-C", "0.2")
+                self.assertTrue(found["certified"])
+                for path in ("m.face", "m.vert"):
+                    (self.folder / path).unlink()
+
+    def test_the_rows_of_a_vert_file_are_those_of_the_ply_file(self):
+        self.meshed("-o", "m.vert", "-o", "m.ply", "--vertex-data", "normal,atom")
+        vertex, face = self.ply("m.ply")
+        rows = numpy.loadtxt(self.folder / "m.vert", skiprows=3)
+        for column, name in enumerate(["x", "y", "z", "nx", "ny", "nz"]):
+            numpy.testing.assert_array_equal(rows[:, column], vertex[name])
+        numpy.testing.assert_array_equal(rows[:, 7], vertex["atom"] + 1)
+        corners = numpy.loadtxt(self.folder / "m.face", skiprows=3, dtype=int)
+        for column, name in enumerate("abc"):
+            numpy.testing.assert_array_equal(corners[:, column], face[name] + 1)
+        for name, rows in (("m.vert", rows), ("m.face", corners)):
+            counts = (self.folder / name).read_text().splitlines()[2].split()
+            self.assertEqual(int(counts[0]), len(rows))
+
+    def test_areas_of_atoms_and_of_residues_add_up_to_the_report_s(self):
+        report = self.meshed("-o", "m.ply", "--areas", "areas.csv")
+        with open(self.folder / "areas.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        sums = {what: math.fsum(float(r["area"]) for r in rows if r["of"] == what)
+                for what in ("atom", "residue", "total")}
+        self.assertEqual(sum(r["of"] == "residue" for r in rows), 46)
+        self.assertEqual(sum(r["of"] == "atom" for r in rows), report["atoms_used"])
+        self.assertAlmostEqual(sums["atom"], sums["total"], places=8)
+        self.assertAlmostEqual(sums["residue"], sums["total"], places=8)
+        self.assertAlmostEqual(sums["total"] / report["area"], 1, places=5)
+        self.assertEqual(rows[0]["residue"], "THR")
+
+    def test_standard_output_gets_what_is_told_too(self):
+        told = self.run_morskin("mesh", self.ring, "-o", "-", "--vertex-data", "normal", "-q")
+        self.assertIn(b"property double nx\n", told.stdout[:500])
+
+    def test_tetgen_fills_the_off_file_with_tetrahedra(self):
+        self.meshed("-o", "m.off", "--voids", "drop")
+        done = subprocess.run(["tetgen", "-pQ", "m.off"], cwd=self.folder, capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stdout[-500:])
+        tetrahedra = (self.folder / "m.1.ele").read_text().splitlines()[0]
+        self.assertGreater(int(tetrahedra.split()[0]), 1000)
+
+
+if __name__ == "__main__":
+    main()
