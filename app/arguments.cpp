@@ -1,7 +1,6 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <span>
@@ -20,13 +19,6 @@
 
 namespace morskin::app {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, MeshMethod>, 5> methods{
-    {{"auto", MeshMethod::Auto},
-     {"sweep", MeshMethod::Sweep},
-     {"static", MeshMethod::Static},
-     {"dynamic", MeshMethod::Dynamic},
-     {"marching-cubes", MeshMethod::MarchingCubes}}};
 
 constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
 
@@ -253,22 +245,13 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
     return all.figure;
   }
   if (!all.against.input.empty()) all.check.against = all.against;
+  all.check.is_model_given = typed.model.has_value();
+  all.check.is_C_given = typed.C || typed.size;
   finish(all.check);
   return all.check;
 }
 
 }  // namespace
-
-std::optional<MeshMethod> parse_method(std::string_view name) {
-  for (const auto& [word, method] : methods) {
-    if (word == name) return method;
-  }
-  return std::nullopt;
-}
-
-std::string_view name_of(MeshMethod method) {
-  return methods[static_cast<std::size_t>(method)].first;
-}
 
 Arguments parse_arguments(int count, const char* const* words) {
   CLI::App app("", "morskin");

@@ -115,6 +115,8 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::optional<MoleculeArguments> against;
   certify::Sizing sizing;
+  /// What was given and is not to be doubted.
+  bool is_model_given = false, is_C_given = false;
   std::optional<std::filesystem::path> certificate;  ///< with `against` only
   bool self_intersections = true;                    ///< search for them
   bool json = false;

@@ -93,6 +93,50 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   return result;
 }
 
+/// Of the models but the one taken, that to whose skin the mesh is homeomorphic.
+std::optional<skin::Model> fitting_model(const IndexedMesh& mesh, const CheckArguments& arguments) {
+  MoleculeArguments other = *arguments.against;
+  for (const skin::Model model :
+       {skin::Model::Vdw, skin::Model::Sas, skin::Model::Paper, skin::Model::SesLike}) {
+    if (model == arguments.against->model) continue;
+    other.model = model;
+    try {
+      const morskin::Run run(arguments.threads);
+      const morskin::PreparedSkin skin = prepare_skin(read_input(other), other, run);
+      if (certify::certify(mesh, skin.surface, skin.expected(), arguments.sizing, run)
+              .is_homeomorphic) {
+        return model;
+      }
+    } catch (const geometry::RefusedInput&) {
+      // A skin that is singular, or of weights out of range, is not this mesh's.
+    }
+  }
+  return std::nullopt;
+}
+
+/// The least C, to three digits, with which [U] holds, if there is one up to the coarsest.
+std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing) {
+  constexpr double step = 0.001;
+  for (double C = sizing.C + step; C <= certify::Sizing::coarsest_C + step / 2; C += step) {
+    const double allowed = C * certify::Sizing::quality_for(C);
+    if (worst_U * sizing.C * sizing.Q < allowed) return C;
+  }
+  return std::nullopt;
+}
+
+/// Looks for what else the mesh could be, where it is not what nobody said it was.
+void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report) {
+  const certify::Certificate& certificate = report.against->certificate;
+  const bool is_of_weights = arguments.against->model == skin::Model::Given;
+  if (!arguments.is_model_given && !is_of_weights && !certificate.is_homeomorphic &&
+      report.topology.is_closed_oriented_manifold()) {
+    report.fitting_model = fitting_model(mesh, arguments);
+  }
+  if (!arguments.is_C_given && certificate.is_homeomorphic && certificate.violations_U > 0) {
+    report.fitting_C = fitting_C(certificate.worst_U, arguments.sizing);
+  }
+}
+
 /// Two proofs of one thing: with (c1) and (c2), an embedded mesh with one component on each of the
 /// skin's is homeomorphic, and one that is homeomorphic is embedded.
 /// @throws std::logic_error  where they contradict each other
@@ -128,6 +172,7 @@ ExitCode check_command(const CheckArguments& arguments) {
   report.topology = geometry::check_mesh(mesh);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) report.against = check_against(mesh, report.topology, arguments);
+  if (report.against) find_what_fits(mesh, arguments, report);
   check_agreement(report);
   report.seconds = stopwatch.seconds();
   std::cout << (arguments.json ? json_text(report) : people_text(report));

@@ -197,6 +197,8 @@ std::string json_text(const CheckReport& report) {
   json["vertices"] = report.vertices;
   json["triangles"] = report.triangles;
   if (broken != verdicts.end() && !json.contains("reason")) json["reason"] = broken->reason;
+  if (report.fitting_model) json["fitting_model"] = skin::name_of(*report.fitting_model);
+  if (report.fitting_C) json["fitting_C"] = rounded(*report.fitting_C);
   json["verdicts"] = verdicts_json(report);
   json["closed_oriented_manifold"] = report.topology.is_closed_oriented_manifold();
   json["components"] = report.topology.components.size();
@@ -259,6 +261,14 @@ std::string people_text(const CheckReport& report) {
              : v.is_required ? "  NO   "
                              : "  no   ") +
             v.name + (v.holds ? "" : ": " + v.reason) + "\n";
+  }
+  if (report.fitting_model) {
+    const std::string name(skin::name_of(*report.fitting_model));
+    text += "it is homeomorphic to the skin of model " + name + "; add --model " + name + "\n";
+  }
+  if (report.fitting_C) {
+    text += "its triangles meet [U] from C = " + brief(*report.fitting_C) +
+            " on; add -C with the C that it was made with\n";
   }
   if (!report.against) {
     text += "the surface was not checked; --against INPUT runs the certificate\n";

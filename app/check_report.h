@@ -54,6 +54,10 @@ struct CheckReport {
   std::optional<geometry::SelfIntersections> intersections;  ///< nothing if not searched
   std::size_t vertices = 0, triangles = 0;
   std::optional<AgainstSkin> against;
+  /// What the mesh fits, where it does not fit what was not given: another model, and the least C
+  /// with which [U] holds.
+  std::optional<skin::Model> fitting_model;
+  std::optional<double> fitting_C;
   double seconds = 0;
 
   std::vector<Verdict> verdicts() const;

@@ -1,5 +1,6 @@
 #include "app/typed_values.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -8,6 +9,28 @@
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, MeshMethod>, 5> methods{
+    {{"auto", MeshMethod::Auto},
+     {"sweep", MeshMethod::Sweep},
+     {"static", MeshMethod::Static},
+     {"dynamic", MeshMethod::Dynamic},
+     {"marching-cubes", MeshMethod::MarchingCubes}}};
+
+}  // namespace
+
+std::optional<MeshMethod> parse_method(std::string_view name) {
+  for (const auto& [word, method] : methods) {
+    if (word == name) return method;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(MeshMethod method) {
+  return methods[static_cast<std::size_t>(method)].first;
+}
 
 std::uint64_t parsed_bytes(std::string_view text) {
   constexpr std::string_view units = "KMGT";

@@ -164,6 +164,27 @@ class CheckOfFiles(CommandTest):
         self.run_morskin("check", "ring.ply", "--against", self.ring, "--model", "sas", code=5)
         self.run_morskin("check", "ring.ply", "--against", MOLECULES / "cube8.xyzr", code=5)
 
+    def test_a_model_that_was_forgotten_is_named(self):
+        ring = MOLECULES / "ring12.xyzr"
+        for model in ("sas", "paper", "ses-like"):
+            with self.subTest(model):
+                self.run_morskin("mesh", ring, "-o", "m.ply", "-q", "--model", model)
+                found = self.check("m.ply", "--against", ring, code=5)
+                self.assertEqual(found["fitting_model"], model)
+                said = self.run_morskin("check", "m.ply", "--against", ring, code=5).stdout
+                self.assertIn(f"add --model {model}".encode(), said)
+                self.check("m.ply", "--against", ring, "--model", model)
+                told = self.check("m.ply", "--against", ring, "--model", "vdw", code=5)
+                self.assertNotIn("fitting_model", told)  # it was said, and is not doubted
+
+    def test_a_C_that_was_forgotten_is_found(self):
+        ring = MOLECULES / "ring12.xyzr"
+        self.run_morskin("mesh", ring, "-o", "m.ply", "-q", "-C", "0.2")
+        found = self.check("m.ply", "--against", ring, code=5)
+        self.assertGreater(found["fitting_C"], 0.1)
+        self.assertLessEqual(found["fitting_C"], 0.2)
+        self.assertTrue(self.check("m.ply", "--against", ring, "-C", found["fitting_C"])["passed"])
+
     def test_check_alone_tells_a_closed_mesh_from_an_open_one(self):
         tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
         self.input("open.obj", tetrahedron)
