@@ -17,6 +17,7 @@
 #include "morse/morse_function.h"
 #include "morskin/size_goal.h"
 #include "skin/model.h"
+#include "skin/selection.h"
 
 namespace morskin::app {
 
@@ -31,7 +32,7 @@ struct MoleculeArguments {
   std::filesystem::path input;
   skin::Model model = skin::Model::Vdw;
   double probe = 1.4;  ///< Angstrom
-  bool waters = false;
+  skin::Selection selection = {};
   double drop_voids_below = 0;  ///< Angstrom^3; infinite for all
 };
 
