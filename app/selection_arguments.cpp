@@ -71,9 +71,9 @@ void add_selection_options(CLI::App& command, TypedSelection& typed) {
   command
       .add_option("--altloc", typed.locations,
                   "Of an atom's alternate locations keep the likeliest, all, or the\n"
-                  "one of this letter, where there is none of it the likeliest")
+                  "one of this letter; an atom that lacks it keeps the likeliest")
       ->default_str("likeliest");
-  command.add_option("--hydrogens", typed.hydrogens, "keep or drop, with deuterium")
+  command.add_option("--hydrogens", typed.hydrogens, "Hydrogen, deuterium too: keep or drop")
       ->check(CLI::IsMember({"keep", "drop"}))
       ->default_str("keep");
 }

@@ -117,9 +117,9 @@ class Selections(CommandTest):
 
     def test_help_states_every_default(self):
         text = self.run_morskin("mesh", "--help").stdout.decode()
-        for option, default in (("--model-number", "[the first]"), ("--chain", "[all chains]"),
-                                ("--hetatm", "[all]"), ("--altloc", "[likeliest]"),
-                                ("--hydrogens", "[keep]")):
+        for option, default in (("--model-number", "=the first"), ("--chain", "=all chains"),
+                                ("--hetatm", "=all"), ("--altloc", "=likeliest"),
+                                ("--hydrogens", "=keep")):
             line = next(line for line in text.splitlines() if option + " " in line)
             self.assertIn(default, line)
 
