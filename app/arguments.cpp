@@ -87,6 +87,7 @@ void finish(MoleculeArguments& molecule, const std::filesystem::path& file, cons
   if (molecule.model == skin::Model::Given && typed.probe) {
     throw UsageError("weights that are given need no probe; leave out --probe");
   }
+  molecule.selection = parsed(typed.selection);
   if (typed.voids) molecule.drop_voids_below = parsed_voids(*typed.voids);
   molecule.probe = typed.probe.value_or(molecule.probe);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {

@@ -18,6 +18,7 @@
 #include "morskin/mesh_attributes.h"
 #include "morskin/size_goal.h"
 #include "skin/model.h"
+#include "skin/selection.h"
 
 namespace morskin::app {
 
@@ -32,7 +33,7 @@ struct MoleculeArguments {
   std::filesystem::path input;
   skin::Model model = skin::Model::Vdw;
   double probe = 1.4;  ///< Angstrom
-  bool waters = false;
+  skin::Selection selection = {};
   double drop_voids_below = 0;  ///< Angstrom^3; infinite for all
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/report.h"
+#include "app/selection_arguments.h"
 #include "app/strict_json.h"
 
 namespace morskin::app {
@@ -186,6 +187,7 @@ std::string json_text(const CheckReport& report) {
     json["input"] = arguments.against->input.string();
     json["model"] = skin::name_of(arguments.against->model);
     json["probe"] = arguments.against->probe;
+    add_selection(json, arguments.against->selection);
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;
   }

@@ -10,9 +10,9 @@ inline constexpr const char* about =
     "surface, has no angle below 30 degrees, and can be checked again from the written file.\n"
     "\n"
     "INPUT is PDB, mmCIF, PQR, XYZ, XYZR (x y z r) or XYZW (x y z w, w the weight), each also\n"
-    "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. The first "
-    "model\n"
-    "is read, of alternate locations the likeliest, and no water unless asked.\n";
+    "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. Unless options "
+    "say\n"
+    "otherwise the first model is read, of alternate locations the likeliest, and no water.\n";
 
 inline constexpr const char* closing =
     "Models (r: the atom's van der Waals radius, p: the probe's, W: weight of the ball; the\n"

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/molecule_input.h"
 #include "app/report.h"
+#include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "geometry/regular_triangulation.h"
 #include "morskin/method.h"
@@ -112,8 +113,11 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                                  {"duplicates", counts.duplicates},
                                  {"hidden", info.hidden},
                                  {"skipped", skipped(counts)},
+                                 {"skipped_other_chains", counts.other_chains},
                                  {"skipped_waters", counts.waters},
+                                 {"skipped_hetatms", counts.hetatms},
                                  {"skipped_alternates", counts.alternates},
+                                 {"skipped_hydrogens", counts.hydrogens},
                                  {"skipped_zero_radii", counts.zero_radii},
                                  {"skipped_unknown_elements", counts.unknown},
                                  {"skipped_models", counts.other_models},
@@ -121,6 +125,7 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                                  {"Q", arguments.sizing.Q},
                                  {"estimated_triangles", std::round(rounded(info.triangles, 2))},
                                  {"estimated_bytes", std::round(rounded(info.bytes, 2))}};
+  add_selection(json, arguments.molecule.selection);
   if (info.parts) add_skin_parts(json, *info.parts);
   if (!info.parts) json["refused"] = info.refusal;
   return strict_json(json);
@@ -146,7 +151,9 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   text += line("atoms", grouped(input.molecule.atoms.size()) + " (" + composition + ")");
   text += line("left out", words.empty() ? "none" : words);
   if (counts.other_models > 0) {
-    text += line("models", "the first of " + grouped(counts.other_models + 1));
+    const auto& number = arguments.molecule.selection.model;
+    text += line("models", (number ? "number " + std::to_string(*number) : "the first") + " of " +
+                               grouped(counts.other_models + 1));
   }
   text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A");
   text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +

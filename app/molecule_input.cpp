@@ -59,7 +59,7 @@ std::string listed(const skin::Molecule& molecule, const std::vector<geometry::A
 MoleculeInput read_input(const MoleculeArguments& arguments) {
   MoleculeInput input;
   skin::ReadOptions options;
-  options.waters = arguments.waters;
+  options.selection = arguments.selection;
   input.molecule = skin::read_molecule(arguments.input, options);
   const bool gives_weights = !input.molecule.weights.empty();
   if (gives_weights != (arguments.model == skin::Model::Given)) {
@@ -108,15 +108,18 @@ RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points) {
 }
 
 std::size_t skipped(const skin::ReadingCounts& counts) {
-  return counts.waters + counts.alternates + counts.zero_radii + counts.unknown;
+  return counts.other_chains + counts.waters + counts.hetatms + counts.alternates +
+         counts.hydrogens + counts.zero_radii + counts.unknown;
 }
 
 std::string skipped_in_words(const skin::ReadingCounts& counts) {
   std::string words;
-  for (const auto& [count, what] : {std::pair(counts.waters, " of water"),
-                                    std::pair(counts.alternates, " in alternate locations"),
-                                    std::pair(counts.zero_radii, " of radius 0"),
-                                    std::pair(counts.unknown, " of unknown element")}) {
+  for (const auto& [count, what] :
+       {std::pair(counts.other_chains, " of other chains"), std::pair(counts.waters, " of water"),
+        std::pair(counts.hetatms, " of HETATM records"),
+        std::pair(counts.alternates, " in alternate locations"),
+        std::pair(counts.hydrogens, " of hydrogen"), std::pair(counts.zero_radii, " of radius 0"),
+        std::pair(counts.unknown, " of unknown element")}) {
     if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + what;
   }
   return words;

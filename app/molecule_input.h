@@ -41,7 +41,7 @@ RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points);
 /// The number of atoms of the file that were left out.
 std::size_t skipped(const skin::ReadingCounts& counts);
 
-/// The reasons in words, "34 of water, 2 alternate locations"; empty if nothing was left out.
+/// The reasons in words, "120 of other chains, 34 of water"; empty if nothing was left out.
 std::string skipped_in_words(const skin::ReadingCounts& counts);
 
 }  // namespace morskin::app

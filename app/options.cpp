@@ -10,7 +10,7 @@
 namespace morskin::app {
 namespace {
 
-void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed& typed) {
+void add_molecule_options(CLI::App& command, Typed& typed) {
   command
       .add_option("--model", typed.model,
                   "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
@@ -19,7 +19,7 @@ void add_molecule_options(CLI::App& command, MoleculeArguments& molecule, Typed&
       ->default_str("vdw");
   command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
       ->default_str("1.4");
-  command.add_flag("--waters", molecule.waters, "Keep the waters");
+  add_selection_options(command, typed.selection);
 }
 
 void add_voids_option(CLI::App& command, Typed& typed) {
@@ -97,7 +97,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                      "directions, scale, atom, shares, component, patch, residue; or all");
   command.add_option("--areas", mesh.areas,
                      "Also write the areas of atoms and residues to this file, as CSV");
-  add_molecule_options(command, mesh.molecule, typed);
+  add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_option("--density", typed.density,
@@ -178,7 +178,7 @@ void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
                   ".json, everything, or .vtu, lines and points for ParaView;\n"
                   "\"-\", /dev/null and the like take JSON")
       ->required();
-  add_molecule_options(command, morse.molecule, typed);
+  add_molecule_options(command, typed);
   add_function_option(command, typed);
   command.add_flag("--raw", typed.is_raw, "Do not simplify");
   command.add_option("--persistence", typed.persistence,
@@ -199,7 +199,7 @@ void add_balls(CLI::App& app, BallsArguments& balls, Typed& typed) {
       ->required();
   command.add_flag("--weights", balls.weights,
                    "Write XYZW, x y z w, w the weight: read again, it gives the very same skin");
-  add_molecule_options(command, balls.molecule, typed);
+  add_molecule_options(command, typed);
   command.add_flag("-q,--quiet", balls.quiet, "Print nothing but errors");
 }
 
@@ -207,7 +207,7 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
   CLI::App& command =
       *app.add_subcommand("info", "Tell what a molecule file holds and how big its mesh will be");
   command.add_option("INPUT", info.molecule.input, "The molecule")->required();
-  add_molecule_options(command, info.molecule, typed);
+  add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_flag("--json", info.json, "Print JSON");
@@ -223,7 +223,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       ->required();
   command.add_option("--against", against.input, "The molecule; runs the whole certificate");
   add_certificate_option(command, check.certificate);
-  add_molecule_options(command, against, typed);
+  add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
   command.add_flag("!--no-self-intersections", check.self_intersections,
@@ -251,7 +251,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
   command.add_option("--frames", view.growth,
                      "Meshes of a growing skin to play through beside, in order; a folder\n"
                      "stands for its snapshot-1.ply, snapshot-2.ply ...");
-  add_molecule_options(command, view.molecule, typed);
+  add_molecule_options(command, typed);
   add_sizing_options(command, typed);
   add_function_option(command, typed);
   add_threads_option(command, view.threads);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/arguments.h"
+#include "app/selection_arguments.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's
 class App;
@@ -27,6 +28,7 @@ struct Typed {
   std::optional<int> fronts;
   std::optional<double> C, Q, size, density, triangles, grading, angle_goal;
   std::optional<std::string> grow, voids, vertex_data;
+  TypedSelection selection;
   TypedPicture picture;
 };
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
+#include "app/selection_arguments.h"
 #include "app/strict_json.h"
 
 namespace morskin::app {
@@ -59,9 +60,9 @@ ordered_json seconds_json(const RunSeconds& seconds) {
 }
 
 ordered_json skipped_json(const skin::ReadingCounts& counts) {
-  return {{"waters", counts.waters},
-          {"alternates", counts.alternates},
-          {"zero_radii", counts.zero_radii},
+  return {{"other_chains", counts.other_chains}, {"waters", counts.waters},
+          {"hetatms", counts.hetatms},           {"alternates", counts.alternates},
+          {"hydrogens", counts.hydrogens},       {"zero_radii", counts.zero_radii},
           {"unknown_elements", counts.unknown}};
 }
 
@@ -115,6 +116,7 @@ std::string json_text(const MeshReport& report) {
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
+  add_selection(json, report.molecule.selection);
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -25,7 +26,9 @@ struct Location {
   auto atom_key() const { return std::tie(chain, residue_number, name); }
 };
 
-bool is_likelier(const AtomRecord& a, const AtomRecord& b) {
+// Whether `a` is to be kept rather than `b`.
+bool is_better(const AtomRecord& a, const AtomRecord& b, std::optional<char> letter) {
+  if ((a.alternate == letter) != (b.alternate == letter)) return a.alternate == letter;
   if (a.occupancy != b.occupancy) return a.occupancy > b.occupancy;
   return a.alternate < b.alternate;
 }
@@ -39,16 +42,17 @@ Location location_of(const AtomRecord& record, std::size_t index) {
   return {index, record.atom.chain, record.atom.residue_number, Label(name), 0, &record};
 }
 
-// Marks the locations of all identities but each residue's likeliest.
-void mark_unlikely_residues(const std::vector<Location>& locations, std::vector<bool>& is_out) {
+// Marks the locations of all identities but each residue's best.
+void mark_other_residues(const std::vector<Location>& locations, std::optional<char> letter,
+                         std::vector<bool>& is_out) {
   for (std::size_t first = 0, last = 0; first < locations.size(); first = last) {
-    const Location* likeliest = &locations[first];
+    const Location* best = &locations[first];
     for (last = first; last < locations.size(); ++last) {
       if (locations[last].residue_key() != locations[first].residue_key()) break;
-      if (is_likelier(*locations[last].record, *likeliest->record)) likeliest = &locations[last];
+      if (is_better(*locations[last].record, *best->record, letter)) best = &locations[last];
     }
     for (std::size_t i = first; i < last; ++i) {
-      if (locations[i].record->atom.residue != likeliest->record->atom.residue) {
+      if (locations[i].record->atom.residue != best->record->atom.residue) {
         is_out[locations[i].index] = true;
       }
     }
@@ -68,7 +72,7 @@ void number_copies(std::vector<Location>& locations) {
 
 }  // namespace
 
-std::size_t keep_likeliest_locations(std::vector<AtomRecord>& atoms) {
+std::size_t keep_one_location(std::vector<AtomRecord>& atoms, std::optional<char> letter) {
   std::vector<Location> locations;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     if (atoms[i].alternate != ' ') locations.push_back(location_of(atoms[i], i));
@@ -78,7 +82,7 @@ std::size_t keep_likeliest_locations(std::vector<AtomRecord>& atoms) {
                       location.record->atom.residue, location.record->alternate);
   });
   std::vector<bool> is_out(atoms.size(), false);
-  mark_unlikely_residues(locations, is_out);
+  mark_other_residues(locations, letter, is_out);
   number_copies(locations);
   std::erase_if(locations, [&](const Location& location) { return is_out[location.index]; });
   std::ranges::stable_sort(locations, {}, [](const Location& location) {
@@ -88,7 +92,7 @@ std::size_t keep_likeliest_locations(std::vector<AtomRecord>& atoms) {
     if (locations[i].atom_key() != locations[best].atom_key() ||
         locations[i].copy != locations[best].copy) {
       best = i;
-    } else if (is_likelier(*locations[i].record, *locations[best].record)) {
+    } else if (is_better(*locations[i].record, *locations[best].record, letter)) {
       is_out[locations[std::exchange(best, i)].index] = true;
     } else {
       is_out[locations[i].index] = true;

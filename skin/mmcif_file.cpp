@@ -8,6 +8,7 @@
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
 #include <new>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ namespace cif = gemmi::cif;
 
 // Tags of _atom_site, in the order of Column; those with two names are tried in turn.
 enum Column : std::size_t {
+  Record,
   X,
   Y,
   Z,
@@ -43,6 +45,7 @@ struct ColumnTags {
   std::string_view other = {};
 };
 constexpr std::array<ColumnTags, ColumnCount> column_tags = {{
+    {"group_PDB"},
     {"Cartn_x"},
     {"Cartn_y"},
     {"Cartn_z"},
@@ -168,6 +171,7 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
   atom.residue_number = Label(table.value(row, Number) + table.value(row, Insertion));
   atom.chain = Label(table.value(row, Chain));
   atom.element = element_of(table.value(row, Symbol), name, atom.residue.view());
+  record.is_hetatm = table.value(row, Record) == "HETATM";
   const std::string alternate = table.value(row, Alternate);
   record.alternate = alternate.empty() ? ' ' : alternate[0];
   if (table.has(Occupancy)) record.occupancy = cif::as_number(table.raw(row, Occupancy), 1.0);
@@ -176,7 +180,7 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
 
 }  // namespace
 
-ParsedFile parse_mmcif(std::string_view bytes, const std::string& source) {
+ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelSearch& models) {
   cif::Document document = parse_document(bytes, source);
   for (cif::Block& block : document.blocks) {
     const AtomTable table(block, bytes);
@@ -187,18 +191,21 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source) {
                                       "coordinates in Angstrom are needed");
     }
     ParsedFile file;
+    file.has_chains = table.has(Chain);
+    file.has_hetatms = table.has(Record);
+    file.has_elements = true;
     file.atoms.reserve(table.size());
-    std::set<std::string> models;
-    std::string first, last;
+    std::set<std::string> begun;
+    std::optional<std::string> read;  // the model to read, as the table calls it
+    std::string last;
     for (std::size_t row = 0; row < table.size(); ++row) {
       const std::string model = table.value(row, ModelNumber);
-      if (row == 0) first = model;
-      if (row == 0 || model != last) models.insert(model);
+      const bool is_new = (row == 0 || model != last) && begun.insert(model).second;
+      if (is_new && models.begin(geometry::parse_integer(model))) read = model;
       last = model;
-      if (model == first) file.atoms.push_back(atom_in(table, row, source));
+      if (model == read) file.atoms.push_back(atom_in(table, row, source));
     }
-    file.other_models = models.empty() ? 0 : models.size() - 1;
-    if (!file.atoms.empty()) return file;
+    if (models.has_begun()) return file;
   }
   throw geometry::UnreadableInput(source + ": has no table _atom_site with atoms; is it mmCIF?");
 }

@@ -44,15 +44,18 @@ struct Atom {
 
 /// Atoms and models of a file that were left out, and duplicates that were kept.
 struct ReadingCounts {
+  std::size_t other_chains = 0;  ///< atoms left out for their chain
   std::size_t waters = 0;        ///< atoms of water left out
-  std::size_t alternates = 0;    ///< atoms left out for a likelier alternate location
+  std::size_t hetatms = 0;       ///< atoms left out for their HETATM record
+  std::size_t alternates = 0;    ///< atoms left out for another of their alternate locations
+  std::size_t hydrogens = 0;     ///< atoms of hydrogen left out
   std::size_t zero_radii = 0;    ///< atoms left out for a radius of 0 in the file
   std::size_t unknown = 0;       ///< atoms left out for the element X, unknown
-  std::size_t other_models = 0;  ///< models after the first, left out whole
+  std::size_t other_models = 0;  ///< models that were left out whole
   std::size_t duplicates = 0;    ///< atoms kept though an earlier one has their position and radius
 };
 
-/// The atoms of the first model of a file, in the file's order.
+/// The atoms of one model of a file, in the file's order.
 struct Molecule {
   std::vector<Atom> atoms;
   /// By atom, Angstrom^2, of a file that gives weights, which are no model's; their radii are those

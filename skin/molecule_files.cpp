@@ -24,6 +24,7 @@ using geometry::TextLines;
 using geometry::trimmed;
 using geometry::UnreadableInput;
 using molecule_formats::AtomRecord;
+using molecule_formats::ModelSearch;
 using molecule_formats::ParsedFile;
 
 constexpr double largest_number = 1e6;  // Angstrom; coordinates and radii
@@ -39,14 +40,6 @@ constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 9> endings = {
     {".xyzr", MoleculeFormat::Xyzr},
     {".xyzw", MoleculeFormat::Xyzw},
 }};
-
-constexpr std::array<std::string_view, 15> water_residues = {"HOH", "DOD", "WAT",  "H2O",  "D2O",
-                                                             "SOL", "SPC", "TIP",  "TP3",  "TP4",
-                                                             "TP5", "T3P", "TIP3", "TIP4", "TIP5"};
-
-bool is_water(const AtomRecord& record) {
-  return std::ranges::find(water_residues, record.atom.residue.view()) != water_residues.end();
-}
 
 bool is_four_numbers(std::string_view line) {
   for (int i = 0; i < 4; ++i) {
@@ -89,20 +82,21 @@ std::optional<MoleculeFormat> format_by_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-ParsedFile parse(std::string_view bytes, const std::string& source, MoleculeFormat format) {
+ParsedFile parse(std::string_view bytes, const std::string& source, MoleculeFormat format,
+                 ModelSearch& models) {
   switch (format) {
     case MoleculeFormat::Pdb:
-      return molecule_formats::parse_pdb(bytes, source);
+      return molecule_formats::parse_pdb(bytes, source, models);
     case MoleculeFormat::Mmcif:
-      return molecule_formats::parse_mmcif(bytes, source);
+      return molecule_formats::parse_mmcif(bytes, source, models);
     case MoleculeFormat::Pqr:
-      return molecule_formats::parse_pqr(bytes, source);
+      return molecule_formats::parse_pqr(bytes, source, models);
     case MoleculeFormat::Xyz:
-      return molecule_formats::parse_xyz(bytes, source);
+      return molecule_formats::parse_xyz(bytes, source, models);
     case MoleculeFormat::Xyzr:
-      return molecule_formats::parse_xyzr(bytes, source);
+      return molecule_formats::parse_xyzr(bytes, source, models);
     case MoleculeFormat::Xyzw:
-      return molecule_formats::parse_xyzw(bytes, source);
+      return molecule_formats::parse_xyzw(bytes, source, models);
   }
   return {};
 }
@@ -155,20 +149,10 @@ std::size_t count_duplicates(const std::vector<Atom>& atoms) {
   return static_cast<std::size_t>(balls.end() - distinct_end);
 }
 
-Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& options) {
+Molecule finish(ParsedFile file, const std::string& source, const Selection& selection) {
   Molecule molecule;
   molecule.source = source;
-  molecule.counts.other_models = file.other_models;
-  molecule.counts.unknown = std::erase_if(file.atoms, [](const AtomRecord& record) {
-    return record.atom.element.view() == molecule_formats::unknown_element;
-  });
-  const bool has_others = std::ranges::any_of(file.atoms, [&](const AtomRecord& record) {
-    return !is_water(record) && !(file.has_radii && record.atom.radius == 0);
-  });
-  if (!options.waters && has_others) {
-    molecule.counts.waters = std::erase_if(file.atoms, is_water);
-  }
-  molecule.counts.alternates = molecule_formats::keep_likeliest_locations(file.atoms);
+  molecule.counts = molecule_formats::keep_selected(file, selection, source);
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
     if (file.has_weights) {
@@ -224,7 +208,12 @@ Molecule parse_molecule(std::string_view bytes, const std::string& source,
                           ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ, "
                           "XYZR or XYZW and the ending of that name");
   }
-  return finish(parse(bytes, source, *format), source, options);
+  ModelSearch models(options.selection.model);
+  ParsedFile file = parse(bytes, source, *format, models);
+  const std::size_t other_models = models.others(source);
+  Molecule molecule = finish(std::move(file), source, options.selection);
+  molecule.counts.other_models = other_models;
+  return molecule;
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {

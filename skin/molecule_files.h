@@ -2,11 +2,11 @@
 
 // Molecules from files of chemists.
 //
-// A reader keeps the first model, of alternate locations the likeliest, and hydrogens if present.
-// It drops water, unless asked to keep it or there is nothing else, and atoms of the element X
-// (unknown). Radii come from the file (PQR, XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h);
-// a file of weights (XYZW) has those in their place.
-// Molecule::counts lists what was left out.
+// By default a reader keeps the first model, of alternate locations the likeliest, and hydrogens if
+// present. It drops water, unless asked to keep it or there is nothing else, and always atoms of
+// the element X (unknown). selection.h has what else can be asked. Radii come from the file (PQR,
+// XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h); a file of weights (XYZW) has those in
+// their place. Molecule::counts lists what was left out.
 
 #include <cstddef>
 #include <filesystem>
@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "skin/molecule.h"
+#include "skin/selection.h"
 
 namespace morskin::skin {
 
@@ -31,8 +32,8 @@ enum class MoleculeFormat {
 std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& path);
 
 struct ReadOptions {
-  bool waters = false;                   ///< keep water
-  std::optional<MoleculeFormat> format;  ///< absent: by the ending, else by the content
+  Selection selection = {};
+  std::optional<MoleculeFormat> format = {};  ///< absent: by the ending, else by the content
   /// Of the unpacked file: 26 million lines of 80 columns, ten times the largest entry of the PDB
   /// (3J3Q, 2.4 million atoms).
   std::size_t max_bytes = std::size_t{1} << 31;
@@ -44,8 +45,9 @@ struct ReadOptions {
 /// Law:    every atom's coordinates are finite and at most 10^6 Angstrom in magnitude, and its
 ///         radius is positive and at most 10^6 Angstrom, its weight, if given, at most 2^30.
 /// @throws UnreadableInput  for a file that is missing, empty, damaged or of no format known here
-/// @throws RefusedInput     if no atom is left, a number is out of range, or an element has no
-///                          radius; names the atom and its line
+/// @throws RefusedInput     if no atom is left, the selection asks for what the file or its format
+///                          does not have, a number is out of range, or an element has no radius;
+///                          names the atom and its line
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The molecule in `bytes`, gzipped or not.

@@ -1,15 +1,18 @@
 #pragma once
 
-// Inside molecule_files: one parser per format. Each reports every atom of the first model; common
-// code decides afterwards which to leave out.
+// Inside molecule_files: one parser per format. Each reports every atom of the model to read;
+// common code (selection.cpp) decides afterwards which to leave out.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/files/text_lines.h"
 #include "skin/molecule.h"
+#include "skin/selection.h"
 
 namespace morskin::skin::molecule_formats {
 
@@ -21,29 +24,58 @@ struct AtomRecord {
   Atom atom;          ///< without a radius if the format has none
   double weight = 0;  ///< Angstrom^2, in a file that gives weights
   double occupancy = 1;
-  char alternate = ' ';  ///< letter of the alternate location; blank if the atom has only one
+  char alternate = ' ';    ///< letter of the alternate location; blank if the atom has only one
+  bool is_hetatm = false;  ///< read from a HETATM record
 };
 
 struct ParsedFile {
   std::vector<AtomRecord> atoms;
-  std::size_t other_models = 0;
   bool has_radii = false;
   bool has_weights = false;
+  // What the format tells of atoms:
+  bool has_chains = false;
+  bool has_hetatms = false;  ///< which come from HETATM records
+  bool has_elements = false;
+};
+
+/// Finds the model to read among a file's, which a parser tells it of in the file's order.
+class ModelSearch {
+ public:
+  /// @param wanted  the number of a model; absent: the first
+  explicit ModelSearch(std::optional<std::int64_t> wanted) : wanted_(wanted) {}
+
+  /// A model begins. Of several with one number the first counts.
+  /// @param number  what the file calls it; absent: its place among all
+  /// @return whether its atoms are to be read
+  bool begin(std::optional<std::int64_t> number = std::nullopt);
+
+  bool has_begun() const { return count_ > 0; }
+
+  /// How many models are not to be read.
+  /// @throws RefusedInput  the one wanted did not begin, though others did
+  std::size_t others(const std::string& source) const;
+
+ private:
+  std::optional<std::int64_t> wanted_;
+  std::size_t count_ = 0;
+  std::int64_t least_ = 0, most_ = 0;  // of the numbers
+  bool is_found_ = false;
 };
 
 /// Each parses all bytes of a file; `source` is its name for messages. @throws UnreadableInput
-ParsedFile parse_pdb(std::string_view bytes, const std::string& source);
-ParsedFile parse_mmcif(std::string_view bytes, const std::string& source);
-ParsedFile parse_pqr(std::string_view bytes, const std::string& source);
-ParsedFile parse_xyz(std::string_view bytes, const std::string& source);
-ParsedFile parse_xyzr(std::string_view bytes, const std::string& source);
-ParsedFile parse_xyzw(std::string_view bytes, const std::string& source);
+ParsedFile parse_pdb(std::string_view bytes, const std::string& source, ModelSearch& models);
+ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelSearch& models);
+ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSearch& models);
+ParsedFile parse_xyz(std::string_view bytes, const std::string& source, ModelSearch& models);
+ParsedFile parse_xyzr(std::string_view bytes, const std::string& source, ModelSearch& models);
+ParsedFile parse_xyzw(std::string_view bytes, const std::string& source, ModelSearch& models);
 
-/// The atoms of the first model in a file of records, as PDB and PQR have them.
+/// The atoms of the model to read in a file of records, as PDB and PQR have them.
 /// @param format  its name, for messages
 ParsedFile parse_records(std::string_view bytes, const std::string& source,
                          const std::string& format, bool (*is_atom)(std::string_view line),
-                         AtomRecord (*atom_on)(const geometry::TextLines& lines));
+                         AtomRecord (*atom_on)(const geometry::TextLines& lines),
+                         ModelSearch& models);
 
 /// Begins a file of weights, which nothing else tells from one of radii.
 constexpr std::string_view weights_line = "# x y z w";
@@ -61,9 +93,16 @@ std::string_view element_from_word(std::string_view name, std::string_view resid
 /// Whether the residue is one of the standard amino acids or nucleotides.
 bool is_standard_residue(std::string_view residue);
 
-/// Keeps of every atom's alternate locations the one with the highest occupancy, of equals the one
-/// with the first letter; of a residue with several identities only the likeliest.
+/// Keeps of every atom's alternate locations the one with the letter, if it is given and the atom
+/// has it; otherwise that with the highest occupancy, of equals the one with the first letter. Of a
+/// residue with several identities, one is kept by the same rule.
 /// @return how many were removed
-std::size_t keep_likeliest_locations(std::vector<AtomRecord>& atoms);
+std::size_t keep_one_location(std::vector<AtomRecord>& atoms, std::optional<char> letter);
+
+/// Leaves out what is not selected, and atoms of unknown element.
+/// @return what was left out
+/// @throws RefusedInput  nothing is left, or the file or its format lacks what the selection names
+ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,
+                            const std::string& source);
 
 }  // namespace morskin::skin::molecule_formats

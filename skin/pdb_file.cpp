@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -72,6 +73,12 @@ double take_coordinate(const TextLines& lines, std::size_t first) {
   return *value;
 }
 
+// Of "MODEL        2".
+std::optional<std::int64_t> number_of_model(std::string_view line) {
+  geometry::take_field(line);
+  return geometry::parse_integer(geometry::take_field(line));
+}
+
 AtomRecord atom_on(const TextLines& lines) {
   const std::string_view line = lines.line();
   AtomRecord record;
@@ -84,6 +91,7 @@ AtomRecord atom_on(const TextLines& lines) {
   atom.line = static_cast<std::uint32_t>(lines.number());
   atom.position = {take_coordinate(lines, 31), take_coordinate(lines, 39),
                    take_coordinate(lines, 47)};
+  record.is_hetatm = line.starts_with("HETATM");
   record.alternate = line[16];
   record.occupancy = parse_double(trimmed(columns(line, 55, 60))).value_or(1.0);
   std::string_view element = element_from_columns(line, atom.residue.view());
@@ -128,32 +136,34 @@ std::string_view element_from_word(std::string_view name, std::string_view resid
 
 ParsedFile parse_records(std::string_view bytes, const std::string& source,
                          const std::string& format, bool (*is_atom)(std::string_view line),
-                         AtomRecord (*atom_on)(const TextLines& lines)) {
+                         AtomRecord (*atom_on)(const TextLines& lines), ModelSearch& models) {
   ParsedFile file;
+  file.has_chains = file.has_hetatms = file.has_elements = true;
   TextLines lines(bytes, source);
   bool is_in_model = false;  // an atom was read since the last model began or ended
-  bool is_first = true;
+  bool is_read = false;      // and its atoms are wanted
+  std::optional<std::int64_t> number;
   while (lines.advance()) {
     const std::string_view line = lines.line();
     const std::string_view record = trimmed(columns(line, 1, 6));
     if (is_atom(line)) {
-      if (!is_in_model && !is_first) ++file.other_models;
+      if (!is_in_model) is_read = models.begin(number);
       is_in_model = true;
-      if (is_first) file.atoms.push_back(atom_on(lines));
+      if (is_read) file.atoms.push_back(atom_on(lines));
     } else if (record == "MODEL" || record == "ENDMDL" || record == "END") {
-      if (is_in_model) is_first = false;
       is_in_model = false;
+      number = record == "MODEL" ? number_of_model(line) : std::nullopt;
     }
   }
-  if (file.atoms.empty()) {
+  if (!models.has_begun()) {
     throw geometry::UnreadableInput(source + ": has no ATOM or HETATM record; is it a " + format +
                                     " file?");
   }
   return file;
 }
 
-ParsedFile parse_pdb(std::string_view bytes, const std::string& source) {
-  return parse_records(bytes, source, "PDB", is_atom, atom_on);
+ParsedFile parse_pdb(std::string_view bytes, const std::string& source, ModelSearch& models) {
+  return parse_records(bytes, source, "PDB", is_atom, atom_on, models);
 }
 
 }  // namespace morskin::skin::molecule_formats

@@ -54,6 +54,7 @@ AtomRecord pqr_atom(const TextLines& lines) {
   atom.position = {number_in(fields[x], "the coordinate x", lines),
                    number_in(fields[x + 1], "the coordinate y", lines),
                    number_in(fields[x + 2], "the coordinate z", lines)};
+  record.is_hetatm = fields[0].starts_with("HETATM");
   number_in(fields[x + 3], "the charge", lines);
   atom.radius = number_in(fields[x + 4], "the radius", lines);
   return record;
@@ -105,46 +106,47 @@ Atom ball(const std::array<double, 4>& row, double radius, const TextLines& line
 
 }  // namespace
 
-ParsedFile parse_pqr(std::string_view bytes, const std::string& source) {
+ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSearch& models) {
   const auto is_atom = [](std::string_view line) {
     const std::string_view record = take_field(line);
     return record == "ATOM" || record.starts_with("HETATM");
   };
-  ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom);
+  ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom, models);
   file.has_radii = true;
   return file;
 }
 
-ParsedFile parse_xyz(std::string_view bytes, const std::string& source) {
+ParsedFile parse_xyz(std::string_view bytes, const std::string& source, ModelSearch& models) {
   ParsedFile file;
+  file.has_elements = true;
   TextLines lines(bytes, source);
-  std::size_t models = 0;
   while (lines.advance()) {
     const std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;
     std::string_view fields = line;
     const std::optional<std::int64_t> count = parse_integer(take_field(fields));
     if (!count || *count < 0 || !trimmed(fields).empty()) {
-      lines.fail("expected the number of atoms, found " + quoted(line) +
-                 (models > 0 ? "; the count above may be too small" : "; is it an XYZ file?"));
+      lines.fail(
+          "expected the number of atoms, found " + quoted(line) +
+          (models.has_begun() ? "; the count above may be too small" : "; is it an XYZ file?"));
     }
+    const bool is_read = models.begin();
     lines.advance();  // the comment
     for (std::int64_t atom = 0; atom < *count; ++atom) {
       if (!lines.advance() || trimmed(lines.line()).empty()) {
         lines.fail("there are " + std::to_string(atom) + " atoms where " + std::to_string(*count) +
                    " were announced; mend the count");
       }
-      if (models == 0) file.atoms.push_back(xyz_atom(lines));
+      if (is_read) file.atoms.push_back(xyz_atom(lines));
     }
-    ++models;
   }
-  file.other_models = models > 0 ? models - 1 : 0;
   return file;
 }
 
-ParsedFile parse_xyzr(std::string_view bytes, const std::string& source) {
+ParsedFile parse_xyzr(std::string_view bytes, const std::string& source, ModelSearch& models) {
   ParsedFile file;
   file.has_radii = true;
+  models.begin();
   TextLines lines(bytes, source);
   while (lines.advance()) {
     if (trimmed(lines.line()) == weights_line) {
@@ -157,9 +159,10 @@ ParsedFile parse_xyzr(std::string_view bytes, const std::string& source) {
   return file;
 }
 
-ParsedFile parse_xyzw(std::string_view bytes, const std::string& source) {
+ParsedFile parse_xyzw(std::string_view bytes, const std::string& source, ModelSearch& models) {
   ParsedFile file;
   file.has_weights = true;
+  models.begin();
   TextLines lines(bytes, source);
   while (lines.advance()) {
     if (const auto row = four_numbers(lines, "x y z w")) {

@@ -90,7 +90,7 @@ TEST_CASE("water is left out unless asked for or alone") {
   CHECK(parse_molecule(water + small_pdb(), "a.pdb").atoms.size() == 3);
   CHECK(parse_molecule(water + small_pdb(), "a.pdb").counts.waters == 1);
   ReadOptions with_waters;
-  with_waters.waters = true;
+  with_waters.selection.waters = true;
   CHECK(parse_molecule(water + small_pdb(), "a.pdb", with_waters).atoms.size() == 4);
   CHECK(parse_molecule(water, "a.pdb").atoms.size() == 1);
   // Alone among what can be used: the others have no radius, or no element.

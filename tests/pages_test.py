@@ -131,7 +131,8 @@ def check_span(checks, sources, where, span, file):
         targets = re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
         checks.expect(span.split()[1] in targets, where, f"no such target: {span}")
     elif span.startswith("-"):
-        options = (ROOT / "app" / "options.cpp").read_text(encoding="utf-8")
+        options = "".join((ROOT / "app" / name).read_text(encoding="utf-8")
+                          for name in ("options.cpp", "selection_arguments.cpp"))
         checks.expect(f"{span.split()[0]}" in options, where, f"no such option: {span}")
     elif FILE.fullmatch(span):
         exists = (ROOT / span).exists()

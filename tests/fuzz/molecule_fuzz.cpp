@@ -18,7 +18,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   skin::ReadOptions options;
-  options.waters = (data[0] & 64) != 0;
+  options.selection.waters = (data[0] & 64) != 0;
+  if ((data[0] & 128) != 0) {
+    options.selection.hetatms.emplace();
+    options.selection.location = 'B';
+    options.selection.hydrogens = false;
+  }
   try {
     const auto molecule = skin::parse_molecule(bytes, names[data[0] % names.size()], options);
     fuzz::require(!molecule.atoms.empty());

@@ -1,0 +1,175 @@
+#include "skin/selection.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
+#include "geometry/error.h"
+#include "skin/molecule_formats.h"
+
+namespace morskin::skin {
+namespace {
+
+using geometry::RefusedInput;
+using molecule_formats::AtomRecord;
+using molecule_formats::ParsedFile;
+
+constexpr std::array<std::string_view, 15> water_residues = {"HOH", "DOD", "WAT",  "H2O",  "D2O",
+                                                             "SOL", "SPC", "TIP",  "TP3",  "TP4",
+                                                             "TP5", "T3P", "TIP3", "TIP4", "TIP5"};
+
+bool is_water(const AtomRecord& record) { return is_water_residue(record.atom.residue.view()); }
+
+bool is_hydrogen(const AtomRecord& record) {
+  const std::string_view element = record.atom.element.view();
+  return element == "H" || element == "D" || element == "T";
+}
+
+Label chain_of(const AtomRecord& record) {
+  return record.atom.chain.is_empty() ? Label("_") : record.atom.chain;
+}
+
+// Cut as the file's names are, with which they are compared.
+std::set<Label> labels_of(const std::vector<std::string>& names) {
+  std::set<Label> labels;
+  for (const std::string& name : names) labels.insert(Label(name));
+  return labels;
+}
+
+std::string listed(const std::set<Label>& names) {
+  constexpr std::size_t max_names = 60;
+  std::string text;
+  std::size_t count = 0;
+  for (const Label& name : names) {
+    if (++count > max_names) break;
+    text += (text.empty() ? "" : ", ") + std::string(name.view());
+  }
+  if (count > max_names) text += " and " + std::to_string(names.size() - max_names) + " more";
+  return text;
+}
+
+// A name that the file does not have is a slip more often than a wish.
+void require_all(const std::set<Label>& chosen, const std::set<Label>& present,
+                 const std::string& what, const std::string& source) {
+  std::set<Label> missing;
+  std::ranges::set_difference(chosen, present, std::inserter(missing, missing.end()));
+  if (missing.empty()) return;
+  throw RefusedInput(source + ": has no " + what + " " + listed(missing) + "; " +
+                     (present.empty() ? "leave the name out" : "choose from " + listed(present)));
+}
+
+// Leaves atoms out for one reason after the other, but never the last.
+class Selector {
+ public:
+  Selector(std::vector<AtomRecord>& atoms, const Selection& selection, const std::string& source)
+      : atoms_(atoms), selection_(selection), source_(source) {}
+
+  std::size_t leave_out_other_chains() {
+    if (selection_.chains.empty()) return 0;
+    std::set<Label> present;
+    for (const AtomRecord& record : atoms_) present.insert(chain_of(record));
+    const std::set<Label> chosen = labels_of(selection_.chains);
+    require_all(chosen, present, "chain", source_);
+    return leave_out("the other chains",
+                     [&](const AtomRecord& record) { return !chosen.contains(chain_of(record)); });
+  }
+
+  std::size_t leave_out_waters() { return leave_out("water", is_water); }
+
+  std::size_t leave_out_hetatms(const std::set<Label>& present) {
+    if (!selection_.hetatms) return 0;
+    const std::set<Label> chosen = labels_of(*selection_.hetatms);
+    require_all(chosen, present, "HETATM record of a residue", source_);
+    return leave_out("the HETATM records", [&](const AtomRecord& record) {
+      return record.is_hetatm && !is_water(record) && !chosen.contains(record.atom.residue);
+    });
+  }
+
+  std::size_t leave_out_hydrogens() {
+    return selection_.hydrogens ? 0 : leave_out("hydrogen", is_hydrogen);
+  }
+
+ private:
+  template <class IsOut>
+  std::size_t leave_out(const std::string& what, IsOut is_out) {
+    const std::size_t count = std::erase_if(atoms_, is_out);
+    if (count == 0 || !atoms_.empty()) return count;
+    const std::string chains =
+        selection_.chains.empty() ? "" : " of chain " + listed(labels_of(selection_.chains));
+    throw RefusedInput(source_ + ": no atom" + chains + " is left without " + what +
+                       "; leave less out");
+  }
+
+  std::vector<AtomRecord>& atoms_;
+  const Selection& selection_;
+  const std::string& source_;
+};
+
+// Atoms cannot be chosen by what their file does not tell.
+void check_format(const ParsedFile& file, const Selection& selection, const std::string& source) {
+  const auto require = [&](bool is_told, bool is_asked, const std::string& what) {
+    if (is_told || !is_asked) return;
+    throw RefusedInput(source + ": does not tell " + what + "; do not choose by it");
+  };
+  require(file.has_chains, !selection.chains.empty(), "an atom's chain");
+  require(file.has_hetatms, selection.hetatms.has_value(), "which atoms have a HETATM record");
+  require(file.has_elements, !selection.hydrogens, "which atoms are hydrogen");
+}
+
+}  // namespace
+
+bool is_water_residue(std::string_view residue) {
+  return std::ranges::find(water_residues, residue) != water_residues.end();
+}
+
+namespace molecule_formats {
+
+bool ModelSearch::begin(std::optional<std::int64_t> number) {
+  const std::int64_t known = number.value_or(static_cast<std::int64_t>(count_ + 1));
+  least_ = count_ == 0 ? known : std::min(least_, known);
+  most_ = count_ == 0 ? known : std::max(most_, known);
+  ++count_;
+  if (is_found_ || (wanted_ && *wanted_ != known)) return false;
+  is_found_ = true;
+  return true;
+}
+
+std::size_t ModelSearch::others(const std::string& source) const {
+  if (is_found_ || count_ == 0) return count_ - (is_found_ ? 1 : 0);
+  const bool is_one = least_ == most_;
+  throw RefusedInput(
+      source + ": has no model " + std::to_string(*wanted_) + "; " +
+      (is_one ? "its only one is number " + std::to_string(least_)
+              : "choose from " + std::to_string(least_) + " to " + std::to_string(most_)));
+}
+
+ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,
+                            const std::string& source) {
+  check_format(file, selection, source);
+  ReadingCounts counts;
+  counts.unknown = std::erase_if(file.atoms, [](const AtomRecord& record) {
+    return record.atom.element.view() == unknown_element;
+  });
+  const bool has_others = std::ranges::any_of(file.atoms, [&](const AtomRecord& record) {
+    return !is_water(record) && !(file.has_radii && record.atom.radius == 0);
+  });
+  std::set<Label> hetatms;
+  if (selection.hetatms) {
+    for (const AtomRecord& record : file.atoms) {
+      if (record.is_hetatm && !is_water(record)) hetatms.insert(record.atom.residue);
+    }
+  }
+  Selector selector(file.atoms, selection, source);
+  counts.other_chains = selector.leave_out_other_chains();
+  if (!selection.waters && has_others) counts.waters = selector.leave_out_waters();
+  counts.hetatms = selector.leave_out_hetatms(hetatms);
+  if (!selection.all_locations) {
+    counts.alternates = keep_one_location(file.atoms, selection.location);
+  }
+  counts.hydrogens = selector.leave_out_hydrogens();
+  return counts;
+}
+
+}  // namespace molecule_formats
+}  // namespace morskin::skin
