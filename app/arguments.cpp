@@ -1,6 +1,7 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <span>
@@ -207,6 +208,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.vertex_data) mesh.vertex_data = parsed_vertex_data(*typed.vertex_data);
   add_msms_partners(mesh.outputs);
   check_outputs(mesh);
+  if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
+    throw UsageError("--vertex-data goes into .ply and .vtu files, and none is written");
+  }
 }
 
 void finish(const CheckArguments& check) {

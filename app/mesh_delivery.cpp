@@ -21,10 +21,6 @@ bool keeps_coordinates(MeshFormat format) {
 
 }  // namespace
 
-MeshFormat format_of(const std::filesystem::path& path) {
-  return geometry::mesh_format_of(path).value_or(MeshFormat::PlyBinary);
-}
-
 void MeshDelivery::guided(const morse::Guide& guide) {
   if (!arguments_.has_snapshots()) return;
   snapshots_.emplace(guide, arguments_.snapshot_values, arguments_.snapshots,

@@ -56,7 +56,4 @@ class MeshDelivery : public morskin::Observer {
   double seconds_writing_ = 0;
 };
 
-/// The format that a name stands for; devices and pipes have no ending and take PLY.
-geometry::MeshFormat format_of(const std::filesystem::path& path);
-
 }  // namespace morskin::app

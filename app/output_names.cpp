@@ -91,6 +91,15 @@ void check_outputs(const MeshArguments& mesh) {
   }
 }
 
+geometry::MeshFormat format_of(const std::filesystem::path& path) {
+  return geometry::mesh_format_of(path).value_or(geometry::MeshFormat::PlyBinary);
+}
+
+bool takes_vertex_data(const std::filesystem::path& path) {
+  const geometry::MeshFormat format = format_of(path);
+  return format == geometry::MeshFormat::PlyBinary || format == geometry::MeshFormat::Vtu;
+}
+
 std::filesystem::path msms_partner(std::filesystem::path path) {
   const bool is_of_vertices = geometry::mesh_format_of(path) == geometry::MeshFormat::MsmsVertices;
   return path.replace_extension(is_of_vertices ? ".face" : ".vert");

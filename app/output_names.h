@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/arguments.h"
+#include "geometry/files/mesh_files.h"
 
 namespace morskin::app {
 
@@ -28,6 +29,12 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
 /// each other and from names that the run chooses itself, have known formats, and at most one goes
 /// to standard output.
 void check_outputs(const MeshArguments& mesh);
+
+/// The format that a name stands for; devices and pipes have no ending and take PLY.
+geometry::MeshFormat format_of(const std::filesystem::path& path);
+
+/// Whether that format can hold what --vertex-data asks for.
+bool takes_vertex_data(const std::filesystem::path& path);
 
 /// Behind each file of MSMS the other: the same name with .face or .vert. Where both are named,
 /// nothing is added.

@@ -1,5 +1,6 @@
 #include "app/typed_values.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -80,7 +81,8 @@ VertexData parsed_vertex_data(std::string_view text) {
   while (true) {
     const std::string_view name = text.substr(0, text.find(','));
     const std::optional<morskin::Datum> datum = morskin::parse_datum(name);
-    if (datum) result.data.push_back(*datum);
+    const bool is_new = datum && std::ranges::find(result.data, *datum) == result.data.end();
+    if (is_new) result.data.push_back(*datum);
     if (name == "residue") result.residues = true;
     if (!datum && name != "residue") {
       std::string known;

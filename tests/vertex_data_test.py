@@ -106,6 +106,20 @@ class VertexData(CommandTest):
             self.assertIn(group, said)
         self.assertEqual(self.names(), [])
 
+    def test_what_no_output_can_hold_is_refused_and_a_group_named_twice_is_told_once(self):
+        said = self.run_morskin("mesh", self.ring, "-o", "m.off", "-o", "m.vert", "--vertex-data",
+                                "normal", code=2).stderr
+        self.assertIn(b".ply and .vtu", said)
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "atom,scale,atom", "-q")
+        header = (self.folder / "m.ply").read_bytes()[:500]
+        self.assertEqual(header.count(b" atom\n"), 1)
+
+    def test_files_of_a_mesh_that_is_not_certified_say_so_in_all_their_names(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.vert", "--areas", "a.csv", "-q", "--method",
+                         "marching-cubes", code=5)
+        self.assertEqual(self.names(), ["a.csv.unverified", "m.face.unverified",
+                                        "m.vert.unverified"])
+
     def test_either_of_the_two_names_of_msms_writes_both_files_and_check_reads_them(self):
         for name in ("m.vert", "m.face"):
             with self.subTest(name):
