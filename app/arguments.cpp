@@ -13,6 +13,7 @@
 #include "app/function_argument.h"
 #include "app/implied_command.h"
 #include "app/limits.h"
+#include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
 #include "app/typed_values.h"
@@ -260,8 +261,13 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
 
 Arguments parse_arguments(int count, const char* const* words) {
   CLI::App app("", "morskin");
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return "morskin: " + std::string(error.what()) + "; see morskin --help\n";
+  app.failure_message([](const CLI::App* parser, const CLI::Error& error) {
+    std::string meant;
+    for (const std::string& word : parser->remaining(true)) {
+      const std::optional<std::string> option = nearest_option(*parser, word);
+      if (option) meant += "; did you mean " + *option + "?";
+    }
+    return "morskin: " + std::string(error.what()) + meant + "; see morskin --help\n";
   });
   AllArguments all;
   Typed typed;

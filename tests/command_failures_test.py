@@ -25,6 +25,20 @@ class Failures(CommandTest):
         self.assertLess(report["grid_step"], 0.6)
         self.assertLess(wide["triangles"], report["triangles"])
 
+    def test_a_refused_option_names_its_nearest_relative_if_it_has_one(self):
+        for word, meant in (("--densty", "--density"), ("--chains", "--chain"),
+                            ("--water", "--waters"), ("--anglegoal", "--angle-goal"),
+                            ("--vertex-dat=all", "--vertex-data"), ("--sise=0.7", "--size"),
+                            ("--tri", "--triangles")):
+            with self.subTest(word):
+                said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, code=2).stderr
+                self.assertIn(f"did you mean {meant}?".encode(), said)
+        for word in ("--nonsense", "-Z", "--", "--x"):
+            with self.subTest(word):
+                said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, "1", code=2).stderr
+                self.assertNotIn(b"did you mean", said)
+        self.assertEqual(self.names(), [])
+
     def test_a_grid_of_too_many_cells_gives_6(self):
         self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "marching-cubes",
                          "--grid", "1e-9", code=6)

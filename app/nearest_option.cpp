@@ -1,0 +1,45 @@
+#include "app/nearest_option.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace morskin::app {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);  // from the letters of a so far to each start of b
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, change});
+    }
+  }
+  return row.back();
+}
+
+std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word) {
+  word = word.substr(0, word.find('='));
+  if (!word.starts_with("--")) return std::nullopt;
+  std::optional<std::string> nearest;
+  std::size_t least = word.size() / 3;  // a third of the letters may be wrong
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) {
+        const std::string full = "--" + name;
+        const bool is_start = word.size() > 3 && full.starts_with(word);
+        const std::size_t distance = is_start ? 1 : edit_distance(word, full);
+        if (distance > least || (nearest && distance == least)) continue;
+        least = distance;
+        nearest = full;
+      }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace morskin::app
