@@ -75,6 +75,22 @@ def table(rows):
     return "\n".join(lines)
 
 
+MOST_OVER_FORCED = 1.3
+
+
+def bent(rows):
+    """Over the forced triangles, of the runs with a thousandth of the area bent or more."""
+    return [float(r["over_forced"]) for r in rows
+            if r["bent_share"] and float(r["bent_share"]) >= 0.001]
+
+
+def sentence(rows):
+    """What the page says of the bent parts."""
+    over = bent(rows)
+    return (f"{len(over)}, there are {min(over):.2f} to {max(over):.2f} times the triangles that "
+            f"are forced, {statistics.median(over):.2f} in the median")
+
+
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)
@@ -88,7 +104,10 @@ def main():
             for asked in DENSITIES:
                 run = mesh(path, "vdw", options.timeout, "--density", str(asked), "--threads", "1")
                 rows.add(row_of(path, asked, run))
-    print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
+    as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
+    print(table(as_text))
+    if bent(as_text):
+        print(sentence(as_text))
     end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
 
 

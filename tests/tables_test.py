@@ -42,6 +42,11 @@ def wrong_densities(rows):
             yield f"{r['molecule']} with {r['asked']}: {r['verdict']}, {r['min_angle']} degrees"
         if r["verdict"] == "made" and abs(float(r["made"]) / float(r["asked"]) - 1) > 0.1:
             yield f"{r['molecule']} with {r['asked']}: {r['made']} is off by more than a tenth"
+    if max(densities.bent(rows)) > densities.MOST_OVER_FORCED:
+        yield f"more than {densities.MOST_OVER_FORCED} times the triangles that are forced"
+    page = (ROOT / "papers" / "4.3-large-molecules.md").read_text(encoding="utf-8")
+    if densities.sentence(rows) not in page:
+        yield f"4.3-large-molecules.md does not say: {densities.sentence(rows)}"
 
 
 def wrong_offsets(rows):
