@@ -271,9 +271,14 @@ Arguments parse_arguments(int count, const char* const* words) {
   });
   AllArguments all;
   Typed typed;
+  std::vector<const char*> completed(words, words + count);
+  for (const char*& word : completed) {
+    if (std::string_view(word) != "--help-all") continue;
+    typed.helps_with_all = true;
+    word = "--help";
+  }
   add_commands(app, all, typed);
   try {
-    std::vector<const char*> completed(words, words + count);
     const auto implied = implied_command(std::span(completed).subspan(1), app);
     if (implied) completed.insert(completed.begin() + 1, implied->c_str());
     all.info.is_implied = implied.has_value();

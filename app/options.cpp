@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/help_groups.h"
 #include "app/help_text.h"
 #include "app/version.h"
 
@@ -42,8 +43,7 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
                      "with C above 0.107, the least that C allows)");
   command.add_option("--size", typed.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
-                     "elsewhere, and instead of a longer one, what -C gives, then 0.4\n"
-                     "unless it is given");
+                     "elsewhere what -C allows, 0.4 unless it is given");
 }
 
 void add_function_option(CLI::App& command, Typed& typed) {
@@ -163,7 +163,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_threads_option(command, mesh.threads);
   add_limit_options(command, mesh.limits, typed);
   add_progress_option(command, typed);
+  group_options(command, typed.helps_with_all);
   command.footer(
+      "--help-all also lists the laboratory: methods, Q, fronts, snapshots, Morse functions.\n"
+      "\n"
       "The mesh takes its name only when the bytes written have been read back and certified:\n"
       "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
       "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");

@@ -25,6 +25,19 @@ class Failures(CommandTest):
         self.assertLess(report["grid_step"], 0.6)
         self.assertLess(wide["triangles"], report["triangles"])
 
+    def test_the_help_of_mesh_keeps_the_laboratory_for_those_who_ask_for_all(self):
+        short, whole = (self.run_morskin("mesh", word).stdout.decode()
+                        for word in ("--help", "--help-all"))
+        for option in ("--output", "-C FLOAT", "--density", "--chain", "--vertex-data", "--json"):
+            self.assertIn(option, short)
+            self.assertIn(option, whole)
+        for option in ("-Q FLOAT", "--guard", "--fronts", "--snapshot-at", "--certificate"):
+            self.assertNotIn(option, short)
+            self.assertIn(option, whole)
+        self.assertIn("--help-all", short)
+        self.assertLess(short.count("\n"), 80)
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "--fronts", "1", "-q")  # all the same
+
     def test_a_refused_option_names_its_nearest_relative_if_it_has_one(self):
         for word, meant in (("--densty", "--density"), ("--chains", "--chain"),
                             ("--water", "--waters"), ("--anglegoal", "--angle-goal"),
