@@ -124,7 +124,7 @@ std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing) {
   return std::nullopt;
 }
 
-/// Looks for what else the mesh could be, where it is not what nobody said it was.
+/// Looks for the model or C that was meant, where none was given and the default does not fit.
 void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report) {
   const certify::Certificate& certificate = report.against->certificate;
   const bool is_of_weights = arguments.against->model == skin::Model::Given;

@@ -7,7 +7,10 @@
 #include <vector>
 
 namespace morskin::app {
+namespace {
 
+/// The fewest letters to put in, take out or change to make one word of the other.
+/// Source: Levenshtein 1966.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);  // from the letters of a so far to each start of b
   std::iota(row.begin(), row.end(), 0U);
@@ -21,6 +24,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row.back();
 }
+
+}  // namespace
 
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word) {
   word = word.substr(0, word.find('='));

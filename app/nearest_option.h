@@ -10,10 +10,6 @@ class App;
 
 namespace morskin::app {
 
-/// The fewest letters to put in, take out or change to make one word of the other.
-/// Source: Levenshtein 1966.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// The option of the command being used, "--density" for "--densty", that a word which is none was
 /// probably meant to be; nothing if none is near. Of several as near, the first.
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word);

@@ -1,5 +1,5 @@
-// One row's run of the ablation (bench/ablation.py): Algorithm 1 with some of its departures from
-// the print taken back, certified, with no safety net.
+// One row's run of the ablation (bench/ablation.py): Algorithm 1 with some of the changes to
+// what the paper prints undone, certified, with no safety net.
 //
 //   morskin_ablation INPUT MODEL [SWITCH ...]     prints what came of it as JSON
 //   morskin_ablation --switches                   prints the names of all switches

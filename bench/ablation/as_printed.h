@@ -1,7 +1,7 @@
 #pragma once
 
-/// Algorithm 1 from one front, with departures from the print taken back one at a time: what is
-/// each worth? papers/5-results.md has the table. Measurements only; most of these meshes are worse
+/// Algorithm 1 from one front, with the changes to what the paper prints undone one at a time:
+/// what is each worth? papers/5-results.md has the table. Measurements only; most of these meshes are worse
 /// and some sweeps fail.
 
 #include <array>
