@@ -1,8 +1,8 @@
 #pragma once
 
-/// Algorithm 1 from one front, with the changes to what the paper prints undone one at a time:
-/// what is each worth? papers/5-results.md has the table. Measurements only; most of these meshes are worse
-/// and some sweeps fail.
+/// Algorithm 1 from one front, with the changes to what the paper prints undone one at a time: what
+/// is each worth? papers/5-results.md has the table. Measurements only; most of these meshes are
+/// worse and some sweeps fail.
 
 #include <array>
 #include <string_view>
