@@ -193,10 +193,11 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (mesh.has_snapshots() && !is_sweep && !is_dynamic) {
     throw UsageError("snapshots are for the methods sweep and dynamic");
   }
-  mesh.fronts = typed.fronts.value_or(mesh.has_snapshots() && is_sweep ? 1 : 2);
-  if (mesh.has_snapshots() && is_sweep && mesh.fronts != 1) {
-    throw UsageError("snapshots are of a sweep from below only: leave out --fronts 2");
+  mesh.fronts = typed.fronts;
+  if (mesh.has_snapshots() && is_sweep && mesh.fronts.value_or(1) != 1) {
+    throw UsageError("snapshots are of one front from below: leave out --fronts");
   }
+  if (mesh.has_snapshots() && is_sweep) mesh.fronts = 1;
   for (const double value : mesh.snapshot_values) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }

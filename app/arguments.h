@@ -79,7 +79,7 @@ struct MeshArguments {
   std::vector<double> snapshot_values;  ///< and at these
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
-  int fronts = 2;        ///< morskin::MeshingOptions::fronts
+  std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
 };

@@ -254,7 +254,6 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.method = !report.is_method_chosen ? arguments.method
                   : is_static              ? MeshMethod::Static
                                            : MeshMethod::Sweep;
-  report.fronts = arguments.fronts;
   describe_run(report, arguments, skin, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.

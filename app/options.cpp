@@ -6,6 +6,7 @@
 
 #include "app/help_groups.h"
 #include "app/help_text.h"
+#include "front/subdomains.h"
 #include "app/version.h"
 
 namespace morskin::app {
@@ -136,10 +137,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                      "largest weight). What is meshed and certified is the skin at T1");
   command
       .add_option("--fronts", typed.fronts,
-                  "2 sweeps from below and from above at once; 1 from below only,\n"
-                  "as the paper's Algorithm 1 does")
-      ->check(CLI::IsMember({1, 2}))
-      ->default_str("2");
+                  "Sweep so many subdomains, each for itself, a power of two (default: as\n"
+                  "many as the size of the mesh is worth); 1 sweeps from below with one\n"
+                  "front, as the paper's Algorithm 1 does")
+      ->check(CLI::Range(std::size_t{1}, front::max_subdomains));
   command
       .add_option("--guard", typed.guard,
                   "Where the front looks for collisions: everywhere; adjacent or\n"

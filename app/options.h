@@ -26,7 +26,7 @@ struct Typed {
   std::string method = "auto";
   std::string max_memory;
   std::string guard = "everywhere";
-  std::optional<int> fronts;
+  std::optional<std::size_t> fronts;
   std::optional<double> C, Q, size, density, triangles, grading, angle_goal;
   std::optional<std::string> grow, voids, vertex_data;
   TypedSelection selection;

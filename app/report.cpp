@@ -137,7 +137,9 @@ std::string json_text(const MeshReport& report) {
   json.update(critical_json(report.counts.critical_points));
   json["open_edges"] = report.counts.open_edges;
   json["surviving"] = critical_json(report.counts.surviving_points);
-  json["fronts"] = report.fronts;
+  json["subdomains"] = report.counts.subdomains;
+  json["triangles_laid"] = report.counts.triangles_laid;
+  json["seam_triangles"] = report.counts.seam_triangles;
   json["fallbacks"] = fallbacks_json(report.fallbacks);
   json["operations"] = operations_json(report);
   json["smoothing"] = {{"goal_deg", report.angle_goal_deg},

@@ -53,7 +53,6 @@ struct MeshReport {
   morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
-  int fronts = 2;
   double angle_goal_deg = 0;
   std::vector<morskin::Fallback> fallbacks;
   RunSeconds seconds;

@@ -1,9 +1,5 @@
 // Algorithm 1, CreepTriangles(), and what the paper does before and after it (section 4.1).
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 #include "front/sweep.h"
 
 namespace morskin::front {
@@ -27,21 +23,9 @@ void Sweep::creep_triangles() {
 // Line 14 refines the new triangles after each step. Here the closed mesh is refined
 // (refine/refinement.h): papers/4.3-local-refinement.md says why.
 
-void Sweep::run() {
-  std::vector<std::uint32_t> minima;
-  for (std::uint32_t i = 0; i < guide_.points.size(); ++i) {
-    const morse::CriticalPoint& p = guide_.points[i];
-    if (p.index == 0 && levels_.contains(p.value)) minima.push_back(i);
-  }
-  std::sort(minima.begin(), minima.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(guide_.points[a].value, a) < std::pair(guide_.points[b].value, b);
-  });
-  for (const std::uint32_t i : minima) create(guide_.points[i]);
-  sweep_on();
-}
-
-void Sweep::finish() {
-  levels_ = {};
+void Sweep::run(const SweepRegion& region, std::span<const SurfacePoint> bowls) {
+  region_ = region;
+  for (const SurfacePoint& p0 : bowls) create(p0);
   departures_.release_postponed();
   sweep_on();
 }
@@ -51,8 +35,8 @@ void Sweep::sweep_on() {
   creep_triangles();
   release_red_marks();
   creep_triangles();
-  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
-    if (is_maximum(CriticalId{c})) seal(CriticalId{c});
+  for (const CriticalId maximum : marks_.release_all(2)) {
+    if (is_surrounded(maximum)) seal(maximum);
   }
   creep_triangles();
   for (std::size_t before = 0; before != front_.triangles_added();) {

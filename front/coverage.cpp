@@ -22,11 +22,22 @@ constexpr double sphere_area = 4 * M_PI;
 
 }  // namespace
 
+void PatchCounts::add(const PatchCounts& other) {
+  for (std::size_t p = 0; p < pages_.size(); ++p) {
+    const std::vector<std::uint32_t>& page = other.pages_[p];
+    if (pages_[p].empty()) {
+      pages_[p] = page;
+      continue;
+    }
+    for (std::size_t i = 0; i < page.size(); ++i) pages_[p][i] += page[i];
+  }
+}
+
 Coverage::Coverage(const surface::Surface& surface, const TangentDisk& disk)
     : surface_(surface),
       disk_(disk),
       max_on_sphere_(max_vertices(sphere_area, disk.share())),
-      vertices_(surface.cell_count(), 0) {}
+      vertices_(surface.cell_count()) {}
 
 void Coverage::follow(const FrontChange& change) {
   if (change.kind != FrontChange::Kind::NewVertex) return;
@@ -38,7 +49,7 @@ void Coverage::follow(const FrontChange& change) {
 /// sphere with triangles of full size, and few have as many: most need no closer inspection.
 bool Coverage::is_covered_twice(const SurfacePoint& x) {
   largest_length_scale_ = std::max(largest_length_scale_, x.length_scale);
-  if (x.cell.index() >= vertices_.size() || ++vertices_[x.cell] <= max_on_sphere_) {
+  if (x.cell.index() >= surface_.cell_count() || ++vertices_[x.cell] <= max_on_sphere_) {
     return false;
   }
   const auto [area, largest] = surface_.extent(x.cell, largest_length_scale_);
@@ -46,9 +57,7 @@ bool Coverage::is_covered_twice(const SurfacePoint& x) {
 }
 
 void Coverage::absorb(const Coverage& other) {
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    vertices_[geometry::CellId{i}] += other.vertices_[geometry::CellId{i}];
-  }
+  vertices_.add(other.vertices_);
   largest_length_scale_ = std::max(largest_length_scale_, other.largest_length_scale_);
   is_overlapping_ |= other.is_overlapping_;
 }

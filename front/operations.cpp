@@ -15,10 +15,9 @@ constexpr double sixty_degrees = M_PI / 3;
 
 }  // namespace
 
-/// Creation: lays a bowl of six triangles at a minimum, unless another bowl is so near that its
-/// front will run over it.
-void Sweep::create(const morse::CriticalPoint& minimum) {
-  const SurfacePoint& p0 = minimum.point;
+/// Creation: lays a bowl of six triangles, at a minimum as a rule, unless another bowl is so near
+/// that its front will run over it.
+void Sweep::create(const SurfacePoint& p0) {
   guard_.gather(p0);
   if (!guard_.is_bare_within(disk_.spacing().bowl_gap * disk_.radius(p0.length_scale))) return;
   // [excerpt: bowl]

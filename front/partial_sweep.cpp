@@ -5,14 +5,14 @@
 namespace morskin::front {
 
 PartialSweep::PartialSweep(const surface::Surface& surface, const morse::Guide& guide,
-                           const SweepOptions& options, const LevelRange& levels,
+                           const SweepOptions& options,
                            const std::optional<CoarseningOptions>& coarsening,
                            const std::vector<SweepObserver*>& observers)
     : counter_(guide),
       coarsening_(
           coarsening ? std::optional<CoarseningObserver>(std::in_place, surface, *coarsening, mesh_)
                      : std::nullopt),
-      sweep_(surface, guide, options, mesh_, levels, all_observers(observers)) {}
+      sweep_(surface, guide, options, mesh_, all_observers(observers)) {}
 
 std::vector<SweepObserver*> PartialSweep::all_observers(const std::vector<SweepObserver*>& others) {
   std::vector<SweepObserver*> all{&counter_};
@@ -33,6 +33,7 @@ SweepResult PartialSweep::take_result() {
   result.operations = counter_.operations();
   if (coarsening_) result.operations.coarsen = coarsening_->removed();
   result.open_edges = sweep_.open_edges();
+  result.triangles_laid = sweep_.triangles_laid();
   return result;
 }
 

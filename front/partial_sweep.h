@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "front/coarsening_observer.h"
@@ -14,25 +15,28 @@ struct SweepResult {
   surface::Mesh mesh;
   Operations operations;
   std::size_t open_edges = 0;  ///< 0 when the mesh is closed
+  std::size_t subdomains = 1;
+  std::size_t triangles_laid = 0;
+  std::size_t seam_triangles = 0;  ///< of these, those between subdomains
 };
 
-/// One of the sweeps that mesh a surface together, each between two levels, with its mesh, its
+/// One of the sweeps that mesh a surface together, each in a region of its own, with its mesh, its
 /// counts and its coarsening. Absorbing is associative, so any number of them are a fold; what lies
-/// between them is swept in the end.
+/// between them is swept by the one that has absorbed both.
 class PartialSweep {
  public:
   /// @param coarsening  nothing to leave the mesh as fine as it is laid
   /// @param observers   further ones; with surface and guide they must outlive this
   PartialSweep(const surface::Surface& surface, const morse::Guide& guide,
-               const SweepOptions& options, const LevelRange& levels,
-               const std::optional<CoarseningOptions>& coarsening = {},
+               const SweepOptions& options, const std::optional<CoarseningOptions>& coarsening = {},
                const std::vector<SweepObserver*>& observers = {});
 
-  void run() { sweep_.run(); }
-  /// @pre both have run, over disjoint levels
+  void run(const SweepRegion& region, std::span<const SurfacePoint> bowls) {
+    sweep_.run(region, bowls);
+  }
+  /// @pre both have run, over disjoint regions
   void absorb(PartialSweep& other, const geometry::Run& run = geometry::Run());
-  /// Sweeps on over the whole surface.
-  void finish() { sweep_.finish(); }
+  std::size_t triangles_laid() const { return sweep_.triangles_laid(); }
   /// The mesh, moved out, and the counts.
   SweepResult take_result();
 

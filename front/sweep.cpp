@@ -6,10 +6,8 @@
 namespace morskin::front {
 
 Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
-             const SweepOptions& options, Mesh& mesh, const LevelRange& levels,
-             std::vector<SweepObserver*> observers)
+             const SweepOptions& options, Mesh& mesh, std::vector<SweepObserver*> observers)
     : guide_(guide),
-      levels_(levels),
       disk_(surface, options.sizing, options.spacing),
       mesh_(mesh),
       front_(mesh, disk_.view_share(), options.sizing.largest_length_scale),
@@ -40,7 +38,7 @@ IdOffsets Sweep::absorb(Sweep& other, const geometry::Run& run) {
   return offsets;
 }
 
-/// The lowest departure of the queue that is current and within the levels.
+/// The lowest departure of the queue that is current and within the region.
 std::optional<Departure> Sweep::lowest_departure() {
   while (!departures_.empty() && !coverage_.is_overlapping()) {
     for (SweepObserver* observer : observers_) observer->between_departures(front_);
@@ -54,10 +52,10 @@ std::optional<Departure> Sweep::lowest_departure() {
 }
 
 /// Whether all that a fan or a closed corner at the departure vertex could add stays within the
-/// levels, with a disk's radius to spare.
+/// region, with a disk's radius to spare.
 bool Sweep::may_depart(const Departure& t) const {
   const SurfacePoint& p = mesh_.at(front_[t.corner].origin);
-  return levels_.contains(guide_.function, p.position, t.value, 2 * disk_.radius(p.length_scale));
+  return region_.contains(p.position, 2 * disk_.radius(p.length_scale));
 }
 
 /// The protecting sphere that a departure vertex lies in, if it has not been released.
@@ -90,6 +88,18 @@ std::size_t Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
   return s.descending.dot(mesh_.position(v) - s.point.position) > 0 ? 1 : 0;
 }
 
+/// Whether the front can have come to a maximum from all sides. Where part of its protecting sphere
+/// is out of the region, the departures there wait for a larger one: what is left about it is no
+/// hole, and triangles over existing vertices would be far too long.
+bool Sweep::is_surrounded(CriticalId maximum) {
+  const SurfacePoint& p = guide_.points[maximum.index()].point;
+  const double reach = guide_.spheres.radius(maximum) + 2 * disk_.radius(p.length_scale);
+  if (region_.contains(p.position, reach)) return true;
+  const Marks::Sides green = marks_.release(maximum);
+  for (const Departure& t : green[0]) departures_.postpone(t);
+  return false;
+}
+
 /// Gathers the front about a corner for the guard.
 void Sweep::inspect(FrontEdgeId corner) {
   policy_.gather(guard_, mesh_.at(front_[corner].origin), corner);
@@ -112,9 +122,8 @@ void Sweep::done(Operation operation) const {
 /// A saddle reached from one side only, both branches having met elsewhere, stops the front no
 /// longer (E18).
 void Sweep::release_red_marks() {
-  for (std::size_t c = 0; c < guide_.points.size(); ++c) {
-    if (!is_saddle(CriticalId{c})) continue;
-    for (const auto& side : marks_.release(CriticalId{c})) departures_.put_back(side);
+  for (const CriticalId saddle : marks_.release_all(1)) {
+    for (const auto& side : marks_.release(saddle)) departures_.put_back(side);
   }
 }
 

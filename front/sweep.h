@@ -8,6 +8,7 @@
 /// and coarsening are observers.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "certify/sizing.h"
@@ -16,10 +17,10 @@
 #include "front/fresh_corners.h"
 #include "front/front.h"
 #include "front/guard_policy.h"
-#include "front/level_range.h"
 #include "front/marks.h"
 #include "front/neighbourhood.h"
 #include "front/sweep_observer.h"
+#include "front/sweep_region.h"
 #include "front/tangent_disk.h"
 #include "geometry/run.h"
 #include "morse/guide.h"
@@ -38,22 +39,22 @@ class Sweep {
  public:
   /// @pre the mesh is empty. Surface, guide, mesh and observers must outlive the sweep.
   Sweep(const surface::Surface& surface, const morse::Guide& guide, const SweepOptions& options,
-        Mesh& mesh, const LevelRange& levels = {}, std::vector<SweepObserver*> observers = {});
+        Mesh& mesh, std::vector<SweepObserver*> observers = {});
   Sweep(const Sweep&) = delete;  // its parts refer to each other
   Sweep& operator=(const Sweep&) = delete;
 
-  /// Sweeps until no bare surface is left that the front can reach within the levels.
-  void run();
+  /// Lays bowls at points, in this order, and sweeps until no bare surface is left that the front
+  /// can reach within the region. May be called again with a larger region.
+  /// @pre no triangle is near the points
+  void run(const SweepRegion& region, std::span<const SurfacePoint> bowls);
 
   /// Unites another sweep of the same surface with this one: mesh, front, departures, marks and
   /// coverage. Nothing is laid. Associative; nothing is left of the other's mesh.
-  /// @pre both have run, along the same function or its reverse, over disjoint levels.
+  /// @pre both have run, along the same function, over disjoint regions.
   /// @return  by how much the other's ids moved up
   IdOffsets absorb(Sweep& other, const geometry::Run& run = geometry::Run());
 
-  /// Sweeps on over the whole surface.
-  void finish();
-
+  std::size_t triangles_laid() const { return front_.triangles_added(); }
   /// Front edges left open: 0 when the mesh is closed.
   std::size_t open_edges() const { return front_.open_edges(); }
 
@@ -72,9 +73,10 @@ class Sweep {
   bool is_ready(CriticalId saddle) const { return marks_.is_marked_on_both_sides(saddle); }
   void mark_green(CriticalId maximum, const Departure& t);
   void defer(const Departure& t) { departures_.defer(t); }
+  bool is_surrounded(CriticalId maximum);
 
   // The operations.
-  void create(const morse::CriticalPoint& minimum);
+  void create(const SurfacePoint& p0);
   bool creep(const Departure& t);
   void break_long_edge(FrontEdgeId e, const SurfacePoint& centre);
   void lay_fan(FrontEdgeId e, const SurfacePoint& centre, double angle, int count);
@@ -94,7 +96,7 @@ class Sweep {
   void done(Operation operation) const;
 
   const morse::Guide& guide_;
-  LevelRange levels_;
+  SweepRegion region_;
   const TangentDisk disk_;
   Mesh& mesh_;
   Front front_;

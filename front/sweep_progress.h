@@ -1,52 +1,46 @@
 #pragma once
 
-#include <functional>
+#include <algorithm>
+#include <cstddef>
 #include <mutex>
-#include <vector>
 
 #include "front/sweep_observer.h"
 #include "geometry/run.h"
-#include "morse/guide.h"
-#include "surface/surface.h"
 
 namespace morskin::front {
 
-/// The share of the atoms that one front, or two from opposite ends, have passed. Each front may
-/// report from its own thread.
-class PassedAtoms {
+/// The share of the expected triangles that sweeps have laid. Each may report from its own thread.
+class LaidTriangles {
  public:
   /// @param run  receives the share, by one thread at a time
-  PassedAtoms(const surface::Surface& surface, const morse::MorseFunction& function,
-              const geometry::Run& run);
+  LaidTriangles(double expected, const geometry::Run& run) : expected_(expected), run_(run) {}
 
-  void passed_from_below(double value);
-  /// @param value  of the reversed function
-  void passed_from_above(double value);
-
- private:
-  double share_below(double value) const;
-  void raise(double& share, double to);
-
-  const geometry::Run run_;
-  std::vector<double> values_;  ///< of the function at a sample of the atoms, ascending
-  std::mutex mutex_;
-  double from_below_ = 0, from_above_ = 0;
-};
-
-/// Calls back now and then with the value at the departure vertex.
-class ProgressObserver : public SweepObserver {
- public:
-  explicit ProgressObserver(std::function<void(double)> callback)
-      : callback_(std::move(callback)) {}
-
-  void departed(const Departure& t, const Front&) override {
-    constexpr std::size_t steps_between_reports = 4096;
-    if (++steps_ % steps_between_reports == 0) callback_(t.value);
+  void add(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    laid_ += static_cast<double>(count);
+    run_.report(std::min(laid_ / expected_, 1.0));
   }
 
  private:
-  std::function<void(double)> callback_;
-  std::size_t steps_ = 0;
+  const double expected_;
+  const geometry::Run run_;
+  std::mutex mutex_;
+  double laid_ = 0;
+};
+
+/// Reports every few thousand triangles.
+class ProgressObserver : public SweepObserver {
+ public:
+  explicit ProgressObserver(LaidTriangles& laid) : laid_(laid) {}
+
+  void follow(const FrontChange&) override {
+    constexpr std::size_t between_reports = 4096;
+    if (++count_ % between_reports == 0) laid_.add(between_reports);
+  }
+
+ private:
+  LaidTriangles& laid_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace morskin::front

@@ -15,9 +15,6 @@ struct CriticalPoint {
   /// At a saddle a unit tangent of steepest descent and one of steepest ascent, orthogonal to each
   /// other; the opposite ones are as steep. Otherwise zero.
   Vector descending = Vector::Zero(), ascending = Vector::Zero();
-
-  /// The same point for the reversed function.
-  CriticalPoint reversed() const { return {point, 2 - index, -value, ascending, descending}; }
 };
 
 }  // namespace morskin::morse

@@ -19,8 +19,6 @@ struct Guide {
   bool is_simplified = true;  ///< false if rounding leaves the Morse-Smale complex undecided:
                               ///< then all points survive and spheres shrink instead
 
-  /// The same for the reversed function.
-  Guide reversed() const;
   std::size_t count(int index) const;
 };
 

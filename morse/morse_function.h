@@ -39,10 +39,6 @@ struct MorseFunction {
   /// The gradient in space; that on the skin lacks the part along the normal.
   Vector gradient(const Point& x) const { return direction + 2 * curvature * (x - origin); }
   // [/excerpt]
-  /// Bound on |f(y) - f(x)| for |y - x| <= distance, Angstrom.
-  double max_change(const Point& x, double distance) const {
-    return distance * (gradient(x).norm() + std::abs(curvature) * distance);
-  }
 };
 
 }  // namespace morskin::morse

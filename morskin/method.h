@@ -41,7 +41,10 @@ struct RunCounts {
   refine::SmoothingCounts smoothing;
   refine::AngleImprovementCounts improvement;
   refine::AngleRefinementCounts angles;
-  std::size_t open_edges = 0;  ///< of a surface that could not be closed; 0 in a good mesh
+  std::size_t open_edges = 0;      ///< of a surface that could not be closed; 0 in a good mesh
+  std::size_t subdomains = 1;      ///< that a sweep was made of
+  std::size_t triangles_laid = 0;  ///< by it
+  std::size_t seam_triangles = 0;  ///< of these, those between subdomains
 
   /// Triangles that still miss the goal, insertions for 30 degrees apart.
   std::size_t below_goal() const { return smoothing.left > 0 ? improvement.left : 0; }
@@ -74,8 +77,10 @@ struct MeshingOptions {
   /// The function to sweep along; without one, the height y with a small tilt, and further tilts
   /// should that be degenerate.
   std::optional<morse::MorseFunction> function = {};
-  /// 2: swept from both ends at once; 1: from below only, as in Algorithm 1.
-  int fronts = 2;
+  /// So many subdomains are swept each for itself, up to front::max_subdomains; of what is no power
+  /// of two the next below. 1: one front from below, as in Algorithm 1. Without one, as many as the
+  /// size of the mesh is worth.
+  std::optional<std::size_t> fronts = {};
   front::Guard guard = front::Guard::Everywhere;
   /// Whether other runs replace what a sweep's certificate does not cover (safety_net.h).
   bool has_safety_net = true;

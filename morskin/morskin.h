@@ -112,7 +112,10 @@ struct MeshOptions {
   /// Without one the sweep, or, up to 50,000 balls, the static method with C above 0.25 where no
   /// length limits most edges: it makes as dense a mesh in less time there.
   std::optional<Method> method = {};
-  int fronts = 2;  ///< 2: swept from both ends at once; 1: from below, the paper's Algorithm 1
+  /// So many subdomains are swept each for itself, 1 to 65,536; of what is no power of two the next
+  /// below. 1: one front from below, the paper's Algorithm 1. Without one, as many as the size of
+  /// the mesh is worth.
+  std::optional<std::size_t> fronts = {};
   std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one
 };
 

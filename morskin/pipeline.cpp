@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "front/subdomains.h"
 #include "geometry/orthogonal.h"
 #include "geometry/parallel.h"
 #include "geometry/stopwatch.h"
@@ -52,9 +53,9 @@ void check(const MeshingOptions& options) {
   check(options.sizing);
   check(options.size_goal);
   if (options.function) check(*options.function);
-  if (options.fronts != 1 && options.fronts != 2) {
-    throw geometry::RefusedInput("there are one or two fronts, not " +
-                                 std::to_string(options.fronts));
+  if (options.fronts && !(*options.fronts >= 1 && *options.fronts <= front::max_subdomains)) {
+    throw geometry::RefusedInput("there may be 1 to " + std::to_string(front::max_subdomains) +
+                                 " fronts, not " + std::to_string(*options.fronts));
   }
   if (!(options.goal_deg() >= 0 && options.goal_deg() <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
@@ -105,10 +106,8 @@ class Delivering {
       : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
 
   void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
-    Observer::Delivery arrived =
-        run_.stage("deliver", [&] {
-          return observer_.deliver(std::exchange(result.mesh, {}), result.cells);
-        });
+    Observer::Delivery arrived = run_.stage(
+        "deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {}), result.cells); });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
       return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),

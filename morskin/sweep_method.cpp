@@ -1,4 +1,4 @@
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "morse/make_guide.h"
 #include "morse/skin_spheres.h"
 #include "morskin/method.h"
@@ -31,7 +31,7 @@ front::SweepResult sweep(const skin::SkinSurface& skin, const morse::Guide& guid
   if (options.sizing.is_coarser_than_laid()) coarsening = {.sizing = options.sizing};
   return options.fronts == 1
              ? front::sweep_once(skin, guide, sweeping, coarsening, observer.sweep_observers(), run)
-             : front::sweep_from_both_ends(skin, guide, sweeping, coarsening, run);
+             : front::sweep_subdomains(skin, guide, sweeping, coarsening, run, options.fronts);
 }
 
 }  // namespace
@@ -53,6 +53,9 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& option
     result.mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;
+    result.subdomains = swept.subdomains;
+    result.triangles_laid = swept.triangles_laid;
+    result.seam_triangles = swept.seam_triangles;
   });
   observer.swept(result.mesh);
   if (result.open_edges > 0) return result;

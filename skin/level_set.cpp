@@ -35,6 +35,15 @@ double LevelSet::max_length_scale() const {
   return std::sqrt(std::max(rho * rho + half_time_, 0.0));
 }
 
+surface::Samples LevelSet::samples() const {
+  const surface::Samples of_skin = skin_->samples();
+  surface::Samples samples{{}, of_skin.each};
+  for (const SurfacePoint& p : of_skin.points) {
+    if (const auto x = project(p.position, p.cell)) samples.points.push_back(*x);
+  }
+  return samples;
+}
+
 PatchExtent LevelSet::extent(CellId cell, double max_length_scale) const {
   return extent_of(patch(cell), max_length_scale);
 }

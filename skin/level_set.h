@@ -38,7 +38,8 @@ class LevelSet final : public surface::Surface {
   LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
   BoundingBall bounding_ball() const override;
   double max_length_scale() const override;
-  std::vector<Point> samples() const override { return skin_->samples(); }
+  /// Those of the skin, projected.
+  surface::Samples samples() const override;
   std::size_t cell_count() const override { return skin_->cell_count(); }
   PatchExtent extent(CellId cell, double max_length_scale) const override;
 

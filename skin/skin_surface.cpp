@@ -152,15 +152,6 @@ double SkinSurface::max_length_scale() const {
   return std::sqrt(max_weight / 2);
 }
 
-std::vector<Point> SkinSurface::samples() const {
-  std::vector<Point> positions;
-  positions.reserve(triangulation().vertices.size());
-  for (const AtomId atom : triangulation().vertices) {
-    positions.push_back(points()[atom.index()].position);
-  }
-  return positions;
-}
-
 /// On a hyperboloid of one sheet, at s along the axis from the middle, rho^2 = k + 2 s^2 with k the
 /// square of the waist's radius, and the integral of 2 pi / rho ds over both sides is that of
 /// rho^-2. With two sheets, k the square of half their distance, it is less.

@@ -13,6 +13,7 @@
 #include "geometry/run.h"
 #include "skin/least_power.h"
 #include "skin/mixed_complex.h"
+#include "skin/skin_samples.h"
 #include "surface/surface.h"
 
 namespace morskin::skin {
@@ -100,8 +101,8 @@ class SkinSurface final : public surface::Surface {
 
   BoundingBall bounding_ball() const override;
   double max_length_scale() const override;
-  /// The atoms.
-  std::vector<Point> samples() const override;
+  /// @copydoc skin_samples
+  surface::Samples samples() const override { return skin_samples(*this, complex_); }
   std::size_t cell_count() const override { return complex_.kept_size(); }
   PatchExtent extent(CellId cell, double max_length_scale) const override;
 

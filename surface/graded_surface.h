@@ -39,7 +39,11 @@ class GradedSurface final : public Surface {
   }
   BoundingBall bounding_ball() const override { return surface_->bounding_ball(); }
   double max_length_scale() const override { return surface_->max_length_scale(); }
-  std::vector<Point> samples() const override { return surface_->samples(); }
+  Samples samples() const override {
+    Samples samples = surface_->samples();
+    for (SurfacePoint& x : samples.points) x = graded(x);
+    return samples;
+  }
   std::size_t cell_count() const override { return surface_->cell_count(); }
   /// Of the surface itself: the integral of its own length scale.
   PatchExtent extent(CellId cell, double max_length_scale) const override {

@@ -38,6 +38,12 @@ struct PatchExtent {
   double max_length_scale;  ///< Angstrom
 };
 
+/// Points that stand for a surface.
+struct Samples {
+  std::vector<SurfacePoint> points;
+  double each;  ///< integral of rho^-2 that each stands for
+};
+
 class Surface {
  public:
   virtual ~Surface();
@@ -69,9 +75,9 @@ class Surface {
   virtual BoundingBall bounding_ball() const = 0;
   /// Bound on the length scale on F, Angstrom.
   virtual double max_length_scale() const = 0;
-  /// Points distributed about as the surface is, at least one: the median of a function over them
-  /// splits the surface roughly in half.
-  virtual std::vector<Point> samples() const = 0;
+  /// Points of F, drawn the same way every time: as many in a part of it as its share of the whole
+  /// integral, roughly. May be none where F is small.
+  virtual Samples samples() const = 0;
 
   /// Cells that F meets have ids below this.
   virtual std::size_t cell_count() const = 0;

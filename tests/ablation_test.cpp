@@ -3,6 +3,7 @@
 #include "bench/ablation/contraction_by_distance.h"
 #include "bench/ablation/refining_observer.h"
 #include "front/sweep.h"
+#include "front/sweep_plan.h"
 #include "tests/support/meshes.h"
 #include "tests/support/plain_complex.h"
 
@@ -40,7 +41,7 @@ std::vector<surface::Point> laid_vertices(const PreparedSkin& skin, surface::Mes
   } recorder;
   observers.push_back(&recorder);
   const morse::Guide guide = guide_for(skin);
-  front::Sweep(skin.surface, guide, {}, mesh, {}, observers).run();
+  front::Sweep(skin.surface, guide, {}, mesh, observers).run({}, front::minima_of(guide));
   return recorder.positions;
 }
 

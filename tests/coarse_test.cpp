@@ -1,7 +1,7 @@
 // Meshes by length and meshes that are coarser than anything is proved of beforehand.
 
 #include "certify/triangle_geometry.h"
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;

@@ -7,7 +7,7 @@
 #include "certify/certificate.h"
 #include "certify/tube.h"
 #include "front/snapshots.h"
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "refine/refinement.h"
 #include "refine/thinning.h"
 #include "tests/support/meshes.h"
@@ -184,14 +184,14 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
   });
 }
 
-TEST_CASE("two fronts that are coarsened on their way give one mesh for any number of threads") {
+TEST_CASE("subdomains that are coarsened on their way give one mesh for any number of threads") {
   const Sizing sizing = sizing_for(0.35), laid = sizing.laid();
   for_skins(20, [&](const PreparedSkin& skin) {
     const morse::Guide guide = guide_for(skin, laid);
     const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
-    auto one = front::sweep_from_both_ends(skin.surface, guide, {.sizing = laid}, coarsening,
+    auto one = front::sweep_subdomains(skin.surface, guide, {.sizing = laid}, coarsening,
                                            geometry::Run(1));
-    const auto two = front::sweep_from_both_ends(skin.surface, guide, {.sizing = laid}, coarsening,
+    const auto two = front::sweep_subdomains(skin.surface, guide, {.sizing = laid}, coarsening,
                                                  geometry::Run(2));
     REQUIRE(one.open_edges == 0);
     CHECK(indexed_mesh(one.mesh) == indexed_mesh(two.mesh));

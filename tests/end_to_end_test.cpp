@@ -110,7 +110,7 @@ TEST_CASE(
     MeshingOptions options;
     options.function =
         morse::MorseFunction::squared_distance(random.between(0, 12) * random.direction());
-    options.fronts = 1 + i % 2;
+    if (i % 2 == 0) options.fronts = 1;
     const MeshResult result = make_mesh(skin, options);
     check_result(result);
     CHECK(std::abs(result.certificate.area - area) < 1e-3 * area);
@@ -146,7 +146,7 @@ TEST_CASE("however fine the mesh, the front leaves less than one vertex in eight
   const PreparedSkin skin = prepare_skin(molecule("caffeine.xyz", skin::Model::Vdw));
   for (const double C : {0.08, 0.04, 0.02}) {
     CAPTURE(C);
-    const MeshResult result = make_mesh(skin, with({C, 1.65}));
+    const MeshResult result = make_mesh(skin, {.sizing = {C, 1.65}, .fronts = 1});
     CHECK(8 * result.refinement.insert < result.mesh.positions.size());
   }
 }

@@ -4,7 +4,7 @@
 #include "app/figures/free_form.h"
 #include "app/figures/recorded_sweep.h"
 #include "app/pictures/png.h"
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "tests/support/png_reading.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test.h"

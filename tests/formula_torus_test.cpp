@@ -2,7 +2,7 @@
 // torus given by a formula.
 
 #include "certify/certificate.h"
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "refine/refinement.h"
 #include "refine/smoothing.h"
 #include "tests/support/formula_surfaces.h"
@@ -69,7 +69,7 @@ TEST_CASE("the front meshes a torus given by a formula, certified") {
     const TorusRun run{R, 1};
     check(run.certificate(front::sweep_once(run.torus, run.guide(), {.sizing = run.sizing})));
     check(run.certificate(
-        front::sweep_from_both_ends(run.torus, run.guide(), {.sizing = run.sizing})));
+        front::sweep_subdomains(run.torus, run.guide(), {.sizing = run.sizing})));
   }
 }
 

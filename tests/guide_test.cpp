@@ -41,17 +41,13 @@ TEST_CASE("no two protecting spheres of a guide overlap, and none is larger than
   });
 }
 
-TEST_CASE("a guide is the same made by one thread as by two, and its reverse's reverse") {
+TEST_CASE("a guide is the same made by one thread as by two") {
   const PreparedSkin skin = prepare_skin(molecule("1grm_model1.pdb", skin::Model::Paper));
   const Guide one = guide_for(skin), two = guide_for(skin, {}, {}, 2);
   REQUIRE(one.points.size() == two.points.size());
-  const Guide back = one.reversed().reversed();
-  CHECK(one.reversed().count(0) == one.count(2));
   for (std::size_t i = 0; i < one.points.size(); ++i) {
     CHECK(one.points[i].point.position == two.points[i].point.position);
     CHECK(one.spheres.radius(CriticalId{i}) == two.spheres.radius(CriticalId{i}));
-    CHECK(back.points[i].index == one.points[i].index);
-    CHECK(back.points[i].value == one.points[i].value);
   }
 }
 

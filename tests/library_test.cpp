@@ -158,7 +158,7 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   const Skin skin(three_atoms, balls);
   const double nan = std::nan("");
   for (const MeshOptions& options :
-       {MeshOptions{.fronts = 7}, MeshOptions{.fronts = 0}, MeshOptions{.C = 0},
+       {MeshOptions{.fronts = 0}, MeshOptions{.C = 0},
         MeshOptions{.C = nan}, MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1},
         MeshOptions{.max_length_scale = 0}, MeshOptions{.angle_goal_deg = 61},
         MeshOptions{.angle_goal_deg = nan}, MeshOptions{.direction = Point{0, 0, 0}},

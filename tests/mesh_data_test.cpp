@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "refine/refinement.h"
 #include "tests/support/meshes.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;

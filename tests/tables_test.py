@@ -13,6 +13,7 @@ import ablation  # noqa: E402
 import condition  # noqa: E402
 import densities  # noqa: E402
 import ses_like  # noqa: E402
+import subdomains  # noqa: E402
 from molecule_runs import read_rows  # noqa: E402
 
 
@@ -76,9 +77,20 @@ def wrong_conditions(rows):
             yield f"{r['model']} {r['options']}: {r['verdict']}, {r['min_angle']} degrees"
 
 
+def wrong_subdomains(rows):
+    if [(r["molecule"], r["model"], r["options"], int(r["subdomains"])) for r in rows] != [
+            (name, model, " ".join(options), count)
+            for name, model, options in subdomains.SURFACES for count in subdomains.COUNTS]:
+        yield "not the runs of bench/subdomains.py"
+    for r in rows:
+        if r["verdict"] != "certified":
+            yield f"{r['molecule']} in {r['subdomains']}: {r['verdict']}"
+
+
 TABLES = [(ablation, "ablation.tsv", "5-results.md", wrong_ablation),
           (ablation, "ablation.tsv", "results/table1.md", wrong_ablation),
           (densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
+          (subdomains, "subdomains.tsv", "4.1-algorithm.md", wrong_subdomains),
           (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets),
           (condition, "condition.tsv", "coarser-skins.md", wrong_conditions)]
 

@@ -71,7 +71,7 @@ class Blurred final : public surface::Surface {
   }
   surface::BoundingBall bounding_ball() const override { return surface_.bounding_ball(); }
   double max_length_scale() const override { return surface_.max_length_scale(); }
-  std::vector<Point> samples() const override { return surface_.samples(); }
+  surface::Samples samples() const override { return surface_.samples(); }
   std::size_t cell_count() const override { return surface_.cell_count(); }
   surface::PatchExtent extent(CellId cell, double max_length_scale) const override {
     return surface_.extent(cell, max_length_scale);

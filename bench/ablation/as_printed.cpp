@@ -8,6 +8,7 @@
 #include "bench/ablation/refining_observer.h"
 #include "front/experimental_guards.h"
 #include "front/sweep.h"
+#include "front/sweep_plan.h"
 #include "morse/make_guide.h"
 
 namespace morskin::ablation {
@@ -33,8 +34,8 @@ std::size_t sweep(const PreparedSkin& skin, const morse::Guide& guide,
   RefiningObserver refining(skin.surface, options.sizing, mesh);
   std::vector<front::SweepObserver*> observers;
   if (printed.refinement) observers.push_back(&refining);
-  front::Sweep sweep(skin.surface, guide, sweeping, mesh, {}, observers);
-  sweep.run();
+  front::Sweep sweep(skin.surface, guide, sweeping, mesh, observers);
+  sweep.run({}, front::minima_of(guide));
   return sweep.open_edges();
 }
 

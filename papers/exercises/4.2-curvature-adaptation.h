@@ -3,7 +3,7 @@
 #include "papers/exercises/course.h"
 
 /// Predict. Triangles on a lone ball if all were equilateral with edges of 0.181 rho. The test lets
-/// you be 15 % off what the program lays.
+/// you be 20 % off what the program lays.
 Number triangles_on_a_ball = unanswered;
 
 /// Run. `benzene.pdb` with -C 0.04, model paper: how many triangles?

@@ -3,13 +3,10 @@
 #include "papers/exercises/course.h"
 
 // Minima and maxima change places.
-Counts from_above = {{7, 12, 5}};
+Counts of_reversed = {{7, 12, 5}};
 
-// Those of the surviving minima that lie below the level and of the maxima above it. One front
-// lays 26: one for each surviving minimum.
-Count bowls_of_both = 27;
+// One for each of the 26 surviving minima, and more where the skin comes into a box from below.
+Count bowls_of_subdomains = 126;
 
-// f(x + e) = f(x) + gradient . e + c |e|^2, largest for e along the gradient.
-Formula<double(double g, double c, double d)> largest_rise = [](double g, double c, double d) {
-  return d * (g + c * d);
-};
+// 2^d in the smallest boxes, and one in every box that has halves: 2^d - 1.
+Formula<double(double d)> sweeps = [](double d) { return 2 * std::exp2(d) - 1; };

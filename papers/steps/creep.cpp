@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "morse/make_guide.h"
 #include "morskin/pipeline.h"
 #include "papers/steps/step.h"

@@ -4,7 +4,7 @@
 // through its three corners (section 2.2). One edge of such a mesh is turned the wrong way by hand.
 // Then the ball of a triangle beside it holds the far corner, and the refinement turns it back.
 
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "morse/make_guide.h"
 #include "morskin/pipeline.h"
 #include "papers/steps/step.h"

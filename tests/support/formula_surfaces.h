@@ -87,7 +87,17 @@ class Sphere final : public FormulaSurface {
   }
   surface::BoundingBall bounding_ball() const override { return {Point::Zero(), 1.01 * r_}; }
   double max_length_scale() const override { return r_; }
-  std::vector<Point> samples() const override { return {Point::Zero()}; }
+  surface::Samples samples() const override {
+    constexpr int count = 32;
+    surface::Samples result{{}, 4 * M_PI / count};
+    for (int i = 0; i < count; ++i) {  // a spiral from pole to pole
+      const double z = (2 * i + 1.0) / count - 1, s = std::sqrt(1 - z * z);
+      const double angle = i * M_PI * (3 - std::sqrt(5.0));
+      const Point x = r_ * Point(s * std::cos(angle), s * std::sin(angle), z);
+      result.points.push_back(at(x, CellId{0U}));
+    }
+    return result;
+  }
   std::size_t cell_count() const override { return 1; }
   surface::PatchExtent extent(CellId, double) const override { return {4 * M_PI, r_}; }
 
@@ -126,12 +136,14 @@ class Torus final : public FormulaSurface {
   }
   surface::BoundingBall bounding_ball() const override { return {Point::Zero(), 1.01 * (R_ + r_)}; }
   double max_length_scale() const override { return r_; }
-  std::vector<Point> samples() const override {
-    constexpr int count = 16;
-    std::vector<Point> result;
+  /// Round the circle, outside and inside by turns.
+  surface::Samples samples() const override {
+    constexpr int count = 64;
+    surface::Samples result{{}, 4 * M_PI * M_PI * R_ / r_ / count};
     for (int i = 0; i < count; ++i) {
-      const double angle = 2 * M_PI * (i + 0.37) / count;
-      result.emplace_back(R_ * std::cos(angle), R_ * std::sin(angle), 0);
+      const double angle = 2 * M_PI * (i + 0.37) / count, s = i % 2 == 0 ? R_ + r_ : R_ - r_;
+      const Point x(s * std::cos(angle), s * std::sin(angle), 0);
+      result.points.push_back(at(x, locate(x, CellId{0U})));
     }
     return result;
   }

@@ -3,6 +3,7 @@
 /// Meshes as the sweep leaves them and as the refinement does, and what the latter must be.
 
 #include "front/sweep.h"
+#include "front/sweep_plan.h"
 #include "refine/refinement.h"
 #include "tests/support/meshes.h"
 
@@ -15,7 +16,7 @@ inline Mesh swept_mesh(const PreparedSkin& skin, const Sizing& sizing = {}) {
   const morse::Guide guide = guide_for(skin, sizing);
   Mesh mesh;
   front::Sweep sweep(skin.surface, guide, {.sizing = sizing}, mesh);
-  sweep.run();
+  sweep.run({}, front::minima_of(guide));
   REQUIRE(sweep.open_edges() == 0);
   return mesh;
 }

@@ -25,7 +25,7 @@ class SurfaceLaws {
       balls_are_free(*p);
       length_scale_is_lipschitz(*p);
     }
-    CHECK(!surface_.samples().empty());
+    samples_lie_on_the_surface();
   }
 
  private:
@@ -43,6 +43,16 @@ class SurfaceLaws {
     if (found.empty()) return std::nullopt;
     const auto& crossing = found[random_.below(found.size())];
     return surface_.project(crossing.position, crossing.cell);
+  }
+
+  void samples_lie_on_the_surface() {
+    const surface::Samples samples = surface_.samples();
+    CHECK(samples.each > 0);
+    for (const surface::SurfacePoint& p : samples.points) {
+      CHECK(surface_.is_in(p.position, p.cell));
+      CHECK(std::abs(jet(p.position).value) <= rounding_);
+      CHECK(p.length_scale == surface_.at(p.position, p.cell).length_scale);
+    }
   }
 
   void half_gradient_is_lipschitz() {

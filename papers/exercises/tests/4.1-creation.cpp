@@ -1,6 +1,6 @@
 #include "answers/4.1-creation.h"
 
-#include "front/two_fronts.h"
+#include "front/subdomains.h"
 #include "papers/exercises/tests/course_support.h"
 
 using namespace morskin;
