@@ -7,6 +7,7 @@
 #include "geometry/parallel.h"
 #include "geometry/stopwatch.h"
 #include "morskin/safety_net.h"
+#include "morskin/traced_complex.h"
 
 namespace morskin {
 
@@ -22,15 +23,6 @@ void check(const certify::Sizing& sizing) {
   }
   if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
     throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
-  }
-}
-
-void check(const morse::MorseFunction& f) {
-  if (!f.direction.allFinite() || !f.origin.allFinite()) {
-    throw geometry::RefusedInput("the Morse function's direction or point is not finite");
-  }
-  if (f.is_height() && !(f.direction.norm() > 0)) {
-    throw geometry::RefusedInput("the height direction must be a vector that is not zero");
   }
 }
 
@@ -51,7 +43,7 @@ void check(const SizeGoal& goal) {
 void check(const MeshingOptions& options) {
   check(options.sizing);
   check(options.size_goal);
-  if (options.function) check(*options.function);
+  if (options.function) require_usable(*options.function);
   if (options.fronts != 1 && options.fronts != 2) {
     throw geometry::RefusedInput("there are one or two fronts, not " +
                                  std::to_string(options.fronts));
@@ -105,10 +97,8 @@ class Delivering {
       : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
 
   void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
-    Observer::Delivery arrived =
-        run_.stage("deliver", [&] {
-          return observer_.deliver(std::exchange(result.mesh, {}), result.cells);
-        });
+    Observer::Delivery arrived = run_.stage(
+        "deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {}), result.cells); });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
       return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),

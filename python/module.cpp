@@ -1,0 +1,11 @@
+#include "python/bindings.h"
+
+PYBIND11_MODULE(_morskin, module) {
+  pybind11::options options;
+  options.disable_function_signatures();  // _morskin.pyi has them
+  module.doc() = "The extension behind the package morskin.";
+  morskin::python::bind_errors();
+  morskin::python::bind_mesh(module);
+  morskin::python::bind_morse(module);
+  morskin::python::bind_skin(module);
+}

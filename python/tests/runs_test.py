@@ -1,0 +1,247 @@
+#!/usr/bin/env python3
+"""Errors, Ctrl-C, threads, forks and memory. Usage: runs_test.py folder-of-the-package"""
+
+from support import BALLS, COARSE, MOLECULES, ModuleTest, main
+
+import math
+import multiprocessing
+import threading
+import time
+from pathlib import Path
+
+import morskin
+import numpy as np
+
+LONG = {"C": 0.01, "threads": 1}  # takes seconds
+
+
+def area_of(radius):
+    """In a worker of a pool."""
+    return morskin.Skin([[0, 0, 0]], [radius]).mesh(**COARSE).certificate.area
+
+
+class Errors(ModuleTest):
+    def test_bad_values_are_value_errors(self):
+        nan = math.nan
+        for positions, radii in (([], []), (np.zeros((0, 3)), []), ([[0, 0]], [1]),
+                                 ([0, 0, 0], [1]), ([[0, 0, 0]], 1), ([[0, 0, 0]], [[1]]), ([[0, 0, 0]], [1, 2]),
+                                 ([[0, 0, 0]], [0]), ([[0, 0, 0]], [-1]), ([[0, 0, 0]], [nan]),
+                                 ([[0, nan, 0]], [1]), ([[0, 1e12, 0]], [1]),
+                                 ([[0, 0, 0]], [math.inf]), ([[0, 0, 0], [0]], [1, 1])):
+            with self.assertRaises(ValueError, msg=(positions, radii)):
+                morskin.Skin(positions, radii)
+        skin = morskin.Skin(*BALLS)
+        for options in ({"C": 0}, {"C": nan}, {"C": 0.9, "Q": 1.2}, {"Q": 1}, {"density": 0},
+                        {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
+                        {"max_length_scale": 0}, {"edge_length": -1},
+                        {"edge_length": 1, "density": 1}, {"angle_goal_deg": 61}, {"fronts": 3}, {"method": "fast"},
+                        {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"grading": 0},
+                        {"threads": 0}, {"threads": -1}):
+            with self.assertRaises(ValueError, msg=options):
+                skin.mesh(**options)
+        for options in ({"model": "VDW"}, {"probe": -1}, {"probe": nan}, {"drop_voids_below": -1}):
+            with self.assertRaises(ValueError, msg=options):
+                morskin.Skin(*BALLS, **options)
+        for direction in ([0, 0, 0], [nan, 0, 0]):
+            with self.assertRaises(ValueError):
+                skin.critical_points(direction)
+            with self.assertRaises(ValueError):
+                skin.morse_smale(direction)
+        for vertices, faces in (([[0, 0, 0]], [[0, 1, 2]]), ([[0, 0, 0]], [[0, 0, -1]]),
+                                ([[0, 0, 0]], [[0, 0, 2**32]]), ([[0, 0, 0]], [0, 0, 0]),
+                                ([[0, 0]], [[0, 0, 0]])):
+            with self.assertRaises(ValueError):
+                morskin.check(vertices, faces, skin)
+
+    def test_values_of_a_wrong_type_are_type_errors(self):
+        skin = morskin.Skin(*BALLS)
+        for call in (lambda: morskin.Skin([["a", "b", "c"]], [1]), lambda: morskin.Skin(None, None),
+                     lambda: morskin.Skin([[1j, 0, 0]], [1]), lambda: morskin.Skin(),
+                     lambda: morskin.Skin([[0, 0, 0]], [True]),
+                     lambda: skin.mesh(C="coarse"), lambda: skin.mesh(0.2),
+                     lambda: skin.mesh(densty=5), lambda: skin.mesh(direction=[1, 2]),
+                     lambda: morskin.check([[0, 0, 0]], [[0.5, 0, 0]], skin),
+                     lambda: morskin.check([[0, 0, 0]], [[0, 0, 0]], None)):
+            with self.assertRaises(TypeError):
+                call()
+
+    def test_errors_are_named_like_the_exit_codes(self):
+        text = (Path(__file__).resolve().parents[2] / "app" / "exit_codes.h").read_text()
+        for name in ("UnreadableInput", "RefusedInput", "NotCertified", "LimitReached",
+                     "UnwritableOutput", "InternalError"):
+            self.assertIn(name + " =", text)
+            self.assertTrue(issubclass(getattr(morskin, name), morskin.Error))
+        with self.assertRaises(morskin.UnreadableInput):
+            morskin.read("no such file.pdb")
+        with self.assertRaises(OSError):
+            morskin.read_mesh("no such file.ply")
+        (self.folder / "bad.xyzr").write_text("0 0 0 1\n1 2 three 4\n")
+        with self.assertRaisesRegex(morskin.UnreadableInput, r"bad\.xyzr:2: "):
+            morskin.read(self.folder / "bad.xyzr")
+        (self.folder / "weights.xyzw").write_text("0 0 0 1\n")
+        with self.assertRaises(morskin.RefusedInput):
+            morskin.read(self.folder / "weights.xyzw")
+
+    def test_a_file_may_have_any_name_and_the_error_has_it(self):
+        for name in ("Ähre.xyzr", "a\udcff.xyzr"):
+            with self.assertRaises(morskin.UnreadableInput) as caught:
+                morskin.read(self.folder / name)
+            self.assertIn(name, str(caught.exception))
+
+    def test_a_skin_that_touches_itself_names_its_atoms(self):
+        with self.assertRaises(morskin.RefusedInput) as caught:
+            morskin.Skin([[-50, 0, 0], [0, 0, 0], [2, 2, 0]], [1, 1, 1])
+        self.assertEqual(caught.exception.atoms, (1, 2))
+        self.assertEqual(morskin.RefusedInput("x").atoms, ())
+
+    def test_memory_that_runs_out_is_a_limit_and_a_memory_error(self):
+        said = self.python("""
+import resource
+import numpy, morskin
+skin = morskin.Skin([[0, 0, 0]], [100.0])
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 200 * 2**20, resource.RLIM_INFINITY))
+try:
+    skin.mesh(C=0.001, threads=1)
+except MemoryError as error:
+    print(type(error).__name__)
+""")
+        self.assertEqual(said, "LimitReached\n")
+
+
+class Interruption(ModuleTest):
+    def setUp(self):
+        super().setUp()
+        self.skin = morskin.read(MOLECULES / "1crn.pdb").skin()
+
+    def test_ctrl_c_ends_a_run_soon_and_the_next_run_is_whole(self):
+        said = self.python("""
+import os, signal, sys, threading, time
+import morskin
+skin = morskin.read(sys.argv[1]).skin()
+threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+start = time.monotonic()
+try:
+    skin.mesh(C=0.01, threads=2)
+except KeyboardInterrupt:
+    print("stopped", time.monotonic() - start < 10)
+print(skin.mesh(C=0.3).certificate.certified)
+""", str(MOLECULES / "1crn.pdb"))
+        self.assertEqual(said, "stopped True\nTrue\n")
+
+    def test_what_the_progress_function_raises_ends_the_run_and_comes_out(self):
+        class Enough(Exception):
+            pass
+        stages = []
+
+        def progress(stage, share):
+            stages.append(stage)
+            self.assertTrue(share is None or 0 <= share <= 1)
+            if len(stages) == 20:
+                raise Enough
+        start = time.monotonic()
+        with self.assertRaises(Enough):
+            self.skin.mesh(progress=progress, **LONG)
+        self.assertLess(time.monotonic() - start, 10)
+        self.assertEqual(len(stages), 20)
+
+    def test_progress_tells_the_stages(self):
+        stages = set()
+        morskin.Skin(*BALLS, progress=lambda stage, share: stages.add(stage)).mesh(
+            C=0.2, threads=2, progress=lambda stage, share: stages.add(stage))
+        self.assertLessEqual({"triangulate", "sweep", "certify"}, stages)
+
+    def test_the_lock_is_released_while_a_run_is_on(self):
+        ticks, is_over = [], threading.Event()
+
+        def tick():
+            while not is_over.wait(0.005):
+                ticks.append(time.monotonic())
+        other = threading.Thread(target=tick)
+        other.start()
+        start = time.monotonic()
+        self.skin.mesh(C=0.05, threads=1)
+        end = time.monotonic()
+        is_over.set()
+        other.join()
+        self.assertGreater(end - start, 0.2)
+        self.assertGreater(len([t for t in ticks if start < t < end]), (end - start) / 0.05)
+
+    def test_threads_of_python_share_a_skin_and_a_mesh(self):
+        meshes, points = [], []
+
+        def work():
+            meshes.append(self.skin.mesh(C=0.3, threads=1))
+            points.append(meshes[0].normals.copy())
+        threads = [threading.Thread(target=work) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for mesh in meshes:
+            np.testing.assert_array_equal(mesh.vertices, meshes[0].vertices)
+        for found in points:
+            np.testing.assert_array_equal(found, points[0])
+
+
+class Forks(ModuleTest):
+    def test_a_pool_works_after_a_mesh_in_the_parent(self):
+        radii = [1 + k / 10 for k in range(8)]
+        morskin.Skin(*BALLS).mesh(C=0.2, threads=2)
+        for method in ("fork", "spawn", "forkserver"):
+            with multiprocessing.get_context(method).Pool(2) as pool:
+                found = pool.map_async(area_of, radii).get(timeout=60)
+            self.assertEqual(found, [area_of(radius) for radius in radii])
+
+    def test_a_pool_works_that_is_forked_while_a_mesh_is_made(self):
+        mesh = []
+        busy = threading.Thread(
+            target=lambda: mesh.append(morskin.Skin(*BALLS).mesh(C=0.02, threads=1)))
+        busy.start()
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            found = pool.map_async(area_of, [1.0, 1.5]).get(timeout=60)
+        busy.join()
+        self.assertEqual(found, [area_of(1.0), area_of(1.5)])
+        self.assertTrue(mesh[0].certificate.certified)
+
+
+class Memory(ModuleTest):
+    CALLS = 10_000
+
+    @staticmethod
+    def resident():
+        """Bytes."""
+        for line in Path("/proc/self/status").read_text().splitlines():
+            if line.startswith("VmRSS:"):
+                return int(line.split()[1]) * 1024
+        raise RuntimeError("no VmRSS")
+
+    def growth(self, call):
+        """Of the resident memory over CALLS calls, after a tenth as many, bytes."""
+        for _ in range(self.CALLS // 10):
+            call()
+        before = self.resident()
+        for _ in range(self.CALLS):
+            call()
+        return self.resident() - before
+
+    def test_10_000_meshes_leave_no_memory_behind(self):
+        def call():
+            mesh = morskin.Skin([[0, 0, 0]], [1.0]).mesh(C=0.4, threads=1)
+            return mesh.vertices, mesh.faces, mesh.normals, mesh.atom_ids, mesh.certificate.area
+        self.assertLess(self.growth(call), 4 * 2**20)
+
+    def test_10_000_failures_and_critical_points_leave_no_memory_behind(self):
+        skin = morskin.Skin(*BALLS)
+
+        def call():
+            for bad in (lambda: skin.mesh(C=-1), lambda: morskin.Skin([[0, 0, 0]], [-1]),
+                        lambda: morskin.check([[0, 0, 0]], [[0, 0, 9]], skin)):
+                with self.assertRaises(ValueError):
+                    bad()
+            return skin.critical_points().positions
+        self.assertLess(self.growth(call), 4 * 2**20)
+
+
+if __name__ == "__main__":
+    main()
