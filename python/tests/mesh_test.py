@@ -157,7 +157,8 @@ class Meshes(ModuleTest):
         skin = morskin.Skin(*BALLS)
         mesh = skin.mesh(C=0.2)
         for vertices, faces in ((mesh.vertices, mesh.faces[1:]),
-                                (mesh.vertices, mesh.faces[:, ::-1]), (mesh.vertices * 1.01, mesh.faces),
+                                (mesh.vertices, mesh.faces[:, ::-1]),
+                                (mesh.vertices * 1.01, mesh.faces),
                                 (np.zeros((0, 3)), np.zeros((0, 3), int))):
             found = morskin.check(vertices, faces, skin, C=0.2)
             self.assertFalse(found.certified)

@@ -23,20 +23,21 @@ def area_of(radius):
 class Errors(ModuleTest):
     def test_bad_values_are_value_errors(self):
         nan = math.nan
-        for positions, radii in (([], []), (np.zeros((0, 3)), []), ([[0, 0]], [1]),
-                                 ([0, 0, 0], [1]), ([[0, 0, 0]], 1), ([[0, 0, 0]], [[1]]), ([[0, 0, 0]], [1, 2]),
-                                 ([[0, 0, 0]], [0]), ([[0, 0, 0]], [-1]), ([[0, 0, 0]], [nan]),
-                                 ([[0, nan, 0]], [1]), ([[0, 1e12, 0]], [1]),
-                                 ([[0, 0, 0]], [math.inf]), ([[0, 0, 0], [0]], [1, 1])):
+        for positions, radii in (
+                ([], []), (np.zeros((0, 3)), []), ([[0, 0]], [1]), ([0, 0, 0], [1]),
+                ([[0, 0, 0]], 1), ([[0, 0, 0]], [[1]]), ([[0, 0, 0]], [1, 2]), ([[0, 0, 0]], [0]),
+                ([[0, 0, 0]], [-1]), ([[0, 0, 0]], [nan]), ([[0, nan, 0]], [1]),
+                ([[0, 1e12, 0]], [1]), ([[0, 0, 0]], [math.inf]), ([[0, 0, 0], [0]], [1, 1])):
             with self.assertRaises(ValueError, msg=(positions, radii)):
                 morskin.Skin(positions, radii)
         skin = morskin.Skin(*BALLS)
-        for options in ({"C": 0}, {"C": nan}, {"C": 0.9, "Q": 1.2}, {"Q": 1}, {"density": 0},
-                        {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
-                        {"max_length_scale": 0}, {"edge_length": -1},
-                        {"edge_length": 1, "density": 1}, {"angle_goal_deg": 61}, {"fronts": 3}, {"method": "fast"},
-                        {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"grading": 0},
-                        {"threads": 0}, {"threads": -1}):
+        for options in (
+                {"C": 0}, {"C": nan}, {"C": 0.9, "Q": 1.2}, {"Q": 1}, {"density": 0},
+                {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
+                {"max_length_scale": 0}, {"edge_length": -1}, {"edge_length": 1, "density": 1},
+                {"angle_goal_deg": 61}, {"fronts": 3}, {"method": "fast"}, {"grading": 0},
+                {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"threads": 0},
+                {"threads": -1}):
             with self.assertRaises(ValueError, msg=options):
                 skin.mesh(**options)
         for options in ({"model": "VDW"}, {"probe": -1}, {"probe": nan}, {"drop_voids_below": -1}):
