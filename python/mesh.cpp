@@ -66,6 +66,13 @@ std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file) 
   return mesh.mesh().write(file);
 }
 
+/// A function of morskin/exports.py, which imports another package, as a method.
+auto exporter(const char* name) {
+  return [name](const py::object& mesh) {
+    return py::module_::import("morskin.exports").attr(name)(mesh);
+  };
+}
+
 }  // namespace
 
 void bind_mesh(py::module_& module) {
@@ -125,6 +132,12 @@ void bind_mesh(py::module_& module) {
            "Writes PLY, OFF, OBJ, STL or VTU, as the file's ending says, whole or not at all. "
            "Returns the file's\nname: a mesh that is not certified gets the ending .unverified.\n\n"
            "Raises UnwritableOutput.")
+      .def(
+          "to_meshio", exporter("to_meshio"),
+          "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
+          "and components as point_data.")
+      .def("to_vtk", exporter("to_vtk"),
+           "to_vtk() -> vtkPolyData\n\nThe same as a vtkPolyData; the normals are the active ones.")
       .def("__repr__", [](const Mesh& self) { return in_words(self); });
 }
 

@@ -7,18 +7,15 @@
 Lengths are in Angstrom. The same input gives the same arrays on any number of threads.
 """
 
+from . import adapters
 from ._morskin import (Certificate, CriticalPoints, Mesh, MorseSmaleComplex, Skin, check,
                        read_mesh, van_der_waals_radius)
 from .errors import (Error, InternalError, LimitReached, NotCertified, RefusedInput,
                      UnreadableInput, UnwritableOutput)
-from .exports import to_meshio, to_vtk
 from .molecule import Molecule, read
-
-Mesh.to_meshio = to_meshio
-Mesh.to_vtk = to_vtk
 
 __all__ = [
     "Certificate", "CriticalPoints", "Error", "InternalError", "LimitReached", "Mesh", "Molecule",
     "MorseSmaleComplex", "NotCertified", "RefusedInput", "Skin", "UnreadableInput",
-    "UnwritableOutput", "check", "read", "read_mesh", "van_der_waals_radius",
+    "UnwritableOutput", "adapters", "check", "read", "read_mesh", "van_der_waals_radius",
 ]

@@ -18,15 +18,13 @@ def _vertex_data(mesh: Mesh) -> dict[str, NDArray[Any]]:
 
 
 def to_meshio(mesh: Mesh) -> Any:
-    """A meshio.Mesh of triangles, with normals, length_scales, curvatures, atoms and components
-    as point_data."""
+    """Mesh.to_meshio."""
     import meshio
     return meshio.Mesh(mesh.vertices, [("triangle", mesh.faces)], point_data=_vertex_data(mesh))
 
 
 def to_vtk(mesh: Mesh) -> Any:
-    """A vtkPolyData of triangles, with normals, length_scales, curvatures, atoms and components
-    as point data; the normals are the active ones."""
+    """Mesh.to_vtk."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData

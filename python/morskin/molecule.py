@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._morskin import Mesh, Skin, read_molecule
+
+Model = Literal["vdw", "sas", "ses-like", "paper"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,11 +28,11 @@ class Molecule:
     def __len__(self) -> int:
         return len(self.radii)
 
-    def skin(self, model: str = "vdw", **options: Any) -> Skin:
+    def skin(self, model: Model = "vdw", **options: Any) -> Skin:
         """The skin of these atoms; the options are those of `Skin`."""
         return Skin(self.positions, self.radii, model, **options)
 
-    def mesh(self, *, model: str = "vdw", probe: float = 1.4, drop_voids_below: float = 0,
+    def mesh(self, *, model: Model = "vdw", probe: float = 1.4, drop_voids_below: float = 0,
              **options: Any) -> Mesh:
         """A mesh of their skin; the other options are those of `Skin.mesh`."""
         skin = self.skin(model, probe=probe, drop_voids_below=drop_voids_below)
