@@ -63,9 +63,10 @@ def group(frames, elements):
 
 class Adapters(ModuleTest):
     def test_of_gemmi_s_atoms_the_likeliest_locations_are_taken_and_no_water(self):
-        model = GemmiModel([[GemmiResidue([gemmi_atom("N", 0.0, "N"), gemmi_atom("CA", 1.5, occ=0.4),
-                                           gemmi_atom("CA", 1.6, occ=0.6)]),
-                             GemmiResidue([gemmi_atom("O", 9.0, "O")], water=True)]])
+        residue = GemmiResidue([gemmi_atom("N", 0.0, "N"), gemmi_atom("CA", 1.5, occ=0.4),
+                                gemmi_atom("CA", 1.6, occ=0.6)])
+        water = GemmiResidue([gemmi_atom("O", 9.0, "O")], water=True)
+        model = GemmiModel([[residue, water]])
         for entity in (model, [model, GemmiModel()]):
             molecule = adapters.from_gemmi(entity)
             np.testing.assert_array_equal(molecule.positions[:, 0], [0.0, 1.6])
