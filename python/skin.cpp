@@ -1,10 +1,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <array>
 #include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -60,18 +63,19 @@ py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double>
                 const std::optional<std::string>& method, int fronts,
                 const std::optional<Point>& direction, bool allow_uncertified,
                 std::optional<int> threads, const py::object& progress) {
-  MeshOptions options{C.value_or(MeshOptions().C),
-                      Q,
-                      max_length_scale,
-                      edge_length,
-                      density,
-                      triangles,
-                      grading,
-                      angle_goal_deg,
-                      method_of(method),
-                      fronts,
-                      direction};
-  if (!C && (edge_length || density || triangles)) options.C = MeshOptions::coarsest_C;
+  const bool is_size_given = edge_length || density || triangles;
+  const MeshOptions options{
+      .C = C.value_or(is_size_given ? MeshOptions::coarsest_C : MeshOptions().C),
+      .Q = Q,
+      .max_length_scale = max_length_scale,
+      .edge_length = edge_length,
+      .density = density,
+      .triangles = triangles,
+      .grading = grading,
+      .angle_goal_deg = angle_goal_deg,
+      .method = method_of(method),
+      .fronts = fronts,
+      .direction = direction};
   SkinMesh made = interruptible({threads, progress},
                                 [&](const RunOptions& run) { return skin.mesh(options, run); });
   const bool is_good = made.certificate().certified || allow_uncertified;

@@ -8,8 +8,8 @@ Lengths are in Angstrom. The same input gives the same arrays on any number of t
 """
 
 from . import adapters
-from ._morskin import (Certificate, CriticalPoints, Mesh, MorseSmaleComplex, Skin, check,
-                       read_mesh, van_der_waals_radius)
+from ._morskin import (Certificate, CriticalPoints, Mesh, MorseSmaleComplex, Skin, __version__,
+                       check, read_mesh, van_der_waals_radius)
 from .errors import (Error, InternalError, LimitReached, NotCertified, RefusedInput,
                      UnreadableInput, UnwritableOutput)
 from .molecule import Molecule, read
@@ -17,5 +17,6 @@ from .molecule import Molecule, read
 __all__ = [
     "Certificate", "CriticalPoints", "Error", "InternalError", "LimitReached", "Mesh", "Molecule",
     "MorseSmaleComplex", "NotCertified", "RefusedInput", "Skin", "UnreadableInput",
-    "UnwritableOutput", "adapters", "check", "read", "read_mesh", "van_der_waals_radius",
+    "UnwritableOutput", "__version__", "adapters", "check", "read", "read_mesh",
+    "van_der_waals_radius",
 ]

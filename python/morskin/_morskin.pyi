@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from .molecule import Model
 
+__version__: str
+
 _Direction = Union[Sequence[float], NDArray[np.floating[Any]], None]
 _File = Union[str, PathLike[str]]
 _Progress = Optional[Callable[[str, Optional[float]], object]]

@@ -185,7 +185,17 @@ print(skin.mesh(C=0.3).certificate.certified)
             np.testing.assert_array_equal(found, points[0])
 
 
+def atoms_of(molecule):
+    """In a worker of a pool."""
+    return len(molecule.skin("sas").critical_points()) and len(molecule)
+
+
 class Forks(ModuleTest):
+    def test_a_molecule_goes_to_the_workers_of_a_pool(self):
+        molecule = morskin.read(MOLECULES / "benzene.pdb")
+        with multiprocessing.get_context("fork").Pool(1) as pool:
+            self.assertEqual(pool.map_async(atoms_of, [molecule]).get(timeout=60), [12])
+
     def test_a_pool_works_after_a_mesh_in_the_parent(self):
         radii = [1 + k / 10 for k in range(8)]
         morskin.Skin(*BALLS).mesh(C=0.2, threads=2)
