@@ -1,10 +1,41 @@
 #include "python/interruptible.h"
 
 #include <algorithm>
+#include <chrono>
+#include <set>
 #include <string_view>
 #include <thread>
 
 namespace morskin::python {
+
+namespace {
+
+/// Guarded by the global lock.
+std::set<Interruption*> runs;
+
+void end_runs() {
+  using namespace std::chrono_literals;
+  while (!runs.empty()) {
+    for (Interruption* run : runs) {
+      PyErr_SetNone(PyExc_SystemExit);
+      run->interrupt(py::error_already_set());
+    }
+    const py::gil_scoped_release unlocked;
+    std::this_thread::sleep_for(10ms);
+  }
+}
+
+}  // namespace
+
+Interruption::Interruption() { runs.insert(this); }
+Interruption::~Interruption() { runs.erase(this); }
+
+void end_runs_with_python() {
+  py::module_::import("atexit").attr("register")(py::cpp_function(end_runs));
+  // A forked process has one thread, and none of the others' runs.
+  py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") =
+                                                         py::cpp_function([] { runs.clear(); }));
+}
 
 RunOptions RunArguments::options(Interruption& interruption) const {
   if (threads && *threads < 1) throw py::value_error("threads must be at least 1");

@@ -18,9 +18,15 @@ namespace morskin::python {
 
 namespace py = pybind11;
 
-/// The Python exception that ends a run early. Every call is made with the global lock.
+/// A run that is on, and the Python exception that ends it early. Every call is made with the
+/// global lock.
 class Interruption {
  public:
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+
   /// Asks the run to stop, for the first reason given.
   void interrupt(py::error_already_set reason) {
     if (!reason_) reason_ = std::make_exception_ptr(std::move(reason));
@@ -35,6 +41,10 @@ class Interruption {
   std::stop_source stop_;
   std::exception_ptr reason_;
 };
+
+/// Has all runs end when Python does. A thread that is still on then, a daemon, would have to wait
+/// for a lock that is gone, which ends the process with a signal.
+void end_runs_with_python();
 
 /// How a run is done, as Python asks for it.
 struct RunArguments {

@@ -159,6 +159,9 @@ class Meshes(ModuleTest):
         for vertices, faces in ((mesh.vertices, mesh.faces[1:]),
                                 (mesh.vertices, mesh.faces[:, ::-1]),
                                 (mesh.vertices * 1.01, mesh.faces),
+                                (mesh.vertices * math.nan, mesh.faces),
+                                (mesh.vertices * 1e300, mesh.faces),
+                                (mesh.vertices, mesh.faces * 0),
                                 (np.zeros((0, 3)), np.zeros((0, 3), int))):
             found = morskin.check(vertices, faces, skin, C=0.2)
             self.assertFalse(found.certified)

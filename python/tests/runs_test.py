@@ -5,6 +5,7 @@ from support import BALLS, COARSE, MOLECULES, ModuleTest, main
 
 import math
 import multiprocessing
+import signal
 import threading
 import time
 from pathlib import Path
@@ -146,6 +147,20 @@ print(skin.mesh(C=0.3).certificate.certified)
         self.assertLess(time.monotonic() - start, 10)
         self.assertEqual(len(stages), 20)
 
+    def test_what_the_handler_of_any_signal_raises_ends_the_run(self):
+        def enough(*_):
+            raise TimeoutError
+        old = signal.signal(signal.SIGALRM, enough)
+        self.addCleanup(signal.signal, signal.SIGALRM, old)
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with self.assertRaises(TimeoutError):
+            self.skin.mesh(**LONG)
+
+    def test_the_progress_function_may_mesh_too(self):
+        mesh = morskin.Skin(*BALLS).mesh(
+            progress=lambda *_: morskin.Skin(*BALLS).mesh(**COARSE), **COARSE)
+        self.assertTrue(mesh.certificate.certified)
+
     def test_progress_tells_the_stages(self):
         stages = set()
         morskin.Skin(*BALLS, progress=lambda stage, share: stages.add(stage)).mesh(
@@ -188,6 +203,30 @@ print(skin.mesh(C=0.3).certificate.certified)
 def atoms_of(molecule):
     """In a worker of a pool."""
     return len(molecule.skin("sas").critical_points()) and len(molecule)
+
+
+class Exit(ModuleTest):
+    BUSY = """
+import os, sys, threading, time
+import morskin
+skin = morskin.read(sys.argv[1]).skin()
+threading.Thread(target=lambda: skin.mesh(C=0.01), daemon=True).start()
+time.sleep(0.3)
+"""
+
+    def test_python_ends_while_a_daemon_makes_a_mesh(self):
+        crambin = str(MOLECULES / "1crn.pdb")
+        self.assertEqual(self.python(self.BUSY + "print('over')", crambin, timeout=30), "over\n")
+
+    def test_a_fork_of_a_busy_python_ends_too(self):
+        said = self.python(self.BUSY + """
+if os.fork():
+    print(os.wait()[1])
+else:
+    morskin.Skin([[0, 0, 0]], [1]).mesh(C=0.3)
+    sys.exit()
+""", str(MOLECULES / "1crn.pdb"), timeout=30)
+        self.assertEqual(said, "0\n")
 
 
 class Forks(ModuleTest):
