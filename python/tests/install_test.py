@@ -57,7 +57,7 @@ class Install(unittest.TestCase):
         environment = self.folder / "environment"
         run(sys.executable, "-m", "venv", "--system-site-packages", environment)
         python = environment / "bin" / "python"
-        # Nothing of what is tested depends on how well the compiler does.
+        # With the assertions of the library and of Eigen.
         run(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source,
             cwd=self.folder, env={**os.environ, "CMAKE_ARGS": "-DCMAKE_BUILD_TYPE=Debug"})
         said = run(python, "-c", PROGRAM, ROOT / "bench" / "molecules" / "caffeine.xyz",
@@ -66,6 +66,8 @@ class Install(unittest.TestCase):
         found = run(python, "-m", "pip", "show", "--files", "morskin")
         for name in ("py.typed", "_morskin.pyi", "adapters.py"):
             self.assertIn(f"morskin/{name}", found)
+        for name in ("mesh_test.py", "morse_test.py"):
+            run(python, ROOT / "python" / "tests" / name, Path(said.strip()).parent.parent)
         run(python, "-m", "pip", "uninstall", "--yes", "morskin")
 
     def test_pip_installs_the_checkout(self):
