@@ -13,6 +13,7 @@ namespace {
 /// Guarded by the global lock.
 std::set<Interruption*> runs;
 
+/// Asks all runs to stop and gives the lock away until they have.
 void end_runs() {
   using namespace std::chrono_literals;
   while (!runs.empty()) {

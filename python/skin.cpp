@@ -164,7 +164,8 @@ void bind_skin(py::module_& module) {
                    "\"ses-like\" r + 0.25, or \"paper\"\n"
                    "probe             Angstrom\n"
                    "drop_voids_below  voids of a volume proved to be below this, Angstrom^3, are "
-                   "left out\n\n"
+                   "left out\n"
+                   "threads, progress as of mesh()\n\n"
                    "Raises RefusedInput, with `atoms` where it is about some.")
       .def(py::init(&make_skin), arg("positions"), arg("radii"), arg("model") = "vdw",
            py::kw_only(), arg("probe") = 1.4, arg("drop_voids_below") = 0.0, arg("threads") = none,
@@ -185,7 +186,7 @@ void bind_skin(py::module_& module) {
       .def("morse_smale", &morse_smale, arg("direction") = none, py::kw_only(),
            arg("progress") = none,
            "morse_smale(direction=None) -> MorseSmaleComplex\n\n"
-           "The complex of the same height as traced, nothing cancelled.")
+           "The complex of the same height as traced, nothing cancelled. `progress` as of mesh().")
       .def("__repr__", [](const Skin& self) {
         return "<morskin.Skin: components " + std::to_string(self.components()) + ", genus " +
                std::to_string(self.genus()) + ">";
