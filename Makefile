@@ -3,15 +3,16 @@
 JOBS ?= $(shell nproc)
 MOLECULES ?= ../shared/molecules
 PREFIX ?= /usr/local
+PYTHON ?= /usr/bin/python3
 SETS ?= 2000
 SECONDS ?= 60
 RESULTS ?= papers/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
-sources = $(shell find geometry surface skin morse certify refine front morskin app bench tests papers -name '*.h' -o -name '*.cpp')
+sources = $(shell find geometry surface skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -20,6 +21,10 @@ build: deps  ## build everything, optimised, into build/ (the default)
 command: deps
 	cmake --preset release
 	cmake --build build --parallel $(JOBS) --target morskin_command
+
+python: deps  ## build the Python module for PYTHON (default /usr/bin/python3) into build/python
+	cmake --preset release -D MORSKIN_PYTHON=$(PYTHON)
+	cmake --build build --parallel $(JOBS) --target morskin_python
 
 deps:  ## install the Debian packages that are missing
 	@cmake/install_packages.sh
@@ -39,6 +44,7 @@ test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure
 
 test-slow: build  ## run the slow tests
+	@cmake/install_packages.sh cmake/python_packages.txt
 	ctest --test-dir build --output-on-failure -C slow -L slow
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command

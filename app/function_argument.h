@@ -29,8 +29,9 @@ auto along_function(const std::optional<morse::MorseFunction>& asked, const Work
   try {
     return work();
   } catch (const morse::DegenerateFunction& error) {
-    if (asked) throw UsageError(error.what());
-    throw;
+    const std::string text = std::string(error.what()) + " with --function";
+    if (asked) throw UsageError(text);
+    throw morse::DegenerateFunction(text);
   }
 }
 

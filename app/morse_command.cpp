@@ -7,38 +7,10 @@
 #include "app/report.h"
 #include "app/staged_outputs.h"
 #include "geometry/error.h"
-#include "morse/choose_function.h"
-#include "morse/validate_complex.h"
+#include "morskin/traced_complex.h"
 
 namespace morskin::app {
 namespace {
-
-// The objections to a complex: its own degeneracies, a number of components that is not the skin's,
-// or a broken law.
-std::optional<std::string> objection_to(const morse::MorseSmaleComplex& complex,
-                                        const skin::DualComplex& topology) {
-  if (!complex.degeneracies.empty()) return complex.degeneracies.front();
-  if (complex.components != topology.skin_components()) {
-    return "the arcs join " + std::to_string(complex.components) + " components, not " +
-           std::to_string(topology.skin_components());
-  }
-  return morse::validate(complex);
-}
-
-/// Traces the complex of a function that has one, chosen unless the user did.
-morse::ChosenFunction trace(const morskin::PreparedSkin& skin, const MorseArguments& arguments,
-                            ProgressLine& progress, morse::MorseSmaleComplex& complex) {
-  const auto objection = [&](const morse::ChosenFunction& candidate) {
-    progress.show("integral lines", geometry::unknown_share);
-    complex = morse::morse_smale_complex(skin.surface, candidate.function, candidate.critical);
-    return objection_to(complex, skin.topology);
-  };
-  progress.show("critical points", geometry::unknown_share);
-  return along_function(arguments.function, [&] {
-    return morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(),
-                                  arguments.function, objection);
-  });
-}
 
 morse::Simplification simplified(const morse::MorseSmaleComplex& complex,
                                  const MorseArguments& arguments, double radius_share) {
@@ -86,8 +58,9 @@ ExitCode morse_command(const MorseArguments& arguments) {
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::PreparedSkin skin = prepare_skin(input);
-  morse::MorseSmaleComplex complex;
-  const morse::MorseFunction function = trace(skin, arguments, progress, complex).function;
+  const auto [function, complex] = along_function(arguments.function, [&] {
+    return trace_complex(skin, arguments.function, Run(1, progress.callback()));
+  });
 
   progress.show("simplify", geometry::unknown_share);
   ComplexReport report;

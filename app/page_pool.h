@@ -155,7 +155,9 @@ class PagePool {
     const Range pages{rounded_up(got, huge_page), size};
     unmap(got, pages.begin);
     unmap(pages.end(), got + size + huge_page);
+#ifdef MADV_HUGEPAGE  // Linux's; without it, and where its kernel refuses, pages are ordinary ones
     madvise(pages.begin, pages.size, MADV_HUGEPAGE);
+#endif
     add_free(pages);
     free_bytes_ += size;
     return true;

@@ -19,10 +19,13 @@ function(add_module name)
 endfunction()
 
 # Warnings are errors. Contraction is off, for users of the headers too, so that every build rounds
-# alike (same input, same bytes).
+# alike (same input, same bytes). Every object may go into a shared library, such as Python's
+# module; all have the same flags for that, since they share a precompiled header. Without
+# interposition the compiler may inline as it does in a program.
 function(apply_project_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+                                           -fPIC -fno-semantic-interposition
                                    PUBLIC -ffp-contract=off)
   if(NOT target STREQUAL eigen_headers)
     target_precompile_headers(${target} REUSE_FROM eigen_headers)

@@ -41,7 +41,7 @@ ChosenFunction choose_function(const skin::SkinSurface& skin, long euler_charact
   throw DegenerateFunction("the " +
                            std::string(is_height ? "height function" : "squared distance") +
                            " is degenerate for this molecule: " + why + "; give another " +
-                           (is_height ? "direction" : "point") + " with --function");
+                           (is_height ? "direction" : "point"));
 }
 
 }  // namespace morskin::morse

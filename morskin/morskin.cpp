@@ -2,48 +2,22 @@
 
 #include <cmath>
 
-#include "certify/located_vertices.h"
 #include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
-#include "geometry/mesh_shape.h"
+#include "morskin/boundary.h"
 #include "morskin/pipeline.h"
 #include "morskin/voids.h"
-#include "skin/curvatures.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
-#include "skin/singular_skin.h"
+#include "skin/radii.h"
 
 namespace morskin {
 
 namespace {
 
-/// Does a piece of work; whatever it throws comes out as an Error.
-template <class Work>
-auto with_errors(Work work) {
-  using Kind = Error::Kind;
-  try {
-    return work();
-  } catch (const skin::SingularSkin& error) {
-    std::vector<std::uint32_t> atoms;
-    for (const geometry::AtomId id : error.atoms) atoms.push_back(id.value);
-    throw Error(Kind::Singular, error.what(), std::move(atoms));
-  } catch (const morse::DegenerateFunction& error) {
-    throw Error(Kind::Degenerate, error.what());
-  } catch (const geometry::RefusedInput& error) {
-    throw Error(Kind::Refused, error.what());
-  } catch (const geometry::UnreadableInput& error) {
-    throw Error(Kind::Unreadable, error.what());
-  } catch (const geometry::UnwritableOutput& error) {
-    throw Error(Kind::Unwritable, error.what());
-  } catch (const geometry::LimitReached& error) {
-    throw Error(Kind::Limit, error.what());
-  } catch (const geometry::Stopped& error) {
-    throw Error(Kind::Stopped, error.what());
-  }
-}
-
-geometry::Point inside(const Point& p) { return {p[0], p[1], p[2]}; }
-Point outside(const geometry::Point& p) { return {p.x(), p.y(), p.z()}; }
+// Not hidden by those below.
+using morskin::inside;
+using morskin::outside;
 
 TriangleMesh outside(geometry::IndexedMesh mesh) {
   TriangleMesh result;
@@ -52,25 +26,6 @@ TriangleMesh outside(geometry::IndexedMesh mesh) {
   for (const geometry::Point& p : mesh.positions) result.vertices.push_back(outside(p));
   return result;
 }
-
-/// @throws geometry::RefusedInput  for a corner that does not exist
-geometry::IndexedMesh inside(const TriangleMesh& mesh) {
-  geometry::IndexedMesh result;
-  result.positions.reserve(mesh.vertices.size());
-  for (const Point& p : mesh.vertices) result.positions.push_back(inside(p));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      if (v < mesh.vertices.size()) continue;
-      throw geometry::RefusedInput("triangle " + std::to_string(t) + " has a corner " +
-                                   std::to_string(v) + ", but there are only " +
-                                   std::to_string(mesh.vertices.size()) + " vertices");
-    }
-  }
-  result.triangles = mesh.triangles;
-  return result;
-}
-
-Run inside(const RunOptions& run) { return Run(run.threads, run.progress, run.stop); }
 
 skin::Model inside(Model model) {
   switch (model) {
@@ -92,7 +47,21 @@ certify::Sizing sizing_of(const MeshOptions& options) {
   return sizing;
 }
 
+static_assert(MeshOptions::coarsest_C == certify::Sizing::coarsest_C);
+
+/// @throws geometry::RefusedInput  if more than one thing limits the sizes of triangles
+void require_one_size(const MeshOptions& options) {
+  const int sizes = std::isfinite(options.max_length_scale) + options.edge_length.has_value() +
+                    options.density.has_value() + options.triangles.has_value();
+  if (sizes > 1) {
+    throw geometry::RefusedInput(
+        "a mesh has a largest length scale, a length of edges, a density or a number of triangles: "
+        "give one of them");
+  }
+}
+
 MeshingOptions inside(const MeshOptions& options) {
+  require_one_size(options);
   MeshingOptions result;
   result.sizing = sizing_of(options);
   result.size_goal = {options.density, options.triangles};
@@ -145,20 +114,23 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
   return points;
 }
 
-/// The principal curvatures, the larger in magnitude first.
-std::array<double, 2> curvatures_by_size(const skin::SkinSurface& skin,
-                                         const surface::SurfacePoint& x) {
-  auto [first, second] = skin::curvatures(skin.patch(x.cell), x).principal;
-  if (std::abs(second) > std::abs(first)) std::swap(first, second);
-  return {first, second};
-}
-
 }  // namespace
 
-struct Skin::Prepared {
-  PreparedSkin skin;
-  std::size_t rounded_coordinates;
-};
+geometry::IndexedMesh inside(const TriangleMesh& mesh) {
+  geometry::IndexedMesh result;
+  result.positions.reserve(mesh.vertices.size());
+  for (const Point& p : mesh.vertices) result.positions.push_back(inside(p));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (v < mesh.vertices.size()) continue;
+      throw geometry::RefusedInput("triangle " + std::to_string(t) + " has a corner " +
+                                   std::to_string(v) + ", but there are only " +
+                                   std::to_string(mesh.vertices.size()) + " vertices");
+    }
+  }
+  result.triangles = mesh.triangles;
+  return result;
+}
 
 std::vector<Atom> read_molecule(const std::filesystem::path& file) {
   return with_errors([&] {
@@ -172,6 +144,10 @@ std::vector<Atom> read_molecule(const std::filesystem::path& file) {
     }
     return atoms;
   });
+}
+
+std::optional<double> van_der_waals_radius(std::string_view element) {
+  return skin::van_der_waals_radius(element);
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {
@@ -200,9 +176,22 @@ SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
     MeshResult made = make_mesh(prepared_->skin, inside(options), inside(run));
     SkinMesh result(*this);
     result.mesh_ = outside(std::move(made.mesh));
+    result.sizing_ = {.C = made.sizing.C,
+                      .Q = made.sizing.Q,
+                      .max_length_scale = made.sizing.largest_length_scale};
     result.certificate_ = outside(made.certificate);
     for (const Fallback& f : made.fallbacks) result.fallbacks_.push_back(in_words(f));
     return result;
+  });
+}
+
+std::filesystem::path SkinMesh::write(const std::filesystem::path& file) const {
+  return with_errors([&] {
+    const geometry::MeshFormat format = geometry::plain_format_of(file);
+    std::filesystem::path name = file;
+    if (!certificate_.certified) name += ".unverified";
+    geometry::write_mesh(name, inside(mesh_), format);
+    return name;
   });
 }
 
@@ -212,23 +201,6 @@ Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,
     const PreparedSkin& skin = prepared_->skin;
     return outside(certify::certify(inside(mesh), skin.surface, skin.expected(), sizing_of(options),
                                     inside(run)));
-  });
-}
-
-std::vector<SkinPoint> Skin::points(const TriangleMesh& mesh) const {
-  return with_errors([&] {
-    const geometry::IndexedMesh from = inside(mesh);
-    const skin::SkinSurface& surface = prepared_->skin.surface;
-    const std::vector<std::uint32_t> component = geometry::vertex_components(from);
-    const std::vector<surface::SurfacePoint> points = certify::locate_vertices(from, surface);
-    std::vector<SkinPoint> result;
-    result.reserve(points.size());
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      const surface::SurfacePoint& x = points[v];
-      result.push_back({outside(x.normal), x.length_scale, curvatures_by_size(surface, x),
-                        surface.nearest_atom(x.position, x.cell).value, component[v]});
-    }
-    return result;
   });
 }
 

@@ -64,6 +64,9 @@ struct Atom {
 /// model, without water.
 /// @throws Error  Unreadable, Refused
 std::vector<Atom> read_molecule(const std::filesystem::path& file);
+/// The van der Waals radius of an element, Angstrom; nothing for what is none, or has none.
+/// @param element  a symbol in upper or lower case
+std::optional<double> van_der_waals_radius(std::string_view element);
 
 /// How large a sphere the skin has about an atom of radius r that nothing else is near, with a
 /// probe of radius p.
@@ -94,14 +97,16 @@ struct RunOptions {
 
 /// What mesh to make.
 struct MeshOptions {
+  /// The largest C with which nearly every skin is certified.
+  static constexpr double coarsest_C = 0.4;
   double C = 0.08;  ///< how closely the mesh follows the skin; edges are about 2 C / Q to 3.5 C Q
                     ///< times the local length scale long. 1e-5 <= C < Q / 2
   std::optional<double> Q = {};  ///< > 1; without one the Q that goes with C: 1.65 up to C = 0.2
   /// A larger length scale counts as this one: limits the triangles where the skin is flat.
   double max_length_scale = std::numeric_limits<double>::infinity();
   /// In its place, at most one of these: the median edge where the skin is flat enough, Angstrom;
-  /// vertices per square Angstrom; triangles. Reached as far as C allows; 0.4 is as coarse as it
-  /// gets.
+  /// vertices per square Angstrom; triangles. Reached as far as C allows, which coarsest_C does
+  /// most.
   std::optional<double> edge_length = {}, density = {}, triangles = {};
   /// By how much edges may grow for each Angstrom from where the curvature makes them short, at
   /// least 0.01. By the static method, with an angle goal of 30 degrees or more.
@@ -147,12 +152,34 @@ struct Certificate {
 
 /// The skin at a vertex of a mesh.
 struct SkinPoint {
-  Point normal;                      ///< unit, out of the body
-  double length_scale;               ///< the smallest radius of curvature
-  std::array<double, 2> curvatures;  ///< principal, 1/Angstrom, positive where the body is
-                                     ///< convex; the first is the larger in magnitude
-  std::uint32_t atom;                ///< nearest by power distance
-  std::uint32_t component;           ///< of the mesh, from 0 in the order of the vertices
+  Point normal;                       ///< unit, out of the body
+  double length_scale;                ///< the smallest radius of curvature
+  std::array<double, 2> curvatures;   ///< principal, 1/Angstrom, positive where the body is
+                                      ///< convex; the first is the larger in magnitude
+  std::array<Point, 2> directions;    ///< theirs, unit
+  std::uint32_t atom;                 ///< nearest by power distance
+  std::array<std::int32_t, 4> atoms;  ///< that make the skin here; -1 where fewer
+  std::array<double, 4> shares;       ///< theirs: continuous, 1 in sum; 0 where fewer
+  std::uint32_t component;            ///< of the mesh, from 0 in the order of the vertices
+};
+
+/// Where a height on the skin has no slope.
+struct CriticalPoint {
+  Point position;
+  std::int32_t index;  ///< 0 minimum, 1 saddle, 2 maximum
+  double value;        ///< of the height, Angstrom
+};
+
+/// Arcs and regions tell points by their place in `points`.
+struct MorseSmaleComplex {
+  std::vector<CriticalPoint> points;
+  /// A saddle, and the extremum that the arc leads to; four in turn for each saddle.
+  std::vector<std::array<std::uint32_t, 2>> arcs;
+  std::vector<Point> arc_points;  ///< the arcs' polylines, from the saddle on, both ends included
+  /// Arc i has arc_points[arc_offsets[i]] to arc_points[arc_offsets[i + 1] - 1].
+  std::vector<std::uint32_t> arc_offsets;
+  /// Minimum, saddle, maximum, saddle of each, counter-clockwise seen from outside.
+  std::vector<std::array<std::uint32_t, 4>> regions;
 };
 
 class SkinMesh;
@@ -186,6 +213,15 @@ class Skin {
   /// @throws Error  Refused: a vertex that is not near the skin
   std::vector<SkinPoint> points(const TriangleMesh& mesh) const;
 
+  /// Of the height along a direction, or along the library's choice. Voids that are left out of
+  /// what is meshed are there.
+  /// @throws Error  Refused: a direction that is none; Degenerate
+  std::vector<CriticalPoint> critical_points(const std::optional<Point>& direction = {}) const;
+  /// As traced: nothing is cancelled. The library's choice may be another than above.
+  /// @throws Error  as above; Stopped
+  MorseSmaleComplex morse_smale(const std::optional<Point>& direction = {},
+                                const RunOptions& run = {}) const;
+
  private:
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
@@ -201,6 +237,13 @@ class SkinMesh {
   const std::vector<std::string>& fallbacks() const { return fallbacks_; }
   /// The skin at every vertex.
   std::vector<SkinPoint> points() const { return skin_.points(mesh_); }
+  /// C, Q and max_length_scale that it was made with, as Skin::certify takes them.
+  MeshOptions sizing() const { return sizing_; }
+
+  /// Writes as write_mesh does. A mesh that is not certified gets the ending .unverified.
+  /// @return the file's name
+  /// @throws Error  Unwritable
+  std::filesystem::path write(const std::filesystem::path& file) const;
 
  private:
   friend class Skin;
@@ -208,6 +251,7 @@ class SkinMesh {
 
   Skin skin_;
   TriangleMesh mesh_;
+  MeshOptions sizing_;
   Certificate certificate_;
   std::vector<std::string> fallbacks_;
 };

@@ -8,6 +8,7 @@
 #include "geometry/parallel.h"
 #include "geometry/stopwatch.h"
 #include "morskin/safety_net.h"
+#include "morskin/traced_complex.h"
 
 namespace morskin {
 
@@ -23,15 +24,6 @@ void check(const certify::Sizing& sizing) {
   }
   if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
     throw geometry::RefusedInput("the largest length scale must be at least 1e-6 Angstrom");
-  }
-}
-
-void check(const morse::MorseFunction& f) {
-  if (!f.direction.allFinite() || !f.origin.allFinite()) {
-    throw geometry::RefusedInput("the Morse function's direction or point is not finite");
-  }
-  if (f.is_height() && !(f.direction.norm() > 0)) {
-    throw geometry::RefusedInput("the height direction must be a vector that is not zero");
   }
 }
 
@@ -52,7 +44,7 @@ void check(const SizeGoal& goal) {
 void check(const MeshingOptions& options) {
   check(options.sizing);
   check(options.size_goal);
-  if (options.function) check(*options.function);
+  if (options.function) require_usable(*options.function);
   if (options.fronts && !(*options.fronts >= 1 && *options.fronts <= front::max_subdomains)) {
     throw geometry::RefusedInput("there may be 1 to " + std::to_string(front::max_subdomains) +
                                  " fronts, not " + std::to_string(*options.fronts));

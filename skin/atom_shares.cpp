@@ -10,6 +10,10 @@ AtomShares atom_shares(const SkinSurface& skin, const SurfacePoint& x) {
   AtomShares result;
   result.size = atoms.size();
   std::ranges::copy(atoms, result.atoms.begin());
+  if (result.size == 1) {
+    result.shares[0] = 1;
+    return result;
+  }
   const Point s = x.position - skin.jet(x.position, x.cell).half_gradient;
   const auto position = [&](std::size_t i) -> const Point& {
     return skin.points()[result.atoms[i].index()].position;

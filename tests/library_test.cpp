@@ -1,7 +1,9 @@
 // The library's face, as its users see it: only morskin/morskin.h and the standard library.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
@@ -153,6 +155,95 @@ TEST_CASE("the Gaussian curvature adds up to 2 pi times the Euler characteristic
   }
 }
 
+TEST_CASE("the atoms' shares give back x - N, and the larger curvature its direction") {
+  const auto atoms = morskin::read_molecule("bench/molecules/caffeine.xyz");
+  const SkinMesh mesh = Skin(atoms).mesh({.C = 0.3});
+  const std::vector<SkinPoint> points = mesh.points();
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const SkinPoint& p = points[v];
+    Point mean{0, 0, 0};
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK((p.atoms[i] >= 0 || p.shares[i] == 0));
+      if (p.atoms[i] < 0) continue;
+      sum += p.shares[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        mean[k] += p.shares[i] * atoms[static_cast<std::size_t>(p.atoms[i])].position[k];
+      }
+    }
+    CHECK(sum == doctest::Approx(1));
+    const Point N = mesh.triangles().vertices[v] - mean;
+    CHECK(std::sqrt(dot(N, N)) == doctest::Approx(p.length_scale));
+    CHECK(std::abs(dot(p.directions[0], p.normal)) < 1e-9);
+    CHECK(std::abs(dot(p.directions[0], p.directions[1])) < 1e-9);
+    CHECK(dot(p.directions[1], p.directions[1]) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("a mesh certifies again with the sizing that it tells, whatever size was asked for") {
+  const Skin skin(three_atoms, balls);
+  for (const MeshOptions& options : {MeshOptions{}, MeshOptions{.C = 0.4, .density = 10},
+                                     MeshOptions{.C = 0.4, .edge_length = 0.3}}) {
+    const SkinMesh mesh = skin.mesh(options);
+    CHECK(skin.certify(mesh.triangles(), mesh.sizing()).certified);
+    CHECK(mesh.sizing().C == options.C);
+  }
+}
+
+TEST_CASE("a mesh is written under its name only if it is certified") {
+  const morskin::support::TemporaryFolder folder;
+  const Skin skin(three_atoms, balls);
+  const SkinMesh good = skin.mesh({.C = 0.3});
+  CHECK(good.write(folder / "a.off") == folder / "a.off");
+  CHECK(morskin::read_mesh(folder / "a.off").triangles == good.triangles().triangles);
+  // With so small a Q hardly any triangle keeps both [L] and [U].
+  const SkinMesh bad = skin.mesh({.C = 0.3, .Q = 1.2, .angle_goal_deg = 0});
+  CHECK_FALSE(bad.certificate().certified);
+  CHECK(bad.write(folder / "b.off") == folder / "b.off.unverified");
+  CHECK_FALSE(std::filesystem::exists(folder / "b.off"));
+  CHECK(morskin::read_mesh(folder / "b.off.unverified").triangles == bad.triangles().triangles);
+  CHECK(kind_of([&] { bad.write(folder / "b.xyz"); }) == Error::Kind::Unwritable);
+}
+
+TEST_CASE("critical points add up to the Euler characteristic, and arcs and regions join them") {
+  for (const auto& [name, characteristic] :
+       {std::pair{"two_balls.xyzr", 2}, {"ring12.xyzr", 0}, {"shell_hollow.xyzr", 4}}) {
+    CAPTURE(name);
+    const Skin skin(morskin::read_molecule(std::string("bench/molecules/") + name), balls);
+    for (const std::optional<Point>& direction :
+         {std::optional<Point>(), std::optional<Point>({0.3, 0.9, 0.2})}) {
+      std::array<int, 3> counts{};
+      for (const auto& p : skin.critical_points(direction)) ++counts.at(std::size_t(p.index));
+      CHECK(counts[0] - counts[1] + counts[2] == characteristic);
+      const morskin::MorseSmaleComplex complex = skin.morse_smale(direction);
+      const auto& points = complex.points;
+      CHECK(complex.arcs.size() == 4 * std::size_t(counts[1]));
+      CHECK(complex.regions.size() == 2 * std::size_t(counts[1]));
+      REQUIRE(complex.arc_offsets.size() == complex.arcs.size() + 1);
+      CHECK(complex.arc_offsets.back() == complex.arc_points.size());
+      for (std::size_t i = 0; i < complex.arcs.size(); ++i) {
+        const auto [saddle, extremum] = complex.arcs[i];
+        CHECK(points[saddle].index == 1);
+        CHECK(points[extremum].index != 1);
+        CHECK(complex.arc_points[complex.arc_offsets[i]] == points[saddle].position);
+        CHECK(complex.arc_points[complex.arc_offsets[i + 1] - 1] == points[extremum].position);
+      }
+      for (const auto& [a, b, c, d] : complex.regions) {
+        CHECK((points[a].index == 0 && points[c].index == 2));
+        CHECK((points[b].index == 1 && points[d].index == 1));
+      }
+    }
+    CHECK(kind_of([&] { skin.critical_points(Point{0, 0, 0}); }) == Error::Kind::Refused);
+    CHECK(kind_of([&] { skin.morse_smale(Point{0, std::nan(""), 0}); }) == Error::Kind::Refused);
+  }
+}
+
+TEST_CASE("elements have radii, in upper or lower case, and other words have none") {
+  CHECK(morskin::van_der_waals_radius("C") == 1.7);
+  CHECK(morskin::van_der_waals_radius("cl") == morskin::van_der_waals_radius("CL"));
+  CHECK_FALSE(morskin::van_der_waals_radius("no element"));
+}
+
 TEST_CASE("values that make no sense are refused, each with its kind") {
   using Kind = Error::Kind;
   const Skin skin(three_atoms, balls);
@@ -161,8 +252,9 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
        {MeshOptions{.fronts = 0}, MeshOptions{.C = 0},
         MeshOptions{.C = nan}, MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1},
         MeshOptions{.max_length_scale = 0}, MeshOptions{.angle_goal_deg = 61},
-        MeshOptions{.angle_goal_deg = nan}, MeshOptions{.direction = Point{0, 0, 0}},
-        MeshOptions{.direction = Point{0, nan, 0}}}) {
+        MeshOptions{.edge_length = 1, .density = 1}, MeshOptions{.density = 1, .triangles = 100},
+        MeshOptions{.max_length_scale = 1, .edge_length = 1}, MeshOptions{.angle_goal_deg = nan},
+        MeshOptions{.direction = Point{0, 0, 0}}, MeshOptions{.direction = Point{0, nan, 0}}}) {
     CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
   }
   CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);

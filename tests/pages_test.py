@@ -29,8 +29,8 @@ sys.path.insert(0, str(ROOT / "papers" / "course"))
 PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
 CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
-                "app", "bench", "tests", "cmake", "papers"]
-CODE_ENDINGS = {".h", ".cpp", ".py", ".cmake", ".sh", ".in"}
+                "python", "app", "bench", "tests", "cmake", "papers"]
+CODE_ENDINGS = {".h", ".cpp", ".py", ".pyi", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")
 SPAN = re.compile(r"(`+)(.+?)\1", re.DOTALL)

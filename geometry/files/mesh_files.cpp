@@ -128,7 +128,7 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, Mesh
   write_file_atomically(path, serialized(mesh, format));
 }
 
-void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+MeshFormat plain_format_of(const std::filesystem::path& path) {
   const std::optional<MeshFormat> format = mesh_format_of(path);
   const bool is_msms = format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
   if (!format || is_msms) {
@@ -136,7 +136,11 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
                            (is_msms ? "two files, which hold more than a mesh" : "no mesh format") +
                            "; use .ply, .off, .obj, .stl or .vtu");
   }
-  write_mesh(path, mesh, *format);
+  return *format;
+}
+
+void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  write_mesh(path, mesh, plain_format_of(path));
 }
 
 namespace {

@@ -43,10 +43,13 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});
 
+/// The format of a file that is written from a mesh alone.
+/// @throws UnwritableOutput  if the ending is of no format, or of one that takes more
+MeshFormat plain_format_of(const std::filesystem::path& path);
+
 /// Writes `mesh` to `path`, whole or not at all (see write_file_atomically).
 ///
-/// @throws UnwritableOutput  also if the ending is of no format, or of one that takes more than a
-///                           mesh
+/// @throws UnwritableOutput  also, without a format, as plain_format_of() does
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format);
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 

@@ -10,7 +10,8 @@ FENCE = re.compile(r"^\s*(```|~~~)\s*(\w*)")
 EXCERPT = re.compile(r"^\[excerpt: ([\w-]+)\]\(\.\./([\w./-]+)\)$", re.MULTILINE)
 STEP = re.compile(r"build/papers/steps/step_(\w+)$")  # one of the small programs of papers/steps
 # What a command on a page may start with; `make` ones are looked up, not run.
-RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "mkdir ")
+RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "mkdir ",
+            "PYTHONPATH=build/python /usr/bin/python3 ")
 COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
 
 # Every page of the course has these, in this order.

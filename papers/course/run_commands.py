@@ -20,7 +20,8 @@ def sandbox_for(page, folder, binary):
     (folder / "build" / "papers").mkdir(parents=True)
     (folder / "build" / "morskin").symlink_to(binary)
     (folder / "build" / "papers" / "steps").symlink_to(binary.parent / "papers" / "steps")
-    for name in ("bench", "tests", "app", "front", "refine", "morse", "skin", "geometry"):
+    (folder / "build" / "python").symlink_to(binary.parent / "python")
+    for name in ("bench", "tests", "app", "python", "front", "refine", "morse", "skin", "geometry"):
         (folder / name).symlink_to(ROOT / name)
     return folder
 

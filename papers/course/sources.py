@@ -5,11 +5,11 @@ from functools import lru_cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin", "app",
-           "bench", "tests", "papers"]
+FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
+           "python", "app", "bench", "tests", "papers"]
 
-MARK = re.compile(r"^\s*// \[excerpt: ([\w-]+)\]$")
-END_MARK = re.compile(r"^\s*// \[/excerpt\]$")
+MARK = re.compile(r"^\s*(?://|#) \[excerpt: ([\w-]+)\]$")
+END_MARK = re.compile(r"^\s*(?://|#) \[/excerpt\]$")
 
 
 @lru_cache(maxsize=None)
@@ -97,4 +97,4 @@ def all_excerpts():
     """By (file, name), every marked excerpt of the sources."""
     return {(path, name): place
             for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*"))
-            if path.suffix in {".h", ".cpp"} for name, place in excerpts_in(path).items()}
+            if path.suffix in {".h", ".cpp", ".py"} for name, place in excerpts_in(path).items()}

@@ -29,8 +29,8 @@ int main() {
 
   // [excerpt: library-files]
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "caffeine.ply";
-  write_mesh(mesh.triangles(), file);
-  const Certificate again = skin.certify(read_mesh(file), {.C = 0.2}, {.threads = 2});
+  mesh.write(file);
+  const Certificate again = skin.certify(read_mesh(file), mesh.sizing(), {.threads = 2});
   std::printf("read back: %s\n", again.certified ? "certified" : again.reason.c_str());
   std::filesystem::remove(file);
   // [/excerpt]
@@ -45,6 +45,12 @@ int main() {
   const auto busiest = std::ranges::max_element(vertices_of);
   std::printf("%zu vertices where the skin is saddle-shaped; atom %td has most vertices, %zu\n",
               saddle_like, busiest - vertices_of.begin(), *busiest);
+  // [/excerpt]
+
+  // [excerpt: library-morse]
+  const MorseSmaleComplex complex = skin.morse_smale(Point{0.3, 0.9, 0.2});
+  std::printf("%zu critical points, %zu arcs, %zu regions\n", complex.points.size(),
+              complex.arcs.size(), complex.regions.size());
   // [/excerpt]
 
   // [excerpt: library-errors]

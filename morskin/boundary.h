@@ -1,0 +1,60 @@
+#pragma once
+
+/// The boundary between the library's face (morskin.h) and what is behind it: values of either side
+/// in terms of the other, and errors.
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/indexed_mesh.h"
+#include "geometry/point.h"
+#include "geometry/run.h"
+#include "morse/choose_function.h"
+#include "morskin/morskin.h"
+#include "morskin/prepared_skin.h"
+#include "skin/singular_skin.h"
+
+namespace morskin {
+
+struct Skin::Prepared {
+  PreparedSkin skin;
+  std::size_t rounded_coordinates;
+};
+
+/// Does a piece of work; whatever it throws comes out as an Error.
+template <class Work>
+auto with_errors(Work work) {
+  using Kind = Error::Kind;
+  try {
+    return work();
+  } catch (const skin::SingularSkin& error) {
+    std::vector<std::uint32_t> atoms;
+    for (const geometry::AtomId id : error.atoms) atoms.push_back(id.value);
+    throw Error(Kind::Singular, error.what(), std::move(atoms));
+  } catch (const morse::DegenerateFunction& error) {
+    throw Error(Kind::Degenerate, error.what());
+  } catch (const geometry::RefusedInput& error) {
+    throw Error(Kind::Refused, error.what());
+  } catch (const geometry::UnreadableInput& error) {
+    throw Error(Kind::Unreadable, error.what());
+  } catch (const geometry::UnwritableOutput& error) {
+    throw Error(Kind::Unwritable, error.what());
+  } catch (const geometry::LimitReached& error) {
+    throw Error(Kind::Limit, error.what());
+  } catch (const geometry::Stopped& error) {
+    throw Error(Kind::Stopped, error.what());
+  }
+}
+
+inline geometry::Point inside(const Point& p) { return {p[0], p[1], p[2]}; }
+inline Point outside(const geometry::Point& p) { return {p.x(), p.y(), p.z()}; }
+
+inline Run inside(const RunOptions& run) { return Run(run.threads, run.progress, run.stop); }
+
+/// @throws geometry::RefusedInput  for a corner that does not exist
+geometry::IndexedMesh inside(const TriangleMesh& mesh);
+
+}  // namespace morskin

@@ -1,0 +1,78 @@
+#include "python/arrays.h"
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace morskin::python {
+
+namespace {
+
+template <class T>
+using Contiguous = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+/// The numbers of an array-like, whose NumPy kind must be one of `kinds`.
+template <class T>
+Contiguous<T> numbers(const py::object& from, std::string_view kinds, const std::string& name,
+                      const char* what) {
+  const auto array = py::array::ensure(from);
+  if (!array) throw py::value_error(name + " cannot be made an array");
+  // Nothing at all has the kind of floats.
+  if (array.size() > 0 && kinds.find(array.dtype().kind()) == kinds.npos) {
+    throw py::type_error(name + " must hold " + what);
+  }
+  return Contiguous<T>(array);
+}
+
+Contiguous<double> real_numbers(const py::object& from, const std::string& name) {
+  return numbers<double>(from, "fiu", name, "real numbers");
+}
+
+void require_rows_of_three(const py::array& array, const std::string& name) {
+  if (array.ndim() == 2 && array.shape(1) == 3) return;
+  throw py::value_error(name + " must have the shape (n, 3)");
+}
+
+Point point(const Contiguous<double>& rows, py::ssize_t row) {
+  return {rows.at(row, 0), rows.at(row, 1), rows.at(row, 2)};
+}
+
+}  // namespace
+
+std::vector<Atom> atoms_from(const py::object& positions, const py::object& radii) {
+  const auto centres = real_numbers(positions, "positions");
+  const auto sizes = real_numbers(radii, "radii");
+  require_rows_of_three(centres, "positions");
+  if (sizes.ndim() != 1 || sizes.shape(0) != centres.shape(0)) {
+    throw py::value_error("radii must have the shape (n,), with one radius for each position");
+  }
+  std::vector<Atom> atoms;
+  atoms.reserve(static_cast<std::size_t>(sizes.shape(0)));
+  for (py::ssize_t i = 0; i < sizes.shape(0); ++i)
+    atoms.push_back({point(centres, i), sizes.at(i)});
+  return atoms;
+}
+
+TriangleMesh mesh_from(const py::object& vertices, const py::object& faces) {
+  const auto positions = real_numbers(vertices, "vertices");
+  const auto corners = numbers<std::int64_t>(faces, "iu", "faces", "whole numbers");
+  require_rows_of_three(positions, "vertices");
+  require_rows_of_three(corners, "faces");
+  TriangleMesh mesh;
+  for (py::ssize_t v = 0; v < positions.shape(0); ++v) mesh.vertices.push_back(point(positions, v));
+  for (py::ssize_t t = 0; t < corners.shape(0); ++t) {
+    std::array<std::uint32_t, 3>& triangle = mesh.triangles.emplace_back();
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      const std::int64_t corner = corners.at(t, k);
+      if (corner < 0 || corner >= positions.shape(0)) {
+        throw py::value_error("face " + std::to_string(t) + " has a corner " +
+                              std::to_string(corner) + ", but there are " +
+                              std::to_string(positions.shape(0)) + " vertices, counted from 0");
+      }
+      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corner);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace morskin::python

@@ -1,0 +1,52 @@
+#pragma once
+
+/// The parts of the module `_morskin`, each of which adds its classes and functions.
+
+#include <pybind11/pybind11.h>
+
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "morskin/morskin.h"
+
+// A class of its own, not a list.
+PYBIND11_MAKE_OPAQUE(std::vector<morskin::CriticalPoint>)
+
+namespace morskin::python {
+
+namespace py = pybind11;
+
+/// A mesh as Python holds it: what lies at its vertices is found when it is first asked for.
+class Mesh {
+ public:
+  explicit Mesh(SkinMesh mesh) : mesh_(std::move(mesh)) {}
+
+  const SkinMesh& mesh() const { return mesh_; }
+  /// By vertex. Without the global lock, so other threads may ask meanwhile.
+  const std::vector<SkinPoint>& points() const {
+    const py::gil_scoped_release unlocked;
+    std::call_once(are_found_, [this] { points_ = mesh_.points(); });
+    return points_;
+  }
+
+ private:
+  SkinMesh mesh_;
+  mutable std::once_flag are_found_;
+  mutable std::vector<SkinPoint> points_;
+};
+
+/// The library's errors become the exceptions of morskin/errors.py.
+void bind_errors();
+/// Certificate, and Mesh.
+void bind_mesh(py::module_& module);
+/// CriticalPoints and MorseSmaleComplex.
+void bind_morse(py::module_& module);
+/// Skin, and what makes one. @pre the others are bound
+void bind_skin(py::module_& module);
+
+/// @throws py::error_already_set  NotCertified, with the mesh
+[[noreturn]] void raise_not_certified(const std::string& reason, const py::object& mesh);
+
+}  // namespace morskin::python

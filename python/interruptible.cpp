@@ -1,0 +1,60 @@
+#include "python/interruptible.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <string_view>
+#include <thread>
+
+namespace morskin::python {
+
+namespace {
+
+/// Guarded by the global lock.
+std::set<Interruption*> runs;
+
+/// Asks all runs to stop and gives the lock away until they have.
+void end_runs() {
+  using namespace std::chrono_literals;
+  while (!runs.empty()) {
+    for (Interruption* run : runs) {
+      PyErr_SetNone(PyExc_SystemExit);
+      run->interrupt(py::error_already_set());
+    }
+    const py::gil_scoped_release unlocked;
+    std::this_thread::sleep_for(10ms);
+  }
+}
+
+}  // namespace
+
+Interruption::Interruption() { runs.insert(this); }
+Interruption::~Interruption() { runs.erase(this); }
+
+void end_runs_with_python() {
+  py::module_::import("atexit").attr("register")(py::cpp_function(end_runs));
+  // A forked process has one thread, and none of the others' runs.
+  py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") =
+                                                         py::cpp_function([] { runs.clear(); }));
+}
+
+RunOptions RunArguments::options(Interruption& interruption) const {
+  if (threads && *threads < 1) throw py::value_error("threads must be at least 1");
+  RunOptions result;
+  result.threads =
+      threads ? static_cast<unsigned>(*threads) : std::max(1U, std::thread::hardware_concurrency());
+  result.stop = interruption.token();
+  if (progress.is_none()) return result;
+  result.progress = [call = py::handle(progress), &interruption](std::string_view stage,
+                                                                 double share) {
+    const py::gil_scoped_acquire locked;
+    try {
+      call(stage, share < 0 ? py::object(py::none()) : py::object(py::float_(share)));
+    } catch (py::error_already_set& raised) {
+      interruption.interrupt(std::move(raised));
+    }
+  };
+  return result;
+}
+
+}  // namespace morskin::python

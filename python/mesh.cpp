@@ -1,0 +1,143 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <string>
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+namespace morskin::python {
+
+namespace {
+
+std::string in_words(const Certificate& c) {
+  const std::string verdict = c.certified ? "certified" : "not certified: " + c.reason;
+  return "<morskin.Certificate: " + verdict + ">";
+}
+
+std::string in_words(const Mesh& mesh) {
+  const TriangleMesh& triangles = mesh.mesh().triangles();
+  return "<morskin.Mesh: " + std::to_string(triangles.vertices.size()) + " vertices, " +
+         std::to_string(triangles.triangles.size()) + " faces, " +
+         (mesh.mesh().certificate().certified ? "certified>" : "not certified>");
+}
+
+/// A property that is a view of a field of SkinPoint, which the mesh keeps.
+template <class Field>
+auto column(Field SkinPoint::*field) {
+  return [field](const py::object& self) {
+    return view(self.cast<const Mesh&>().points(), field, self);
+  };
+}
+
+void bind_certificate(py::module_& module) {
+  py::class_<Certificate>(module, "Certificate", "What is proved of a mesh, and how good it is.")
+      .def_readonly(
+          "certified", &Certificate::certified,
+          "bool: homeomorphic to the skin, with [L] and [U], or with angles of 30 degrees")
+      .def_readonly("is_homeomorphic", &Certificate::is_homeomorphic,
+                    "bool: homeomorphic to the skin, even isotopic")
+      .def_readonly("reason", &Certificate::reason,
+                    "str: why the mesh is not certified; empty if it is")
+      .def_readonly("components", &Certificate::components, "int: connected components")
+      .def_readonly("genus", &Certificate::genus, "int: summed over components")
+      .def_readonly("min_angle_deg", &Certificate::min_angle_deg, "float: degrees")
+      .def_readonly("max_angle_deg", &Certificate::max_angle_deg, "float: degrees")
+      .def_readonly("area", &Certificate::area, "float: Angstrom^2")
+      .def_readonly("volume", &Certificate::volume, "float: Angstrom^3, voids taken off")
+      .def_readonly("max_distance_to_skin", &Certificate::max_distance_to_skin,
+                    "float: of a vertex, Angstrom")
+      .def_readonly("size_violations", &Certificate::size_violations,
+                    "int: edges that break [L] and triangles that break [U]")
+      .def("__repr__", [](const Certificate& c) { return in_words(c); });
+}
+
+/// What Skin.mesh and check() must be given for the same sizes of triangles.
+py::dict sizing_of(const Mesh& mesh) {
+  const MeshOptions sizing = mesh.mesh().sizing();
+  return py::dict(py::arg("C") = sizing.C, py::arg("Q") = sizing.Q.value(),
+                  py::arg("max_length_scale") = sizing.max_length_scale);
+}
+
+std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file) {
+  const py::gil_scoped_release unlocked;
+  return mesh.mesh().write(file);
+}
+
+/// A function of morskin/exports.py, which imports another package, as a method.
+auto exporter(const char* name) {
+  return [name](const py::object& mesh) {
+    return py::module_::import("morskin.exports").attr(name)(mesh);
+  };
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& module) {
+  bind_certificate(module);
+  py::class_<Mesh>(
+      module, "Mesh",
+      "A triangle mesh of a skin, with n vertices and m faces.\n\n"
+      "Its arrays are read-only views of the mesh's own memory; copy what is to be "
+      "changed.\nArrays by vertex beside `vertices` are found when one of them is first "
+      "asked for.")
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& self) {
+            return view(self.cast<const Mesh&>().mesh().triangles().vertices, self);
+          },
+          "(n, 3) float64: positions on the skin, Angstrom")
+      .def_property_readonly(
+          "faces",
+          [](const py::object& self) {
+            return view(self.cast<const Mesh&>().mesh().triangles().triangles, self);
+          },
+          "(m, 3) uint32: vertices of each triangle, counter-clockwise seen from outside")
+      .def_property_readonly("normals", column(&SkinPoint::normal),
+                             "(n, 3) float64: the skin's unit normals, out of the body")
+      .def_property_readonly("length_scales", column(&SkinPoint::length_scale),
+                             "(n,) float64: smallest radius of curvature, Angstrom")
+      .def_property_readonly("curvatures", column(&SkinPoint::curvatures),
+                             "(n, 2) float64: principal curvatures, 1/Angstrom, positive where the "
+                             "body is convex;\nthe first is the larger in magnitude")
+      .def_property_readonly("directions", column(&SkinPoint::directions),
+                             "(n, 2, 3) float64: principal directions, unit, in the order of "
+                             "`curvatures`")
+      .def_property_readonly("atoms", column(&SkinPoint::atom),
+                             "(n,) uint32: atom of the least power distance, counted from 0")
+      .def_property_readonly(
+          "atom_ids", column(&SkinPoint::atoms),
+          "(n, 4) int32: atoms that make the skin at the vertex, counted from 0; "
+          "-1 where fewer than 4")
+      .def_property_readonly("atom_weights", column(&SkinPoint::shares),
+                             "(n, 4) float64: their shares, 1 in sum; 0 where fewer than 4")
+      .def_property_readonly("components", column(&SkinPoint::component),
+                             "(n,) uint32: component of the mesh, counted from 0 in the order of "
+                             "the vertices")
+      .def_property_readonly(
+          "certificate", [](const Mesh& self) { return self.mesh().certificate(); },
+          "Certificate: what is proved of this mesh")
+      .def_property_readonly(
+          "fallbacks", [](const Mesh& self) { return self.mesh().fallbacks(); },
+          "list of str: what took the place of parts that were not certified at first")
+      .def_property_readonly(
+          "skin", [](const Mesh& self) { return self.mesh().skin(); }, "Skin: that it is a mesh of")
+      .def_property_readonly("sizing", sizing_of,
+                             "dict: C, Q and max_length_scale that it was made with, as check() "
+                             "takes them")
+      .def("save", save, py::arg("file"),
+           "save(file) -> pathlib.Path\n\n"
+           "Writes PLY, OFF, OBJ, STL or VTU, as the file's ending says, whole or not at all. "
+           "Returns the file's\nname: a mesh that is not certified gets the ending .unverified.\n\n"
+           "Raises UnwritableOutput.")
+      .def(
+          "to_meshio", exporter("to_meshio"),
+          "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
+          "and components as point_data.")
+      .def("to_vtk", exporter("to_vtk"),
+           "to_vtk() -> vtkPolyData\n\nThe same as a vtkPolyData; the normals are the active ones.")
+      .def("__repr__", [](const Mesh& self) { return in_words(self); });
+}
+
+}  // namespace morskin::python

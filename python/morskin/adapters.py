@@ -1,0 +1,92 @@
+"""Atoms from other packages, none of which is imported: their objects are asked for what their
+own documentation names.
+
+Radii are those of morskin's table, `van_der_waals_radius(element)`. Water is left out unless asked
+for, and of alternate locations the likeliest is taken, as `morskin.read` does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._morskin import van_der_waals_radius
+from .errors import RefusedInput
+from .molecule import Molecule
+
+_FRAME = np.dtype([("frame", np.int64), ("time", np.float64), ("area", np.float64),
+                   ("volume", np.float64), ("components", np.int64), ("genus", np.int64)])
+
+
+def from_gemmi(entity: Any, *, waters: bool = False) -> Molecule:
+    """The atoms of a gemmi.Structure, of which it is the first model, or of a gemmi.Model."""
+    model = entity if hasattr(entity, "subchains") else entity[0]
+    atoms = list(_gemmi_atoms(model, waters))
+    return _molecule([[a.pos.x, a.pos.y, a.pos.z] for a in atoms], [a.element.name for a in atoms])
+
+
+def _gemmi_atoms(model: Any, waters: bool) -> Iterator[Any]:
+    for chain in model:
+        for residue in chain:
+            if residue.is_water() and not waters:
+                continue
+            likeliest: dict[str, Any] = {}
+            for atom in residue:
+                if atom.name not in likeliest or atom.occ > likeliest[atom.name].occ:
+                    likeliest[atom.name] = atom
+            yield from likeliest.values()
+
+
+def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:
+    """The atoms of a Bio.PDB Structure, of which it is the first model, or of a Model, Chain or
+    Residue."""
+    if entity.level == "S":
+        entity = next(entity.get_models())
+    atoms = [a for a in entity.get_atoms() if waters or a.get_parent().id[0] != "W"]
+    return _molecule([a.coord for a in atoms], [a.element for a in atoms])
+
+
+def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
+    """The atoms of an MDAnalysis AtomGroup or Universe at its present frame, all of them: leave
+    water out by a selection, `universe.select_atoms("protein")`.
+
+    radii  (n,), Angstrom; None: by `atoms.elements`, which the topology must have
+    """
+    group = atoms.atoms
+    if radii is None:
+        return _molecule(group.positions, group.elements)
+    return Molecule(np.asarray(group.positions, float), np.asarray(radii, float))
+
+
+def over_time(atoms: Any, *, frames: slice = slice(None), radii: ArrayLike | None = None,
+              **options: Any) -> NDArray[Any]:
+    """Areas and volumes of an MDAnalysis AtomGroup or Universe along its trajectory.
+
+    frames   of the trajectory, slice(0, None, 10) for every tenth
+    radii    as of from_mdanalysis
+    options  those of Molecule.mesh
+
+    Returns an array with a row for each frame and the fields frame, time (ps), area (Angstrom^2),
+    volume (Angstrom^3), components and genus. Raises what meshing a frame does.
+    """
+    rows = []
+    for step in atoms.universe.trajectory[frames]:
+        found = from_mdanalysis(atoms, radii=radii).mesh(**options).certificate
+        rows.append((step.frame, step.time, found.area, found.volume, found.components,
+                     found.genus))
+    return np.array(rows, dtype=_FRAME)
+
+
+def _molecule(positions: ArrayLike, elements: Sequence[str]) -> Molecule:
+    """Raises RefusedInput for an element without a radius."""
+    table = {element: van_der_waals_radius(element) for element in set(elements)}
+    unknown = sorted(element for element, radius in table.items() if radius is None)
+    if unknown:
+        error = RefusedInput(f"no van der Waals radius is known of {unknown[0]!r}")
+        error.atoms = tuple(i for i, element in enumerate(elements) if element in unknown)
+        raise error
+    radii = np.array([table[element] for element in elements], float)
+    return Molecule(np.asarray(positions, float).reshape(-1, 3), radii)

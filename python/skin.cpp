@@ -1,0 +1,215 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/interruptible.h"
+
+namespace morskin::python {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+/// @throws py::value_error  for a word that is none of the names
+template <class Value>
+Value named(const std::string& word, const Names<Value>& names, const std::string& what) {
+  std::string all;
+  for (const auto& [name, value] : names) {
+    if (word == name) return value;
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  throw py::value_error(what + " must be one of " + all + ", not " + word);
+}
+
+Model model_of(const std::string& word) {
+  return named<Model>(word,
+                      {{"paper", Model::Paper},
+                       {"sas", Model::Sas},
+                       {"vdw", Model::Vdw},
+                       {"ses-like", Model::SesLike}},
+                      "model");
+}
+
+std::optional<Method> method_of(const std::optional<std::string>& word) {
+  if (!word) return std::nullopt;
+  return named<Method>(*word, {{"sweep", Method::Sweep}, {"static", Method::Static}}, "method");
+}
+
+Skin make_skin(const py::object& positions, const py::object& radii, const std::string& model,
+               double probe, double drop_voids_below, std::optional<int> threads,
+               const py::object& progress) {
+  const std::vector<Atom> atoms = atoms_from(positions, radii);
+  const SkinOptions options{model_of(model), probe, drop_voids_below};
+  return interruptible({threads, progress},
+                       [&](const RunOptions& run) { return Skin(atoms, options, run); });
+}
+
+py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double> Q,
+                double max_length_scale, std::optional<double> edge_length,
+                std::optional<double> density, std::optional<double> triangles,
+                std::optional<double> grading, std::optional<double> angle_goal_deg,
+                const std::optional<std::string>& method, int fronts,
+                const std::optional<Point>& direction, bool allow_uncertified,
+                std::optional<int> threads, const py::object& progress) {
+  const bool is_size_given = edge_length || density || triangles;
+  const MeshOptions options{
+      .C = C.value_or(is_size_given ? MeshOptions::coarsest_C : MeshOptions().C),
+      .Q = Q,
+      .max_length_scale = max_length_scale,
+      .edge_length = edge_length,
+      .density = density,
+      .triangles = triangles,
+      .grading = grading,
+      .angle_goal_deg = angle_goal_deg,
+      .method = method_of(method),
+      .fronts = fronts,
+      .direction = direction};
+  SkinMesh made = interruptible({threads, progress},
+                                [&](const RunOptions& run) { return skin.mesh(options, run); });
+  const bool is_good = made.certificate().certified || allow_uncertified;
+  const std::string reason = made.certificate().reason;
+  py::object result = py::cast(std::make_unique<Mesh>(std::move(made)));
+  if (!is_good) raise_not_certified(reason, result);
+  return result;
+}
+
+Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin, double C,
+                  std::optional<double> Q, double max_length_scale, std::optional<int> threads,
+                  const py::object& progress) {
+  const TriangleMesh triangles = mesh_from(vertices, faces);
+  const MeshOptions options{.C = C, .Q = Q, .max_length_scale = max_length_scale};
+  return interruptible({threads, progress}, [&](const RunOptions& run) {
+    return skin.certify(triangles, options, run);
+  });
+}
+
+std::vector<CriticalPoint> critical_points(const Skin& skin,
+                                           const std::optional<Point>& direction) {
+  const py::gil_scoped_release unlocked;
+  return skin.critical_points(direction);
+}
+
+MorseSmaleComplex morse_smale(const Skin& skin, const std::optional<Point>& direction,
+                              const py::object& progress) {
+  return interruptible({1, progress},
+                       [&](const RunOptions& run) { return skin.morse_smale(direction, run); });
+}
+
+py::tuple read_molecule(const std::filesystem::path& file) {
+  auto* const atoms = new std::vector<Atom>();
+  const py::capsule owner(atoms, [](void* p) { delete static_cast<std::vector<Atom>*>(p); });
+  {
+    const py::gil_scoped_release unlocked;
+    *atoms = morskin::read_molecule(file);
+  }
+  return py::make_tuple(view(*atoms, &Atom::position, owner), view(*atoms, &Atom::radius, owner));
+}
+
+py::tuple read_mesh(const std::filesystem::path& file) {
+  auto* const mesh = new TriangleMesh();
+  const py::capsule owner(mesh, [](void* p) { delete static_cast<TriangleMesh*>(p); });
+  {
+    const py::gil_scoped_release unlocked;
+    *mesh = morskin::read_mesh(file);
+  }
+  return py::make_tuple(view(mesh->vertices, owner), view(mesh->triangles, owner));
+}
+
+constexpr const char* mesh_text = R"(mesh(*, C=None, density=None, ...) -> Mesh
+
+Meshes the skin and certifies the mesh.
+
+C                  how closely the mesh follows the skin: edges grow with it. None: 0.08, or 0.4,
+                   as coarse as it gets, with one of the three sizes below
+Q                  quality, above 1; None: the one that goes with C
+max_length_scale   a larger length scale counts as this one, Angstrom
+edge_length        in its place, at most one of these: the median edge where the skin is flat
+density            enough, Angstrom; vertices per Angstrom^2; triangles in all. Reached as far as
+triangles          C allows
+grading            by how much edges may grow for each Angstrom, at least 0.01
+angle_goal_deg     no angle is smaller where that is reached, degrees
+method             "sweep" or "static"; None: chosen
+fronts             2: swept from both ends at once; 1: from below
+direction          (3,): to sweep along
+allow_uncertified  return a mesh that is not certified
+threads            at most; None: as many as the machine has. The mesh does not depend on it
+progress           called now and then with the stage's name and the share of it that is done, 0 to
+                   1 or None; what it raises ends the run, as Ctrl-C does
+
+Raises NotCertified, with the mesh; RefusedInput, a ValueError, for values that make no sense.)";
+
+}  // namespace
+
+void bind_skin(py::module_& module) {
+  using py::arg;
+  const py::none none;
+  py::class_<Skin>(module, "Skin",
+                   "Skin(positions, radii, model=\"vdw\", *, probe=1.4, drop_voids_below=0)\n\n"
+                   "A skin surface, prepared once; it may be used from several threads.\n\n"
+                   "positions         (n, 3): of the atoms, Angstrom\n"
+                   "radii             (n,): van der Waals, Angstrom\n"
+                   "model             radius of an atom's sphere: \"vdw\" r, \"sas\" r + probe, "
+                   "\"ses-like\" r + 0.25, or \"paper\"\n"
+                   "probe             Angstrom\n"
+                   "drop_voids_below  voids of a volume proved to be below this, Angstrom^3, are "
+                   "left out\n"
+                   "threads, progress as of mesh()\n\n"
+                   "Raises RefusedInput, with `atoms` where it is about some.")
+      .def(py::init(&make_skin), arg("positions"), arg("radii"), arg("model") = "vdw",
+           py::kw_only(), arg("probe") = 1.4, arg("drop_voids_below") = 0.0, arg("threads") = none,
+           arg("progress") = none)
+      .def_property_readonly("components", &Skin::components,
+                             "int: connected components of what is meshed, exact")
+      .def_property_readonly("genus", &Skin::genus, "int: summed over components, exact")
+      .def("mesh", &mesh, mesh_text, py::kw_only(), arg("C") = none, arg("Q") = none,
+           arg("max_length_scale") = infinity, arg("edge_length") = none, arg("density") = none,
+           arg("triangles") = none, arg("grading") = none, arg("angle_goal_deg") = none,
+           arg("method") = none, arg("fronts") = 2, arg("direction") = none,
+           arg("allow_uncertified") = false, arg("threads") = none, arg("progress") = none)
+      .def("critical_points", &critical_points, arg("direction") = none,
+           "critical_points(direction=None) -> CriticalPoints\n\n"
+           "Those of the height along `direction`, (3,), or along the library's choice. Voids that "
+           "are not\nmeshed are in them.\n\nRaises RefusedInput if the direction is degenerate for "
+           "this skin.")
+      .def("morse_smale", &morse_smale, arg("direction") = none, py::kw_only(),
+           arg("progress") = none,
+           "morse_smale(direction=None) -> MorseSmaleComplex\n\n"
+           "The complex of the same height as traced, nothing cancelled. `progress` as of mesh().")
+      .def("__repr__", [](const Skin& self) {
+        return "<morskin.Skin: components " + std::to_string(self.components()) + ", genus " +
+               std::to_string(self.genus()) + ">";
+      });
+  module.def("check", &check, arg("vertices"), arg("faces"), arg("skin"), py::kw_only(),
+             arg("C") = MeshOptions().C, arg("Q") = none, arg("max_length_scale") = infinity,
+             arg("threads") = none, arg("progress") = none,
+             "check(vertices, faces, skin, *, C=0.08, Q=None, max_length_scale=inf) -> "
+             "Certificate\n\nChecks any mesh against a skin. A bad mesh is no error: the "
+             "certificate says what is wrong.\n\n"
+             "vertices  (n, 3): Angstrom\n"
+             "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
+             "The others are what the mesh was made with: **mesh.sizing for one of this library.");
+  module.def("read_molecule", &read_molecule, arg("file"),
+             "read_molecule(file) -> positions (n, 3), radii (n,), Angstrom");
+  module.def("read_mesh", &read_mesh, arg("file"),
+             "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
+             "A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.\n\n"
+             "Raises UnreadableInput.");
+  module.def(
+      "van_der_waals_radius", &van_der_waals_radius, arg("element"),
+      "van_der_waals_radius(element) -> Angstrom, or None for what is no element with one\n\n"
+      "element  a symbol in upper or lower case");
+}
+
+}  // namespace morskin::python

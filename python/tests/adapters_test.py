@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Adapters, on stand-ins that have what the other packages document; packages_test.py tries the
+packages themselves. Usage: adapters_test.py folder-of-the-package"""
+
+from support import ModuleTest, main
+
+import sys
+from types import SimpleNamespace as Thing
+
+import morskin
+import numpy as np
+from morskin import adapters
+
+
+def gemmi_atom(name, x, element="C", occ=1.0):
+    return Thing(name=name, pos=Thing(x=x, y=0.0, z=0.0), element=Thing(name=element), occ=occ)
+
+
+class GemmiResidue(list):
+    def __init__(self, atoms, water=False):
+        super().__init__(atoms)
+        self.water = water
+
+    def is_water(self):
+        return self.water
+
+
+class GemmiModel(list):
+    def subchains(self):
+        return []
+
+
+class BioResidue:
+    def __init__(self, *atoms, kind=" "):
+        self.id = (kind, 1, " ")
+        self.level = "R"
+        self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element,
+                            get_parent=lambda: self) for x, element in atoms]
+
+    def get_atoms(self):
+        return iter(self.atoms)
+
+
+class Trajectory(list):
+    """Frames of positions; going through them moves the atoms."""
+
+    def __init__(self, group, frames):
+        super().__init__(frames)
+        self.group = group
+
+    def __getitem__(self, frames):
+        for number in range(len(self))[frames]:
+            self.group.positions = list.__getitem__(self, number)
+            yield Thing(frame=number, time=2.0 * number)
+
+
+def group(frames, elements):
+    found = Thing(elements=elements, positions=frames[0])
+    found.atoms = found
+    found.universe = Thing(trajectory=Trajectory(found, frames))
+    return found
+
+
+class Adapters(ModuleTest):
+    def test_of_gemmi_s_atoms_the_likeliest_locations_are_taken_and_no_water(self):
+        residue = GemmiResidue([gemmi_atom("N", 0.0, "N"), gemmi_atom("CA", 1.5, occ=0.4),
+                                gemmi_atom("CA", 1.6, occ=0.6)])
+        water = GemmiResidue([gemmi_atom("O", 9.0, "O")], water=True)
+        model = GemmiModel([[residue, water]])
+        for entity in (model, [model, GemmiModel()]):
+            molecule = adapters.from_gemmi(entity)
+            np.testing.assert_array_equal(molecule.positions[:, 0], [0.0, 1.6])
+            np.testing.assert_array_equal(molecule.radii, [1.55, 1.7])
+        self.assertEqual(len(adapters.from_gemmi(model, waters=True)), 3)
+
+    def test_of_a_biopython_structure_the_first_model_is_taken_and_no_water(self):
+        protein, water = BioResidue((0, "C"), (1.5, "N")), BioResidue((9, "O"), kind="W")
+        chain = Thing(level="C", get_atoms=lambda: iter(protein.atoms + water.atoms))
+        structure = Thing(level="S", get_models=lambda: iter([chain, None]))
+        for entity in (structure, chain, protein):
+            np.testing.assert_array_equal(adapters.from_biopython(entity).radii, [1.7, 1.55])
+        self.assertEqual(len(adapters.from_biopython(structure, waters=True)), 3)
+
+    def test_an_element_without_a_radius_is_refused_with_its_atoms(self):
+        with self.assertRaises(morskin.RefusedInput) as caught:
+            adapters.from_mdanalysis(group([np.zeros((3, 3))], ["C", "Qq", "Qq"]))
+        self.assertEqual(caught.exception.atoms, (1, 2))
+        self.assertIn("Qq", str(caught.exception))
+
+    def test_radii_of_one_s_own_take_the_place_of_elements(self):
+        found = adapters.from_mdanalysis(Thing(atoms=Thing(positions=np.ones((2, 3), "f4"))),
+                                         radii=[1, 2])
+        self.assertEqual(found.radii.tolist(), [1, 2])
+        self.assertEqual(found.positions.dtype, np.float64)
+
+    def test_a_trajectory_gives_a_row_for_each_frame_that_is_asked_for(self):
+        frames = [np.array([[0, 0, 0], [d, 0, 0]], "f4") for d in (0.5, 1.5, 9, 1.5)]
+        atoms = group(frames, ["C", "C"])
+        rows = adapters.over_time(atoms, C=0.2)
+        self.assertEqual(rows["frame"].tolist(), [0, 1, 2, 3])
+        self.assertEqual(rows["time"].tolist(), [0, 2, 4, 6])
+        self.assertEqual(rows["components"].tolist(), [1, 1, 2, 1])
+        self.assertEqual(rows["area"][1], rows["area"][3])
+        self.assertTrue((np.diff(rows["volume"][:3]) > 0).all())
+        some = adapters.over_time(atoms, frames=slice(1, None, 2), C=0.2)
+        np.testing.assert_array_equal(some, rows[1::2])
+        wide = adapters.over_time(atoms, frames=slice(1), radii=[2, 2], model="sas", C=0.2)
+        self.assertGreater(wide["area"][0], rows["area"][0])
+
+    def test_no_package_is_imported_until_it_is_needed(self):
+        said = self.python("import morskin, sys; print(sorted({m.partition('.')[0] for m in"
+                           " sys.modules} & {'gemmi', 'Bio', 'MDAnalysis', 'meshio', 'vtkmodules',"
+                           " 'scipy'}))")
+        self.assertEqual(said, "[]\n")
+
+
+class Exports(ModuleTest):
+    def test_meshio_gets_the_mesh_and_what_is_known_of_its_vertices(self):
+        import meshio
+        mesh = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2]).mesh(C=0.3)
+        mesh.to_meshio().write(self.folder / "m.vtu")
+        read = meshio.read(self.folder / "m.vtu")
+        np.testing.assert_array_equal(read.points, mesh.vertices)
+        np.testing.assert_array_equal(read.cells_dict["triangle"], mesh.faces)
+        for name in ("normals", "curvatures", "atoms", "length_scales", "components"):
+            np.testing.assert_array_equal(read.point_data[name].squeeze(), getattr(mesh, name))
+
+    def test_without_vtk_only_to_vtk_fails(self):
+        mesh = morskin.Skin([[0, 0, 0]], [1]).mesh(C=0.3)
+        hidden = dict.fromkeys([m for m in sys.modules if m.startswith("vtkmodules")] +
+                               ["vtkmodules"])
+        saved = {name: sys.modules.get(name) for name in hidden}
+        sys.modules.update(hidden)
+        try:
+            with self.assertRaises(ImportError):
+                mesh.to_vtk()
+        finally:
+            for name, module in saved.items():
+                if module is None:
+                    del sys.modules[name]
+                else:
+                    sys.modules[name] = module
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Errors: bad values, and exceptions named like the exit codes.
+Usage: errors_test.py folder-of-the-package"""
+
+from support import BALLS, ROOT, ModuleTest, main
+
+import math
+
+import morskin
+import numpy as np
+
+
+class Errors(ModuleTest):
+    def test_bad_values_are_value_errors(self):
+        nan = math.nan
+        for positions, radii in (
+                ([], []), (np.zeros((0, 3)), []), ([[0, 0]], [1]), ([0, 0, 0], [1]),
+                ([[0, 0, 0]], 1), ([[0, 0, 0]], [[1]]), ([[0, 0, 0]], [1, 2]), ([[0, 0, 0]], [0]),
+                ([[0, 0, 0]], [-1]), ([[0, 0, 0]], [nan]), ([[0, nan, 0]], [1]),
+                ([[0, 1e12, 0]], [1]), ([[0, 0, 0]], [math.inf]), ([[0, 0, 0], [0]], [1, 1])):
+            with self.assertRaises(ValueError, msg=(positions, radii)):
+                morskin.Skin(positions, radii)
+        skin = morskin.Skin(*BALLS)
+        for options in (
+                {"C": 0}, {"C": nan}, {"C": 0.9, "Q": 1.2}, {"Q": 1}, {"density": 0},
+                {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
+                {"max_length_scale": 0}, {"edge_length": -1}, {"edge_length": 1, "density": 1},
+                {"angle_goal_deg": 61}, {"fronts": 3}, {"method": "fast"}, {"grading": 0},
+                {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"threads": 0},
+                {"threads": -1}):
+            with self.assertRaises(ValueError, msg=options):
+                skin.mesh(**options)
+        for options in ({"model": "VDW"}, {"probe": -1}, {"probe": nan}, {"drop_voids_below": -1}):
+            with self.assertRaises(ValueError, msg=options):
+                morskin.Skin(*BALLS, **options)
+        for direction in ([0, 0, 0], [nan, 0, 0]):
+            with self.assertRaises(ValueError):
+                skin.critical_points(direction)
+            with self.assertRaises(ValueError):
+                skin.morse_smale(direction)
+        for vertices, faces in (([[0, 0, 0]], [[0, 1, 2]]), ([[0, 0, 0]], [[0, 0, -1]]),
+                                ([[0, 0, 0]], [[0, 0, 2**32]]), ([[0, 0, 0]], [0, 0, 0]),
+                                ([[0, 0]], [[0, 0, 0]])):
+            with self.assertRaises(ValueError):
+                morskin.check(vertices, faces, skin)
+
+    def test_values_of_a_wrong_type_are_type_errors(self):
+        skin = morskin.Skin(*BALLS)
+        for call in (lambda: morskin.Skin([["a", "b", "c"]], [1]), lambda: morskin.Skin(None, None),
+                     lambda: morskin.Skin([[1j, 0, 0]], [1]), lambda: morskin.Skin(),
+                     lambda: morskin.Skin([[0, 0, 0]], [True]),
+                     lambda: skin.mesh(C="coarse"), lambda: skin.mesh(0.2),
+                     lambda: skin.mesh(densty=5), lambda: skin.mesh(direction=[1, 2]),
+                     lambda: morskin.check([[0, 0, 0]], [[0.5, 0, 0]], skin),
+                     lambda: morskin.check([[0, 0, 0]], [[0, 0, 0]], None)):
+            with self.assertRaises(TypeError):
+                call()
+
+    def test_errors_are_named_like_the_exit_codes(self):
+        text = (ROOT / "app" / "exit_codes.h").read_text("utf-8")
+        for name in ("UnreadableInput", "RefusedInput", "NotCertified", "LimitReached",
+                     "UnwritableOutput", "InternalError"):
+            self.assertIn(name + " =", text)
+            self.assertTrue(issubclass(getattr(morskin, name), morskin.Error))
+        with self.assertRaises(morskin.UnreadableInput):
+            morskin.read("no such file.pdb")
+        with self.assertRaises(OSError):
+            morskin.read_mesh("no such file.ply")
+        (self.folder / "bad.xyzr").write_text("0 0 0 1\n1 2 three 4\n")
+        with self.assertRaisesRegex(morskin.UnreadableInput, r"bad\.xyzr:2: "):
+            morskin.read(self.folder / "bad.xyzr")
+        (self.folder / "weights.xyzw").write_text("0 0 0 1\n")
+        with self.assertRaises(morskin.RefusedInput):
+            morskin.read(self.folder / "weights.xyzw")
+
+    def test_a_file_may_have_any_name_and_the_error_has_it(self):
+        for name in ("Ähre.xyzr", "a\udcff.xyzr"):
+            with self.assertRaises(morskin.UnreadableInput) as caught:
+                morskin.read(self.folder / name)
+            self.assertIn(name, str(caught.exception))
+
+    def test_a_skin_that_touches_itself_names_its_atoms(self):
+        with self.assertRaises(morskin.RefusedInput) as caught:
+            morskin.Skin([[-50, 0, 0], [0, 0, 0], [2, 2, 0]], [1, 1, 1])
+        self.assertEqual(caught.exception.atoms, (1, 2))
+        self.assertEqual(morskin.RefusedInput("x").atoms, ())
+
+    def test_memory_that_runs_out_is_a_limit_and_a_memory_error(self):
+        said = self.python("""
+import resource
+import numpy, morskin
+skin = morskin.Skin([[0, 0, 0]], [100.0])
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 200 * 2**20, resource.RLIM_INFINITY))
+try:
+    skin.mesh(C=0.001, threads=1)
+except MemoryError as error:
+    print(type(error).__name__)
+""")
+        self.assertEqual(said, "LimitReached\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The types in _morskin.pyi are those of the extension, and everything has a docstring; the slow
+packages_test.py asks mypy. Usage: types_test.py folder-of-the-package"""
+
+from support import BALLS, ROOT, ModuleTest, main
+
+import ast
+import inspect
+import re
+
+import morskin
+from morskin import _morskin
+
+STUBS = ast.parse((ROOT / "python" / "morskin" / "_morskin.pyi").read_text("utf-8"))
+
+
+def functions(body):
+    return {node.name: node for node in body if isinstance(node, ast.FunctionDef)}
+
+
+def public(names):
+    return {name for name in names if not name.startswith("_")}
+
+
+def keywords(function):
+    """By name, the defaults of the keyword-only arguments, where the stub has them."""
+    arguments = function.args
+    return {a.arg: ast.literal_eval(default)
+            for a, default in zip(arguments.kwonlyargs, arguments.kw_defaults)
+            if ast.literal_eval(default) is not ...}
+
+
+class Types(ModuleTest):
+    def test_the_stub_has_the_names_of_the_extension_and_no_other(self):
+        classes = {node.name: node for node in STUBS.body if isinstance(node, ast.ClassDef)}
+        known = public(classes) | public(functions(STUBS.body))
+        self.assertEqual(known, public(vars(_morskin)))
+        for name in public(classes):
+            self.assertEqual(public(functions(classes[name].body)),
+                             public(vars(getattr(_morskin, name))), name)
+
+    def test_every_keyword_of_the_stub_is_one_and_takes_its_default(self):
+        (skin_class,) = [n for n in STUBS.body if getattr(n, "name", "") == "Skin"]
+        methods = functions(skin_class.body)
+        skin = morskin.Skin(*BALLS, **keywords(methods["__init__"]))
+        mesh = skin.mesh(**keywords(methods["mesh"]))
+        self.assertEqual(mesh.vertices.tobytes(), skin.mesh().vertices.tobytes())
+        skin.morse_smale(**keywords(methods["morse_smale"]))
+        check = functions(STUBS.body)["check"]
+        self.assertTrue(morskin.check(mesh.vertices, mesh.faces, skin, **keywords(check)).certified)
+
+    def test_everything_public_says_what_it_is(self):
+        for name in morskin.__all__:
+            thing = getattr(morskin, name)
+            self.assertTrue(isinstance(thing, str) or inspect.getdoc(thing), name)
+            if inspect.isclass(thing) and thing.__module__ == "morskin._morskin":
+                for member in public(vars(thing)):
+                    self.assertTrue(getattr(thing, member).__doc__, f"{name}.{member}")
+
+    def test_every_array_s_text_has_its_shape_and_type(self):
+        for thing in (morskin.Mesh, morskin.CriticalPoints, morskin.MorseSmaleComplex):
+            for name, member in vars(thing).items():
+                text = member.__doc__ or ""
+                if isinstance(member, property) and re.match(r"\(", text):
+                    self.assertRegex(text, r"^\([a-z0-9 +]+,.*\) (float64|u?int32): ")
+
+    def test_the_version_is_the_project_s(self):
+        text = (ROOT / "CMakeLists.txt").read_text("utf-8")
+        self.assertIn(f"VERSION {morskin.__version__} ", text)
+
+
+if __name__ == "__main__":
+    main()
