@@ -128,11 +128,12 @@ std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing) {
 void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report) {
   const certify::Certificate& certificate = report.against->certificate;
   const bool is_of_weights = arguments.against->model == skin::Model::Given;
-  if (!arguments.is_model_given && !is_of_weights && !certificate.is_homeomorphic &&
+  if (!arguments.typed.model && !is_of_weights && !certificate.is_homeomorphic &&
       report.topology.is_closed_oriented_manifold()) {
     report.fitting_model = fitting_model(mesh, arguments);
   }
-  if (!arguments.is_C_given && certificate.is_homeomorphic && certificate.violations_U > 0) {
+  if (!arguments.typed.C && !arguments.typed.size && certificate.is_homeomorphic &&
+      certificate.violations_U > 0) {
     report.fitting_C = fitting_C(certificate.worst_U, arguments.sizing);
   }
 }

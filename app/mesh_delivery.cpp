@@ -47,18 +47,44 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
   if (is_any(MeshFormat::PlyBinary, MeshFormat::Vtu)) {
     result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
-  if (is_any(MeshFormat::MsmsVertices)) result.msms = msms_columns(skin_, mesh, cells);
+  if (is_any(MeshFormat::MsmsVertices)) {
+    result.msms = msms_columns(skin_, mesh, cells);
+    result.normals = skin_normals(skin_, mesh, cells);
+  }
   return result;
+}
+
+void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+                         bool is_certified) {
+  geometry::timed(seconds_writing_, [&] {
+    geometry::MeshAttributes beside = attributes(mesh, cells);
+    for (geometry::PendingFile& file : files_) {
+      const MeshFormat format = format_of(file.path());
+      beside.provenance = origin_.provenance(mesh, format, is_certified);
+      file.write(geometry::serialized(mesh, format, beside));
+    }
+  });
+}
+
+void MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
+  write(result.mesh, result.cells, false);
+}
+
+std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
+                                    const morskin::MeshResult& result) const {
+  const MeshFormat format = format_of(path);
+  geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
+  beside.provenance = origin_.provenance(result.mesh, format, true);
+  return geometry::serialized(result.mesh, format, beside);
+}
+
+geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) const {
+  return origin_.provenance(result.mesh, MeshFormat::PlyBinary, result.certificate.certified);
 }
 
 morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
                                                   std::span<const geometry::CellId> cells) {
-  geometry::timed(seconds_writing_, [&] {
-    const geometry::MeshAttributes beside = attributes(mesh, cells);
-    for (geometry::PendingFile& file : files_) {
-      file.write(geometry::serialized(mesh, format_of(file.path()), beside));
-    }
-  });
+  write(mesh, cells, true);
   Delivery delivery{std::move(mesh), {}};
   try {
     read_back(delivery);

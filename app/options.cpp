@@ -13,19 +13,19 @@ namespace {
 
 void add_molecule_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("--model", typed.model,
+      .add_option("--model", typed.skin.model,
                   "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
                   "INPUT of weights, which XYZW has without it")
       ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
       ->default_str("vdw");
-  command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
+  command.add_option("--probe", typed.skin.probe, "Probe radius, Angstrom; 0 for none")
       ->default_str("1.4");
-  add_selection_options(command, typed.selection);
+  add_selection_options(command, typed.skin.selection);
 }
 
 void add_voids_option(CLI::App& command, Typed& typed) {
   command
-      .add_option("--voids", typed.voids,
+      .add_option("--voids", typed.skin.voids,
                   "Voids inside the skin: keep; drop all, as if they were filled; or\n"
                   "drop those below a volume, cubic Angstrom. With a void go the bodies\n"
                   "inside it")
@@ -34,14 +34,14 @@ void add_voids_option(CLI::App& command, Typed& typed) {
 
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("-C", typed.C,
+      .add_option("-C", typed.skin.C,
                   "Size of the triangles over the curvature radius;\n"
                   "half of it makes four times as many")
       ->default_str("0.08");
-  command.add_option("-Q", typed.Q,
+  command.add_option("-Q", typed.skin.Q,
                      "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
                      "with C above 0.107, the least that C allows)");
-  command.add_option("--size", typed.size,
+  command.add_option("--size", typed.skin.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
                      "elsewhere what -C allows, 0.4 unless it is given");
 }

@@ -14,6 +14,7 @@
 #include "app/skin_parts.h"
 #include "bench/baselines/growth.h"
 #include "certify/mesh_quality.h"
+#include "geometry/provenance.h"
 #include "morskin/pipeline.h"
 #include "skin/molecule.h"
 
@@ -45,6 +46,7 @@ struct MeshReport {
   SkinParts parts;
   double patch_radius_min = 0, patch_radius_max = 0;
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
+  geometry::Provenance provenance;             ///< with the hashes of doubles
   std::string certified_file;
   certify::Certificate certificate;
   certify::MeshQuality quality;
@@ -69,6 +71,9 @@ std::string people_text(const MeshReport& report);
 /// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
 /// theory.
 std::string doubts_about(const certify::Sizing& sizing);
+
+/// The entries as an object, numbers as numbers; of a key that comes again the first.
+nlohmann::ordered_json provenance_json(const geometry::Provenance& provenance);
 
 nlohmann::ordered_json critical_json(const morskin::CriticalCounts& counts);
 /// "2 minima - 1 saddle + 1 maximum"

@@ -105,10 +105,8 @@ class Delivering {
       : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
 
   void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
-    Observer::Delivery arrived =
-        run_.stage("deliver", [&] {
-          return observer_.deliver(std::exchange(result.mesh, {}), result.cells);
-        });
+    Observer::Delivery arrived = run_.stage(
+        "deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {}), result.cells); });
     result.mesh = std::move(arrived.mesh);
     result.certificate = run_.stage("certify", [&] {
       return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),
@@ -140,6 +138,7 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
     if (options.sizes) options.method = Method::Static;
   }
   if (options.size_goal.is_set()) settle_size(skin, options, run);
+  observer.sized(options.sizing);
   const Method method = method_of(skin, options);
   options.method = method;
   MethodResult made = run_method(skin, options, observer, run);

@@ -9,6 +9,7 @@
 //   MSMS (.vert and .face)            everything; three decimals where that program wrote them
 //
 // Binary PLY and VTU take attributes as well (geometry/mesh_attributes.h). MSMS's need them.
+// All hold provenance (geometry/provenance.h).
 //
 // Any of them may be gzipped, whatever its name.
 
@@ -59,6 +60,17 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 /// @throws UnreadableInput  "file:line: what is wrong; what to do", for a malformed or truncated
 ///                          file, a coordinate that is not finite, a corner that does not exist
 IndexedMesh read_mesh(const std::filesystem::path& path);
+
+/// A mesh with what its file says of its origin, true or not.
+struct MeshFile {
+  IndexedMesh mesh;
+  Provenance provenance;             ///< empty if the file says nothing
+  bool is_single_precision = false;  ///< by its format
+};
+
+/// The same, with the provenance.
+/// @throws UnreadableInput  as above
+MeshFile read_mesh_file(const std::filesystem::path& path);
 
 /// The mesh in `bytes`, gzipped or not; not MSMS, which has two files.
 ///

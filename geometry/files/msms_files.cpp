@@ -48,6 +48,12 @@ void for_each_row(TextLines& lines, const std::string& what, Take take) {
   }
 }
 
+// Always there, for the line of counts must be the third.
+std::string first_line(const MeshAttributes& attributes) {
+  const std::string line = provenance_line(attributes.provenance);
+  return line.empty() ? "# Angstrom\n" : line;
+}
+
 }  // namespace
 
 IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
@@ -78,8 +84,10 @@ IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
 }
 
 // Probe radius and density are MSMS's own and mean nothing here.
-std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns) {
-  std::string text = "# x y z nx ny nz 0 sphere kind\n# vertices spheres density probe\n";
+std::string msms_vertices(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  const MsmsColumns& columns = attributes.msms;
+  std::string text = first_line(attributes) +
+                     "# vertices spheres density probe, then x y z nx ny nz 0 sphere kind\n";
   text.reserve(text.size() + 130 * mesh.positions.size());
   append_number(text, std::uint64_t{mesh.positions.size()});
   text += ' ';
@@ -88,7 +96,7 @@ std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     append_position(text, mesh.positions[v]);
     text.back() = ' ';
-    append_position(text, columns.normals[v]);
+    append_position(text, attributes.normals[v]);
     text.back() = ' ';
     text += "0 ";
     append_number(text, std::uint64_t{columns.spheres[v]} + 1);
@@ -99,8 +107,9 @@ std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns) {
   return text;
 }
 
-std::string msms_faces(const IndexedMesh& mesh, const MsmsColumns& columns) {
-  std::string text = "# a b c kind 1\n# faces spheres density probe\n";
+std::string msms_faces(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  const MsmsColumns& columns = attributes.msms;
+  std::string text = first_line(attributes) + "# faces spheres density probe, then a b c kind 1\n";
   text.reserve(text.size() + 30 * mesh.triangles.size());
   append_number(text, std::uint64_t{mesh.triangles.size()});
   text += ' ';
