@@ -12,8 +12,12 @@ namespace {
 constexpr std::string_view mark = "morskin: ";
 constexpr std::string_view separator = "; ";
 
-/// Takes `key value` if the text after a comment's start is marked as provenance.
+// Far above what is ever written; files that hold more mean harm.
+constexpr std::size_t max_entries = 64, max_entry = 1 << 14;
+
+/// Takes `key value`.
 void take_entry(Provenance& provenance, std::string_view text) {
+  if (text.size() > max_entry || provenance.entries.size() >= max_entries) return;
   text = trimmed(text);
   const std::string_view key = take_field(text);
   if (!key.empty()) provenance.entries.push_back({std::string(key), std::string(trimmed(text))});
