@@ -167,7 +167,10 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   add_msms_partners(mesh.outputs);
   check_outputs(mesh);
   if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
-    throw UsageError("--vertex-data goes into .ply and .vtu files, and none is written");
+    throw UsageError("--vertex-data goes into .ply, .vtu, .glb, .npz and .msh; none is written");
+  }
+  if (mesh.decimals && std::ranges::none_of(mesh.outputs, is_msms)) {
+    throw UsageError("--decimals is of .vert and .face files, and none is written");
   }
 }
 

@@ -35,6 +35,8 @@ enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error i
 struct VertexData {
   std::vector<morskin::Datum> data;
   bool residues = false;  ///< and chains
+  bool charges = false;
+  bool is_all = false;  ///< charges then only where there are any
 };
 
 struct MeshArguments {
@@ -43,6 +45,7 @@ struct MeshArguments {
   /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
   VertexData vertex_data;
+  std::optional<int> decimals;                 ///< of MSMS's files
   std::optional<std::filesystem::path> areas;  ///< of atoms and residues, a CSV file
   certify::Sizing sizing;
   morskin::SizeGoal size_goal;

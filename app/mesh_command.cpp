@@ -162,6 +162,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   for (auto& p : input.points) p.weight += arguments.grow_to;
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
+  std::vector<morskin::AtomProperty> properties =
+      atom_properties(input.molecule, arguments.vertex_data);
 
   std::vector<std::filesystem::path> names = arguments.outputs;
   if (arguments.report) names.push_back(*arguments.report);
@@ -177,8 +179,6 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());
   const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
-  std::vector<morskin::AtomProperty> properties;
-  if (arguments.vertex_data.residues) properties = residue_properties(input.molecule.atoms);
   const std::vector<skin::Atom> atoms =
       arguments.areas ? std::move(input.molecule.atoms) : std::vector<skin::Atom>();
   MeshOrigin origin(arguments, input);

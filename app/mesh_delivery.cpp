@@ -14,9 +14,20 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
-bool keeps_coordinates(MeshFormat format) {
-  // MSMS's two files are read together.
-  return format != MeshFormat::Stl && format != MeshFormat::Vtu && format != MeshFormat::MsmsFaces;
+/// Whether a file is read back in full: one that `check` reads, without loss. MSMS's two files are
+/// read together.
+bool keeps_coordinates(MeshFormat format, const MeshArguments& arguments) {
+  switch (format) {
+    case MeshFormat::PlyBinary:
+    case MeshFormat::PlyAscii:
+    case MeshFormat::Off:
+    case MeshFormat::Obj:
+      return true;
+    case MeshFormat::MsmsVertices:
+      return !arguments.decimals;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -44,12 +55,15 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     });
   };
   geometry::MeshAttributes result;
-  if (is_any(MeshFormat::PlyBinary, MeshFormat::Vtu)) {
+  if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
     result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
+  }
+  if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
+    result.normals = skin_normals(skin_, mesh, cells);
   }
   if (is_any(MeshFormat::MsmsVertices)) {
     result.msms = msms_columns(skin_, mesh, cells);
-    result.normals = skin_normals(skin_, mesh, cells);
+    result.msms.decimals = arguments_.decimals;
   }
   return result;
 }
@@ -109,7 +123,7 @@ IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
 void MeshDelivery::read_back(Delivery& delivery) {
   certified_file_.clear();
   for (const geometry::PendingFile& file : files_) {
-    if (!keeps_coordinates(format_of(file.path()))) continue;
+    if (!keeps_coordinates(format_of(file.path()), arguments_)) continue;
     if (certified_file_.empty()) {
       certified_file_ = file.path().string();
       delivery.mesh = {};  // one copy at a time

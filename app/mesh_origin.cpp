@@ -1,6 +1,5 @@
 #include "app/mesh_origin.h"
 
-#include "app/mesh_hashes.h"
 #include "app/percent_encoding.h"
 #include "app/version.h"
 #include "geometry/files/text_lines.h"
@@ -31,10 +30,6 @@ void add_selection(Entries& entries, const TypedSelection& typed) {
   add(entries, "hydrogens", typed.hydrogens);
 }
 
-Stored stored_in(MeshFormat format) {
-  return format == MeshFormat::Stl ? Stored::FloatCorners : Stored::Doubles;
-}
-
 // All that fits into the 80 bytes of STL; the dots say that there was more to say.
 std::string brief(std::string_view verdict, const std::string& input_sha256,
                   const std::string& corners_sha256) {
@@ -51,13 +46,22 @@ MeshOrigin::MeshOrigin(const MeshArguments& arguments, const MoleculeInput& inpu
   radii_ = is_of_weights ? "weights" : input.molecule.has_radii ? "input" : "elements";
 }
 
+MeshHashes MeshOrigin::hashes(const geometry::IndexedMesh& mesh, MeshFormat format) const {
+  const bool is_msms = format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
+  if (is_msms && arguments_.decimals) {
+    return hashes_of(geometry::with_decimals(mesh, *arguments_.decimals), Stored::Doubles);
+  }
+  if (format == MeshFormat::Stl) return hashes_of(mesh, Stored::FloatCorners);
+  return hashes_of(mesh, format == MeshFormat::Glb ? Stored::Floats : Stored::Doubles);
+}
+
 Provenance MeshOrigin::provenance(const geometry::IndexedMesh& mesh, MeshFormat format,
                                   bool is_certified) const {
   const MoleculeArguments& molecule = arguments_.molecule;
   const std::string verdict(is_certified ? certified_verdict : other_verdict);
-  const MeshHashes hashes = hashes_of(mesh, stored_in(format));
+  const MeshHashes stored = hashes(mesh, format);
   Provenance result;
-  result.brief = brief(verdict, input_sha256_, hashes.coordinates);
+  result.brief = brief(verdict, input_sha256_, stored.coordinates);
   Entries& entries = result.entries;
   add(entries, "version", std::string(version));
   add(entries, "input", molecule.input.filename().string());
@@ -75,8 +79,8 @@ Provenance MeshOrigin::provenance(const geometry::IndexedMesh& mesh, MeshFormat 
   } else if (std::isfinite(sizing_.largest_length_scale)) {
     add(entries, "size", sizing_.edge_length());
   }
-  add(entries, "coordinates-sha256", hashes.coordinates);
-  if (!hashes.faces.empty()) add(entries, "faces-sha256", hashes.faces);
+  add(entries, "coordinates-sha256", stored.coordinates);
+  if (!stored.faces.empty()) add(entries, "faces-sha256", stored.faces);
   entries.push_back({"verdict", verdict});
   return result;
 }

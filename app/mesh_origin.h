@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/arguments.h"
+#include "app/mesh_hashes.h"
 #include "app/molecule_input.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/provenance.h"
@@ -28,6 +29,8 @@ class MeshOrigin {
                                   bool is_certified) const;
 
  private:
+  MeshHashes hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format) const;
+
   const MeshArguments& arguments_;
   certify::Sizing sizing_;
   std::string input_sha256_;

@@ -87,14 +87,20 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply, .off, .obj, .vtu, .vert with .face,\n"
-                  "MSMS's (exact), or .stl (single precision); repeat for several.\n"
+                  "The mesh, by its ending: .ply, .off, .obj, .vtu, .npz, .msh, .vert with\n"
+                  ".face, MSMS's (exact), or .stl, .glb (single precision); repeat for several.\n"
                   "\"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
   command.add_option("--vertex-data", typed.vertex_data,
-                     "Also into .ply and .vtu, with commas between: normal, curvature,\n"
-                     "directions, scale, atom, shares, component, patch, residue; or all");
+                     "Also into .ply, .vtu, .npz, .msh and .glb, with commas between: normal,\n"
+                     "curvature, directions, scale, atom, shares, component, patch, residue,\n"
+                     "charge; or all");
+  command
+      .add_option("--decimals", mesh.decimals,
+                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
+                  "(default: all decimals, so that no bit is lost)")
+      ->check(CLI::Range(1, 9));
   command.add_option("--areas", mesh.areas,
                      "Also write the areas of atoms and residues to this file, as CSV");
   add_molecule_options(command, typed);

@@ -7,7 +7,7 @@
 #include "app/function_argument.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
-#include "geometry/files/text_lines.h"
+#include "geometry/files/provenance_json.h"
 
 namespace morskin::app {
 namespace {
@@ -92,15 +92,6 @@ double floor_ratio(const MeshReport& report) {
 
 }  // namespace
 
-ordered_json provenance_json(const geometry::Provenance& provenance) {
-  ordered_json json = ordered_json::object();
-  for (const auto& [key, value, is_number] : provenance.entries) {
-    const auto number = is_number ? geometry::parse_double(value) : std::nullopt;
-    json.emplace(key, number ? ordered_json(*number) : ordered_json(value));
-  }
-  return json;
-}
-
 ordered_json critical_json(const morskin::CriticalCounts& counts) {
   return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
 }
@@ -139,7 +130,7 @@ std::string json_text(const MeshReport& report) {
   json["outputs"] = ordered_json::array();
   for (const std::filesystem::path& output : report.outputs)
     json["outputs"].push_back(output.string());
-  json["provenance"] = provenance_json(report.provenance);
+  json["provenance"] = geometry::provenance_json(report.provenance);
   json["function"] = function_json(report.counts.function);
   if (report.counts.function.is_height()) {
     const geometry::Vector& v = report.counts.function.direction;

@@ -72,9 +72,6 @@ std::string people_text(const MeshReport& report);
 /// theory.
 std::string doubts_about(const certify::Sizing& sizing);
 
-/// The entries as an object, numbers as numbers; of a key that comes again the first.
-nlohmann::ordered_json provenance_json(const geometry::Provenance& provenance);
-
 nlohmann::ordered_json critical_json(const morskin::CriticalCounts& counts);
 /// "2 minima - 1 saddle + 1 maximum"
 std::string critical_text(const morskin::CriticalCounts& counts);

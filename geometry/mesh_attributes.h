@@ -4,6 +4,7 @@
 /// are.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Attribute {
 
 /// What MSMS's two files hold besides the mesh and its normals.
 struct MsmsColumns {
+  std::optional<int> decimals;  ///< of lengths and normals, in columns; absent: all that there are
   std::uint32_t sphere_count = 0;
   std::vector<std::uint32_t> spheres;    ///< by vertex, the nearest, from 0
   std::vector<std::uint8_t> kinds;       ///< by vertex

@@ -12,8 +12,9 @@ namespace morskin::geometry {
 ///
 /// PLY and OBJ hold them as comments `morskin: key value` before the mesh, OFF behind it, where all
 /// its readers have stopped; MSMS's files in one comment, their first line, with semicolons
-/// between; binary STL holds only the brief text. Of a file only the first 64 entries are read, and
-/// none of more than 16 KiB.
+/// between; MSH as lines of its section of comments; VTU as field data, GLB and NPZ as JSON; binary
+/// STL has space for the brief text only. Of a file only the first 64 entries are read, and none of
+/// more than 16 KiB.
 struct Provenance {
   struct Entry {
     std::string key;    ///< letters, digits, `-` and `_`

@@ -60,12 +60,15 @@ namespace {
 
 constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> endings = {{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> endings = {{
     {".ply", MeshFormat::PlyBinary},
     {".off", MeshFormat::Off},
     {".obj", MeshFormat::Obj},
     {".stl", MeshFormat::Stl},
     {".vtu", MeshFormat::Vtu},
+    {".glb", MeshFormat::Glb},
+    {".npz", MeshFormat::Npz},
+    {".msh", MeshFormat::Msh},
     {".vert", MeshFormat::MsmsVertices},
     {".face", MeshFormat::MsmsFaces},
 }};
@@ -116,12 +119,27 @@ std::string serialized(const IndexedMesh& mesh, MeshFormat format,
       return mesh_formats::stl(mesh, attributes.provenance);
     case MeshFormat::Vtu:
       return mesh_formats::vtu(mesh, attributes);
+    case MeshFormat::Glb:
+      return mesh_formats::glb(mesh, attributes);
+    case MeshFormat::Npz:
+      return mesh_formats::npz(mesh, attributes);
+    case MeshFormat::Msh:
+      return mesh_formats::msh(mesh, attributes);
     case MeshFormat::MsmsVertices:
       return mesh_formats::msms_vertices(mesh, attributes);
     case MeshFormat::MsmsFaces:
       return mesh_formats::msms_faces(mesh, attributes);
   }
   return {};
+}
+
+IndexedMesh with_decimals(IndexedMesh mesh, int decimals) {
+  for (Point& position : mesh.positions) {
+    for (double& coordinate : position) {
+      coordinate = *parse_double(mesh_formats::fixed(coordinate, decimals));
+    }
+  }
+  return mesh;
 }
 
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format) {
@@ -134,7 +152,7 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   if (!format || is_msms) {
     throw UnwritableOutput(path.string() + ": cannot write: the ending stands for " +
                            (is_msms ? "two files, which hold more than a mesh" : "no mesh format") +
-                           "; use .ply, .off, .obj, .stl or .vtu");
+                           "; use .ply, .off, .obj, .stl, .vtu, .glb, .npz or .msh");
   }
   write_mesh(path, mesh, *format);
 }
@@ -218,9 +236,13 @@ IndexedMesh parse_format(MeshFormat format, std::string_view bytes, const std::s
     case MeshFormat::Stl:
       return mesh_formats::parse_stl(bytes, source);
     case MeshFormat::Vtu:
+    case MeshFormat::Glb:
+    case MeshFormat::Npz:
+    case MeshFormat::Msh:
       break;
   }
-  throw UnreadableInput(source + ": VTU files are only written; use the PLY, OFF or OBJ file");
+  throw UnreadableInput(source + ": VTU, GLB, NPZ and MSH files are only written; use the PLY, " +
+                        "OFF or OBJ file");
 }
 
 Provenance provenance_of(MeshFormat format, std::string_view bytes) {

@@ -34,6 +34,15 @@ std::string vtu(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
 std::string msms_vertices(const IndexedMesh& mesh, const MeshAttributes& attributes);
 std::string msms_faces(const IndexedMesh& mesh, const MeshAttributes& attributes);
 
+std::string glb(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string msh(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+
+/// Whether these are the normals, which `all` has in their own place too.
+inline bool is_normal(const Attribute& attribute, const MeshAttributes& all) {
+  return attribute.name == "normal" && !all.normals.empty();
+}
+
 /// The entries as lines `<start>morskin: key value`.
 std::string provenance_lines(const Provenance& provenance, std::string_view start);
 /// The entries in one line, `# morskin: key value; key value`; empty if there are none.
@@ -54,6 +63,9 @@ void append_corners(std::string& text, const TriangleCorners& triangle, std::uin
 
 /// Appends "x y z\n" in shortest decimals.
 void append_position(std::string& text, const Point& position);
+
+/// A number with so many decimals.
+std::string fixed(double number, int decimals);
 
 /// Takes the three coordinates at the front of `fields`.
 /// @param lines  at their line, for messages
