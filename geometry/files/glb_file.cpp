@@ -116,32 +116,44 @@ ordered_json primitive(GlbArrays& arrays, const IndexedMesh& mesh, const MeshAtt
           {"mode", triangles_mode}};
 }
 
-std::string json_text(const GlbArrays& arrays, const ordered_json& primitive,
-                      const Provenance& provenance) {
+ordered_json root_of(const Provenance& provenance) {
   ordered_json asset = {{"version", "2.0"}, {"generator", "morskin"}};
   asset["extras"] = {{"unit", "Angstrom"}, {"morskin", provenance_json(provenance)}};
-  const ordered_json root = {
-      {"asset", asset},
-      {"scene", 0},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", {{{"mesh", 0}}}},
-      {"meshes", {{{"primitives", ordered_json::array({primitive})}}}},
-      {"accessors", arrays.accessors},
-      {"bufferViews", arrays.views},
-      {"buffers", ordered_json::array({{{"byteLength", arrays.bytes.size()}}})}};
-  return root.dump();
+  return {{"asset", asset}};
+}
+
+void add_scene(ordered_json& root, const GlbArrays& arrays, const ordered_json& primitive) {
+  const auto list = [](const ordered_json& element) { return ordered_json::array({element}); };
+  root["scene"] = 0;
+  root["scenes"] = list({{"nodes", {0}}});
+  root["nodes"] = list({{"mesh", 0}});
+  root["meshes"] = list({{"primitives", list(primitive)}});
+  root["accessors"] = arrays.accessors;
+  root["bufferViews"] = arrays.views;
+  root["buffers"] = list({{"byteLength", arrays.bytes.size()}});
+}
+
+void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content) {
+  append_uint32(bytes, static_cast<std::uint32_t>(content.size()));
+  append_uint32(bytes, kind);
+  bytes += content;
 }
 
 }  // namespace
 
 std::string glb(const IndexedMesh& mesh, const MeshAttributes& attributes) {
-  if (mesh.triangles.empty()) throw UnwritableOutput("a GLB file cannot hold an empty mesh");
+  ordered_json root = root_of(attributes.provenance);
   GlbArrays arrays;
-  const ordered_json triangles = primitive(arrays, mesh, attributes);
-  std::string json = json_text(arrays, triangles, attributes.provenance);
+  if (!mesh.triangles.empty()) {  // glTF has no empty arrays
+    const ordered_json triangles = primitive(arrays, mesh, attributes);
+    add_scene(root, arrays, triangles);
+  }
+  std::string json = root.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   constexpr std::size_t header = 12, chunk_header = 8;
-  const std::size_t size = header + 2 * chunk_header + json.size() + arrays.bytes.size();
+  const bool has_numbers = !arrays.bytes.empty();
+  const std::size_t size =
+      header + (has_numbers ? 2 : 1) * chunk_header + json.size() + arrays.bytes.size();
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     throw LimitReached("the mesh is too large for GLB, whose files have at most 4 GiB; use .ply");
   }
@@ -149,12 +161,8 @@ std::string glb(const IndexedMesh& mesh, const MeshAttributes& attributes) {
   bytes.reserve(size);
   append_uint32(bytes, 2);
   append_uint32(bytes, static_cast<std::uint32_t>(size));
-  append_uint32(bytes, static_cast<std::uint32_t>(json.size()));
-  append_uint32(bytes, json_chunk);
-  bytes += json;
-  append_uint32(bytes, static_cast<std::uint32_t>(arrays.bytes.size()));
-  append_uint32(bytes, binary_chunk);
-  bytes += arrays.bytes;
+  append_chunk(bytes, json_chunk, json);
+  if (has_numbers) append_chunk(bytes, binary_chunk, arrays.bytes);
   return bytes;
 }
 

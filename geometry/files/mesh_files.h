@@ -47,8 +47,7 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 /// @param attributes  for PlyBinary, Vtu, Npz and Msh, its vertices and triangles; for Glb, its
 ///                    vertices; for Glb and Npz, its normals if there are any; for MSMS's files,
 ///                    normals and its columns. For all, its provenance
-/// @throws LimitReached      the mesh is too large for Glb
-/// @throws UnwritableOutput  the mesh is empty, for Glb
+/// @throws LimitReached  the mesh is too large for Glb
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});
 
