@@ -87,15 +87,14 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply, .off, .obj, .vtu, .npz, .msh, .vert with\n"
-                  ".face, MSMS's (exact), or .stl, .glb (single precision); repeat for several.\n"
-                  "\"-\", /dev/null and the like take PLY")
+                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
+                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
+                  "/dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
   command.add_option("--vertex-data", typed.vertex_data,
-                     "Also into .ply, .vtu, .npz, .msh and .glb, with commas between: normal,\n"
-                     "curvature, directions, scale, atom, shares, component, patch, residue,\n"
-                     "charge; or all");
+                     "Into .ply .vtu .npz .msh .glb too: normal,curvature,directions,scale,\n"
+                     "atom,shares,component,patch,residue,charge; or all");
   command
       .add_option("--decimals", mesh.decimals,
                   "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
