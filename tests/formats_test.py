@@ -72,8 +72,8 @@ class Formats(CommandTest):
             first = {"curvature": "k1", "scale": "length_scale", "shares": "share1"}.get(name, name)
             numpy.testing.assert_array_equal(arrays[first], data[:, 0])
         for name in ("component", "patch"):
-            numpy.testing.assert_array_equal(arrays[f"face_{name}"],
-                                             vtu.cell_data[name][0].reshape(len(triangles), -1)[:, 0])
+            data = vtu.cell_data[name][0].reshape(len(triangles), -1)
+            numpy.testing.assert_array_equal(arrays[f"face_{name}"], data[:, 0])
 
     def test_npz_has_numbers_of_the_run_as_scalars_and_all_metadata_as_json(self):
         report = self.mesh_json(self.ring, "-o", "m.npz", "-C", "0.2")
