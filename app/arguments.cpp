@@ -169,7 +169,8 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
     throw UsageError("--vertex-data goes into .ply, .vtu, .glb, .npz and .msh; none is written");
   }
-  if (mesh.decimals && std::ranges::none_of(mesh.outputs, is_msms)) {
+  if (mesh.decimals &&
+      std::ranges::none_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
     throw UsageError("--decimals is of .vert and .face files, and none is written");
   }
 }

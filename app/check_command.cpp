@@ -191,7 +191,7 @@ ExitCode check_command(const CheckArguments& asked) {
                                     std::to_string(max_triangles) + " triangles; cut it up");
   }
   report.origin.stated = std::move(file.provenance);
-  report.origin.compare_mesh(file);
+  report.origin.compare_mesh(file, arguments.threads);
   report.vertices = mesh.positions.size();
   report.triangles = mesh.triangles.size();
   report.shape = geometry::measure_shape(mesh);

@@ -200,7 +200,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;
-  if (!result.certificate.certified) delivery.mark_not_certified(result);
+  if (!result.certificate.certified && !delivery.mark_not_certified(result)) files = {};
   const std::vector<std::filesystem::path> fed = feed(arguments, delivery, result);
   report.seconds.write += delivering.seconds();
   report.seconds.total = total.seconds();

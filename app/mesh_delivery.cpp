@@ -74,30 +74,50 @@ void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::Cell
     geometry::MeshAttributes beside = attributes(mesh, cells);
     for (geometry::PendingFile& file : files_) {
       const MeshFormat format = format_of(file.path());
-      beside.provenance = origin_.provenance(mesh, format, is_certified);
+      beside.provenance = origin_.provenance(hashes(mesh, format), is_certified);
       file.write(geometry::serialized(mesh, format, beside));
     }
   });
 }
 
-void MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
+bool MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
+  if (result.mesh.positions.size() != result.cells.size()) return false;
   write(result.mesh, result.cells, false);
+  return true;
 }
 
 std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
-                                    const morskin::MeshResult& result) const {
+                                    const morskin::MeshResult& result) {
   const MeshFormat format = format_of(path);
   geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
-  beside.provenance = origin_.provenance(result.mesh, format, true);
+  beside.provenance = origin_.provenance(hashes(result.mesh, format), true);
   return geometry::serialized(result.mesh, format, beside);
 }
 
-geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) const {
-  return origin_.provenance(result.mesh, MeshFormat::PlyBinary, result.certificate.certified);
+geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) {
+  return origin_.provenance(hashes(result.mesh, MeshFormat::PlyBinary),
+                            result.certificate.certified);
+}
+
+const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat format) {
+  const bool is_rounded = arguments_.decimals && is_msms(format);
+  const bool is_exact = !is_rounded && format != MeshFormat::Stl && format != MeshFormat::Glb;
+  if (is_exact) format = MeshFormat::PlyBinary;  // all such files store the same numbers
+  const auto known = hashes_.find(format);
+  if (known != hashes_.end()) return known->second;
+  const Stored stored = format == MeshFormat::Stl   ? Stored::FloatCorners
+                        : format == MeshFormat::Glb ? Stored::Floats
+                                                    : Stored::Doubles;
+  const unsigned threads = arguments_.threads;
+  return hashes_[format] =
+             is_rounded
+                 ? hashes_of(geometry::with_decimals(mesh, *arguments_.decimals), stored, threads)
+                 : hashes_of(mesh, stored, threads);
 }
 
 morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
                                                   std::span<const geometry::CellId> cells) {
+  hashes_.clear();
   write(mesh, cells, true);
   Delivery delivery{std::move(mesh), {}};
   try {

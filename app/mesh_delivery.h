@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,13 +40,14 @@ class MeshDelivery : public morskin::Observer {
   Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId> cells) override;
 
   /// Writes the files again, saying that they are not certified.
-  void mark_not_certified(const morskin::MeshResult& result);
+  /// @return false if the mesh could not be read back, so that there is none to write
+  bool mark_not_certified(const morskin::MeshResult& result);
 
   /// The file of a certified mesh that goes to a path of its own.
-  std::string bytes_for(const std::filesystem::path& path, const morskin::MeshResult& result) const;
+  std::string bytes_for(const std::filesystem::path& path, const morskin::MeshResult& result);
 
   /// With the hashes of the mesh's doubles.
-  geometry::Provenance provenance(const morskin::MeshResult& result) const;
+  geometry::Provenance provenance(const morskin::MeshResult& result);
 
   /// What was read back.
   const std::string& certified_file() const { return certified_file_; }
@@ -57,6 +59,8 @@ class MeshDelivery : public morskin::Observer {
   /// What is told beside the mesh, as far as one of the outputs takes it; without provenance.
   geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
                                       std::span<const geometry::CellId> cells) const;
+  /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
+  const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
   void read_back(Delivery& delivery);
   geometry::IndexedMesh content_of(const geometry::PendingFile& file) const;
 
@@ -65,6 +69,7 @@ class MeshDelivery : public morskin::Observer {
   std::span<geometry::PendingFile> files_;
   const skin::SkinSurface& skin_;
   MeshOrigin origin_;
+  std::map<geometry::MeshFormat, MeshHashes> hashes_;
   const std::vector<morskin::AtomProperty> properties_;
   std::optional<front::Snapshots> snapshots_;
   std::size_t snapshots_written_ = 0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/sha256.h"
+#include "geometry/parallel.h"
 
 namespace morskin::app {
 namespace {
@@ -27,8 +28,14 @@ std::string digest(const Values& values) {
 
 }  // namespace
 
-MeshHashes hashes_of(const IndexedMesh& mesh, Stored stored) {
-  if (stored == Stored::Doubles) return {digest(mesh.positions), digest(mesh.triangles)};
+MeshHashes hashes_of(const IndexedMesh& mesh, Stored stored, unsigned threads) {
+  if (stored == Stored::Doubles) {
+    MeshHashes hashes;
+    geometry::do_both(
+        threads, [&] { hashes.coordinates = digest(mesh.positions); },
+        [&] { hashes.faces = digest(mesh.triangles); });
+    return hashes;
+  }
   std::vector<std::array<float, 3>> floats;
   if (stored == Stored::Floats) {
     for (const Point& p : mesh.positions) floats.push_back(in_single_precision(p));

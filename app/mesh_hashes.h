@@ -20,6 +20,7 @@ struct MeshHashes {
   std::string faces;        ///< of little-endian uint32, three by triangle, from 0; else empty
 };
 
-MeshHashes hashes_of(const geometry::IndexedMesh& mesh, Stored stored);
+/// @param threads  at most; two do the work
+MeshHashes hashes_of(const geometry::IndexedMesh& mesh, Stored stored, unsigned threads);
 
 }  // namespace morskin::app

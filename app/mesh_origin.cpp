@@ -7,7 +7,6 @@
 namespace morskin::app {
 namespace {
 
-using geometry::MeshFormat;
 using geometry::Provenance;
 using Entries = std::vector<Provenance::Entry>;
 
@@ -46,22 +45,11 @@ MeshOrigin::MeshOrigin(const MeshArguments& arguments, const MoleculeInput& inpu
   radii_ = is_of_weights ? "weights" : input.molecule.has_radii ? "input" : "elements";
 }
 
-MeshHashes MeshOrigin::hashes(const geometry::IndexedMesh& mesh, MeshFormat format) const {
-  const bool is_msms = format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
-  if (is_msms && arguments_.decimals) {
-    return hashes_of(geometry::with_decimals(mesh, *arguments_.decimals), Stored::Doubles);
-  }
-  if (format == MeshFormat::Stl) return hashes_of(mesh, Stored::FloatCorners);
-  return hashes_of(mesh, format == MeshFormat::Glb ? Stored::Floats : Stored::Doubles);
-}
-
-Provenance MeshOrigin::provenance(const geometry::IndexedMesh& mesh, MeshFormat format,
-                                  bool is_certified) const {
+Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) const {
   const MoleculeArguments& molecule = arguments_.molecule;
   const std::string verdict(is_certified ? certified_verdict : other_verdict);
-  const MeshHashes stored = hashes(mesh, format);
   Provenance result;
-  result.brief = brief(verdict, input_sha256_, stored.coordinates);
+  result.brief = brief(verdict, input_sha256_, hashes.coordinates);
   Entries& entries = result.entries;
   add(entries, "version", std::string(version));
   add(entries, "input", molecule.input.filename().string());
@@ -79,8 +67,8 @@ Provenance MeshOrigin::provenance(const geometry::IndexedMesh& mesh, MeshFormat 
   } else if (std::isfinite(sizing_.largest_length_scale)) {
     add(entries, "size", sizing_.edge_length());
   }
-  add(entries, "coordinates-sha256", stored.coordinates);
-  if (!stored.faces.empty()) add(entries, "faces-sha256", stored.faces);
+  add(entries, "coordinates-sha256", hashes.coordinates);
+  if (!hashes.faces.empty()) add(entries, "faces-sha256", hashes.faces);
   entries.push_back({"verdict", verdict});
   return result;
 }

@@ -8,7 +8,6 @@
 #include "app/arguments.h"
 #include "app/mesh_hashes.h"
 #include "app/molecule_input.h"
-#include "geometry/files/mesh_files.h"
 #include "geometry/provenance.h"
 
 namespace morskin::app {
@@ -24,13 +23,10 @@ class MeshOrigin {
   /// @param sizing  as a size goal has set it
   void set_sizing(const certify::Sizing& sizing) { sizing_ = sizing; }
 
-  /// With the hashes of `mesh` as a file of this format stores it.
-  geometry::Provenance provenance(const geometry::IndexedMesh& mesh, geometry::MeshFormat format,
-                                  bool is_certified) const;
+  /// @param hashes  of the mesh as the file stores it
+  geometry::Provenance provenance(const MeshHashes& hashes, bool is_certified) const;
 
  private:
-  MeshHashes hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format) const;
-
   const MeshArguments& arguments_;
   certify::Sizing sizing_;
   std::string input_sha256_;

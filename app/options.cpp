@@ -229,7 +229,9 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       .add_option("MESH", check.mesh,
                   "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
       ->required();
-  command.add_option("--against", against.input, "The molecule; runs the whole certificate");
+  command.add_option("--against", against.input,
+                     "The molecule; runs the whole certificate. Options below that are not\n"
+                     "given are those that the mesh file states, if it does");
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, typed);
   add_voids_option(command, typed);

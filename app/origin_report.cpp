@@ -47,14 +47,14 @@ std::string values(const ordered_json& selection) {
 
 }  // namespace
 
-void OriginReport::compare_mesh(const geometry::MeshFile& file) {
+void OriginReport::compare_mesh(const geometry::MeshFile& file, unsigned threads) {
   if (stated.is_empty()) return;
   if (file.is_single_precision) {
     coordinates_match = matches(in_brief(stated, "corners"),
-                                hashes_of(file.mesh, Stored::FloatCorners).coordinates);
+                                hashes_of(file.mesh, Stored::FloatCorners, threads).coordinates);
     return;
   }
-  const MeshHashes found = hashes_of(file.mesh, Stored::Doubles);
+  const MeshHashes found = hashes_of(file.mesh, Stored::Doubles, threads);
   coordinates_match = matches(app::stated(stated, "coordinates-sha256"), found.coordinates);
   faces_match = matches(app::stated(stated, "faces-sha256"), found.faces);
 }

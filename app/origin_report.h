@@ -20,7 +20,7 @@ struct OriginReport {
   std::optional<bool> coordinates_match, faces_match, input_matches;
 
   /// Compares the hashes of the mesh.
-  void compare_mesh(const geometry::MeshFile& file);
+  void compare_mesh(const geometry::MeshFile& file, unsigned threads);
   /// Compares the hash of the molecule's file.
   void compare_input(const std::string& sha256);
 };

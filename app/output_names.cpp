@@ -104,10 +104,11 @@ bool takes_vertex_data(const std::filesystem::path& path) {
   return std::ranges::find(formats, format_of(path)) != formats.end();
 }
 
-bool is_msms(const std::filesystem::path& path) {
-  const MeshFormat format = format_of(path);
+bool is_msms(MeshFormat format) {
   return format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
 }
+
+bool is_msms(const std::filesystem::path& path) { return is_msms(format_of(path)); }
 
 std::filesystem::path msms_partner(std::filesystem::path path) {
   const bool is_of_vertices = geometry::mesh_format_of(path) == geometry::MeshFormat::MsmsVertices;
