@@ -31,8 +31,7 @@ using geometry::PendingFile;
 using geometry::Stopwatch;
 
 // Feeds what is no regular file, which gets certified meshes only.
-std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
-                                        const MeshDelivery& delivery,
+std::vector<std::filesystem::path> feed(const MeshArguments& arguments, MeshDelivery& delivery,
                                         const morskin::MeshResult& result) {
   std::vector<std::filesystem::path> names;
   const bool is_certified = result.certificate.certified;

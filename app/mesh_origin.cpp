@@ -33,6 +33,7 @@ void add_selection(Entries& entries, const TypedSelection& typed) {
 std::string brief(std::string_view verdict, const std::string& input_sha256,
                   const std::string& corners_sha256) {
   constexpr std::size_t digits = 12;
+  static_assert(version.size() <= 7);
   return "morskin " + std::string(version) + ", A, " + std::string(verdict) + ", input " +
          input_sha256.substr(0, digits) + ", corners " + corners_sha256.substr(0, digits) + ", ...";
 }

@@ -12,11 +12,10 @@
 namespace morskin::app {
 namespace {
 
-using geometry::Provenance;
 using nlohmann::ordered_json;
 
 // The word behind `name ` between the commas of STL's header.
-std::optional<std::string> in_brief(const Provenance& provenance, std::string_view name) {
+std::optional<std::string> in_brief(const geometry::Provenance& provenance, std::string_view name) {
   const std::string start = ", " + std::string(name) + " ";
   const std::size_t found = provenance.brief.find(start);
   if (found == std::string::npos) return std::nullopt;
@@ -31,17 +30,18 @@ std::optional<bool> matches(const std::optional<std::string>& stated, const std:
   return stated->size() >= min_digits && found.starts_with(*stated);
 }
 
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
+std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) {
-    text += std::string(text.empty() ? "" : separator) + word;
-  }
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
 }
 
 std::string values(const ordered_json& selection) {
   std::string text;
-  for (const auto& [name, value] : selection.items()) text += ", " + name + " " + value.dump();
+  for (const auto& [name, value] : selection.items()) {
+    // Names of chains may be any bytes.
+    text += ", " + name + " " + value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  }
   return text;
 }
 
@@ -68,7 +68,7 @@ void OriginReport::compare_input(const std::string& sha256) {
 void add_origin(ordered_json& json, const OriginReport& origin) {
   if (origin.stated.is_empty()) return;
   ordered_json result = {{"stated", ordered_json::object()}};
-  for (const Provenance::Entry& entry : origin.stated.entries) {
+  for (const auto& entry : origin.stated.entries) {
     if (const auto value = stated(origin.stated, entry.key)) result["stated"][entry.key] = *value;
   }
   if (!origin.stated.brief.empty()) result["brief"] = origin.stated.brief;
@@ -97,7 +97,7 @@ std::string origin_text(const OriginReport& origin) {
     text += line("origin", "so the file says: " + geometry::quoted(origin.stated.brief));
   }
   if (!origin.taken.empty()) {
-    text += line("taken", joined(origin.taken, ", ") +
+    text += line("taken", joined(origin.taken) +
                               " from the mesh file; options of the command line go first");
   }
   for (const std::string& why : origin.not_taken) text += line("not taken", why);
@@ -108,12 +108,12 @@ std::string origin_text(const OriginReport& origin) {
     if (match) (*match ? same : other).emplace_back(what);
   }
   if (!same.empty()) {
-    text += line("unchanged", joined(same, ", ") + (origin.stated.brief.empty()
-                                                        ? ", by SHA-256"
-                                                        : ", by the first digits of SHA-256"));
+    text += line("unchanged",
+                 joined(same) + (origin.stated.brief.empty() ? ", by SHA-256"
+                                                             : ", by the first digits of SHA-256"));
   }
   if (!other.empty()) {
-    text += line("CHANGED", joined(other, ", ") + ": other bytes than when the file was written");
+    text += line("CHANGED", joined(other) + ": other bytes than when the file was written");
   }
   return text;
 }
