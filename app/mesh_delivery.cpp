@@ -101,18 +101,18 @@ geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result)
 
 const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat format) {
   const bool is_rounded = arguments_.decimals && is_msms(format);
-  const bool is_exact = !is_rounded && format != MeshFormat::Stl && format != MeshFormat::Glb;
-  if (is_exact) format = MeshFormat::PlyBinary;  // all such files store the same numbers
-  const auto known = hashes_.find(format);
-  if (known != hashes_.end()) return known->second;
+  const bool is_single = format == MeshFormat::Stl || format == MeshFormat::Glb;
+  // All other files store the same numbers.
+  if (!is_single) format = is_rounded ? MeshFormat::MsmsVertices : MeshFormat::PlyBinary;
+  const auto [place, is_new] = hashes_.try_emplace(format);
+  if (!is_new) return place->second;
   const Stored stored = format == MeshFormat::Stl   ? Stored::FloatCorners
                         : format == MeshFormat::Glb ? Stored::Floats
                                                     : Stored::Doubles;
-  const unsigned threads = arguments_.threads;
-  return hashes_[format] =
-             is_rounded
-                 ? hashes_of(geometry::with_decimals(mesh, *arguments_.decimals), stored, threads)
-                 : hashes_of(mesh, stored, threads);
+  place->second = is_rounded ? hashes_of(geometry::with_decimals(mesh, *arguments_.decimals),
+                                         stored, arguments_.threads)
+                             : hashes_of(mesh, stored, arguments_.threads);
+  return place->second;
 }
 
 morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
