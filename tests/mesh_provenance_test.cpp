@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/files/atomic_file.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/mesh_formats.h"
 #include "tests/support/temporary_folder.h"
