@@ -22,8 +22,6 @@
 namespace morskin::app {
 namespace {
 
-constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
-
 // --height and --function, of which at most one may be given.
 std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   if (typed.height && typed.function) {
@@ -34,28 +32,8 @@ std::optional<morse::MorseFunction> parsed(const Typed& typed) {
   return std::nullopt;
 }
 
-void check_sizing(const certify::Sizing& sizing) {
-  if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
-    throw UsageError("-C must be at least 1e-5");
-  }
-  if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
-  if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
-}
-
-/// -C, -Q and --size. A size of any kind may need triangles as coarse as can be.
-void finish(certify::Sizing& sizing, const Typed& typed) {
-  if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
-    throw UsageError("--size must be at least 1e-6 Angstrom");
-  }
-  sizing.C = typed.C.value_or(
-      typed.size || typed.density || typed.triangles ? certify::Sizing::coarsest_C : sizing.C);
-  sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));
-  check_sizing(sizing);
-  if (typed.size) sizing.set_edge_length(*typed.size);
-}
-
 void finish(morskin::SizeGoal& goal, const Typed& typed) {
-  if (typed.size.has_value() + typed.density.has_value() + typed.triangles.has_value() > 1) {
+  if (typed.skin.size.has_value() + typed.density.has_value() + typed.triangles.has_value() > 1) {
     throw UsageError("--size, --density and --triangles are three ways to say one thing");
   }
   if (typed.density && !(*typed.density > 0 && std::isfinite(*typed.density))) {
@@ -73,28 +51,6 @@ void finish(Limits& limits, const Typed& typed) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
   if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
-}
-
-/// @param file  the molecule; not molecule.input where that is a mesh
-void finish(MoleculeArguments& molecule, const std::filesystem::path& file, const Typed& typed) {
-  const bool gives_weights = skin::molecule_format_of(file) == skin::MoleculeFormat::Xyzw;
-  if (typed.model) {
-    molecule.model = *skin::parse_model(*typed.model);
-  } else if (gives_weights) {
-    molecule.model = skin::Model::Given;
-  }
-  if (gives_weights && molecule.model != skin::Model::Given) {
-    throw UsageError(file.string() + " gives weights; leave out --model");
-  }
-  if (molecule.model == skin::Model::Given && typed.probe) {
-    throw UsageError("weights that are given need no probe; leave out --probe");
-  }
-  molecule.selection = parsed(typed.selection);
-  if (typed.voids) molecule.drop_voids_below = parsed_voids(*typed.voids);
-  molecule.probe = typed.probe.value_or(molecule.probe);
-  if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
-    throw UsageError("--probe must be from 0 to 10000 Angstrom");
-  }
 }
 
 ShowProgress parsed_progress(std::string_view word) {
@@ -160,6 +116,7 @@ void check_grading(const MeshArguments& mesh) {
 }
 
 void finish(MeshArguments& mesh, const Typed& typed) {
+  mesh.typed = typed.skin;
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *parse_method(typed.method);
@@ -202,7 +159,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
   }
   finish(mesh.size_goal, typed);
-  if ((typed.size || mesh.size_goal.is_set()) && !is_smoothed) {
+  if ((typed.skin.size || mesh.size_goal.is_set()) && !is_smoothed) {
     throw UsageError("--size, --density and --triangles are for the methods sweep and static");
   }
   mesh.grading = typed.grading;
@@ -211,7 +168,11 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   add_msms_partners(mesh.outputs);
   check_outputs(mesh);
   if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
-    throw UsageError("--vertex-data goes into .ply and .vtu files, and none is written");
+    throw UsageError("--vertex-data goes into .ply, .vtu, .glb, .npz and .msh; none is written");
+  }
+  if (mesh.decimals &&
+      std::ranges::none_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
+    throw UsageError("--decimals is of .vert and .face files, and none is written");
   }
 }
 
@@ -226,12 +187,15 @@ void finish(const CheckArguments& check) {
 Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
   for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
                                       &all.info.molecule, &all.against}) {
-    finish(*molecule, molecule->input, typed);
+    finish(*molecule, molecule->input, typed.skin);
   }
-  finish(all.view.molecule, all.view.against.value_or(all.view.molecule.input), typed);
+  finish(all.view.molecule, all.view.against.value_or(all.view.molecule.input), typed.skin);
+  // A size of any kind may need triangles as coarse as can be.
+  const bool has_size_goal = typed.density || typed.triangles;
+  const double default_C = has_size_goal ? certify::Sizing::coarsest_C : certify::Sizing().C;
   for (certify::Sizing* sizing :
        {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
-    finish(*sizing, typed);
+    finish(*sizing, typed.skin, default_C);
   }
   for (Limits* limits :
        {&all.mesh.limits, &all.check.limits, &all.view.limits, &all.render.limits}) {
@@ -252,8 +216,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
     return all.figure;
   }
   if (!all.against.input.empty()) all.check.against = all.against;
-  all.check.is_model_given = typed.model.has_value();
-  all.check.is_C_given = typed.C || typed.size;
+  all.check.typed = typed.skin;
   finish(all.check);
   return all.check;
 }

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -12,30 +11,14 @@
 #include "app/exit_codes.h"
 #include "app/limits.h"
 #include "app/picture_arguments.h"
+#include "app/skin_arguments.h"
 #include "certify/sizing.h"
 #include "front/experimental_guards.h"
 #include "morse/morse_function.h"
 #include "morskin/mesh_attributes.h"
 #include "morskin/size_goal.h"
-#include "skin/model.h"
-#include "skin/selection.h"
 
 namespace morskin::app {
-
-/// Wrong arguments; the text names them and the reason. The command's exit code is 2.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The arguments of every command that reads a molecule.
-struct MoleculeArguments {
-  std::filesystem::path input;
-  skin::Model model = skin::Model::Vdw;
-  double probe = 1.4;  ///< Angstrom
-  skin::Selection selection = {};
-  double drop_voids_below = 0;  ///< Angstrom^3; infinite for all
-};
 
 /// How a skin is meshed: by a method of the library or by a baseline to compare it with.
 /// Auto is the library's choice.
@@ -52,13 +35,17 @@ enum class ShowProgress { Auto, Always, Never };  ///< Auto: if standard error i
 struct VertexData {
   std::vector<morskin::Datum> data;
   bool residues = false;  ///< and chains
+  bool charges = false;
+  bool is_all = false;  ///< charges then only where there are any
 };
 
 struct MeshArguments {
   MoleculeArguments molecule;
+  TypedSkin typed;
   /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
   VertexData vertex_data;
+  std::optional<int> decimals;                 ///< of MSMS's files
   std::optional<std::filesystem::path> areas;  ///< of atoms and residues, a CSV file
   certify::Sizing sizing;
   morskin::SizeGoal size_goal;
@@ -116,8 +103,7 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::optional<MoleculeArguments> against;
   certify::Sizing sizing;
-  /// What was given and is not to be doubted.
-  bool is_model_given = false, is_C_given = false;
+  TypedSkin typed;                                   ///< what was given and is not to be doubted
   std::optional<std::filesystem::path> certificate;  ///< with `against` only
   bool self_intersections = true;                    ///< search for them
   bool json = false;

@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/error.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
@@ -30,8 +31,6 @@ void append_area(std::string& text, double area) {
   text += '\n';
 }
 
-}  // namespace
-
 std::vector<morskin::AtomProperty> residue_properties(std::span<const skin::Atom> atoms) {
   morskin::AtomProperty residue{"residue", {}}, chain{"chain", {}};
   std::map<skin::Label, double> chains;
@@ -43,6 +42,23 @@ std::vector<morskin::AtomProperty> residue_properties(std::span<const skin::Atom
     chain.of_atom.push_back(chains.try_emplace(atoms[i].chain, number).first->second);
   }
   return {residue, chain};
+}
+
+}  // namespace
+
+std::vector<morskin::AtomProperty> atom_properties(const skin::Molecule& molecule,
+                                                   const VertexData& asked) {
+  std::vector<morskin::AtomProperty> properties;
+  if (asked.residues) properties = residue_properties(molecule.atoms);
+  if (!asked.charges) return properties;
+  if (!molecule.charges.empty()) {
+    properties.push_back({"partial_charge", molecule.charges, true});
+  } else if (!asked.is_all) {
+    throw geometry::RefusedInput(molecule.source +
+                                 ": gives no charges, which --vertex-data charge asks for; name a "
+                                 "PQR file");
+  }
+  return properties;
 }
 
 std::string areas_text(std::span<const skin::Atom> atoms, std::span<const double> areas) {

@@ -11,6 +11,7 @@
 #include "app/molecule_input.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
+#include "app/stated_skin.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
@@ -69,13 +70,36 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
   return covered;
 }
 
+/// The molecule by what the mesh file states and, where that does not fit it, by the options given
+/// alone; the report tells which.
+MoleculeInput read_stated(CheckArguments& arguments, OriginReport& origin) {
+  StatedSkin stated = completed(arguments.typed, origin.stated);
+  origin.not_taken = std::move(stated.not_taken);
+  if (stated.taken.empty()) return read_input(*arguments.against);
+  try {
+    MoleculeArguments molecule{.input = arguments.against->input};
+    certify::Sizing sizing;
+    finish(molecule, molecule.input, stated.typed);
+    finish(sizing, stated.typed, sizing.C);
+    MoleculeInput input = read_input(molecule);
+    arguments.against = std::move(molecule);
+    arguments.sizing = sizing;
+    origin.taken = std::move(stated.taken);
+    return input;
+  } catch (const UsageError& error) {
+    origin.not_taken.emplace_back(error.what());
+  } catch (const geometry::RefusedInput& error) {
+    origin.not_taken.emplace_back(error.what());
+  }
+  return read_input(*arguments.against);
+}
+
 // Writes the certificate file too, if one is asked for.
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
-                          const CheckArguments& arguments) {
+                          const MoleculeInput& input, const CheckArguments& arguments) {
   std::vector<std::filesystem::path> names;
   if (arguments.certificate) names.push_back(*arguments.certificate);
   StagedOutputs outputs(names);
-  const MoleculeInput input = read_input(*arguments.against);
   const morskin::Run run(arguments.threads);
   const morskin::PreparedSkin skin = prepare_skin(input, *arguments.against, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
@@ -128,11 +152,12 @@ std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing) {
 void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report) {
   const certify::Certificate& certificate = report.against->certificate;
   const bool is_of_weights = arguments.against->model == skin::Model::Given;
-  if (!arguments.is_model_given && !is_of_weights && !certificate.is_homeomorphic &&
+  if (!arguments.typed.model && !is_of_weights && !certificate.is_homeomorphic &&
       report.topology.is_closed_oriented_manifold()) {
     report.fitting_model = fitting_model(mesh, arguments);
   }
-  if (!arguments.is_C_given && certificate.is_homeomorphic && certificate.violations_U > 0) {
+  if (!arguments.typed.C && !arguments.typed.size && certificate.is_homeomorphic &&
+      certificate.violations_U > 0) {
     report.fitting_C = fitting_C(certificate.worst_U, arguments.sizing);
   }
 }
@@ -154,16 +179,19 @@ void check_agreement(const CheckReport& report) {
 
 }  // namespace
 
-ExitCode check_command(const CheckArguments& arguments) {
+ExitCode check_command(const CheckArguments& asked) {
   const geometry::Stopwatch stopwatch;
-  const TimeLimit time_limit(arguments.limits, arguments.mesh);
-  const IndexedMesh mesh = geometry::read_mesh(arguments.mesh);
+  const TimeLimit time_limit(asked.limits, asked.mesh);
+  CheckReport report;
+  CheckArguments& arguments = report.arguments = asked;
+  geometry::MeshFile file = geometry::read_mesh_file(arguments.mesh);
+  const IndexedMesh& mesh = file.mesh;
   if (mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +
                                     std::to_string(max_triangles) + " triangles; cut it up");
   }
-  CheckReport report;
-  report.arguments = arguments;
+  report.origin.stated = std::move(file.provenance);
+  report.origin.compare_mesh(file, arguments.threads);
   report.vertices = mesh.positions.size();
   report.triangles = mesh.triangles.size();
   report.shape = geometry::measure_shape(mesh);
@@ -171,8 +199,12 @@ ExitCode check_command(const CheckArguments& arguments) {
   report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
   report.topology = geometry::check_mesh(mesh);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
-  if (arguments.against) report.against = check_against(mesh, report.topology, arguments);
-  if (report.against) find_what_fits(mesh, arguments, report);
+  if (arguments.against) {
+    const MoleculeInput input = read_stated(arguments, report.origin);
+    report.origin.compare_input(input.sha256);
+    report.against = check_against(mesh, report.topology, input, arguments);
+    find_what_fits(mesh, arguments, report);
+  }
   check_agreement(report);
   report.seconds = stopwatch.seconds();
   std::cout << (arguments.json ? json_text(report) : people_text(report));

@@ -191,6 +191,7 @@ std::string json_text(const CheckReport& report) {
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;
   }
+  add_origin(json, report.origin);
   const std::vector<Verdict> verdicts = report.verdicts();
   const auto broken =
       std::ranges::find_if(verdicts, [](const Verdict& v) { return !v.holds && v.is_required; });
@@ -238,7 +239,8 @@ std::string people_text(const CheckReport& report) {
   const CheckArguments& arguments = report.arguments;
   std::string text = arguments.mesh.string();
   if (arguments.against) text += " against " + arguments.against->input.string();
-  text += "\n";
+  text += "\n" + origin_text(report.origin);
+  if (arguments.against) text += skin_text(*arguments.against, arguments.sizing);
   const geometry::MeshCheck& topology = report.topology;
   text += line("manifold",
                topology.defects.empty() ? "closed, oriented" : "NO: " + topology.defects[0].first);

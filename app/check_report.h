@@ -8,6 +8,7 @@
 
 #include "app/arguments.h"
 #include "app/molecule_input.h"
+#include "app/origin_report.h"
 #include "certify/certificate.h"
 #include "certify/deviations.h"
 #include "certify/mesh_quality.h"
@@ -46,7 +47,8 @@ struct AgainstSkin {
 };
 
 struct CheckReport {
-  CheckArguments arguments;
+  CheckArguments arguments;  ///< completed by what was taken from the mesh file
+  OriginReport origin;
   geometry::MeshShape shape;
   geometry::AngleHistogram angles{};
   certify::MeshQuality quality;

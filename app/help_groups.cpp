@@ -26,9 +26,10 @@ const std::array<Group, 5>& groups() {
   return all;
 }
 
-constexpr std::array<std::string_view, 12> laboratory{
-    "--method", "-Q",      "--function",  "--height",      "--grid",         "--grow",
-    "--fronts", "--guard", "--snapshots", "--snapshot-at", "--snapshot-dir", "--certificate"};
+constexpr std::array<std::string_view, 13> laboratory{
+    "--method",  "-Q",      "--function",  "--height",      "--grid",         "--grow",
+    "--fronts",  "--guard", "--snapshots", "--snapshot-at", "--snapshot-dir", "--certificate",
+    "--decimals"};
 
 }  // namespace
 

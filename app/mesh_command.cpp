@@ -12,14 +12,12 @@
 #include "app/function_argument.h"
 #include "app/limits.h"
 #include "app/mesh_delivery.h"
+#include "app/meshing_options.h"
 #include "app/molecule_input.h"
 #include "app/output_names.h"
 #include "app/progress.h"
 #include "app/report.h"
-#include "app/snapshots.h"
 #include "app/staged_outputs.h"
-#include "bench/baselines/dynamic_skin.h"
-#include "bench/baselines/marching_cubes.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
@@ -32,75 +30,14 @@ namespace {
 using geometry::PendingFile;
 using geometry::Stopwatch;
 
-// The dynamic method. The balls have been grown to --grow's end already, so it ends at time 0.
-morskin::Mesher dynamic_mesher(const morskin::PreparedSkin& skin, const MeshArguments& arguments,
-                               StagedOutputs& outputs, MeshReport& report) {
-  baselines::GrowthOptions growth;
-  double largest = 0;
-  for (const auto& p : skin.surface.points()) largest = std::max(largest, p.weight);
-  const double from =
-      arguments.growth_shown_from ? *arguments.growth_shown_from - arguments.grow_to : -largest;
-  for (std::size_t k = 1; k <= arguments.snapshots; ++k) {
-    const double left = static_cast<double>(arguments.snapshots - k);
-    growth.snapshot_times.push_back(from * left / static_cast<double>(arguments.snapshots));
-  }
-  for (const double t : arguments.snapshot_values) {
-    growth.snapshot_times.push_back(t - arguments.grow_to);
-  }
-  std::ranges::sort(growth.snapshot_times);
-  growth.snapshot = [&arguments, &outputs, number = std::size_t{0}](
-                        double, const surface::Mesh& mesh) mutable {
-    outputs.undisturbed([&] { write_snapshot(arguments.snapshot_folder, ++number, mesh); });
-  };
-  return baselines::dynamic_mesher(growth, &report.growth.emplace());
-}
-
-morskin::MeshingOptions options_of(const morskin::PreparedSkin& skin,
-                                   const MeshArguments& arguments, StagedOutputs& outputs,
-                                   MeshReport& report) {
-  morskin::MeshingOptions options;
-  options.sizing = arguments.sizing;
-  options.size_goal = arguments.size_goal;
-  options.grading = arguments.grading;
-  options.angle_goal_deg = arguments.angle_goal_deg;
-  options.function = arguments.function;
-  options.fronts = arguments.fronts;
-  options.guard = arguments.guard;
-  switch (arguments.method) {
-    case MeshMethod::Auto:
-      break;
-    case MeshMethod::Sweep:
-      options.method = morskin::Method::Sweep;
-      break;
-    case MeshMethod::Static:
-      options.method = morskin::Method::Static;
-      break;
-    case MeshMethod::Dynamic:
-      options.mesher = dynamic_mesher(skin, arguments, outputs, report);
-      options.has_safety_net = false;
-      break;
-    case MeshMethod::MarchingCubes:
-      report.grid_step = arguments.grid_step
-                             ? *arguments.grid_step
-                             : baselines::step_like_sweep(skin.surface, report.sizing);
-      options.mesher = baselines::marching_cubes_mesher(*report.grid_step);
-      options.has_safety_net = false;
-      break;
-  }
-  return options;
-}
-
 // Feeds what is no regular file, which gets certified meshes only.
-std::vector<std::filesystem::path> feed(const MeshArguments& arguments,
-                                        const MeshDelivery& delivery,
+std::vector<std::filesystem::path> feed(const MeshArguments& arguments, MeshDelivery& delivery,
                                         const morskin::MeshResult& result) {
   std::vector<std::filesystem::path> names;
   const bool is_certified = result.certificate.certified;
   for (const std::filesystem::path& path : arguments.outputs) {
     if (!is_certified || !geometry::is_written_directly(path)) continue;
-    geometry::write_file_atomically(
-        path, geometry::serialized(result.mesh, format_of(path),
-                                   delivery.attributes(result.mesh, result.cells)));
+    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
     names.push_back(path);
   }
   return names;
@@ -224,6 +161,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   for (auto& p : input.points) p.weight += arguments.grow_to;
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
+  std::vector<morskin::AtomProperty> properties =
+      atom_properties(input.molecule, arguments.vertex_data);
 
   std::vector<std::filesystem::path> names = arguments.outputs;
   if (arguments.report) names.push_back(*arguments.report);
@@ -239,14 +178,14 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());
   const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
-  std::vector<morskin::AtomProperty> properties;
-  if (arguments.vertex_data.residues) properties = residue_properties(input.molecule.atoms);
   const std::vector<skin::Atom> atoms =
       arguments.areas ? std::move(input.molecule.atoms) : std::vector<skin::Atom>();
+  MeshOrigin origin(arguments, input);
   input = {};  // only the skin is needed from here on
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
-  MeshDelivery delivery(arguments, outputs, files, skin.surface, std::move(properties));
+  MeshDelivery delivery(arguments, outputs, files, skin.surface, std::move(origin),
+                        std::move(properties));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
   const bool is_static = result.method == morskin::Method::Static;
@@ -254,10 +193,12 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.method = !report.is_method_chosen ? arguments.method
                   : is_static              ? MeshMethod::Static
                                            : MeshMethod::Sweep;
+  report.provenance = delivery.provenance(result);
   describe_run(report, arguments, skin, result, delivery, run);
   line.wipe();
   // First what may fail or take time: then no file has its name yet.
   const Stopwatch delivering;
+  if (!result.certificate.certified && !delivery.mark_not_certified(result)) files = {};
   const std::vector<std::filesystem::path> fed = feed(arguments, delivery, result);
   report.seconds.write += delivering.seconds();
   report.seconds.total = total.seconds();

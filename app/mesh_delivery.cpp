@@ -14,9 +14,20 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
-bool keeps_coordinates(MeshFormat format) {
-  // MSMS's two files are read together.
-  return format != MeshFormat::Stl && format != MeshFormat::Vtu && format != MeshFormat::MsmsFaces;
+/// Whether a file is read back in full: one that `check` reads, without loss. MSMS's two files are
+/// read together.
+bool keeps_coordinates(MeshFormat format, const MeshArguments& arguments) {
+  switch (format) {
+    case MeshFormat::PlyBinary:
+    case MeshFormat::PlyAscii:
+    case MeshFormat::Off:
+    case MeshFormat::Obj:
+      return true;
+    case MeshFormat::MsmsVertices:
+      return !arguments.decimals;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -44,21 +55,70 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     });
   };
   geometry::MeshAttributes result;
-  if (is_any(MeshFormat::PlyBinary, MeshFormat::Vtu)) {
+  if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
     result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
-  if (is_any(MeshFormat::MsmsVertices)) result.msms = msms_columns(skin_, mesh, cells);
+  if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
+    result.normals = skin_normals(skin_, mesh, cells);
+  }
+  if (is_any(MeshFormat::MsmsVertices)) {
+    result.msms = msms_columns(skin_, mesh, cells);
+    result.msms.decimals = arguments_.decimals;
+  }
   return result;
+}
+
+void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+                         bool is_certified) {
+  geometry::timed(seconds_writing_, [&] {
+    geometry::MeshAttributes beside = attributes(mesh, cells);
+    for (geometry::PendingFile& file : files_) {
+      const MeshFormat format = format_of(file.path());
+      beside.provenance = origin_.provenance(hashes(mesh, format), is_certified);
+      file.write(geometry::serialized(mesh, format, beside));
+    }
+  });
+}
+
+bool MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
+  if (result.mesh.positions.size() != result.cells.size()) return false;
+  write(result.mesh, result.cells, false);
+  return true;
+}
+
+std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
+                                    const morskin::MeshResult& result) {
+  const MeshFormat format = format_of(path);
+  geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
+  beside.provenance = origin_.provenance(hashes(result.mesh, format), true);
+  return geometry::serialized(result.mesh, format, beside);
+}
+
+geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) {
+  return origin_.provenance(hashes(result.mesh, MeshFormat::PlyBinary),
+                            result.certificate.certified);
+}
+
+const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat format) {
+  const bool is_rounded = arguments_.decimals && is_msms(format);
+  const bool is_single = format == MeshFormat::Stl || format == MeshFormat::Glb;
+  // All other files store the same numbers.
+  if (!is_single) format = is_rounded ? MeshFormat::MsmsVertices : MeshFormat::PlyBinary;
+  const auto [place, is_new] = hashes_.try_emplace(format);
+  if (!is_new) return place->second;
+  const Stored stored = format == MeshFormat::Stl   ? Stored::FloatCorners
+                        : format == MeshFormat::Glb ? Stored::Floats
+                                                    : Stored::Doubles;
+  place->second = is_rounded ? hashes_of(geometry::with_decimals(mesh, *arguments_.decimals),
+                                         stored, arguments_.threads)
+                             : hashes_of(mesh, stored, arguments_.threads);
+  return place->second;
 }
 
 morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
                                                   std::span<const geometry::CellId> cells) {
-  geometry::timed(seconds_writing_, [&] {
-    const geometry::MeshAttributes beside = attributes(mesh, cells);
-    for (geometry::PendingFile& file : files_) {
-      file.write(geometry::serialized(mesh, format_of(file.path()), beside));
-    }
-  });
+  hashes_.clear();
+  write(mesh, cells, true);
   Delivery delivery{std::move(mesh), {}};
   try {
     read_back(delivery);
@@ -83,7 +143,7 @@ IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
 void MeshDelivery::read_back(Delivery& delivery) {
   certified_file_.clear();
   for (const geometry::PendingFile& file : files_) {
-    if (!keeps_coordinates(format_of(file.path()))) continue;
+    if (!keeps_coordinates(format_of(file.path()), arguments_)) continue;
     if (certified_file_.empty()) {
       certified_file_ = file.path().string();
       delivery.mesh = {};  // one copy at a time

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "app/arguments.h"
+#include "app/mesh_origin.h"
 #include "app/staged_outputs.h"
 #include "front/snapshots.h"
 #include "geometry/files/mesh_files.h"
 #include "morskin/observer.h"
+#include "morskin/pipeline.h"
 
 namespace morskin::app {
 
@@ -20,28 +23,44 @@ class MeshDelivery : public morskin::Observer {
   /// @param properties  of atoms, to be told as well
   MeshDelivery(const MeshArguments& arguments, StagedOutputs& outputs,
                std::span<geometry::PendingFile> files, const skin::SkinSurface& skin,
-               std::vector<morskin::AtomProperty> properties)
+               MeshOrigin origin, std::vector<morskin::AtomProperty> properties)
       : arguments_(arguments),
         outputs_(outputs),
         files_(files),
         skin_(skin),
+        origin_(std::move(origin)),
         properties_(std::move(properties)) {}
 
+  void sized(const certify::Sizing& sizing) override { origin_.set_sizing(sizing); }
   void guided(const morse::Guide& guide) override;
   std::vector<front::SweepObserver*> sweep_observers() override;
   /// Reads back the first file whose format keeps every coordinate; if there is none, the bytes
-  /// that a PLY file would have. Other such files must hold the same mesh.
+  /// that a PLY file would have. Other such files must hold the same mesh. All say that they are
+  /// certified; they have no name yet.
   Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId> cells) override;
 
-  /// What is told beside the mesh, as far as one of the outputs takes it.
-  geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
-                                      std::span<const geometry::CellId> cells) const;
+  /// Writes the files again, saying that they are not certified.
+  /// @return false if the mesh could not be read back, so that there is none to write
+  bool mark_not_certified(const morskin::MeshResult& result);
+
+  /// The file of a certified mesh that goes to a path of its own.
+  std::string bytes_for(const std::filesystem::path& path, const morskin::MeshResult& result);
+
+  /// With the hashes of the mesh's doubles.
+  geometry::Provenance provenance(const morskin::MeshResult& result);
 
   /// What was read back.
   const std::string& certified_file() const { return certified_file_; }
   double seconds_writing() const { return seconds_writing_; }
 
  private:
+  void write(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+             bool is_certified);
+  /// What is told beside the mesh, as far as one of the outputs takes it; without provenance.
+  geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
+                                      std::span<const geometry::CellId> cells) const;
+  /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
+  const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
   void read_back(Delivery& delivery);
   geometry::IndexedMesh content_of(const geometry::PendingFile& file) const;
 
@@ -49,6 +68,8 @@ class MeshDelivery : public morskin::Observer {
   StagedOutputs& outputs_;
   std::span<geometry::PendingFile> files_;
   const skin::SkinSurface& skin_;
+  MeshOrigin origin_;
+  std::map<geometry::MeshFormat, MeshHashes> hashes_;
   const std::vector<morskin::AtomProperty> properties_;
   std::optional<front::Snapshots> snapshots_;
   std::size_t snapshots_written_ = 0;

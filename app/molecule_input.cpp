@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <iostream>
+#include <span>
 #include <utility>
 
+#include "app/sha256.h"
 #include "geometry/exact_range.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/gzip.h"
 #include "morskin/voids.h"
 #include "skin/molecule_files.h"
 #include "skin/singular_skin.h"
@@ -46,6 +50,12 @@ void check_weights(const MoleculeInput& input) {
   }
 }
 
+std::string sha256_of(std::string_view bytes) {
+  Sha256 hash;
+  hash.update(std::as_bytes(std::span(bytes)));
+  return hash.digest();
+}
+
 std::string listed(const skin::Molecule& molecule, const std::vector<geometry::AtomId>& atoms) {
   std::string names;
   for (const geometry::AtomId atom : atoms) {
@@ -60,7 +70,15 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   MoleculeInput input;
   skin::ReadOptions options;
   options.selection = arguments.selection;
-  input.molecule = skin::read_molecule(arguments.input, options);
+  const std::string name = arguments.input.string();
+  const geometry::FileBytes file = geometry::read_file(arguments.input, options.max_bytes);
+  std::string_view bytes = file.view();
+  std::string unpacked;
+  if (geometry::is_gzip(bytes)) {
+    bytes = unpacked = geometry::unpack_gzip(bytes, name, options.max_bytes);
+  }
+  input.sha256 = sha256_of(bytes);
+  input.molecule = skin::parse_molecule(bytes, name, options);
   const bool gives_weights = !input.molecule.weights.empty();
   if (gives_weights != (arguments.model == skin::Model::Given)) {
     throw UsageError(input.molecule.source + (gives_weights

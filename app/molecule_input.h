@@ -13,6 +13,7 @@ namespace morskin::app {
 /// A molecule and its weighted points under a model.
 struct MoleculeInput {
   skin::Molecule molecule;
+  std::string sha256;                           ///< of the file's bytes, unpacked
   std::vector<geometry::WeightedPoint> points;  ///< by atom, in the range of the exact predicates
   std::size_t rounded_coordinates = 0;          ///< to multiples of 2^-120 Angstrom
 };

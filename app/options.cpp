@@ -14,19 +14,19 @@ namespace {
 
 void add_molecule_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("--model", typed.model,
+      .add_option("--model", typed.skin.model,
                   "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
                   "INPUT of weights, which XYZW has without it")
       ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
       ->default_str("vdw");
-  command.add_option("--probe", typed.probe, "Probe radius, Angstrom; 0 for none")
+  command.add_option("--probe", typed.skin.probe, "Probe radius, Angstrom; 0 for none")
       ->default_str("1.4");
-  add_selection_options(command, typed.selection);
+  add_selection_options(command, typed.skin.selection);
 }
 
 void add_voids_option(CLI::App& command, Typed& typed) {
   command
-      .add_option("--voids", typed.voids,
+      .add_option("--voids", typed.skin.voids,
                   "Voids inside the skin: keep; drop all, as if they were filled; or\n"
                   "drop those below a volume, cubic Angstrom. With a void go the bodies\n"
                   "inside it")
@@ -35,14 +35,14 @@ void add_voids_option(CLI::App& command, Typed& typed) {
 
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("-C", typed.C,
+      .add_option("-C", typed.skin.C,
                   "Size of the triangles over the curvature radius;\n"
                   "half of it makes four times as many")
       ->default_str("0.08");
-  command.add_option("-Q", typed.Q,
+  command.add_option("-Q", typed.skin.Q,
                      "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
                      "with C above 0.107, the least that C allows)");
-  command.add_option("--size", typed.size,
+  command.add_option("--size", typed.skin.size,
                      "Edges of about this length, Angstrom, where the skin is flat enough;\n"
                      "elsewhere what -C allows, 0.4 unless it is given");
 }
@@ -88,14 +88,19 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply, .off, .obj, .vtu, .vert with .face,\n"
-                  "MSMS's (exact), or .stl (single precision); repeat for several.\n"
-                  "\"-\", /dev/null and the like take PLY")
+                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
+                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
+                  "/dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
   command.add_option("--vertex-data", typed.vertex_data,
-                     "Also into .ply and .vtu, with commas between: normal, curvature,\n"
-                     "directions, scale, atom, shares, component, patch, residue; or all");
+                     "Into .ply .vtu .npz .msh .glb too: normal,curvature,directions,scale,\n"
+                     "atom,shares,component,patch,residue,charge; or all");
+  command
+      .add_option("--decimals", mesh.decimals,
+                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
+                  "(default: all decimals, so that no bit is lost)")
+      ->check(CLI::Range(1, 9));
   command.add_option("--areas", mesh.areas,
                      "Also write the areas of atoms and residues to this file, as CSV");
   add_molecule_options(command, typed);
@@ -225,7 +230,9 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       .add_option("MESH", check.mesh,
                   "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
       ->required();
-  command.add_option("--against", against.input, "The molecule; runs the whole certificate");
+  command.add_option("--against", against.input,
+                     "The molecule; runs the whole certificate. Options below that are not\n"
+                     "given are those that the mesh file states, if it does");
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, typed);
   add_voids_option(command, typed);

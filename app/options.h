@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/arguments.h"
-#include "app/selection_arguments.h"
+#include "app/skin_arguments.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's
 class App;
@@ -16,8 +16,7 @@ namespace morskin::app {
 
 /// Options as typed, before conversion.
 struct Typed {
-  std::optional<std::string> model;
-  std::optional<double> probe;
+  TypedSkin skin;
   std::optional<std::string> height, function;
   std::optional<double> persistence;
   bool is_raw = false;
@@ -27,9 +26,8 @@ struct Typed {
   std::string max_memory;
   std::string guard = "everywhere";
   std::optional<std::size_t> fronts;
-  std::optional<double> C, Q, size, density, triangles, grading, angle_goal;
-  std::optional<std::string> grow, voids, vertex_data;
-  TypedSelection selection;
+  std::optional<double> density, triangles, grading, angle_goal;
+  std::optional<std::string> grow, vertex_data;
   TypedPicture picture;
 };
 

@@ -11,6 +11,9 @@
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
+
+using geometry::MeshFormat;
+
 namespace {
 
 // The canonical path of a file.
@@ -86,7 +89,7 @@ void check_outputs(const MeshArguments& mesh) {
     if (!is_special(output) && !geometry::mesh_format_of(output)) {
       throw UsageError(output.string() +
                        ": the ending stands for no mesh format; use .ply, .off, .obj, .stl, "
-                       ".vtu or .vert");
+                       ".vtu, .glb, .npz, .msh or .vert");
     }
   }
 }
@@ -96,9 +99,16 @@ geometry::MeshFormat format_of(const std::filesystem::path& path) {
 }
 
 bool takes_vertex_data(const std::filesystem::path& path) {
-  const geometry::MeshFormat format = format_of(path);
-  return format == geometry::MeshFormat::PlyBinary || format == geometry::MeshFormat::Vtu;
+  constexpr std::array formats{MeshFormat::PlyBinary, MeshFormat::Vtu, MeshFormat::Glb,
+                               MeshFormat::Npz, MeshFormat::Msh};
+  return std::ranges::find(formats, format_of(path)) != formats.end();
 }
+
+bool is_msms(MeshFormat format) {
+  return format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
+}
+
+bool is_msms(const std::filesystem::path& path) { return is_msms(format_of(path)); }
 
 std::filesystem::path msms_partner(std::filesystem::path path) {
   const bool is_of_vertices = geometry::mesh_format_of(path) == geometry::MeshFormat::MsmsVertices;
@@ -108,11 +118,9 @@ std::filesystem::path msms_partner(std::filesystem::path path) {
 void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
   const std::vector<std::filesystem::path> named = outputs;
   for (const std::filesystem::path& path : named) {
-    const auto format = geometry::mesh_format_of(path);
-    const bool is_msms =
-        format == geometry::MeshFormat::MsmsVertices || format == geometry::MeshFormat::MsmsFaces;
     const std::filesystem::path partner = msms_partner(path);
-    if (is_msms && std::ranges::find(outputs, partner) == outputs.end()) outputs.push_back(partner);
+    if (is_msms(path) && std::ranges::find(outputs, partner) == outputs.end())
+      outputs.push_back(partner);
   }
 }
 

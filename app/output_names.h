@@ -36,6 +36,10 @@ geometry::MeshFormat format_of(const std::filesystem::path& path);
 /// Whether that format can hold what --vertex-data asks for.
 bool takes_vertex_data(const std::filesystem::path& path);
 
+/// Whether it is one of MSMS's two files.
+bool is_msms(geometry::MeshFormat format);
+bool is_msms(const std::filesystem::path& path);
+
 /// Behind each file of MSMS the other: the same name with .face or .vert. Where both are named,
 /// nothing is added.
 void add_msms_partners(std::vector<std::filesystem::path>& outputs);

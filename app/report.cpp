@@ -7,6 +7,7 @@
 #include "app/function_argument.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
+#include "geometry/files/provenance_json.h"
 
 namespace morskin::app {
 namespace {
@@ -129,6 +130,7 @@ std::string json_text(const MeshReport& report) {
   json["outputs"] = ordered_json::array();
   for (const std::filesystem::path& output : report.outputs)
     json["outputs"].push_back(output.string());
+  json["provenance"] = geometry::provenance_json(report.provenance);
   json["function"] = function_json(report.counts.function);
   if (report.counts.function.is_height()) {
     const geometry::Vector& v = report.counts.function.direction;

@@ -14,6 +14,7 @@
 #include "app/skin_parts.h"
 #include "bench/baselines/growth.h"
 #include "certify/mesh_quality.h"
+#include "geometry/provenance.h"
 #include "morskin/pipeline.h"
 #include "skin/molecule.h"
 
@@ -45,6 +46,7 @@ struct MeshReport {
   SkinParts parts;
   double patch_radius_min = 0, patch_radius_max = 0;
   std::vector<std::filesystem::path> outputs;  ///< as they are named now
+  geometry::Provenance provenance;             ///< with the hashes of doubles
   std::string certified_file;
   certify::Certificate certificate;
   certify::MeshQuality quality;

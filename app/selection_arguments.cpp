@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/arguments.h"
+#include "app/skin_arguments.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {

@@ -76,19 +76,23 @@ std::pair<double, double> parsed_growth(std::string_view text) {
 
 VertexData parsed_vertex_data(std::string_view text) {
   const std::span<const morskin::Datum> all = morskin::all_data();
-  if (text == "all") return {{all.begin(), all.end()}, true};
+  if (text == "all") return {{all.begin(), all.end()}, true, true, true};
   VertexData result;
   while (true) {
     const std::string_view name = text.substr(0, text.find(','));
     const std::optional<morskin::Datum> datum = morskin::parse_datum(name);
     const bool is_new = datum && std::ranges::find(result.data, *datum) == result.data.end();
     if (is_new) result.data.push_back(*datum);
-    if (name == "residue") result.residues = true;
-    if (!datum && name != "residue") {
+    if (name == "residue") {
+      result.residues = true;
+    } else if (name == "charge") {
+      result.charges = true;
+    } else if (!datum) {
       std::string known;
       for (const morskin::Datum d : all) known += std::string(morskin::name_of(d)) + ", ";
       throw UsageError("--vertex-data takes " + known +
-                       "residue or all, with commas between; not " + geometry::quoted(name));
+                       "residue, charge or all, with commas between; not " +
+                       geometry::quoted(name));
     }
     if (name.size() == text.size()) return result;
     text.remove_prefix(name.size() + 1);

@@ -4,10 +4,12 @@
 /// are.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/point.h"
+#include "geometry/provenance.h"
 
 namespace morskin::geometry {
 
@@ -19,9 +21,9 @@ struct Attribute {
   bool is_whole = false;             ///< whole numbers of at most 32 bits
 };
 
-/// What MSMS's two files hold besides the mesh.
+/// What MSMS's two files hold besides the mesh and its normals.
 struct MsmsColumns {
-  std::vector<Vector> normals;           ///< by vertex
+  std::optional<int> decimals;  ///< of lengths and normals, in columns; absent: all that there are
   std::uint32_t sphere_count = 0;
   std::vector<std::uint32_t> spheres;    ///< by vertex, the nearest, from 0
   std::vector<std::uint8_t> kinds;       ///< by vertex
@@ -30,7 +32,9 @@ struct MsmsColumns {
 
 struct MeshAttributes {
   std::vector<Attribute> vertices, triangles;
-  MsmsColumns msms;  ///< empty unless such a file is to be written
+  std::vector<Vector> normals;  ///< by vertex, for formats with a place of their own for them
+  MsmsColumns msms;             ///< empty unless such a file is to be written
+  Provenance provenance;
 };
 
 }  // namespace morskin::geometry

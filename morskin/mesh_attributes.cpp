@@ -226,6 +226,14 @@ MeshAttributes mesh_attributes(const skin::SkinSurface& skin, const IndexedMesh&
   return result;
 }
 
+std::vector<Vector> skin_normals(const skin::SkinSurface& skin, const IndexedMesh& mesh,
+                                 std::span<const CellId> cells) {
+  const SkinVertices vertices(skin, mesh, cells);
+  std::vector<Vector> normals;
+  for (std::size_t v = 0; v < vertices.size(); ++v) normals.push_back(vertices.at(v).normal);
+  return normals;
+}
+
 geometry::MsmsColumns msms_columns(const skin::SkinSurface& skin, const IndexedMesh& mesh,
                                    std::span<const CellId> cells) {
   constexpr std::array<std::uint8_t, 4> kind_of_dimension{3, 1, 2, 2};
@@ -236,7 +244,6 @@ geometry::MsmsColumns msms_columns(const skin::SkinSurface& skin, const IndexedM
   geometry::MsmsColumns result;
   result.sphere_count = static_cast<std::uint32_t>(skin.points().size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    result.normals.push_back(vertices.at(v).normal);
     result.spheres.push_back(vertices.nearest_atom(v).value);
     result.kinds.push_back(kind(skin.complex().dimension(cells[v])));
   }

@@ -51,6 +51,11 @@ geometry::MeshAttributes mesh_attributes(const skin::SkinSurface& skin,
                                          std::span<const Datum> data,
                                          std::span<const AtomProperty> properties = {});
 
+/// Unit normals of the skin, out of the body, by vertex.
+std::vector<geometry::Vector> skin_normals(const skin::SkinSurface& skin,
+                                           const geometry::IndexedMesh& mesh,
+                                           std::span<const geometry::CellId> cells);
+
 /// What MSMS's files tell. A sphere of an atom is a contact face to them, a hyperboloid between two
 /// atoms a toric one, and what three or four make a reentrant one.
 geometry::MsmsColumns msms_columns(const skin::SkinSurface& skin, const geometry::IndexedMesh& mesh,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/sizing.h"
 #include "front/sweep_observer.h"
 #include "geometry/indexed_mesh.h"
 #include "morse/guide.h"
@@ -17,6 +18,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
+  /// The sizing of all that follows, as a size goal has set it.
+  virtual void sized(const certify::Sizing&) {}
   /// The guide of a sweep that is about to start; it lives until the sweep has ended.
   virtual void guided(const morse::Guide&) {}
   /// Whether Mesh::births is to be recorded.

@@ -131,6 +131,7 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
     if (options.sizes) options.method = Method::Static;
   }
   if (options.size_goal.is_set()) settle_size(skin, options, run);
+  observer.sized(options.sizing);
   const Method method = method_of(skin, options);
   options.method = method;
   MethodResult made = run_method(skin, options, observer, run);

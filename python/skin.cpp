@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -56,11 +57,17 @@ Skin make_skin(const py::object& positions, const py::object& radii, const std::
                        [&](const RunOptions& run) { return Skin(atoms, options, run); });
 }
 
+std::optional<std::size_t> subdomains_of(std::optional<long> fronts) {
+  // What is below 1 is refused with 0, which is out of range too.
+  if (!fronts) return std::nullopt;
+  return static_cast<std::size_t>(std::max(*fronts, 0L));
+}
+
 py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double> Q,
                 double max_length_scale, std::optional<double> edge_length,
                 std::optional<double> density, std::optional<double> triangles,
                 std::optional<double> grading, std::optional<double> angle_goal_deg,
-                const std::optional<std::string>& method, int fronts,
+                const std::optional<std::string>& method, std::optional<long> fronts,
                 const std::optional<Point>& direction, bool allow_uncertified,
                 std::optional<int> threads, const py::object& progress) {
   const bool is_size_given = edge_length || density || triangles;
@@ -74,7 +81,7 @@ py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double>
       .grading = grading,
       .angle_goal_deg = angle_goal_deg,
       .method = method_of(method),
-      .fronts = fronts,
+      .fronts = subdomains_of(fronts),
       .direction = direction};
   SkinMesh made = interruptible({threads, progress},
                                 [&](const RunOptions& run) { return skin.mesh(options, run); });
@@ -141,7 +148,8 @@ triangles          C allows
 grading            by how much edges may grow for each Angstrom, at least 0.01
 angle_goal_deg     no angle is smaller where that is reached, degrees
 method             "sweep" or "static"; None: chosen
-fronts             2: swept from both ends at once; 1: from below
+fronts             how many subdomains are swept each for itself, a power of two; 1: from below with
+                   one front, the paper's Algorithm 1; None: as many as the size is worth
 direction          (3,): to sweep along
 allow_uncertified  return a mesh that is not certified
 threads            at most; None: as many as the machine has. The mesh does not depend on it
@@ -176,7 +184,7 @@ void bind_skin(py::module_& module) {
       .def("mesh", &mesh, mesh_text, py::kw_only(), arg("C") = none, arg("Q") = none,
            arg("max_length_scale") = infinity, arg("edge_length") = none, arg("density") = none,
            arg("triangles") = none, arg("grading") = none, arg("angle_goal_deg") = none,
-           arg("method") = none, arg("fronts") = 2, arg("direction") = none,
+           arg("method") = none, arg("fronts") = none, arg("direction") = none,
            arg("allow_uncertified") = false, arg("threads") = none, arg("progress") = none)
       .def("critical_points", &critical_points, arg("direction") = none,
            "critical_points(direction=None) -> CriticalPoints\n\n"

@@ -61,7 +61,10 @@ struct Molecule {
   /// By atom, Angstrom^2, of a file that gives weights, which are no model's; their radii are those
   /// of the patches, sqrt(w / 2). Empty for all other files.
   std::vector<double> weights;
-  std::string source;  ///< the file's name
+  /// By atom, in units of the elementary charge, of a PQR file. Empty for all other files.
+  std::vector<double> charges;
+  bool has_radii = false;  ///< the file gave the radii; otherwise the elements did
+  std::string source;      ///< the file's name
   ReadingCounts counts;
 };
 

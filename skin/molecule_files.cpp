@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -137,6 +138,11 @@ void check_weight(const AtomRecord& record, const std::string& source) {
          "has a weight that is not above 0 and at most 2^30 Angstrom^2; correct it");
 }
 
+void check_charge(const AtomRecord& record, const std::string& source) {
+  if (std::isfinite(record.charge)) return;
+  refuse(source, record.atom, "has a charge that is not finite; correct it");
+}
+
 // How many atoms have the position and radius of an earlier one.
 std::size_t count_duplicates(const std::vector<Atom>& atoms) {
   std::vector<std::array<double, 4>> balls;
@@ -152,6 +158,7 @@ std::size_t count_duplicates(const std::vector<Atom>& atoms) {
 Molecule finish(ParsedFile file, const std::string& source, const Selection& selection) {
   Molecule molecule;
   molecule.source = source;
+  molecule.has_radii = file.has_radii;
   molecule.counts = molecule_formats::keep_selected(file, selection, source);
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
@@ -168,6 +175,9 @@ Molecule finish(ParsedFile file, const std::string& source, const Selection& sel
     }
     molecule.atoms.push_back(record.atom);
     if (file.has_weights) molecule.weights.push_back(record.weight);
+    if (!file.has_charges) continue;
+    check_charge(record, source);
+    molecule.charges.push_back(record.charge);
   }
   if (molecule.atoms.empty()) {
     throw RefusedInput(source + ": has no atom" +

@@ -23,6 +23,7 @@ constexpr std::string_view unknown_element = "X";
 struct AtomRecord {
   Atom atom;          ///< without a radius if the format has none
   double weight = 0;  ///< Angstrom^2, in a file that gives weights
+  double charge = 0;  ///< elementary charges, in a file that gives charges
   double occupancy = 1;
   char alternate = ' ';    ///< letter of the alternate location; blank if the atom has only one
   bool is_hetatm = false;  ///< read from a HETATM record
@@ -32,6 +33,7 @@ struct ParsedFile {
   std::vector<AtomRecord> atoms;
   bool has_radii = false;
   bool has_weights = false;
+  bool has_charges = false;
   // What the format tells of atoms:
   bool has_chains = false;
   bool has_hetatms = false;  ///< which come from HETATM records

@@ -55,7 +55,7 @@ AtomRecord pqr_atom(const TextLines& lines) {
                    number_in(fields[x + 1], "the coordinate y", lines),
                    number_in(fields[x + 2], "the coordinate z", lines)};
   record.is_hetatm = fields[0].starts_with("HETATM");
-  number_in(fields[x + 3], "the charge", lines);
+  record.charge = number_in(fields[x + 3], "the charge", lines);
   atom.radius = number_in(fields[x + 4], "the radius", lines);
   return record;
 }
@@ -113,6 +113,7 @@ ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSea
   };
   ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom, models);
   file.has_radii = true;
+  file.has_charges = true;
   return file;
 }
 

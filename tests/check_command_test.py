@@ -169,6 +169,7 @@ class CheckOfFiles(CommandTest):
         for model in ("sas", "paper", "ses-like"):
             with self.subTest(model):
                 self.run_morskin("mesh", ring, "-o", "m.ply", "-q", "--model", model)
+                self.forget_origin("m.ply")
                 found = self.check("m.ply", "--against", ring, code=5)
                 self.assertEqual(found["fitting_model"], model)
                 said = self.run_morskin("check", "m.ply", "--against", ring, code=5).stdout
@@ -180,6 +181,7 @@ class CheckOfFiles(CommandTest):
     def test_a_C_that_was_forgotten_is_found(self):
         ring = MOLECULES / "ring12.xyzr"
         self.run_morskin("mesh", ring, "-o", "m.ply", "-q", "-C", "0.2")
+        self.forget_origin("m.ply")
         found = self.check("m.ply", "--against", ring, code=5)
         self.assertGreater(found["fitting_C"], 0.1)
         self.assertLessEqual(found["fitting_C"], 0.2)
@@ -206,7 +208,7 @@ class CheckOfFiles(CommandTest):
         self.run_morskin("mesh", self.ring, "-o", "ring.off", "-q")
         off = (self.folder / "ring.off").read_bytes()
         self.input("packed.off.gz", gzip.compress(off))
-        lines = off.decode().splitlines()
+        lines = [line for line in off.decode().splitlines() if not line.startswith("#")]
         count = int(lines[1].split()[0])
         vertices = "".join(f"{line} 0 0 1 0 1 2\n" for line in lines[2:2 + count])
         triangles = [[int(w) + 1 for w in line.split()[1:]] for line in lines[2 + count:]]

@@ -224,6 +224,7 @@ TEST_CASE("MSMS's two files hold every coordinate to the last bit, and the atoms
   const MeshResult made = meshed_with(skin, 0.2);
   MeshAttributes told;
   told.msms = msms_columns(skin.surface, made.mesh, made.cells);
+  told.normals = skin_normals(skin.surface, made.mesh, made.cells);
   const std::string vertices = geometry::serialized(made.mesh, MeshFormat::MsmsVertices, told);
   const std::string faces = geometry::serialized(made.mesh, MeshFormat::MsmsFaces, told);
   CHECK(geometry::parse_msms(vertices, "x.vert", faces, "x.face") == made.mesh);

@@ -74,13 +74,15 @@ class Selections(CommandTest):
         self.input("a.pdb", "".join(line for line in ATOMS.splitlines(True) if line[21] == "A"))
         self.run_morskin("mesh", "a.pdb", "-o", "alone.ply", "-q")
         self.run_morskin("mesh", "two.pdb", "--chain", "A", "-o", "chosen.ply", "-q")
-        self.assertEqual((self.folder / "alone.ply").read_bytes(),
-                         (self.folder / "chosen.ply").read_bytes())
+        self.assertEqual(self.without_origin("alone.ply"), self.without_origin("chosen.ply"))
 
     def test_a_mesh_is_checked_against_the_selection_that_it_was_made_of(self):
         self.run_morskin("mesh", "two.pdb", "--chain", "A", "-o", "a.ply", "-q")
         checked = self.check("a.ply", "--against", "two.pdb", "--chain", "A")
         self.assertEqual(checked["selection"], {"chain": ["A"]})
+        self.assertEqual(self.check("a.ply", "--against", "two.pdb")["selection"],
+                         {"chain": ["A"]})
+        self.forget_origin("a.ply")
         self.check("a.ply", "--against", "two.pdb", code=5)
         self.run_morskin("balls", "two.pdb", "--chain", "A", "-o", "a.xyzr")
         self.assertEqual(len((self.folder / "a.xyzr").read_text().splitlines()), 3)

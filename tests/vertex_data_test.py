@@ -13,7 +13,7 @@ import numpy
 from support.command import MOLECULES, CommandTest, main
 
 GROUPS = ["normal", "curvature", "directions", "scale", "atom", "shares", "component", "patch",
-          "residue"]
+          "residue", "charge"]
 
 
 class VertexData(CommandTest):
@@ -109,9 +109,9 @@ class VertexData(CommandTest):
     def test_what_no_output_can_hold_is_refused_and_a_group_named_twice_is_told_once(self):
         said = self.run_morskin("mesh", self.ring, "-o", "m.off", "-o", "m.vert", "--vertex-data",
                                 "normal", code=2).stderr
-        self.assertIn(b".ply and .vtu", said)
+        self.assertIn(b".ply, .vtu", said)
         self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "atom,scale,atom", "-q")
-        header = (self.folder / "m.ply").read_bytes()[:500]
+        header = (self.folder / "m.ply").read_bytes()[:2000]
         self.assertEqual(header.count(b" atom\n"), 1)
 
     def test_files_of_a_mesh_that_is_not_certified_say_so_in_all_their_names(self):
@@ -159,7 +159,7 @@ class VertexData(CommandTest):
 
     def test_standard_output_gets_what_is_told_too(self):
         told = self.run_morskin("mesh", self.ring, "-o", "-", "--vertex-data", "normal", "-q")
-        self.assertIn(b"property double nx\n", told.stdout[:500])
+        self.assertIn(b"property double nx\n", told.stdout[:2000])
 
     def test_tetgen_fills_the_off_file_with_tetrahedra(self):
         self.meshed("-o", "m.off", "--voids", "drop")

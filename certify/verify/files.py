@@ -30,7 +30,7 @@ def read_mesh(path):
         table = np.frombuffer(data, "u1, 3<i4", faces, header.end() + positions.nbytes)
         faces = np.column_stack([table["f0"], table["f1"]]).astype(np.int64)
     else:
-        off, vertices, faces, _, *words = data.split()
+        off, vertices, faces, _, *words = re.sub(rb"#.*", b"", data).split()
         if off != b"OFF":
             raise ValueError(f"{path}: neither OFF nor PLY like morskin's")
         cut = 3 * int(vertices)

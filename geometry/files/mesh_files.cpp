@@ -60,12 +60,15 @@ namespace {
 
 constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> endings = {{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> endings = {{
     {".ply", MeshFormat::PlyBinary},
     {".off", MeshFormat::Off},
     {".obj", MeshFormat::Obj},
     {".stl", MeshFormat::Stl},
     {".vtu", MeshFormat::Vtu},
+    {".glb", MeshFormat::Glb},
+    {".npz", MeshFormat::Npz},
+    {".msh", MeshFormat::Msh},
     {".vert", MeshFormat::MsmsVertices},
     {".face", MeshFormat::MsmsFaces},
 }};
@@ -107,21 +110,36 @@ std::string serialized(const IndexedMesh& mesh, MeshFormat format,
     case MeshFormat::PlyBinary:
       return mesh_formats::ply_binary(mesh, attributes);
     case MeshFormat::PlyAscii:
-      return mesh_formats::ply_ascii(mesh);
+      return mesh_formats::ply_ascii(mesh, attributes);
     case MeshFormat::Off:
-      return mesh_formats::off(mesh);
+      return mesh_formats::off(mesh, attributes.provenance);
     case MeshFormat::Obj:
-      return mesh_formats::obj(mesh);
+      return mesh_formats::obj(mesh, attributes.provenance);
     case MeshFormat::Stl:
-      return mesh_formats::stl(mesh);
+      return mesh_formats::stl(mesh, attributes.provenance);
     case MeshFormat::Vtu:
       return mesh_formats::vtu(mesh, attributes);
+    case MeshFormat::Glb:
+      return mesh_formats::glb(mesh, attributes);
+    case MeshFormat::Npz:
+      return mesh_formats::npz(mesh, attributes);
+    case MeshFormat::Msh:
+      return mesh_formats::msh(mesh, attributes);
     case MeshFormat::MsmsVertices:
-      return mesh_formats::msms_vertices(mesh, attributes.msms);
+      return mesh_formats::msms_vertices(mesh, attributes);
     case MeshFormat::MsmsFaces:
-      return mesh_formats::msms_faces(mesh, attributes.msms);
+      return mesh_formats::msms_faces(mesh, attributes);
   }
   return {};
+}
+
+IndexedMesh with_decimals(IndexedMesh mesh, int decimals) {
+  for (Point& position : mesh.positions) {
+    for (double& coordinate : position) {
+      coordinate = *parse_double(mesh_formats::fixed(coordinate, decimals));
+    }
+  }
+  return mesh;
 }
 
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format) {
@@ -134,7 +152,7 @@ MeshFormat plain_format_of(const std::filesystem::path& path) {
   if (!format || is_msms) {
     throw UnwritableOutput(path.string() + ": cannot write: the ending stands for " +
                            (is_msms ? "two files, which hold more than a mesh" : "no mesh format") +
-                           "; use .ply, .off, .obj, .stl or .vtu");
+                           "; use .ply, .off, .obj, .stl, .vtu, .glb, .npz or .msh");
   }
   return *format;
 }
@@ -179,31 +197,21 @@ std::filesystem::path msms_partner(const std::filesystem::path& path) {
                         name.filename().string() + " beside it");
 }
 
-IndexedMesh read_msms(const std::filesystem::path& path, std::string_view bytes) {
+MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
   const std::filesystem::path partner = msms_partner(path);
   const FileBytes other = read_file(partner, max_bytes);
   std::string buffer;
   const mesh_formats::MsmsFile named{bytes, path.string()};
   const mesh_formats::MsmsFile found{unpacked(other.view(), partner.string(), buffer),
                                      partner.string()};
-  return is_msms(path, ".vert") ? mesh_formats::parse_msms(named, found)
-                                : mesh_formats::parse_msms(found, named);
+  const bool names_vertices = is_msms(path, ".vert");
+  const mesh_formats::MsmsFile& vertices = names_vertices ? named : found;
+  return {mesh_formats::parse_msms(vertices, names_vertices ? found : named),
+          mesh_formats::msms_provenance(vertices.bytes)};
 }
 
-}  // namespace
-
-IndexedMesh read_mesh(const std::filesystem::path& path) {
-  const FileBytes file = read_file(path, max_bytes);
-  if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
-    return parse_mesh(file.view(), path.string());
-  }
-  std::string buffer;
-  return read_msms(path, unpacked(file.view(), path.string(), buffer));
-}
-
-IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
-  std::string buffer;
-  bytes = unpacked(bytes, source, buffer);
+// The format of a mesh that is one file. @throws UnreadableInput
+MeshFormat readable_format(std::string_view bytes, const std::string& source) {
   if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
   std::optional<MeshFormat> format = format_by_content(bytes);
   if (!format) format = mesh_format_of(unpacked_name(source));
@@ -211,7 +219,12 @@ IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
     throw UnreadableInput(source +
                           ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL or MSMS");
   }
-  switch (*format) {
+  return *format;
+}
+
+// The mesh in bytes that are not gzipped.
+IndexedMesh parse_format(MeshFormat format, std::string_view bytes, const std::string& source) {
+  switch (format) {
     case MeshFormat::PlyBinary:
     case MeshFormat::PlyAscii:
       return mesh_formats::parse_ply(bytes, source);
@@ -227,9 +240,47 @@ IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
     case MeshFormat::Stl:
       return mesh_formats::parse_stl(bytes, source);
     case MeshFormat::Vtu:
+    case MeshFormat::Glb:
+    case MeshFormat::Npz:
+    case MeshFormat::Msh:
       break;
   }
-  throw UnreadableInput(source + ": VTU files are only written; use the PLY, OFF or OBJ file");
+  throw UnreadableInput(source + ": VTU, GLB, NPZ and MSH files are only written; use the PLY, " +
+                        "OFF or OBJ file");
+}
+
+Provenance provenance_of(MeshFormat format, std::string_view bytes) {
+  switch (format) {
+    case MeshFormat::Off:
+      return mesh_formats::off_provenance(bytes);
+    case MeshFormat::Obj:
+      return mesh_formats::obj_provenance(bytes);
+    case MeshFormat::Stl:
+      return mesh_formats::stl_provenance(bytes);
+    default:
+      return mesh_formats::ply_provenance(bytes);
+  }
+}
+
+}  // namespace
+
+MeshFile read_mesh_file(const std::filesystem::path& path) {
+  const FileBytes file = read_file(path, max_bytes);
+  std::string buffer;
+  const std::string_view bytes = unpacked(file.view(), path.string(), buffer);
+  if (is_msms(path, ".vert") || is_msms(path, ".face")) return read_msms(path, bytes);
+  const MeshFormat format = readable_format(bytes, path.string());
+  MeshFile result{parse_format(format, bytes, path.string()), provenance_of(format, bytes)};
+  result.is_single_precision = format == MeshFormat::Stl;
+  return result;
+}
+
+IndexedMesh read_mesh(const std::filesystem::path& path) { return read_mesh_file(path).mesh; }
+
+IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
+  std::string buffer;
+  bytes = unpacked(bytes, source, buffer);
+  return parse_format(readable_format(bytes, source), bytes, source);
 }
 
 IndexedMesh parse_msms(std::string_view vertices, const std::string& vertices_source,

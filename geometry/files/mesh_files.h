@@ -4,11 +4,14 @@
 //
 // The parts of an IndexedMesh that each format keeps:
 //   PLY (binary or ASCII), OFF, OBJ   everything, every coordinate to the last bit
-//   VTU                               the same; written only
+//   VTU, NPZ, MSH                     the same; written only
+//   GLB                               single precision coordinates; written only
 //   STL                               single precision coordinates, no sharing of vertices
 //   MSMS (.vert and .face)            everything; three decimals where that program wrote them
 //
-// Binary PLY and VTU take attributes as well (geometry/mesh_attributes.h). MSMS's need them.
+// Binary PLY and those that are only written take attributes as well (geometry/mesh_attributes.h).
+// MSMS's need them.
+// All hold provenance (geometry/provenance.h).
 //
 // Any of them may be gzipped, whatever its name.
 
@@ -29,6 +32,9 @@ enum class MeshFormat {
   Obj,
   Stl,           ///< binary; single precision by definition, so close vertices may coincide
   Vtu,           ///< VTK unstructured grid (XML, base64) for ParaView
+  Glb,           ///< glTF 2.0 in one file, for viewers and game engines
+  Npz,           ///< NumPy arrays
+  Msh,           ///< Gmsh, 4.1 as text
   MsmsVertices,  ///< with normals, and a partner of the same name with the other ending
   MsmsFaces,
 };
@@ -38,8 +44,10 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 
 /// The bytes of `mesh` in `format`. Numbers spelled in decimal are the shortest that read back as
 /// the same double.
-/// @param attributes  for PlyBinary and Vtu, its vertices and triangles; for MSMS's files, its
-///                    columns, by vertex and triangle
+/// @param attributes  for PlyBinary, Vtu, Npz and Msh, its vertices and triangles; for Glb, its
+///                    vertices; for Glb and Npz, its normals if there are any; for MSMS's files,
+///                    normals and its columns. For all, its provenance
+/// @throws LimitReached  the mesh is too large for Glb
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});
 
@@ -53,8 +61,12 @@ MeshFormat plain_format_of(const std::filesystem::path& path);
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, MeshFormat format);
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
-/// Reads a mesh of any format above except VTU, by any program. The content decides the format, and
-/// the ending where the content is ambiguous. `path` may name either file of an MSMS pair.
+/// The mesh as a text file holds it whose coordinates have so many decimals.
+IndexedMesh with_decimals(IndexedMesh mesh, int decimals);
+
+/// Reads a mesh of any format above that is not only written, by any program. The content decides
+/// the format, and the ending where the content is ambiguous. `path` may name either file of an
+/// MSMS pair.
 ///
 /// Polygons become fans about their first corner. Normals, colours, texture and other elements are
 /// ignored. STL corners whose three coordinates have equal bits become one vertex.
@@ -62,6 +74,17 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 /// @throws UnreadableInput  "file:line: what is wrong; what to do", for a malformed or truncated
 ///                          file, a coordinate that is not finite, a corner that does not exist
 IndexedMesh read_mesh(const std::filesystem::path& path);
+
+/// A mesh with what its file says of its origin, true or not.
+struct MeshFile {
+  IndexedMesh mesh;
+  Provenance provenance;             ///< empty if the file says nothing
+  bool is_single_precision = false;  ///< by its format
+};
+
+/// The same, with the provenance.
+/// @throws UnreadableInput  as above
+MeshFile read_mesh_file(const std::filesystem::path& path);
 
 /// The mesh in `bytes`, gzipped or not; not MSMS, which has two files.
 ///

@@ -26,13 +26,34 @@ struct MsmsFile {
 IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces);
 
 std::string ply_binary(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
-std::string ply_ascii(const IndexedMesh& mesh);
-std::string off(const IndexedMesh& mesh);
-std::string obj(const IndexedMesh& mesh);
-std::string stl(const IndexedMesh& mesh);
+std::string ply_ascii(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string off(const IndexedMesh& mesh, const Provenance& provenance = {});
+std::string obj(const IndexedMesh& mesh, const Provenance& provenance = {});
+std::string stl(const IndexedMesh& mesh, const Provenance& provenance = {});
 std::string vtu(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
-std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns);
-std::string msms_faces(const IndexedMesh& mesh, const MsmsColumns& columns);
+std::string msms_vertices(const IndexedMesh& mesh, const MeshAttributes& attributes);
+std::string msms_faces(const IndexedMesh& mesh, const MeshAttributes& attributes);
+
+std::string glb(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+std::string msh(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
+
+/// Whether these are the normals, which `all` has in their own place too.
+inline bool is_normal(const Attribute& attribute, const MeshAttributes& all) {
+  return attribute.name == "normal" && !all.normals.empty();
+}
+
+/// The entries as lines `<start>morskin: key value`.
+std::string provenance_lines(const Provenance& provenance, std::string_view start);
+/// The entries in one line, `# morskin: key value; key value`; empty if there are none.
+std::string provenance_line(const Provenance& provenance);
+
+/// What the bytes of a file say of its origin, in each format's place for it.
+Provenance ply_provenance(std::string_view bytes);
+Provenance off_provenance(std::string_view bytes);
+Provenance obj_provenance(std::string_view bytes);
+Provenance stl_provenance(std::string_view bytes);
+Provenance msms_provenance(std::string_view bytes);
 
 /// Appends the polygon's triangles, all with its first corner. @pre at least three corners.
 void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);
@@ -42,6 +63,9 @@ void append_corners(std::string& text, const TriangleCorners& triangle, std::uin
 
 /// Appends "x y z\n" in shortest decimals.
 void append_position(std::string& text, const Point& position);
+
+/// A number with so many decimals.
+std::string fixed(double number, int decimals);
 
 /// Takes the three coordinates at the front of `fields`.
 /// @param lines  at their line, for messages

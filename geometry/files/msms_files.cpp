@@ -5,6 +5,7 @@
 //   .face   a b c  kind  analytic face                    corners are counted from 1
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -48,6 +49,12 @@ void for_each_row(TextLines& lines, const std::string& what, Take take) {
   }
 }
 
+// Always there, for the line of counts must be the third.
+std::string first_line(const MeshAttributes& attributes) {
+  const std::string line = provenance_line(attributes.provenance);
+  return line.empty() ? "# Angstrom\n" : line;
+}
+
 }  // namespace
 
 IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
@@ -77,40 +84,89 @@ IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
   return mesh;
 }
 
-// Probe radius and density are MSMS's own and mean nothing here.
-std::string msms_vertices(const IndexedMesh& mesh, const MsmsColumns& columns) {
-  std::string text = "# x y z nx ny nz 0 sphere kind\n# vertices spheres density probe\n";
+std::string fixed(double number, int decimals) {
+  std::array<char, 400> digits;  // the largest double has 309 before its point
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                          std::chars_format::fixed, decimals);
+  return {digits.data(), end};
+}
+
+namespace {
+
+/// Appends rows as MSMS does, in columns, or with one blank between numbers of any length.
+class Rows {
+ public:
+  Rows(std::string& text, std::optional<int> decimals) : text_(text), decimals_(decimals) {}
+
+  void add(const Vector& vector) {
+    for (const double x : vector) {
+      // As wide as four digits and a sign before the point.
+      if (decimals_) {
+        add(fixed(x, *decimals_), static_cast<std::size_t>(*decimals_) + 6);
+      } else {
+        append_number(text_, x);
+        text_ += ' ';
+      }
+    }
+  }
+  void add(std::uint64_t number, std::size_t width) {
+    if (decimals_) return add(std::to_string(number), width);
+    append_number(text_, number);
+    text_ += ' ';
+  }
+  void end() { text_.back() = '\n'; }
+
+ private:
+  void add(const std::string& number, std::size_t width) {
+    if (number.size() < width) text_.append(width - number.size(), ' ');
+    text_ += number + ' ';
+  }
+
+  std::string& text_;
+  std::optional<int> decimals_;
+};
+
+/// The three lines before the rows. Probe radius and density are MSMS's own and mean nothing here.
+std::string header(const MeshAttributes& attributes, const std::string& things,
+                   const std::string& columns, std::size_t count) {
+  return first_line(attributes) + "# " + things + " spheres density probe, then " + columns + "\n" +
+         std::to_string(count) + " " + std::to_string(attributes.msms.sphere_count) + " 0 0\n";
+}
+
+// MSMS's own.
+constexpr std::size_t index_width = 7, kind_width = 2;
+
+}  // namespace
+
+std::string msms_vertices(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  const MsmsColumns& columns = attributes.msms;
+  std::string text =
+      header(attributes, "vertices", "x y z nx ny nz 0 sphere kind", mesh.positions.size());
   text.reserve(text.size() + 130 * mesh.positions.size());
-  append_number(text, std::uint64_t{mesh.positions.size()});
-  text += ' ';
-  append_number(text, std::uint64_t{columns.sphere_count});
-  text += " 0 0\n";
+  Rows rows(text, columns.decimals);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    append_position(text, mesh.positions[v]);
-    text.back() = ' ';
-    append_position(text, columns.normals[v]);
-    text.back() = ' ';
-    text += "0 ";
-    append_number(text, std::uint64_t{columns.spheres[v]} + 1);
-    text += ' ';
-    append_number(text, std::uint64_t{columns.kinds[v]});
-    text += '\n';
+    rows.add(mesh.positions[v]);
+    rows.add(attributes.normals[v]);
+    rows.add(0, index_width);
+    rows.add(std::uint64_t{columns.spheres[v]} + 1, index_width);
+    rows.add(columns.kinds[v], kind_width);
+    rows.end();
   }
   return text;
 }
 
-std::string msms_faces(const IndexedMesh& mesh, const MsmsColumns& columns) {
-  std::string text = "# a b c kind 1\n# faces spheres density probe\n";
+std::string msms_faces(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  const MsmsColumns& columns = attributes.msms;
+  std::string text = header(attributes, "faces", "a b c kind 1", mesh.triangles.size());
   text.reserve(text.size() + 30 * mesh.triangles.size());
-  append_number(text, std::uint64_t{mesh.triangles.size()});
-  text += ' ';
-  append_number(text, std::uint64_t{columns.sphere_count});
-  text += " 0 0\n";
+  Rows rows(text, columns.decimals);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    append_corners(text, mesh.triangles[t], 1);
-    text.back() = ' ';
-    append_number(text, std::uint64_t{columns.face_kinds[t]});
-    text += " 1\n";
+    for (const std::uint32_t corner : mesh.triangles[t]) {
+      rows.add(std::uint64_t{corner} + 1, index_width);
+    }
+    rows.add(columns.face_kinds[t], kind_width);
+    rows.add(1, index_width);
+    rows.end();
   }
   return text;
 }

@@ -148,7 +148,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
   return mesh;
 }
 
-std::string off(const IndexedMesh& mesh) {
+std::string off(const IndexedMesh& mesh, const Provenance& provenance) {
   std::string text = "OFF\n";
   text.reserve(64 * mesh.positions.size() + 24 * mesh.triangles.size() + 64);
   append_number(text, std::uint64_t{mesh.positions.size()});
@@ -160,11 +160,11 @@ std::string off(const IndexedMesh& mesh) {
     text += '3';
     append_corners(text, triangle);
   }
-  return text;
+  return text + provenance_lines(provenance, "# ");
 }
 
-std::string obj(const IndexedMesh& mesh) {
-  std::string text = "# Angstrom\n";
+std::string obj(const IndexedMesh& mesh, const Provenance& provenance) {
+  std::string text = "# Angstrom\n" + provenance_lines(provenance, "# ");
   text.reserve(64 * mesh.positions.size() + 24 * mesh.triangles.size() + 64);
   for (const Point& position : mesh.positions) {
     text += "v ";

@@ -34,10 +34,11 @@ void append_row(std::string& bytes, std::span<const Attribute> attributes, std::
 }
 
 std::string header_text(const IndexedMesh& mesh, std::string_view encoding,
-                        const MeshAttributes& attributes = {}) {
+                        const MeshAttributes& attributes) {
   std::string text = "ply\nformat ";
   text += encoding;
-  text += " 1.0\ncomment Angstrom\nelement vertex ";
+  text += " 1.0\ncomment Angstrom\n" + provenance_lines(attributes.provenance, "comment ") +
+          "element vertex ";
   append_number(text, std::uint64_t{mesh.positions.size()});
   text += "\nproperty double x\nproperty double y\nproperty double z\n";
   append_properties(text, attributes.vertices);
@@ -70,7 +71,7 @@ std::string ply_binary(const IndexedMesh& mesh, const MeshAttributes& attributes
   if (!attributes.vertices.empty() || !attributes.triangles.empty()) {
     return ply_with(mesh, attributes);
   }
-  std::string bytes = header_text(mesh, "binary_little_endian");
+  std::string bytes = header_text(mesh, "binary_little_endian", attributes);
   bytes.reserve(bytes.size() + sizeof(Point) * mesh.positions.size() +
                 face_size * mesh.triangles.size());
   if (!mesh.positions.empty()) {
@@ -92,8 +93,10 @@ std::string ply_binary(const IndexedMesh& mesh, const MeshAttributes& attributes
   return bytes;
 }
 
-std::string ply_ascii(const IndexedMesh& mesh) {
-  std::string text = header_text(mesh, "ascii");
+std::string ply_ascii(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  MeshAttributes without_numbers;
+  without_numbers.provenance = attributes.provenance;
+  std::string text = header_text(mesh, "ascii", without_numbers);
   text.reserve(text.size() + 60 * mesh.positions.size() + 24 * mesh.triangles.size());
   for (const Point& position : mesh.positions) append_position(text, position);
   for (const TriangleCorners& triangle : mesh.triangles) {

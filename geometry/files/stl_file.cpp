@@ -144,9 +144,9 @@ IndexedMesh parse_stl(std::string_view bytes, const std::string& source) {
                         "of triangles asks for; write it again");
 }
 
-std::string stl(const IndexedMesh& mesh) {
+std::string stl(const IndexedMesh& mesh, const Provenance& provenance) {
   const std::size_t triangles = mesh.triangles.size();
-  std::string bytes = "binary STL, Angstrom";
+  std::string bytes = provenance.brief.empty() ? "binary STL, Angstrom" : provenance.brief;
   bytes.resize(header_size + record_size * triangles, '\0');
   const auto count = static_cast<std::uint32_t>(triangles);
   std::memcpy(bytes.data() + 80, &count, sizeof count);

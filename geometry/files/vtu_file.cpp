@@ -17,6 +17,7 @@ std::string vtu(const IndexedMesh& mesh, const MeshAttributes& attributes) {
   grid.kinds.assign(mesh.triangles.size(), VtuCell::Triangle);
   grid.point_attributes = attributes.vertices;
   grid.cell_attributes = attributes.triangles;
+  grid.field_data = attributes.provenance.entries;
   return geometry::vtu(grid);
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 
 #include "geometry/files/text_lines.h"
 
@@ -71,6 +72,24 @@ void append_attributes(std::string& text, std::span<const Attribute> attributes)
   }
 }
 
+// Texts as their bytes, for meshio stops on VTK's own strings.
+void append_field_data(std::string& text, std::span<const Provenance::Entry> entries) {
+  if (entries.empty()) return;
+  text += "<FieldData>\n";
+  for (const auto& [key, value, is_number] : entries) {
+    const std::optional<double> number = is_number ? parse_double(value) : std::nullopt;
+    const std::string named =
+        "Name=\"" + key + "\" NumberOfTuples=\"" + std::to_string(number ? 1 : value.size()) + "\"";
+    if (number) {
+      append_array(text, "type=\"Float64\" " + named, std::vector{*number});
+    } else {
+      append_array(text, "type=\"UInt8\" " + named,
+                   std::vector<std::uint8_t>(value.begin(), value.end()));
+    }
+  }
+  text += "</FieldData>\n";
+}
+
 }  // namespace
 
 std::string vtu(const VtuGrid& grid) {
@@ -82,8 +101,10 @@ std::string vtu(const VtuGrid& grid) {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"";
-  text.reserve(32 * grid.points.size() + 11 * grid.corners.size() + 13 * grid.ends.size() + 1024);
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+  text.reserve(32 * grid.points.size() + 11 * grid.corners.size() + 13 * grid.ends.size() + 8192);
+  append_field_data(text, grid.field_data);
+  text += "<Piece NumberOfPoints=\"";
   append_number(text, std::uint64_t{grid.points.size()});
   text += "\" NumberOfCells=\"";
   append_number(text, std::uint64_t{grid.ends.size()});

@@ -29,6 +29,7 @@ struct VtuGrid {
   Named<double> cell_numbers;         ///< name and a number for each cell
   Named<std::int64_t> cell_integers;  ///< name and an integer for each cell
   std::span<const Attribute> point_attributes, cell_attributes;
+  std::span<const Provenance::Entry> field_data;  ///< numbers, and texts by bytes
 };
 
 /// The bytes of the file, every coordinate to the last bit.

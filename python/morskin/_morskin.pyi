@@ -111,7 +111,7 @@ class Skin:
              max_length_scale: float = ..., edge_length: float | None = None,
              density: float | None = None, triangles: float | None = None,
              grading: float | None = None, angle_goal_deg: float | None = None,
-             method: Literal["sweep", "static"] | None = None, fronts: int = 2,
+             method: Literal["sweep", "static"] | None = None, fronts: int | None = None,
              direction: _Direction = None, allow_uncertified: bool = False,
              threads: int | None = None, progress: _Progress = None) -> Mesh: ...
     def critical_points(self, direction: _Direction = None) -> CriticalPoints: ...

@@ -1,5 +1,6 @@
 // Any bytes as a mesh file: read, with corners that exist and finite coordinates, or turned down.
 // What was read is looked at as `check` does, written in the exact formats and read again alike.
+// Whatever it is, it may be asked for its provenance.
 
 #include <array>
 #include <cstddef>
@@ -8,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/files/mesh_formats.h"
 #include "geometry/surface_mesh.h"
 #include "tests/fuzz/require.h"
 
@@ -39,6 +41,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::array names = {"a.ply", "a.off", "a.obj", "a.stl", "a"};
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  for (const auto provenance_of :
+       {geometry::mesh_formats::ply_provenance, geometry::mesh_formats::off_provenance,
+        geometry::mesh_formats::obj_provenance, geometry::mesh_formats::stl_provenance,
+        geometry::mesh_formats::msms_provenance}) {
+    fuzz::require(provenance_of(bytes).entries.size() <= 64);
+  }
   try {
     look_at(geometry::parse_mesh(bytes, names[data[0] % names.size()]));
   } catch (const geometry::UnreadableInput&) {

@@ -51,6 +51,15 @@ class CommandTest(unittest.TestCase):
     def mesh_json(self, *words, code=0):
         return json.loads(self.run_morskin("mesh", *words, "--json", code=code).stdout)
 
+    def without_origin(self, name):
+        """The bytes of a PLY file but for what it says of its origin."""
+        lines = (self.folder / name).read_bytes().split(b"\n")
+        return b"\n".join(line for line in lines if not line.startswith(b"comment morskin: "))
+
+    def forget_origin(self, name):
+        """Takes it out of the file, so that `check` knows only what it is told."""
+        (self.folder / name).write_bytes(self.without_origin(name))
+
     def read_off(self, name):
         """Places and triangles of a file that the command wrote."""
         rows = [line.split() for line in (self.folder / name).read_text().splitlines()]

@@ -1,0 +1,36 @@
+#pragma once
+
+/// What mesh files tell of their origin; papers/provenance.md lists the keys.
+
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/mesh_hashes.h"
+#include "app/molecule_input.h"
+#include "geometry/provenance.h"
+
+namespace morskin::app {
+
+constexpr std::string_view certified_verdict = "certified", other_verdict = "not certified";
+
+/// The origin of the meshes of one run.
+class MeshOrigin {
+ public:
+  /// @param arguments  must outlive this
+  MeshOrigin(const MeshArguments& arguments, const MoleculeInput& input);
+
+  /// @param sizing  as a size goal has set it
+  void set_sizing(const certify::Sizing& sizing) { sizing_ = sizing; }
+
+  /// @param hashes  of the mesh as the file stores it
+  geometry::Provenance provenance(const MeshHashes& hashes, bool is_certified) const;
+
+ private:
+  const MeshArguments& arguments_;
+  certify::Sizing sizing_;
+  std::string input_sha256_;
+  std::string radii_;  ///< where they come from
+};
+
+}  // namespace morskin::app

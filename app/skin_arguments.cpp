@@ -1,0 +1,55 @@
+#include "app/skin_arguments.h"
+
+#include <cmath>
+
+#include "app/typed_values.h"
+#include "skin/molecule_files.h"
+
+namespace morskin::app {
+namespace {
+
+constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
+
+void check_sizing(const certify::Sizing& sizing) {
+  if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
+    throw UsageError("-C must be at least 1e-5");
+  }
+  if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
+  if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
+}
+
+}  // namespace
+
+void finish(MoleculeArguments& molecule, const std::filesystem::path& file,
+            const TypedSkin& typed) {
+  const bool gives_weights = skin::molecule_format_of(file) == skin::MoleculeFormat::Xyzw;
+  if (typed.model) {
+    molecule.model = *skin::parse_model(*typed.model);
+  } else if (gives_weights) {
+    molecule.model = skin::Model::Given;
+  }
+  if (gives_weights && molecule.model != skin::Model::Given) {
+    throw UsageError(file.string() + " gives weights; leave out --model");
+  }
+  if (molecule.model == skin::Model::Given && typed.probe) {
+    throw UsageError("weights that are given need no probe; leave out --probe");
+  }
+  molecule.selection = parsed(typed.selection);
+  if (typed.voids) molecule.drop_voids_below = parsed_voids(*typed.voids);
+  molecule.probe = typed.probe.value_or(molecule.probe);
+  if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {
+    throw UsageError("--probe must be from 0 to 10000 Angstrom");
+  }
+}
+
+void finish(certify::Sizing& sizing, const TypedSkin& typed, double default_C) {
+  if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
+    throw UsageError("--size must be at least 1e-6 Angstrom");
+  }
+  sizing.C = typed.C.value_or(typed.size ? certify::Sizing::coarsest_C : default_C);
+  sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));
+  check_sizing(sizing);
+  if (typed.size) sizing.set_edge_length(*typed.size);
+}
+
+}  // namespace morskin::app

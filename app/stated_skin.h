@@ -1,0 +1,27 @@
+#pragma once
+
+/// What a mesh file states of its skin, taken by `check` where the command line says nothing. No
+/// statement is believed: it only says which skin to check against.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/skin_arguments.h"
+#include "geometry/provenance.h"
+
+namespace morskin::app {
+
+/// The value of a key; nothing if the file has none, or more than one.
+std::optional<std::string> stated(const geometry::Provenance& provenance, std::string_view key);
+
+struct StatedSkin {
+  TypedSkin typed;                     ///< as given, completed by the file
+  std::vector<std::string> taken;      ///< names of options whose values are the file's
+  std::vector<std::string> not_taken;  ///< "model: is named twice", ...
+};
+
+/// @param given  on the command line; goes first. C, Q and size are one choice
+StatedSkin completed(const TypedSkin& given, const geometry::Provenance& provenance);
+
+}  // namespace morskin::app

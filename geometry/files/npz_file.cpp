@@ -1,0 +1,158 @@
+// NPZ: NumPy's arrays, one file each in a ZIP archive, without compression. Written only.
+//
+//   vertices (n, 3) float64, faces (m, 3) uint32, normals (n, 3) float64
+//   by vertex a column of each attribute (n), by triangle the same with face_ before its name
+//   numbers of the provenance as 0-d arrays; metadata, all of it as a JSON text
+
+#include <zip.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "geometry/error.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/provenance_json.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry::mesh_formats {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+static_assert(sizeof(Point) == 3 * sizeof(double));
+
+/// A shape as Python spells it, "(12, 3)" or "(12,)".
+std::string shape_of(std::size_t rows, std::optional<int> columns = {}) {
+  std::string text = "(";
+  text += std::to_string(rows);
+  text += columns ? ", " + std::to_string(*columns) : ",";
+  return text + ")";
+}
+
+/// An array in NumPy's format, version 1.0.
+std::string npy(std::string_view type, const std::string& shape, const void* data,
+                std::size_t size) {
+  constexpr std::size_t alignment = 64, before = 10;
+  std::string header =
+      "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': " + shape + ", }";
+  const std::size_t whole = (before + header.size() + 1 + alignment - 1) / alignment * alignment;
+  header.resize(whole - before - 1, ' ');
+  header += '\n';
+  const auto length = static_cast<std::uint16_t>(header.size());
+  std::string bytes = "\x93NUMPY\x01";
+  bytes += '\0';
+  bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+  bytes += header;
+  if (size > 0) bytes.append(static_cast<const char*>(data), size);
+  return bytes;
+}
+
+template <class Number>
+std::string npy(std::string_view type, const std::string& shape,
+                const std::vector<Number>& numbers) {
+  return npy(type, shape, numbers.data(), numbers.size() * sizeof(Number));
+}
+
+/// A 0-d array of ASCII, four bytes a character.
+std::string npy_text(const std::string& text) {
+  const std::vector<std::uint32_t> characters(text.begin(), text.end());
+  return npy("<U" + std::to_string(text.size()), "()", characters);
+}
+
+/// A ZIP archive in memory; libzip says nothing of its errors here but that memory is short.
+class Archive {
+ public:
+  Archive() : source_(zip_source_buffer_create(nullptr, 0, 0, nullptr)) {
+    zip_source_keep(source_);
+    archive_ = zip_open_from_source(source_, ZIP_TRUNCATE, nullptr);
+    require(archive_ != nullptr);
+  }
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+  ~Archive() {
+    if (archive_ != nullptr) zip_discard(archive_);
+    zip_source_free(source_);
+  }
+
+  /// Adds an array. @pre the name is new
+  void add(const std::string& name, std::string bytes) {
+    const std::string& kept =
+        *contents_.emplace_back(std::make_unique<std::string>(std::move(bytes)));
+    zip_source_t* const source = zip_source_buffer(archive_, kept.data(), kept.size(), 0);
+    const zip_int64_t index = zip_file_add(archive_, (name + ".npy").c_str(), source, 0);
+    require(index >= 0);
+    const auto entry = static_cast<zip_uint64_t>(index);
+    constexpr zip_uint16_t midnight = 0, first_of_1980 = (1 << 5) | 1;  // the same every time
+    require(zip_set_file_compression(archive_, entry, ZIP_CM_STORE, 0) == 0);
+    require(zip_file_set_dostime(archive_, entry, midnight, first_of_1980, 0) == 0);
+  }
+
+  /// The bytes of the whole. @pre called once, last
+  std::string close() {
+    require(zip_close(archive_) == 0);
+    archive_ = nullptr;
+    zip_stat_t stat;
+    require(zip_source_stat(source_, &stat) == 0 && zip_source_open(source_) == 0);
+    std::string bytes(stat.size, '\0');
+    require(zip_source_read(source_, bytes.data(), bytes.size()) ==
+            static_cast<zip_int64_t>(bytes.size()));
+    zip_source_close(source_);
+    return bytes;
+  }
+
+ private:
+  static void require(bool has_worked) {
+    if (!has_worked) throw std::bad_alloc();
+  }
+
+  std::vector<std::unique_ptr<std::string>> contents_;  // libzip reads them in close()
+  zip_source_t* source_;
+  zip_t* archive_ = nullptr;
+};
+
+void add_columns(Archive& archive, const Attribute& attribute, const std::string& prefix) {
+  const std::size_t width = attribute.columns.size();
+  for (std::size_t k = 0; k < width; ++k) {
+    std::vector<double> numbers;
+    for (std::size_t i = k; i < attribute.numbers.size(); i += width) {
+      numbers.push_back(attribute.numbers[i]);
+    }
+    const std::string shape = shape_of(numbers.size());
+    const std::vector<std::int32_t> whole(attribute.is_whole ? numbers.begin() : numbers.end(),
+                                          numbers.end());
+    archive.add(prefix + attribute.columns[k],
+                attribute.is_whole ? npy("<i4", shape, whole) : npy("<f8", shape, numbers));
+  }
+}
+
+void add_provenance(Archive& archive, const Provenance& provenance) {
+  for (const auto& [key, value, is_number] : provenance.entries) {
+    const std::optional<double> number = is_number ? parse_double(value) : std::nullopt;
+    if (number) archive.add(key, npy("<f8", "()", std::vector{*number}));
+  }
+  archive.add("metadata", npy_text(provenance_json(provenance).dump()));
+}
+
+}  // namespace
+
+std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  Archive archive;
+  archive.add("vertices", npy("<f8", shape_of(mesh.positions.size(), 3), mesh.positions));
+  archive.add("faces", npy("<u4", shape_of(mesh.triangles.size(), 3), mesh.triangles));
+  if (!attributes.normals.empty()) {
+    archive.add("normals", npy("<f8", shape_of(mesh.positions.size(), 3), attributes.normals));
+  }
+  for (const Attribute& attribute : attributes.vertices) {
+    if (!is_normal(attribute, attributes)) add_columns(archive, attribute, "");
+  }
+  for (const Attribute& attribute : attributes.triangles) {
+    add_columns(archive, attribute, "face_");
+  }
+  add_provenance(archive, attributes.provenance);
+  return archive.close();
+}
+
+}  // namespace morskin::geometry::mesh_formats
