@@ -25,7 +25,8 @@ class Errors(ModuleTest):
                 {"C": 0}, {"C": nan}, {"C": 0.9, "Q": 1.2}, {"Q": 1}, {"density": 0},
                 {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
                 {"max_length_scale": 0}, {"edge_length": -1}, {"edge_length": 1, "density": 1},
-                {"angle_goal_deg": 61}, {"fronts": 0}, {"fronts": -1}, {"method": "fast"}, {"grading": 0},
+                {"angle_goal_deg": 61}, {"fronts": 0}, {"fronts": -1}, {"method": "fast"},
+                {"grading": 0},
                 {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"threads": 0},
                 {"threads": -1}):
             with self.assertRaises(ValueError, msg=options):
