@@ -17,6 +17,7 @@
 #include "app/options.h"
 #include "app/output_names.h"
 #include "app/typed_values.h"
+#include "front/subdomains.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
@@ -149,6 +150,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
   if (mesh.has_snapshots() && !is_sweep && !is_dynamic) {
     throw UsageError("snapshots are for the methods sweep and dynamic");
+  }
+  if (typed.fronts && !(*typed.fronts >= 1 && *typed.fronts <= front::max_subdomains)) {
+    throw UsageError("--fronts must be 1 to " + std::to_string(front::max_subdomains));
   }
   mesh.fronts = typed.fronts;
   if (mesh.has_snapshots() && is_sweep && mesh.fronts.value_or(1) != 1) {

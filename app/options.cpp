@@ -6,7 +6,6 @@
 
 #include "app/help_groups.h"
 #include "app/help_text.h"
-#include "front/subdomains.h"
 #include "app/version.h"
 
 namespace morskin::app {
@@ -140,12 +139,10 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                      "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
                      "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
                      "largest weight). What is meshed and certified is the skin at T1");
-  command
-      .add_option("--fronts", typed.fronts,
-                  "Sweep so many subdomains, each for itself, a power of two (default: as\n"
-                  "many as the size of the mesh is worth); 1 sweeps from below with one\n"
-                  "front, as the paper's Algorithm 1 does")
-      ->check(CLI::Range(std::size_t{1}, front::max_subdomains));
+  command.add_option("--fronts", typed.fronts,
+                     "Sweep so many subdomains, each for itself, a power of two (default: as\n"
+                     "many as the size of the mesh is worth); 1 sweeps from below with one\n"
+                     "front, as the paper's Algorithm 1 does");
   command
       .add_option("--guard", typed.guard,
                   "Where the front looks for collisions: everywhere; adjacent or\n"

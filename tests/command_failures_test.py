@@ -77,6 +77,8 @@ class Failures(CommandTest):
                       (*good, "-C", "1e-22"), (*good, "--size", "1e-22"),
                       (*good, "--method", "static", "--snapshots", "3"),
                       (*good, "--method", "static", "--fronts", "1"),
+                      (*good, "--fronts", "0"), (*good, "--fronts", "70000"),
+                      (*good, "--fronts", "-1"),
                       (*good, "--method", "dynamic", "--guard", "spheres"),
                       (*good, "--method", "dynamic", "--angle-goal", "25"),
                       (*good, "--report", "ring.ply.unverified"),
