@@ -241,9 +241,9 @@ Arguments parse_arguments(int count, const char* const* words) {
   Typed typed;
   std::vector<const char*> completed(words, words + count);
   for (const char*& word : completed) {
-    if (std::string_view(word) != "--help-all") continue;
-    typed.helps_with_all = true;
-    word = "--help";
+    const std::string_view as_typed = word;
+    typed.wants_short_help |= as_typed == "--help" || as_typed == "-h";
+    if (as_typed == "--help-all") word = "--help";
   }
   add_commands(app, all, typed);
   try {

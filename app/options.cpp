@@ -166,7 +166,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_threads_option(command, mesh.threads);
   add_limit_options(command, mesh.limits, typed);
   add_progress_option(command, typed);
-  group_options(command, typed.helps_with_all);
+  group_options(command, !typed.wants_short_help);
   command.footer(
       "--help-all also lists the laboratory: methods, Q, fronts, snapshots, Morse functions.\n"
       "\n"

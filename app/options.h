@@ -20,7 +20,7 @@ struct Typed {
   std::optional<std::string> height, function;
   std::optional<double> persistence;
   bool is_raw = false;
-  bool helps_with_all = false;  ///< --help-all was typed
+  bool wants_short_help = false;  ///< not --help-all
   std::string progress = "auto";
   std::string method = "auto";
   std::string max_memory;

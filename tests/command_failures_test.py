@@ -37,6 +37,8 @@ class Failures(CommandTest):
         self.assertIn("--help-all", short)
         self.assertLess(short.count("\n"), 80)
         self.run_morskin("mesh", self.ring, "-o", "m.ply", "--fronts", "1", "-q")  # all the same
+        done = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--fronts", "x", code=2)
+        self.assertIn(b"--fronts", done.stderr)
 
     def test_a_refused_option_names_its_nearest_relative_if_it_has_one(self):
         for word, meant in (("--densty", "--density"), ("--chains", "--chain"),
@@ -78,7 +80,7 @@ class Failures(CommandTest):
                       (*good, "--method", "static", "--snapshots", "3"),
                       (*good, "--method", "static", "--fronts", "1"),
                       (*good, "--fronts", "0"), (*good, "--fronts", "70000"),
-                      (*good, "--fronts", "-1"),
+                      (*good, "--fronts", "-1"), (*good, "--fronts", "x"),
                       (*good, "--method", "dynamic", "--guard", "spheres"),
                       (*good, "--method", "dynamic", "--angle-goal", "25"),
                       (*good, "--report", "ring.ply.unverified"),
