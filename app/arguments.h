@@ -54,6 +54,7 @@ struct MeshArguments {
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> certificate;
+  std::optional<std::filesystem::path> task_trace;
   bool json = false;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;

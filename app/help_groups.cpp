@@ -26,10 +26,10 @@ const std::array<Group, 5>& groups() {
   return all;
 }
 
-constexpr std::array<std::string_view, 13> laboratory{
-    "--method",  "-Q",      "--function",  "--height",      "--grid",         "--grow",
-    "--fronts",  "--guard", "--snapshots", "--snapshot-at", "--snapshot-dir", "--certificate",
-    "--decimals"};
+constexpr std::array<std::string_view, 14> laboratory{
+    "--method",   "-Q",           "--function",  "--height",      "--grid",         "--grow",
+    "--fronts",   "--guard",      "--snapshots", "--snapshot-at", "--snapshot-dir", "--certificate",
+    "--decimals", "--trace-tasks"};
 
 }  // namespace
 

@@ -160,6 +160,9 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   add_certificate_option(command, mesh.certificate);
+  command.add_option("--trace-tasks", mesh.task_trace,
+                     "Write what ran when to this file, in the JSON that browsers' tracing views\n"
+                     "read; bench/replay.py tells from one of --threads 1 what more would bring");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet,
                    "Print nothing but errors, and the report if --json asks for it");

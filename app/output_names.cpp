@@ -71,6 +71,7 @@ void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
   if (mesh.certificate) names.push_back(*mesh.certificate);
+  if (mesh.task_trace) names.push_back(*mesh.task_trace);
   if (mesh.areas) names.push_back(*mesh.areas);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -1,8 +1,8 @@
-#include "front/dissection.h"
+#include "geometry/dissection.h"
 
 #include <algorithm>
 
-namespace morskin::front {
+namespace morskin::geometry {
 
 namespace {
 
@@ -43,4 +43,4 @@ void Dissection::halve(std::size_t k, std::span<Point> samples) {
   halve(upper_half(k), {median, samples.end()});
 }
 
-}  // namespace morskin::front
+}  // namespace morskin::geometry

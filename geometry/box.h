@@ -4,9 +4,7 @@
 
 #include "geometry/point.h"
 
-namespace morskin::front {
-
-using geometry::Point;
+namespace morskin::geometry {
 
 /// A box with its sides along the axes; all of space unless told otherwise.
 struct Box {
@@ -24,4 +22,4 @@ struct Box {
   }
 };
 
-}  // namespace morskin::front
+}  // namespace morskin::geometry

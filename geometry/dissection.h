@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "front/box.h"
+#include "geometry/box.h"
 
-namespace morskin::front {
+namespace morskin::geometry {
 
 /// Space halved again and again: a complete binary tree of boxes. The halves of box k are the boxes
 /// 2 k + 1 and 2 k + 2, the root is all of space.
@@ -49,4 +49,4 @@ class Dissection {
   std::vector<Box> boxes_;
 };
 
-}  // namespace morskin::front
+}  // namespace morskin::geometry
