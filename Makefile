@@ -145,7 +145,7 @@ sanitize: deps  ## run the tests with the address and undefined behaviour saniti
 	cmake --build build/sanitize --parallel $(JOBS)
 	ctest --test-dir build/sanitize --output-on-failure
 
-install: build  ## install the command, the libraries and the CMake package under PREFIX
+install: build  ## install command, library, manual and examples under PREFIX (DESTDIR too)
 	cmake --install build --prefix $(PREFIX)
 
 clean:  ## remove everything built

@@ -1,0 +1,83 @@
+#include <sstream>
+#include <string_view>
+
+#include "app/manual/manual.h"
+
+namespace morskin::app {
+namespace {
+
+// For single quotes within _arguments' own language.
+std::string quoted(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+      result += c;
+    }
+  }
+  return result;
+}
+
+void write_action(std::ostream& out, const OptionEntry& option) {
+  if (option.choices.empty()) {
+    out << (option.value == "NUMBER" ? " " : option.value == "FOLDER" ? "_files -/" : "_files");
+    return;
+  }
+  char before = '(';
+  for (const std::string& choice : option.choices) {
+    out << before << choice;
+    before = ' ';
+  }
+  out << ")";
+}
+
+// '(-o --output)'{-o,--output}'[description]:FILE:_files'; a list may be given again.
+void write_option(std::ostream& out, const OptionEntry& option) {
+  std::string all, alternatives;
+  for (const std::string& name : option.names) {
+    all.append(all.empty() ? "" : " ").append(name);
+    alternatives.append(alternatives.empty() ? "" : ",").append(name);
+  }
+  const bool are_many = option.names.size() > 1;
+  out << " \\\n            '" << (option.is_list ? "*" : "(") << (option.is_list ? "" : all)
+      << (option.is_list ? "'" : ")'") << (are_many ? "{" : "") << alternatives
+      << (are_many ? "}" : "") << "'[" << quoted(option.description) << "]";
+  if (!option.value.empty()) {
+    out << ":" << option.value << ":";
+    write_action(out, option);
+  }
+  out << "'";
+}
+
+void write_case(std::ostream& out, const CommandEntry& command) {
+  out << "        " << command.name << ")\n          _arguments";
+  for (const OptionEntry& option : command.options) write_option(out, option);
+  for (const OptionEntry& positional : command.positionals) {
+    out << " \\\n            '" << (positional.is_list ? "*:" : ":") << positional.names[0]
+        << ":_files'";
+  }
+  out << " ;;\n";
+}
+
+}  // namespace
+
+std::string zsh_completion(const CommandEntry& program) {
+  std::ostringstream out;
+  out << "#compdef morskin\n# Made from the options of the command.\n_morskin() {\n"
+         "  local state\n  _arguments -C";
+  for (const OptionEntry& option : program.options) write_option(out, option);
+  out << " \\\n    '1: :->command' '*:: :->arguments'\n  case $state in\n    command)\n"
+         "      local -a commands=(\n";
+  for (const CommandEntry& command : program.commands) {
+    out << "        '" << command.name << ":" << quoted(command.description) << "'\n";
+  }
+  out << "      )\n      _describe command commands\n      _files ;;\n    arguments)\n"
+         "      case $words[1] in\n";
+  for (const CommandEntry& command : program.commands) write_case(out, command);
+  out << "      esac ;;\n  esac\n}\n_morskin \"$@\"\n";
+  return out.str();
+}
+
+}  // namespace morskin::app
