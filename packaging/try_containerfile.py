@@ -52,7 +52,8 @@ class Stage:
         return self.root / path.relative_to("/")
 
     def run(self, command):
-        subprocess.run(["unshare", "--mount", "--pid", "--fork", "sh", "-eu", "-c", IN_CHROOT, "sh",
+        subprocess.run(["unshare", "--mount", "--pid", "--fork", "--kill-child",
+                        "sh", "-eu", "-c", IN_CHROOT, "sh",
                         self.root, self.folder, command], env=ENVIRONMENT, check=True)
 
 

@@ -33,17 +33,17 @@ void write_action(std::ostream& out, const OptionEntry& option) {
   out << ")";
 }
 
-// '(-o --output)'{-o,--output}'[description]:FILE:_files'; a list may be given again.
+// '(-o --output)'{-o+,--output=}'[description]:FILE:_files'; a list may be given again.
 void write_option(std::ostream& out, const OptionEntry& option) {
-  std::string all, alternatives;
+  std::string names, forms;
   for (const std::string& name : option.names) {
-    all.append(all.empty() ? "" : " ").append(name);
-    alternatives.append(alternatives.empty() ? "" : ",").append(name);
+    names.append(names.empty() ? "" : " ").append(name);
+    forms.append(forms.empty() ? "" : ",").append(name);
+    if (!option.value.empty()) forms += name.starts_with("--") ? '=' : '+';
   }
-  const bool are_many = option.names.size() > 1;
-  out << " \\\n            '" << (option.is_list ? "*" : "(") << (option.is_list ? "" : all)
-      << (option.is_list ? "'" : ")'") << (are_many ? "{" : "") << alternatives
-      << (are_many ? "}" : "") << "'[" << quoted(option.description) << "]";
+  if (option.names.size() > 1) forms = "{" + forms + "}";
+  out << " \\\n            '" << (option.is_list ? "*" : "(" + names + ")") << "'" << forms << "'["
+      << quoted(option.description) << "]";
   if (!option.value.empty()) {
     out << ":" << option.value << ":";
     write_action(out, option);
