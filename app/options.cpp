@@ -290,6 +290,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   app.description(about);
   app.footer(closing);
   app.require_subcommand(1);
+  app.set_help_flag("-h,--help,--help-all", "Print this help and exit");
   app.set_version_flag("--version", "morskin " + std::string(version) + "\ncommit   " +
                                         std::string(commit) + "\ncompiler " +
                                         std::string(compiler));

@@ -59,6 +59,12 @@ class Pages(ManualTest):
             done = subprocess.run(["mandoc", "-T", "lint", page], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_man_has_no_warning_of_any_page(self):
+        for page in self.manual.glob("*.1"):
+            done = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-Tutf8", "-l", page],
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_text_that_looks_like_a_request_of_roff_is_text(self):
         shown = subprocess.run(["mandoc", "-T", "ascii", self.manual / "morskin-mesh.1"],
                                check=True, capture_output=True, text=True).stdout
@@ -106,6 +112,7 @@ class Completion(ManualTest):
         self.expect("morskin mesh other.xyz --vox", "mesh", "other.xyz", "--vox")
         self.expect("morskin mesh other.xyz --voi", "mesh", "other.xyz", "--voids")
         self.expect("morskin mesh --model-", "mesh", "--model-number")
+        self.expect("morskin mesh --help-", "mesh", "--help-all")
         self.expect("morskin mesh --snapshot-d", "mesh", "--snapshot-dir")
         self.expect("morskin balls --angle-g", "balls", "--angle-g")  # mesh's
 

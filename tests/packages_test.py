@@ -25,7 +25,7 @@ make -s -C /usr/share/doc/morskin/examples/cpp
 cd /usr/share/doc/morskin/examples
 cpp/mesh_a_molecule molecules/cube8.xyzr /cube.ply
 dpkg --purge morskin libmorskin-dev > /dev/null
-! command -v morskin
+test ! -e /usr/bin/morskin
 """
 
 
