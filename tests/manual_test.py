@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support.shell import Shell, is_there
+from support.shell import Shell
 
 MORSKIN, MANUAL, SHELL = sys.argv[1:4]
 
@@ -80,7 +80,6 @@ class Pages(ManualTest):
         self.assertEqual(filecmp.cmpfiles(self.manual, again, names, shallow=False)[0], names)
 
 
-@unittest.skipUnless(is_there(SHELL), f"{SHELL} is not installed")
 class Completion(ManualTest):
     def setUp(self):
         place = tempfile.TemporaryDirectory()
@@ -115,6 +114,11 @@ class Completion(ManualTest):
         self.expect("morskin mesh --help-", "mesh", "--help-all")
         self.expect("morskin mesh --snapshot-d", "mesh", "--snapshot-dir")
         self.expect("morskin balls --angle-g", "balls", "--angle-g")  # mesh's
+
+    def test_a_file_without_a_command_takes_the_options_of_mesh(self):
+        self.expect("morskin other.xyz --voi", "other.xyz", "--voids")
+        self.expect("morskin other.xyz --method st", "other.xyz", "--method", "static")
+        self.expect("morskin other.xyz -o my", "other.xyz", "-o", "my molecule.pdb")
 
     def test_values_that_are_words_are_completed_for_the_option_before_them(self):
         self.expect("morskin mesh other.xyz --method st", "mesh", "other.xyz", "--method",

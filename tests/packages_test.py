@@ -61,6 +61,13 @@ class Packages(unittest.TestCase):
             self.assertEqual((self.folder / f"c.{ending}").read_bytes(),
                              (self.folder / f"shared.{ending}").read_bytes())
 
+    def test_the_same_debian_packages_are_made_every_time(self):
+        packages = sorted((BUILD / "deb").glob("*.deb"))
+        self.assertEqual(len(packages), 2)
+        first = [package.read_bytes() for package in packages]
+        run("make", "deb", cwd=ROOT)
+        self.assertTrue(first == [package.read_bytes() for package in packages])
+
     def test_the_debian_packages_install_run_and_go_again(self):
         said = run("mmdebstrap", "--variant=apt", "--quiet",
                    '--customize-hook=mkdir "$1/packages"',

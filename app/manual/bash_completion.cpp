@@ -1,3 +1,4 @@
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -33,8 +34,8 @@ void write_case(std::ostream& out, const OptionEntry& option) {
   out << " ;;\n";
 }
 
-void write_case(std::ostream& out, const CommandEntry& command) {
-  out << "    " << command.name << ")\n      options='" << all_names(command)
+void write_case(std::ostream& out, std::string_view pattern, const CommandEntry& command) {
+  out << "    " << pattern << ")\n      options='" << all_names(command)
       << "'\n      case $previous in\n";
   for (const OptionEntry& option : command.options) write_case(out, option);
   out << "      esac ;;\n";
@@ -43,30 +44,26 @@ void write_case(std::ostream& out, const CommandEntry& command) {
 constexpr std::string_view beginning = R"(# bash completion for morskin. Made from its options.
 _morskin() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local command= options= values= files=
+  local options= values= files=
   # bash takes --model=sas for three words.
   if [[ $word == = ]]; then
     word=
   elif [[ $previous == = ]]; then
     previous=${COMP_WORDS[COMP_CWORD-2]}
   fi
-  # A file in the place of the command is meshed.
-  if ((COMP_CWORD > 1)); then command=mesh; fi
   case ${COMP_WORDS[1]} in
 )";
 
 constexpr std::string_view middle = R"(  esac
-  case $command in
-)";
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W ")";
 
-constexpr std::string_view end = R"(  esac
-  if [[ -n $values ]]; then
+constexpr std::string_view end = R"(" -- "$word"))
+  elif [[ -n $values ]]; then
     compopt +o default
     COMPREPLY=($(compgen -W "$values" -- "$word"))
-  elif [[ -z $files ]]; then
-    if [[ $word == -* || -z $command ]]; then
-      COMPREPLY=($(compgen -W "$options" -- "$word"))
-    fi
+  elif [[ -z $files && $word == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$word"))
   fi
 }
 complete -o default -F _morskin morskin
@@ -75,12 +72,14 @@ complete -o default -F _morskin morskin
 }  // namespace
 
 std::string bash_completion(const CommandEntry& program) {
-  std::vector<std::string> names;
-  for (const CommandEntry& command : program.commands) names.push_back(command.name);
+  const std::span commands(program.commands);
   std::ostringstream out;
-  out << beginning << "    " << joined(names, '|') << ") command=${COMP_WORDS[1]} ;;\n" << middle;
-  for (const CommandEntry& command : program.commands) write_case(out, command);
-  out << "    *) options='" << joined(names, ' ') << " " << all_names(program) << "' ;;\n" << end;
+  out << beginning;
+  for (const CommandEntry& command : commands.subspan(1)) write_case(out, command.name, command);
+  write_case(out, "*", commands[0]);
+  out << middle;
+  for (const CommandEntry& command : commands) out << command.name << " ";
+  out << all_names(program) << end;
   return out.str();
 }
 

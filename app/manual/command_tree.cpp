@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 namespace morskin::app {
 namespace {

@@ -26,9 +26,10 @@ struct CommandEntry {
   std::string name;
   std::string description, footer;  ///< as typed, in lines
   std::vector<OptionEntry> positionals, options;
-  std::vector<CommandEntry> commands;  ///< with --help-all's options
+  std::vector<CommandEntry> commands;
 };
 
+/// All of it, the options that only --help-all lists as well.
 CommandEntry command_tree(const CLI::App& app);
 
 }  // namespace morskin::app

@@ -13,6 +13,7 @@ namespace morskin::app {
 std::map<std::string, std::string> man_pages(const CommandEntry& program);
 
 /// For bash: commands, options, and values that are words; where a file is due, bash's own files.
+/// @pre  the first command is the one for a file in the place of a command
 std::string bash_completion(const CommandEntry& program);
 
 /// The same for zsh, with descriptions.

@@ -1,3 +1,4 @@
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -51,8 +52,8 @@ void write_option(std::ostream& out, const OptionEntry& option) {
   out << "'";
 }
 
-void write_case(std::ostream& out, const CommandEntry& command) {
-  out << "        " << command.name << ")\n          _arguments";
+void write_case(std::ostream& out, std::string_view pattern, const CommandEntry& command) {
+  out << "        " << pattern << ")\n          _arguments";
   for (const OptionEntry& option : command.options) write_option(out, option);
   for (const OptionEntry& positional : command.positionals) {
     out << " \\\n            '" << (positional.is_list ? "*:" : ":") << positional.names[0]
@@ -75,7 +76,9 @@ std::string zsh_completion(const CommandEntry& program) {
   }
   out << "      )\n      _describe command commands\n      _files ;;\n    arguments)\n"
          "      case $words[1] in\n";
-  for (const CommandEntry& command : program.commands) write_case(out, command);
+  const std::span commands(program.commands);
+  for (const CommandEntry& command : commands.subspan(1)) write_case(out, command.name, command);
+  write_case(out, "*", commands[0]);
   out << "      esac ;;\n  esac\n}\n_morskin \"$@\"\n";
   return out.str();
 }

@@ -3,7 +3,6 @@
 import os
 import pty
 import select
-import shutil
 import subprocess
 import time
 
@@ -24,10 +23,6 @@ PS1='rea''dy>'
 }
 START = {"bash": ["bash", "--norc", "--noprofile", "-i"], "zsh": ["zsh", "-f", "-i"]}
 PATIENCE = 60  # seconds, for a busy machine
-
-
-def is_there(shell):
-    return shutil.which(shell) is not None
 
 
 class Shell:
