@@ -12,7 +12,7 @@ sources = $(shell find geometry surface skin morse certify refine front morskin 
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -46,6 +46,7 @@ test: build  ## run every test but the slow ones
 test-slow: build  ## run the slow tests
 	@cmake/install_packages.sh cmake/python_packages.txt
 	@cmake/install_packages.sh cmake/readers_packages.txt
+	@cmake/install_packages.sh cmake/packaging_packages.txt
 	ctest --test-dir build --output-on-failure -C slow -L slow
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command
@@ -145,8 +146,26 @@ sanitize: deps  ## run the tests with the address and undefined behaviour saniti
 	cmake --build build/sanitize --parallel $(JOBS)
 	ctest --test-dir build/sanitize --output-on-failure
 
-install: build  ## install the command, the libraries and the CMake package under PREFIX
+install: build  ## install command, library, manual and examples under PREFIX (DESTDIR too)
 	cmake --install build --prefix $(PREFIX)
+
+# Only what is installed: the packages and the static binary take no tests.
+installed_targets = morskin_command morskin_manual installed_library
+packaged: deps
+	@cmake/install_packages.sh cmake/packaging_packages.txt
+	cmake --preset release
+	cmake --build build --parallel $(JOBS) --target $(installed_targets)
+
+# The address of the maintainer is for whoever gives them to others to put in.
+deb: packaged  ## make Debian packages in build/deb, and have lintian look at them
+	rm -rf build/deb && mkdir -p build/deb/morskin && cp -r packaging/debian build/deb/morskin
+	cd build/deb/morskin && BUILD=$(CURDIR)/build dpkg-buildpackage --build=binary --no-sign
+	lintian --allow-root --fail-on error \
+	  --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog build/deb/*.changes
+
+static: packaged  ## make build/static/morskin, which needs no shared library
+	packaging/static_libzip.sh build/static
+	cmake --build build --parallel $(JOBS) --target morskin_static
 
 clean:  ## remove everything built
 	rm -rf build

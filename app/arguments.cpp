@@ -240,10 +240,8 @@ Arguments parse_arguments(int count, const char* const* words) {
   AllArguments all;
   Typed typed;
   std::vector<const char*> completed(words, words + count);
-  for (const char*& word : completed) {
-    const std::string_view as_typed = word;
-    typed.wants_short_help |= as_typed == "--help" || as_typed == "-h";
-    if (as_typed == "--help-all") word = "--help";
+  for (const std::string_view word : completed) {
+    typed.wants_short_help |= word == "--help" || word == "-h";
   }
   add_commands(app, all, typed);
   try {

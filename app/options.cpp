@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <thread>
 
 #include "app/help_groups.h"
@@ -157,7 +158,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "Also, or instead, at these values: v,v,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)")
+      ->type_name("FOLDER");
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
   add_certificate_option(command, mesh.certificate);
   command.add_option("--trace-tasks", mesh.task_trace,
@@ -274,13 +276,27 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
       "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
 }
 
+/// Says in help, manual and completions which values are files.
+void name_files(CLI::App& app) {
+  static constexpr std::array files{"INPUT",    "MESH",          "--output", "--areas",
+                                    "--report", "--certificate", "--frames", "--against"};
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (const char* name : files) {
+      if (auto* option = command->get_option_no_throw(name)) option->type_name("FILE");
+    }
+  }
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   app.description(about);
   app.footer(closing);
   app.require_subcommand(1);
-  app.set_version_flag("--version", "morskin " + std::string(version));
+  app.set_help_flag("-h,--help,--help-all", "Print this help and exit");
+  app.set_version_flag("--version", "morskin " + std::string(version) + "\ncommit   " +
+                                        std::string(commit) + "\ncompiler " +
+                                        std::string(compiler));
   add_mesh(app, all.mesh, typed);
   add_morse(app, all.morse, typed);
   add_balls(app, all.balls, typed);
@@ -290,6 +306,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   add_render(app, all.render, typed.picture);
   add_limit_options(*app.get_subcommand("render"), all.render.limits, typed);
   add_figure(app, all.figure);
+  name_files(app);
 }
 
 }  // namespace morskin::app

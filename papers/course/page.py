@@ -12,7 +12,10 @@ STEP = re.compile(r"build/papers/steps/step_(\w+)$")  # one of the small program
 # What a command on a page may start with; `make` ones are looked up, not run.
 RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "mkdir ",
             "PYTHONPATH=build/python /usr/bin/python3 ")
-COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
+# What one in an installed tree may start with; tests/installed_test.py runs these.
+INSTALLED = ("morskin ", "cmake ", "cp ", "export ", "PKG_CONFIG_PATH=", "source ", "man ",
+             "examples/", "with-cmake/")
+COURSE_FIRST_WORDS = (*RUNNABLE, *INSTALLED, "make ")
 
 # Every page of the course has these, in this order.
 PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test",

@@ -21,7 +21,8 @@ def sandbox_for(page, folder, binary):
     (folder / "build" / "morskin").symlink_to(binary)
     (folder / "build" / "papers" / "steps").symlink_to(binary.parent / "papers" / "steps")
     (folder / "build" / "python").symlink_to(binary.parent / "python")
-    for name in ("bench", "tests", "app", "python", "front", "refine", "morse", "skin", "geometry"):
+    for name in ("bench", "tests", "app", "examples", "front", "refine", "morse", "skin",
+                 "geometry"):
         (folder / name).symlink_to(ROOT / name)
     return folder
 

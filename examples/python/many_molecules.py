@@ -5,7 +5,7 @@ from pathlib import Path
 
 import morskin
 
-MOLECULES = Path(__file__).resolve().parent.parent.parent / "bench" / "molecules"
+MOLECULES = Path(__file__).resolve().parent.parent / "molecules"
 
 
 # [excerpt: python-pool]

@@ -5,7 +5,7 @@ from pathlib import Path
 import morskin
 import numpy as np
 
-MOLECULES = Path(__file__).resolve().parent.parent.parent / "bench" / "molecules"
+MOLECULES = Path(__file__).resolve().parent.parent / "molecules"
 
 molecule = morskin.read(MOLECULES / "benzene.pdb")
 mesh = molecule.mesh(model="sas", density=5)
