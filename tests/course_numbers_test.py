@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 MORSKIN = Path(sys.argv[1] if len(sys.argv) > 1 else "build/morskin").resolve()
-C, Q = 0.08, 1.65
+PAPERS = Path(__file__).resolve().parent.parent / "papers"
 
 
 def close(a, b, digits=3):
@@ -50,6 +50,19 @@ def test_a_ball_accepts_the_icosahedron():
         done = subprocess.run([MORSKIN, "check", mesh, "--against", ball, "--model", "vdw", "--json"],
                               capture_output=True, text=True, check=False)
         assert json.loads(done.stdout)["homeomorphic"], done.stdout
+
+
+def test_the_table_of_solids_in_lesson_9():
+    """R and h of the platonic solids with triangles, in a ball of radius 1."""
+    page = (PAPERS / "lessons" / "9-certificate.md").read_text(encoding="utf-8")
+    golden = (1 + math.sqrt(5)) / 2
+    for name, faces, edge in (("tetrahedron", 4, math.sqrt(8 / 3)), ("octahedron", 8, math.sqrt(2)),
+                              ("icosahedron", 20, 2 / math.hypot(1, golden))):
+        radius = edge / math.sqrt(3)
+        squared = 1 - radius ** 2
+        verdict = "holds" if 1 - squared < squared else "fails"
+        row = f"| {name} | {faces} | {radius:.3f} | {squared:.3f} | {1 - squared:.3f} | {verdict} |"
+        assert row in page, row
 
 
 def test_a_ball_takes_14_6_triangles_at_least():

@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 
-from page import EXCERPT, FENCE, PAPERS
+from page import EXCERPT, FENCE, LESSONS, PAPERS
 from sources import ROOT, excerpts_in, line_of, lines_of, tests_in
 
 sys.path.insert(0, str(ROOT / "tests"))
@@ -114,7 +114,7 @@ def relinked(text, page, stems, listings):
         if re.match(r"[a-z]+:", address) or address.startswith("src/") or not address:
             return match[0]
         path = (page.path.parent / address).resolve()
-        if path.parent == PAPERS and path.suffix == ".md" and path.stem in stems:
+        if path.parent in (PAPERS, LESSONS) and path.suffix == ".md" and path.stem in stems:
             return f'href="{path.stem}.html{hash_}{anchor}"'
         if path.is_file() and path.is_relative_to(ROOT) and path.suffix != ".png":
             return f'href="{listings.link(path)}"'
