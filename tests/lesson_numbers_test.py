@@ -29,7 +29,7 @@ def test_lesson_1_the_dumbbell():
     assert weight_of_edge == 1
     assert math.isclose(w / 2 - (1 - wall) ** 2, weight_of_edge / 2 + wall ** 2)  # r^2 on the wall
     says(1, f"of radius $\\sqrt{{1/2}} = {math.sqrt(weight_of_edge / 2):.3f}$",
-         f"$r^2 = 1 - (1/2)^2 = {1 - wall ** 2:.2f}$", f"have radius $\\sqrt2 = {math.sqrt(w):.3f}$")
+         f"$r^2 = 1 - (1/2)^2 = {1 - wall ** 2:.2f}$", f"radius $\\sqrt2 = {math.sqrt(w):.3f}$")
     x = np.array([0, 0.4, 0.3])
     mirror = np.diag([-1, 1, 1])
     says(1, f"$G = 0.16 + 0.09 - 0.5 = {x @ mirror @ x - weight_of_edge / 2:.2f}$")

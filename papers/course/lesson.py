@@ -10,8 +10,8 @@ MAX_SENTENCE = 30
 PARTS = ["## The claim", "## The picture", "## By hand", "## The code", "## The command",
          "## Exercises", "## One click away"]
 WHY_PARTS = ["## Four surfaces", "## What a skin is", "## Asked and got", "## Others"]
-NEEDS = re.compile(r"^\*You need\*: (.+?)\.\s+\*Time\*:\s+(\d+)\s+minutes\.\s+\*Afterwards\s+you\s+can\*",
-                   re.MULTILINE | re.DOTALL)
+NEEDS = re.compile(r"^\*You need\*: (.+?)\.\s+\*Time\*:\s+(\d+)\s+minutes\.\s+"
+                   r"\*Afterwards\s+you\s+can\*", re.MULTILINE | re.DOTALL)
 
 
 def prose(text):
