@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 
+from lesson import lessons
 from page import EXCERPT, FENCE, LESSONS, PAPERS
 from sources import ROOT, excerpts_in, line_of, lines_of, tests_in
 
@@ -135,6 +136,15 @@ def with_words(text):
     return word.sub(joined, text)
 
 
+def navigation(page):
+    """Links to the reading path and the pages that all others need."""
+    places = [("README", "Index"), *((p.stem, p.stem.split("-")[0]) for p in lessons()),
+              ("equations", "Equations"), ("errata", "Errata"), ("glossary", "Glossary")]
+    links = [f"<b>{name}</b>" if stem == page.stem else f'<a href="{stem}.html">{name}</a>'
+             for stem, name in places]
+    return f"<nav>{' '.join(links)}</nav>"
+
+
 def rendered(page, stems, listings, resources, missing):
     """The page as one HTML file that needs nothing else; pictures are looked for in `resources`."""
     command = ["pandoc", "--from=gfm+tex_math_dollars", "--to=html5", "--mathml", "--standalone",
@@ -145,4 +155,5 @@ def rendered(page, stems, listings, resources, missing):
                           capture_output=True, check=False)
     problems = [line for line in done.stderr.splitlines() if line.strip()]
     missing.extend(f"{page.path.name}: pandoc: {line}" for line in problems)
-    return relinked(with_words(done.stdout), page, stems, listings)
+    text = relinked(with_words(done.stdout), page, stems, listings)
+    return text.replace("<body>", f"<body>\n{navigation(page)}", 1)
