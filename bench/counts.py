@@ -54,8 +54,8 @@ def weights_sentence(rows):
     off = {model: percent_off(rows, model) for model in MODELS}
     factors = [1 / (1 + p / 100) for p in off["sas"]]
     paper, vdw = ([f"{p:+.0f} %".replace("-", "−") for p in off[m]] for m in ("paper", "vdw"))
-    return (f"The literal reading is off the printed counts by {', '.join(paper)}, the one with "
-            f"van der Waals radii by {', '.join(vdw)}; the squared one misses them by factors of "
+    return (f"The literal reading is off the printed counts by {', '.join(paper)}. The one with van "
+            f"der Waals radii is off by {', '.join(vdw)}. The squared one misses them by factors of "
             f"{min(factors):.1f} to {max(factors):.1f}.")
 
 
