@@ -6,6 +6,8 @@ One line for each run, also in papers/results/counts.tsv. The counts depend on n
 clock. A run is good when it is certified.
 """
 
+from math import asin, degrees
+
 from molecule_runs import BUNDLED, Rows, argument_parser, end, mesh
 
 # By molecule here: the file and the paper's triangles.
@@ -54,16 +56,15 @@ def weights_sentence(rows):
     off = {model: percent_off(rows, model) for model in MODELS}
     factors = [1 / (1 + p / 100) for p in off["sas"]]
     paper, vdw = ([f"{p:+.0f} %".replace("-", "−") for p in off[m]] for m in ("paper", "vdw"))
-    return (f"The literal reading is off the printed counts by {', '.join(paper)}. The one with van "
-            f"der Waals radii is off by {', '.join(vdw)}. The squared one misses them by factors of "
-            f"{min(factors):.1f} to {max(factors):.1f}.")
+    return (f"The literal reading is off the printed counts by {', '.join(paper)}. The one with "
+            f"van der Waals radii is off by {', '.join(vdw)}. The squared one misses them by "
+            f"factors of {min(factors):.1f} to {max(factors):.1f}.")
 
 
 def coarse_table(rows):
     """4.3: gramicidin, model paper, with growing C."""
     lines = ["| C | Q | method | R below | angles above | angles measured | triangles of 1GRM, "
              "model paper | one in |", "|---|---|---|---|---|---|---|---|"]
-    from math import asin, degrees
     most = int(count(rows, GRAMICIDIN, "paper")["triangles"])
     for c in COARSE:
         r = count(rows, GRAMICIDIN, "paper", c)
