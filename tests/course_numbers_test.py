@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 import subprocess
 import sys
 import tempfile
@@ -50,6 +51,23 @@ def test_a_ball_accepts_the_icosahedron():
         done = subprocess.run([MORSKIN, "check", mesh, "--against", ball, "--model", "vdw",
                                "--json"], capture_output=True, text=True, check=False)
         assert json.loads(done.stdout)["homeomorphic"], done.stdout
+
+
+def test_the_report_in_the_readme_is_the_one_printed():
+    """All lines but those of time and memory."""
+    text = (PAPERS.parent / "README.md").read_text(encoding="utf-8")
+    command, shown = re.search(r"^\$ build/morskin (mesh .*)\n((?:.*\n)*?)```", text,
+                               re.MULTILINE).groups()
+    with tempfile.TemporaryDirectory() as name:
+        (Path(name) / "bench").symlink_to(PAPERS.parent / "bench")
+        (Path(name) / "build").mkdir()
+        done = subprocess.run([MORSKIN, *command.split()], cwd=name, capture_output=True,
+                              text=True, check=True)
+
+    def lasting(report):
+        return [line for line in report.splitlines()
+                if not line.startswith(("  time ", "  memory "))]
+    assert lasting(done.stdout) == lasting(shown), done.stdout
 
 
 def test_the_table_of_solids_in_lesson_9():
