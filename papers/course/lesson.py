@@ -8,9 +8,9 @@ from page import FENCE, LESSONS, PAPERS, Page
 MAX_WORDS = 1500
 MAX_SENTENCE = 30
 
-# Notebooks, pages about the program, and the proof.
-MAY_BE_LONG = {"4.3-large-molecules", "5-dynamic", "5-static", "coarser-skins", "hostile-input",
-               "library", "python", "provenance", "vertex-data", "viewer", "certificate"}
+# A notebook, and pages about the program.
+MAY_BE_LONG = {"4.3-large-molecules", "hostile-input", "library", "python", "provenance",
+               "vertex-data", "viewer"}
 
 PARTS = ["## The claim", "## The picture", "## By hand", "## The code", "## The command",
          "## Exercises", "## One click away"]

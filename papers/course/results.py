@@ -207,7 +207,7 @@ def baseline_texts():
               for m in tables.PAPER]
     yield "papers/5-static.md", (
         f"takes {each(cpu['static'])} times the sweep's processor time, {each(clock['static'])} "
-        f"times its time by the clock, and makes {span(more)} % more triangles, "
+        f"times its time by the clock. It makes {span(more)} % more triangles, "
         f"{min(speeds) / 1e3:.0f},000 to {max(speeds) / 1e3:.0f},000 a processor second")
     yield "README.md", (
         f"certificate, at {span(cpu['static'], '.1f')} times the sweep's processor time")
