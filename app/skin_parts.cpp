@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The fewest triangles that a surface of such a demand, the integral of rho^-2, can have.
+/// About how many triangles a surface of such a demand, the integral of rho^-2, takes at least.
 double forced_triangles(double demand) {
   const double largest = morskin::max_provable_share;  // circumradius over rho
   return demand / (0.75 * std::sqrt(3) * largest * largest);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks what the pages say about the code: papers/*.md and ARCHITECTURE.md.
+"""Checks what the pages say about the code: those of papers/ and ARCHITECTURE.md.
 
 - Every relative link and picture resolves, with its heading if it names one; in READMEs as well.
 - Every code span names something that is there:
@@ -14,7 +14,8 @@
 - Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
-  commands too).
+  commands too); the lessons are short and have theirs (papers/course/lesson.py).
+- No sentence has more than 30 words, but for one notebook and pages about the program.
 
 Prints one line and exits with 1 on any failure.
 """
@@ -26,7 +27,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
-PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
+from page import page_files  # noqa: E402
+PAGES = [*page_files(), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
 CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
                 "python", "app", "bench", "tests", "cmake", "papers", "examples",
@@ -185,11 +187,14 @@ def declarations(path):
 
 
 def check_course(checks):
+    from lesson import lesson_complaints, path_complaints
     from page import Page, complaints
     from sources import all_excerpts
-    pages = [Page(page) for page in PAGES if page.parent.name == "papers" and page.exists()]
+    pages = [Page(page) for page in page_files()]
+    found = path_complaints()
+    checks.expect(not found, "the reading path", "; ".join(found))
     for page in pages:
-        found = complaints(page)
+        found = complaints(page) + lesson_complaints(page)
         checks.expect(not found, page.path.name, "; ".join(found))
     try:
         shown = {(file, name) for page in pages for name, file in page.excerpts()}
@@ -210,7 +215,7 @@ def check_course(checks):
 
 def check_steps(checks):
     from page import STEP, Page
-    commands = {command for path in PAGES if path.parent.name == "papers"
+    commands = {command for path in page_files()
                 for _, command, output in Page(path).commands() if output}
     shown = {match[1] for match in map(STEP.match, commands) if match}
     for program in sorted((ROOT / "papers" / "steps").glob("*.cpp")):
