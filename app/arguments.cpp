@@ -100,6 +100,7 @@ void finish(ViewArguments& view, const Typed& typed) {
   if (!is_special(view.output) && lower_extension(view.output) != ".html") {
     throw UsageError(view.output.string() + ": the ending must be .html");
   }
+  view.typed = typed.skin;
   view.function = parsed(typed);
   view.progress = parsed_progress(typed.progress);
 }
@@ -116,8 +117,25 @@ void check_grading(const MeshArguments& mesh) {
   }
 }
 
+/// Each of several models needs files of its own.
+void check_several(const MeshArguments& mesh) {
+  const auto refuse = [](const std::string& what) {
+    throw UsageError("several models cannot " + what + "; choose one with --model-number");
+  };
+  if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
+  if (std::ranges::any_of(mesh.outputs, is_standard_output)) refuse("go to standard output");
+  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas}) {
+    if (path && is_standard_output(*path)) refuse("go to standard output");
+  }
+  if (mesh.has_snapshots()) refuse("all have snapshots");
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.typed = typed.skin;
+  if (mesh.models) check_several(mesh);
+  if (mesh.fail_fast && !mesh.models) {
+    throw UsageError("--fail-fast is for several models, as in --model-number all");
+  }
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *parse_method(typed.method);
@@ -188,7 +206,12 @@ void finish(const CheckArguments& check) {
 }
 
 /// The arguments of the command that was given, checked.
-Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
+Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
+  auto& model_number = typed.skin.selection.model_number;
+  if (model_number && app.got_subcommand("mesh")) {
+    all.mesh.models = ModelSet::parsed(*model_number);
+    if (all.mesh.models) model_number.reset();
+  }
   for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
                                       &all.info.molecule, &all.against}) {
     finish(*molecule, molecule->input, typed.skin);

@@ -10,6 +10,7 @@
 
 #include "app/exit_codes.h"
 #include "app/limits.h"
+#include "app/model_set.h"
 #include "app/picture_arguments.h"
 #include "app/skin_arguments.h"
 #include "certify/sizing.h"
@@ -41,6 +42,8 @@ struct VertexData {
 
 struct MeshArguments {
   MoleculeArguments molecule;
+  std::optional<ModelSet> models;  ///< several of the molecule's; each goes into files of its own
+  bool fail_fast = false;          ///< the first of them that fails is the last
   TypedSkin typed;
   /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
@@ -68,7 +71,7 @@ struct MeshArguments {
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
   std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
-  unsigned threads = 1;  ///< at most; the result is the same for any number
+  unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
 };
 
@@ -118,6 +121,7 @@ struct ViewArguments {
   std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
   std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
   certify::Sizing sizing;
+  TypedSkin typed;  ///< what was given; the rest a mesh file may state
   std::optional<morse::MorseFunction> function;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;

@@ -85,6 +85,7 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.sizing = arguments.sizing;
   report.angle_goal_deg =
       arguments.angle_goal_deg.value_or(refine::AngleGoal::usual_deg(arguments.sizing));
+  report.radii = input.molecule.radii;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
   report.rounded_coordinates = input.rounded_coordinates;

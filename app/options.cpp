@@ -3,126 +3,69 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <thread>
 
 #include "app/help_groups.h"
 #include "app/help_text.h"
+#include "app/shared_options.h"
 #include "app/version.h"
 
 namespace morskin::app {
 namespace {
-
-void add_molecule_options(CLI::App& command, Typed& typed) {
-  command
-      .add_option("--model", typed.skin.model,
-                  "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
-                  "INPUT of weights, which XYZW has without it")
-      ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
-      ->default_str("vdw");
-  command.add_option("--probe", typed.skin.probe, "Probe radius, Angstrom; 0 for none")
-      ->default_str("1.4");
-  add_selection_options(command, typed.skin.selection);
-}
-
-void add_voids_option(CLI::App& command, Typed& typed) {
-  command
-      .add_option("--voids", typed.skin.voids,
-                  "Voids inside the skin: keep; drop all, as if they were filled; or\n"
-                  "drop those below a volume, cubic Angstrom. With a void go the bodies\n"
-                  "inside it")
-      ->default_str("keep");
-}
-
-void add_sizing_options(CLI::App& command, Typed& typed) {
-  command
-      .add_option("-C", typed.skin.C,
-                  "Size of the triangles over the curvature radius;\n"
-                  "half of it makes four times as many")
-      ->default_str("0.08");
-  command.add_option("-Q", typed.skin.Q,
-                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
-                     "with C above 0.107, the least that C allows)");
-  command.add_option("--size", typed.skin.size,
-                     "Edges of about this length, Angstrom, where the skin is flat enough;\n"
-                     "elsewhere what -C allows, 0.4 unless it is given");
-}
-
-void add_function_option(CLI::App& command, Typed& typed) {
-  command.add_option("--function", typed.function,
-                     "The Morse function: height:x,y,z along a direction, or\n"
-                     "distance:x,y,z, squared, from a point\n"
-                     "(default: height along y, tilted a little)");
-}
-
-void add_progress_option(CLI::App& command, Typed& typed) {
-  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
-}
-
-void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
-  command.add_option("--timeout", limits.timeout,
-                     "Seconds after which to give up, with exit code 6");
-  command.add_option("--max-memory", typed.max_memory,
-                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
-                     "2 GiB (default: what the machine has)");
-}
-
-void add_threads_option(CLI::App& command, unsigned& threads) {
-  threads = std::max(1U, std::thread::hardware_concurrency());
-  command
-      .add_option("--threads", threads,
-                  "Threads at most (all cores); two do most of the work, and\n"
-                  "what is written is the same for any number")
-      ->check(CLI::Range(1U, 1024U));
-}
-
-void add_certificate_option(CLI::App& command, std::optional<std::filesystem::path>& certificate) {
-  command.add_option("--certificate", certificate,
-                     "Also write what certify/verify/verify.py needs to prove the mesh\n"
-                     "anew, as JSON");
-}
 
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
-                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
-                  "/dev/null and the like take PLY")
+                  "The mesh: .ply .off .obj .stl .vtu .glb .npz .msh .vert; repeat for several\n"
+                  ".stl and .glb have single precision, the others are exact; .vert writes\n"
+                  ".face too. \"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
-  command.add_option("--vertex-data", typed.vertex_data,
-                     "Into .ply .vtu .npz .msh .glb too: normal,curvature,directions,scale,\n"
-                     "atom,shares,component,patch,residue,charge; or all");
+  command
+      .add_option("--vertex-data", typed.vertex_data,
+                  "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all\n"
+                  "normal,curvature,directions,scale,atom,shares,component,patch,residue,\n"
+                  "charge")
+      ->default_str("none");
   command
       .add_option("--decimals", mesh.decimals,
-                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
-                  "(default: all decimals, so that no bit is lost)")
+                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does")
+      ->default_str("all, so that no bit is lost")
       ->check(CLI::Range(1, 9));
-  command.add_option("--areas", mesh.areas,
-                     "Also write the areas of atoms and residues to this file, as CSV");
+  command
+      .add_option("--areas", mesh.areas,
+                  "Also write the areas of atoms and residues to this file, as CSV")
+      ->default_str("none");
   add_molecule_options(command, typed);
+  command.add_flag("--fail-fast", mesh.fail_fast,
+                   "Of several models mesh none after one that fails");
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
-  command.add_option("--density", typed.density,
-                     "In place of --size: so many vertices per square Angstrom");
-  command.add_option("--triangles", typed.triangles,
-                     "In place of --size: so many triangles, found by trial meshes");
-  command.add_option("--grading", typed.grading,
-                     "By how much edges may grow for each Angstrom from where they are\n"
-                     "short, 0.2 for instance, with -C 0.4; what -C allows anyway is 0.18\n"
-                     "with 0.08 and 0.87 with 0.4. By the static method");
+  command
+      .add_option("--density", typed.density,
+                  "In place of --size: so many vertices per square Angstrom")
+      ->default_str("as -C makes");
+  command
+      .add_option("--triangles", typed.triangles,
+                  "In place of --size: about so many triangles in all")
+      ->default_str("as -C makes");
+  command
+      .add_option("--grading", typed.grading,
+                  "By how much edges may grow for each Angstrom, 0.2 for instance\n"
+                  "from where they are short, with -C 0.4. By the static method")
+      ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
   command
       .add_option("--angle-goal", typed.angle_goal,
-                  "Degrees: vertices are moved, taken out and put in until no angle is\n"
-                  "smaller; 0 for not at all. With 30 or more no file that has one below\n"
-                  "30 is certified. From 35 on, up to C = 0.2, also none above 105.\n"
-                  "With sweep and static")
+                  "No angle below so many degrees\n"
+                  "Vertices are moved, taken out and put in for it; 0 for not at all. With 30 or "
+                  "more no file\n"
+                  "that has one below 30 is certified. From 35 on, up to C = 0.2, also none\n"
+                  "above 105. With sweep and static")
       ->default_str("35 up to C = 0.2, 30 beyond");
   add_function_option(command, typed);
-  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
+  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z")
+      ->default_str("as --function");
   command
       .add_option("--method", typed.method,
                   "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
@@ -133,38 +76,47 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "certified")
       ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))
       ->capture_default_str();
-  command.add_option("--grid", mesh.grid_step,
-                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
-                     "triangles as the sweep makes)");
-  command.add_option("--grow", typed.grow,
-                     "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
-                     "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
-                     "largest weight). What is meshed and certified is the skin at T1");
-  command.add_option("--fronts", typed.fronts,
-                     "Sweep so many subdomains, each for itself, a power of two (default: as\n"
-                     "many as the size of the mesh is worth); 1 sweeps from below with one\n"
-                     "front, as the paper's Algorithm 1 does");
+  command.add_option("--grid", mesh.grid_step, "Step of the grid of marching-cubes, Angstrom")
+      ->default_str("for as many triangles as the sweep makes");
+  command
+      .add_option("--grow", typed.grow,
+                  "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
+                  "every weight; --snapshots are taken from T0 to T1. What is meshed and\n"
+                  "certified is the skin at T1")
+      ->default_str("-W..0, W the largest weight");
+  command
+      .add_option("--fronts", typed.fronts,
+                  "Sweep so many subdomains, each for itself, a power of two; 1 sweeps from\n"
+                  "below with one front, as the paper's Algorithm 1 does")
+      ->default_str("as many as the size of the mesh is worth");
   command
       .add_option("--guard", typed.guard,
                   "Where the front looks for collisions: everywhere; adjacent or\n"
                   "spheres are experiments that fail on most molecules")
       ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
       ->capture_default_str();
-  command.add_option("--snapshots", mesh.snapshots,
-                     "Write so many states of the growing mesh and its front, at even steps of\n"
-                     "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
+  command
+      .add_option("--snapshots", mesh.snapshots,
+                  "Write so many states of the growing mesh and its front, at even steps of\n"
+                  "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)")
+      ->default_str("0");
   command
       .add_option("--snapshot-at", mesh.snapshot_values,
                   "Also, or instead, at these values: v,v,...")
+      ->default_str("none")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)")
-      ->type_name("FOLDER");
-  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them")
+      ->type_name("FOLDER")
+      ->default_str("here");
+  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON")
+      ->default_str("none");
   add_certificate_option(command, mesh.certificate);
-  command.add_option("--trace-tasks", mesh.task_trace,
-                     "Write what ran when to this file, in the JSON that browsers' tracing views\n"
-                     "read; bench/replay.py tells from one of --threads 1 what more would bring");
+  command
+      .add_option("--trace-tasks", mesh.task_trace,
+                  "Write what ran when to this file, in the JSON that browsers' tracing views\n"
+                  "read; bench/replay.py tells from one of --threads 1 what more would bring")
+      ->default_str("none");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet,
                    "Print nothing but errors, and the report if --json asks for it");
@@ -173,11 +125,9 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_progress_option(command, typed);
   group_options(command, !typed.wants_short_help);
   command.footer(
-      "--help-all also lists the laboratory: methods, Q, fronts, snapshots, Morse functions.\n"
-      "\n"
-      "The mesh takes its name only when the bytes written have been read back and certified:\n"
-      "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
-      "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
+      "--help-all has more on each, and the rest: grading, methods, Q, fronts, Morse functions.\n"
+      "OUT gets its name once it has been read back and certified; else it is OUT.unverified, exit "
+      "code 5.");
 }
 
 void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
@@ -293,6 +243,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   app.description(about);
   app.footer(closing);
   app.require_subcommand(1);
+  show_defaults(app);
   app.set_help_flag("-h,--help,--help-all", "Print this help and exit");
   app.set_version_flag("--version", "morskin " + std::string(version) + "\ncommit   " +
                                         std::string(commit) + "\ncompiler " +

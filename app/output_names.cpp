@@ -65,6 +65,9 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
   if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
     throw UsageError(output.string() + " would replace the input; choose another name");
   }
+  if (!is_special(output) && molecule.radii && one_name(output) == one_name(*molecule.radii)) {
+    throw UsageError(output.string() + " would replace the radii; choose another name");
+  }
 }
 
 void check_outputs(const MeshArguments& mesh) {
