@@ -44,7 +44,7 @@ def main():
                  abs(float(r[f"{name.lower()}_error"])))
                 for r in balls for name in ("Born", "Kirkwood")])
     draw(right, [(model_of(r["options"]), kind_of(r["options"]), int(r["vertices"]),
-                  abs(float(r["energy"]) / molecule.limit(proteins, model_of(r["options"]))[0] - 1))
+                  abs(float(r["energy"]) / molecule.limit(proteins, model_of(r["options"])) - 1))
                  for r in proteins])
     left.set(ylabel="error of the energy", title="charges in a ball of 2 Å")
     right.set(title="1L2Y")

@@ -9,9 +9,9 @@ its derivative along the normal at the source times a density (Yoon and Lenhoff 
     phi / 2 - K_Y phi + (inner / outer) V_Y psi = 0
 
 Both are multiplied by each vertex's hat function and integrated over the mesh. The outer integral
-is a sum over the points of `RULE` on each triangle. The inner one of G over a triangle near such a
-point has a closed form (panel_integrals.py), so nothing singular is left to a rule; over one far
-away, and of Y - G, which is bounded, it is a sum over `RULE` too.
+is a sum over TEST_RULE's points on each triangle. The inner one of G over a triangle near such a
+point has a closed form (panel_integrals.py), so that nothing singular is left to a rule; over one
+far away, and of Y - G, which is bounded, it is a sum over SOURCE_RULE's.
 """
 
 import numpy as np

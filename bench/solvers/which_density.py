@@ -17,7 +17,7 @@ def densities(molecule_rows, ball_rows):
         yield f"ball of {balls.RADIUS:g} Å, {words}", float(finest["density"]), error
     for model in ("vdw", "ses-like"):
         finest = uniform_meshes(molecule_rows, model)[-1]
-        error = float(finest["energy"]) / limit(molecule_rows, model)[0] - 1
+        error = float(finest["energy"]) / limit(molecule_rows, model) - 1
         yield f"1L2Y, model {model}", float(finest["density"]), error
 
 
