@@ -16,6 +16,7 @@
 #include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
+#include "app/presets.h"
 #include "app/typed_values.h"
 #include "front/subdomains.h"
 #include "skin/molecule_files.h"
@@ -207,6 +208,7 @@ void finish(const CheckArguments& check) {
 
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
+  if (typed.purpose) apply_preset(typed, all.mesh);
   auto& model_number = typed.skin.selection.model_number;
   if (model_number && app.got_subcommand("mesh")) {
     all.mesh.models = ModelSet::parsed(*model_number);

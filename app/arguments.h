@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,7 +42,14 @@ struct VertexData {
   bool is_all = false;  ///< charges then only where there are any
 };
 
+/// What --for set, by option.
+struct PresetUse {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> set;
+};
+
 struct MeshArguments {
+  std::optional<PresetUse> preset;
   MoleculeArguments molecule;
   std::optional<ModelSet> models;  ///< several of the molecule's; each goes into files of its own
   bool fail_fast = false;          ///< the first of them that fails is the last

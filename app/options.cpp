@@ -6,6 +6,7 @@
 
 #include "app/help_groups.h"
 #include "app/help_text.h"
+#include "app/presets.h"
 #include "app/shared_options.h"
 #include "app/version.h"
 
@@ -36,6 +37,12 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--areas", mesh.areas,
                   "Also write the areas of atoms and residues to this file, as CSV")
+      ->default_str("none");
+  command
+      .add_option("--for", typed.purpose,
+                  "Set density, voids, data and format for a purpose: bem, learning\n"
+                  "Where no option does: bem, boundary elements; learning, points with all data")
+      ->check(CLI::IsMember(preset_names()))
       ->default_str("none");
   add_molecule_options(command, typed);
   command.add_flag("--fail-fast", mesh.fail_fast,

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
+#include "app/presets.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "geometry/files/provenance_json.h"
@@ -119,6 +120,7 @@ std::string json_text(const MeshReport& report) {
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
   add_selection(json, report.molecule.selection);
+  if (report.preset) json["preset"] = preset_json(*report.preset);
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
@@ -268,6 +270,7 @@ std::string people_text(const MeshReport& report) {
   std::string text =
       report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
   text += answers_text(report);
+  if (report.preset) text += line("preset", preset_text(*report.preset));
   text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
                             " left out" + (words.empty() ? "" : " (" + words + ")"));
   if (report.rounded_coordinates > 0) {

@@ -15,14 +15,17 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "bench"))
+sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "bench" / "solvers")]
 import ablation  # noqa: E402
-import condition  # noqa: E402
+import balls  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
+import molecule  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
+import tetrahedra  # noqa: E402
+import which_density  # noqa: E402
 from molecule_runs import read_rows  # noqa: E402
 
 RESULTS = ROOT / "papers" / "results"
@@ -244,8 +247,12 @@ def texts():
     yield "papers/4.3-large-molecules.md", densities.sentence(rows)
     for script, name, page in ((subdomains, "subdomains", "4.1-algorithm"),
                                (ses_like, "ses-like", "coarser-skins"),
-                               (condition, "condition", "coarser-skins")):
+                               (which_density, "solvers-molecule", "solvers")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
+    for script in (balls, molecule, tetrahedra):
+        rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")
+        yield "papers/solvers.md", script.table(rows)
+        yield "papers/solvers.md", script.sentence(rows)
 
 
 def pattern(text):
