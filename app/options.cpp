@@ -18,16 +18,17 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh: .ply .off .obj .stl .vtu .glb .npz .msh .vert; repeat for several\n"
-                  ".stl and .glb have single precision, the others are exact; .vert writes\n"
+                  "The mesh, by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert\n"
+                  "Repeat it for several. .stl and .glb have single precision, the others are "
+                  "exact; .vert writes\n"
                   ".face too. \"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
   command
       .add_option("--vertex-data", typed.vertex_data,
                   "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all\n"
-                  "normal,curvature,directions,scale,atom,shares,component,patch,residue,\n"
-                  "charge")
+                  "normal, curvature, directions, scale, atom, shares, component, patch,\n"
+                  "residue, charge, separated by commas alone")
       ->default_str("none");
   command
       .add_option("--decimals", mesh.decimals,

@@ -68,4 +68,4 @@ def sentence(rows):
         parts.append(f"with `{kept}` the condition number is {float(with_voids['condition']):.1e} "
                      f"with the voids and {float(without['condition']):.1e} without, and the "
                      f"energy of the voids is {change:.1%}")
-    return "; ".join(parts)
+    return ". ".join(p[0].upper() + p[1:] for p in parts) + "."
