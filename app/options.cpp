@@ -53,12 +53,6 @@ void add_function_option(CLI::App& command, Typed& typed) {
                      "(default: height along y, tilted a little)");
 }
 
-void add_progress_option(CLI::App& command, Typed& typed) {
-  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
-}
-
 void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
   command.add_option("--timeout", limits.timeout,
                      "Seconds after which to give up, with exit code 6");
@@ -82,16 +76,15 @@ void add_certificate_option(CLI::App& command, std::optional<std::filesystem::pa
                      "anew, as JSON");
 }
 
-void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
-  CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
-  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
-  command
-      .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
-                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
-                  "/dev/null and the like take PLY")
-      ->required()
-      ->allow_extra_args(false);
+}  // namespace
+
+void add_progress_option(CLI::App& command, Typed& typed) {
+  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+}
+
+void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   command.add_option("--vertex-data", typed.vertex_data,
                      "Into .ply .vtu .npz .msh .glb too: normal,curvature,directions,scale,\n"
                      "atom,shares,component,patch,residue,charge; or all");
@@ -100,8 +93,6 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
                   "(default: all decimals, so that no bit is lost)")
       ->check(CLI::Range(1, 9));
-  command.add_option("--areas", mesh.areas,
-                     "Also write the areas of atoms and residues to this file, as CSV");
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
@@ -149,6 +140,23 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "spheres are experiments that fail on most molecules")
       ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
       ->capture_default_str();
+}
+
+namespace {
+
+void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
+  CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
+  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", mesh.outputs,
+                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
+                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
+                  "/dev/null and the like take PLY")
+      ->required()
+      ->allow_extra_args(false);
+  add_meshing_options(command, mesh, typed);
+  command.add_option("--areas", mesh.areas,
+                     "Also write the areas of atoms and residues to this file, as CSV");
   command.add_option("--snapshots", mesh.snapshots,
                      "Write so many states of the growing mesh and its front, at even steps of\n"
                      "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
@@ -287,6 +295,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   add_render(app, all.render, typed.picture);
   add_limit_options(*app.get_subcommand("render"), all.render.limits, typed);
   add_figure(app, all.figure);
+  add_batch(app, all.batch, typed);
 }
 
 }  // namespace morskin::app

@@ -10,6 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 import ablation  # noqa: E402
+import batch  # noqa: E402
 import condition  # noqa: E402
 import densities  # noqa: E402
 import ses_like  # noqa: E402
@@ -87,12 +88,29 @@ def wrong_subdomains(rows):
             yield f"{r['molecule']} in {r['subdomains']}: {r['verdict']}"
 
 
+def wrong_batch(rows):
+    """The goal's molecules; each row is what it says, and no other."""
+    recipes = batch.RECIPES.read_text(encoding="utf-8").splitlines()
+    if len(set(recipes)) != batch.COUNT:
+        yield f"bench/batch_inputs.txt has not {batch.COUNT} distinct recipes"
+    if [r["model"] for r in rows] != batch.MODELS:
+        yield "not the models of bench/batch.py"
+    for r in rows:
+        if int(r["ok"]) + int(r["refused"]) != int(r["inputs"]):
+            yield f"{r['model']}: {r['inputs']} molecules, of which {r['ok']} are certified"
+        if float(r["median_atoms"]) < 2000 or float(r["least_angle"]) < 30:
+            yield f"{r['model']}: {r['median_atoms']} atoms, {r['least_angle']} degrees"
+        if float(r["most_mib"]) >= 200:
+            yield f"{r['model']}: a worker of {r['most_mib']} MiB"
+
+
 TABLES = [(ablation, "ablation.tsv", "5-results.md", wrong_ablation),
           (ablation, "ablation.tsv", "results/table1.md", wrong_ablation),
           (densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
           (subdomains, "subdomains.tsv", "4.1-algorithm.md", wrong_subdomains),
           (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets),
-          (condition, "condition.tsv", "coarser-skins.md", wrong_conditions)]
+          (condition, "condition.tsv", "coarser-skins.md", wrong_conditions),
+          (batch, "batch.tsv", "batch.md", wrong_batch)]
 
 
 def complaints():
