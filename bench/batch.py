@@ -5,14 +5,15 @@ model ses-like and once with vdw.
 
 batch_inputs.txt has a recipe on each line: a file of the corpus and the residues of it to take, in
 the file's order. --plan writes that list anew: each long chain whole, and windows of 1,200 to 4,000
-heavy atoms, evenly over all files. --sample N takes N recipes, evenly. Files are made in
-build/batch, and what came of it goes to papers/results/batch.tsv. Processor seconds are what a busy
-machine leaves unchanged.
+heavy atoms, evenly over all files. --sample N draws N recipes, the same every time. Files are made
+in build/batch, and what came of it goes to papers/results/batch.tsv. Processor seconds are what a
+busy machine leaves unchanged.
 """
 
 import gzip
 import itertools
 import json
+import random
 import shutil
 import subprocess
 import sys
@@ -105,7 +106,8 @@ def windows_of(read, stride):
 
 def recipes_of(sample):
     lines = RECIPES.read_text(encoding="utf-8").splitlines()
-    return [lines[i * len(lines) // sample].split() for i in range(min(sample, len(lines)))]
+    chosen = sorted(random.Random(1).sample(range(len(lines)), min(sample, len(lines))))
+    return [lines[i].split() for i in chosen]
 
 
 def make_inputs(recipes, folder, target):

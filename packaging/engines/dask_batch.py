@@ -24,16 +24,19 @@ def client_for(scheduler, processes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     usage="%(prog)s LIST -o DIR [OPTIONS] [-- OPTIONS OF BATCH]")
     parser.add_argument("list", help="as `morskin batch` has it; seen by every Dask worker")
     parser.add_argument("-o", "--output", required=True, metavar="DIR", help="the same of it")
     parser.add_argument("--shards", type=int, default=16, metavar="N", help="default %(default)s")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="default: a cluster of this machine")
     parser.add_argument("--processes", type=int, help="of this machine's cluster; default: cores")
     parser.add_argument("--morskin", default="morskin", help="the command")
-    parser.add_argument("options", nargs="*")
-    arguments = parser.parse_args()
-    batch = [arguments.morskin, "batch", arguments.list, "-o", arguments.output, *arguments.options]
+    words = sys.argv[1:]
+    dashes = words.index("--") if "--" in words else len(words)
+    arguments = parser.parse_args(words[:dashes])
+    batch = [arguments.morskin, "batch", arguments.list, "-o", arguments.output,
+             *words[dashes + 1:]]
     with client_for(arguments.scheduler, arguments.processes) as client:
         # Not pure: a shard that was done before is asked again, and finds nothing left.
         shards = client.map(run_shard, range(1, arguments.shards + 1), shards=arguments.shards,
