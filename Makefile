@@ -47,6 +47,7 @@ test-slow: build  ## run the slow tests
 	@cmake/install_packages.sh cmake/python_packages.txt
 	@cmake/install_packages.sh cmake/readers_packages.txt
 	@cmake/install_packages.sh cmake/packaging_packages.txt
+	@cmake/install_packages.sh cmake/engines_packages.txt
 	ctest --test-dir build --output-on-failure -C slow -L slow
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command

@@ -240,6 +240,10 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   if (app.got_subcommand("render")) return finished(all.render, typed.picture);
   if (app.got_subcommand("balls")) return finished(all.balls, typed);
   if (app.got_subcommand("info")) return all.info;
+  if (app.got_subcommand("batch")) {
+    all.batch.arguments.progress = parsed_progress(typed.progress);
+    return batch_arguments(*app.get_subcommand("batch"), all.batch);
+  }
   if (app.got_subcommand("figure")) {
     finish(all.figure);
     return all.figure;

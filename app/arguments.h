@@ -138,6 +138,26 @@ struct ViewArguments {
   Limits limits{.advice = "show a coarser mesh"};
 };
 
+/// The molecules of one run of many: every N-th, beginning with the I-th.
+struct Shard {
+  std::size_t number = 1, count = 1;  ///< I from 1 to N
+};
+
+struct BatchArguments {
+  std::vector<std::string> sources;  ///< as batch_inputs takes them
+  std::string only;                  ///< of folders and archives, the names to take; empty for all
+  std::filesystem::path folder;
+  std::vector<std::string> endings{"ply"};  ///< of the files that are made, without their dot
+  bool features = false;                    ///< run `features` in place of `mesh`
+  Shard shard;
+  unsigned workers = 1;
+  /// For the workers: what decides what they write, and the limits, which do not.
+  std::vector<std::string> options, limit_options;
+  bool json = false;
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
+};
+
 /// Whether a file's ending, with or without .gz, is that of a mesh.
 bool names_a_mesh(const std::filesystem::path& path);
 
@@ -148,7 +168,7 @@ struct Finished {
 
 using Arguments =
     std::variant<Finished, MeshArguments, MorseArguments, BallsArguments, InfoArguments,
-                 CheckArguments, ViewArguments, RenderArguments, FigureArguments>;
+                 CheckArguments, ViewArguments, RenderArguments, FigureArguments, BatchArguments>;
 
 /// Prints help, the version or a complaint about the arguments.
 Arguments parse_arguments(int count, const char* const* words);

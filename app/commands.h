@@ -19,5 +19,6 @@ ExitCode check_command(const CheckArguments& arguments);
 ExitCode view_command(const ViewArguments& arguments);
 ExitCode render_command(const RenderArguments& arguments);
 ExitCode figure_command(const FigureArguments& arguments);
+ExitCode batch_command(const BatchArguments& arguments);
 
 }  // namespace morskin::app

@@ -28,6 +28,7 @@ struct Run {
   ExitCode operator()(const ViewArguments& arguments) const { return view_command(arguments); }
   ExitCode operator()(const RenderArguments& arguments) const { return render_command(arguments); }
   ExitCode operator()(const FigureArguments& arguments) const { return figure_command(arguments); }
+  ExitCode operator()(const BatchArguments& arguments) const { return batch_command(arguments); }
 };
 
 template <class Error>

@@ -24,17 +24,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   ".face too. \"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
-  command
-      .add_option("--vertex-data", typed.vertex_data,
-                  "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all\n"
-                  "normal, curvature, directions, scale, atom, shares, component, patch,\n"
-                  "residue, charge, separated by commas alone")
-      ->default_str("none");
-  command
-      .add_option("--decimals", mesh.decimals,
-                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does")
-      ->default_str("all, so that no bit is lost")
-      ->check(CLI::Range(1, 9));
+  add_meshing_options(command, mesh, typed);
   command
       .add_option("--areas", mesh.areas,
                   "Also write the areas of atoms and residues to this file, as CSV")
@@ -45,64 +35,8 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "Where no option does: bem, boundary elements; learning, points with all data")
       ->check(CLI::IsMember(preset_names()))
       ->default_str("none");
-  add_molecule_options(command, typed);
   command.add_flag("--fail-fast", mesh.fail_fast,
                    "Of several models mesh none after one that fails");
-  add_voids_option(command, typed);
-  add_sizing_options(command, typed);
-  command
-      .add_option("--density", typed.density,
-                  "In place of --size: so many vertices per square Angstrom")
-      ->default_str("as -C makes");
-  command
-      .add_option("--triangles", typed.triangles,
-                  "In place of --size: about so many triangles in all")
-      ->default_str("as -C makes");
-  command
-      .add_option("--grading", typed.grading,
-                  "By how much edges may grow for each Angstrom, 0.2 for instance\n"
-                  "from where they are short, with -C 0.4. By the static method")
-      ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
-  command
-      .add_option("--angle-goal", typed.angle_goal,
-                  "No angle below so many degrees\n"
-                  "Vertices are moved, taken out and put in for it; 0 for not at all. With 30 or "
-                  "more no file\n"
-                  "that has one below 30 is certified. From 35 on, up to C = 0.2, also none\n"
-                  "above 105. With sweep and static")
-      ->default_str("35 up to C = 0.2, 30 beyond");
-  add_function_option(command, typed);
-  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z")
-      ->default_str("as --function");
-  command
-      .add_option("--method", typed.method,
-                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
-                  "static with C above 0.25 where no length limits most edges, up to 50,000\n"
-                  "balls: it takes less time there; dynamic, growth from nothing;\n"
-                  "marching-cubes, for comparison: without quality, so as a rule not\n"
-                  "certified")
-      ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))
-      ->capture_default_str();
-  command.add_option("--grid", mesh.grid_step, "Step of the grid of marching-cubes, Angstrom")
-      ->default_str("for as many triangles as the sweep makes");
-  command
-      .add_option("--grow", typed.grow,
-                  "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
-                  "every weight; --snapshots are taken from T0 to T1. What is meshed and\n"
-                  "certified is the skin at T1")
-      ->default_str("-W..0, W the largest weight");
-  command
-      .add_option("--fronts", typed.fronts,
-                  "Sweep so many subdomains, each for itself, a power of two; 1 sweeps from\n"
-                  "below with one front, as the paper's Algorithm 1 does")
-      ->default_str("as many as the size of the mesh is worth");
-  command
-      .add_option("--guard", typed.guard,
-                  "Where the front looks for collisions: everywhere; adjacent or\n"
-                  "spheres are experiments that fail on most molecules")
-      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
-      ->capture_default_str();
   command
       .add_option("--snapshots", mesh.snapshots,
                   "Write so many states of the growing mesh and its front, at even steps of\n"
@@ -265,6 +199,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   add_render(app, all.render, typed.picture);
   add_limit_options(*app.get_subcommand("render"), all.render.limits, typed);
   add_figure(app, all.figure);
+  add_batch(app, all.batch, typed);
   name_files(app);
 }
 

@@ -16,6 +16,8 @@ void add_voids_option(CLI::App& command, Typed& typed);
 /// -C, -Q and --size.
 void add_sizing_options(CLI::App& command, Typed& typed);
 void add_function_option(CLI::App& command, Typed& typed);
+/// What of `mesh` makes the mesh what it is: all but files, reports, limits and snapshots.
+void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed);
 void add_progress_option(CLI::App& command, Typed& typed);
 /// --timeout and --max-memory.
 void add_limit_options(CLI::App& command, Limits& limits, Typed& typed);

@@ -12,6 +12,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / folder) for folder in ("papers/course", "bench", "bench/solvers")]
 import ablation  # noqa: E402
 import balls  # noqa: E402
+import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import molecule  # noqa: E402
@@ -89,6 +90,22 @@ def wrong_subdomains(rows):
             yield f"{r['molecule']} in {r['subdomains']}: {r['verdict']}"
 
 
+def wrong_batch(rows):
+    """The goal's molecules; each row is what it says, and no other."""
+    recipes = batch.RECIPES.read_text(encoding="utf-8").splitlines()
+    if len(set(recipes)) != batch.COUNT:
+        yield f"bench/batch_inputs.txt has not {batch.COUNT} distinct recipes"
+    if [r["model"] for r in rows] != batch.MODELS:
+        yield "not the models of bench/batch.py"
+    for r in rows:
+        if int(r["ok"]) + int(r["refused"]) != int(r["inputs"]):
+            yield f"{r['model']}: {r['inputs']} molecules, of which {r['ok']} are certified"
+        if float(r["median_atoms"]) < 2000 or float(r["least_angle"]) < 30:
+            yield f"{r['model']}: {r['median_atoms']} atoms, {r['least_angle']} degrees"
+        if float(r["most_mib"]) >= 200:
+            yield f"{r['model']}: a worker of {r['most_mib']} MiB"
+
+
 def wrong_counts(rows):
     if [(r["file"], r["model"], float(r["C"])) for r in rows] != list(counts.runs()):
         yield "not the runs of bench/counts.py"
@@ -112,7 +129,7 @@ def wrong_replacement():
 
 
 FILES = [("ablation", wrong_ablation), ("densities", wrong_densities), ("ses-like", wrong_offsets),
-         ("subdomains", wrong_subdomains), ("counts", wrong_counts),
+         ("subdomains", wrong_subdomains), ("counts", wrong_counts), ("batch", wrong_batch),
          *((f"solvers-{script.__name__}", partial(wrong_solvers, script))
            for script in (balls, molecule, tetrahedra))]
 

@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "bench" / "solvers")]
 import ablation  # noqa: E402
 import balls  # noqa: E402
+import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import molecule  # noqa: E402
@@ -247,7 +248,8 @@ def texts():
     yield "papers/4.3-large-molecules.md", densities.sentence(rows)
     for script, name, page in ((subdomains, "subdomains", "4.1-algorithm"),
                                (ses_like, "ses-like", "coarser-skins"),
-                               (which_density, "solvers-molecule", "solvers")):
+                               (which_density, "solvers-molecule", "solvers"),
+                               (batch, "batch", "batch")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
     for script in (balls, molecule, tetrahedra):
         rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")

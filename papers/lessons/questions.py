@@ -69,7 +69,8 @@ LESSONS = {
                            9: "More than one line leaves a saddle.",
                            72: "An arc has a saddle at one end only."}),
         "run": Run("How many pairs does the program cancel on gramicidin, "
-                   "`bench/molecules/1grm_model1.pdb`, model paper, with the height along (1, 2, 3)?",
+                   "`bench/molecules/1grm_model1.pdb`, model paper, with the height along "
+                   "(1, 2, 3)?",
                    "morse 1grm_model1.pdb --model paper --function height:1,2,3",
                    ["cancelled_pairs"]),
         "explain": Formula(
