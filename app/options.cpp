@@ -16,7 +16,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh: .ply .off .obj .stl .vtu .glb .npz .msh .vert; repeat for several\n"
+                  "The mesh: .ply .off .obj .stl .vtu .glb .npz .msh .vert; repeatable\n"
                   ".stl and .glb have single precision, the others are exact; .vert writes\n"
                   ".face too. \"-\", /dev/null and the like take PLY")
       ->required()
