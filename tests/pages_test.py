@@ -10,6 +10,7 @@
       a make target, an option      `make demo`, `--height`
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
+- Every console block of README.md stands on a page as well, where its commands are run.
 - Every figure is well-formed and shown on some page.
 - Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
@@ -181,6 +182,17 @@ def check_figures(checks):
             checks.expect(False, where, str(error))
 
 
+def check_readme(checks):
+    """The commands that README.md shows are run where papers/ show them too."""
+    shown = "".join(page.read_text(encoding="utf-8") for page in PAGES if page.exists())
+    text = READMES[0].read_text(encoding="utf-8")
+    found = re.findall(r"^```console\n.*?^```$", text, re.MULTILINE | re.DOTALL)
+    checks.expect(found, "README.md", "no console block")
+    for block in found:
+        line = text[:text.index(block)].count("\n") + 1
+        checks.expect(block in shown, f"README.md:{line}", "a console block that no page runs")
+
+
 def declarations(path):
     """What is to be answered in a file of answers: types and names."""
     text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
@@ -238,6 +250,7 @@ def main():
             for match in LINK.finditer(block):
                 check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
     check_figures(checks)
+    check_readme(checks)
     check_course(checks)
     check_steps(checks)
     for failure in checks.failures:

@@ -49,7 +49,7 @@ class Meshes(ModuleTest):
         np.testing.assert_array_equal(told["atom"], mesh.atoms)
         # The larger first here, the larger in magnitude first there.
         np.testing.assert_allclose(np.column_stack([told["k1"], told["k2"]]),
-                                   -np.sort(-mesh.curvatures, axis=1), rtol=1e-14)
+                                   -np.sort(-mesh.curvatures, axis=1), rtol=1e-12)
         self.assertNotIn("share1", told)
         mesh.save(self.folder / "all.npz", vertex_data="all")
         self.assertIn("share1", np.load(self.folder / "all.npz"))
