@@ -11,13 +11,15 @@ import molecule
 from measure import BENCH, is_marching_cubes, model_of
 from molecule_runs import read_rows
 
-LOOKS = {"density": "o-", "C": "s", "marching cubes": "x:"}
+LOOKS = {"density": "o-", "C": "s", "voids kept": "^", "marching cubes": "x:"}
 COLOURS = {"vdw": "#1f4e79", "ses-like": "#b45f06", "Born": "#1f4e79", "Kirkwood": "#b45f06"}
 
 
-def kind_of(options):
+def kind_of(options, has_voids):
     if is_marching_cubes(options):
         return "marching cubes"
+    if has_voids and "--voids drop" not in options:
+        return "voids kept"
     return "density" if "--density" in options else "C"
 
 
@@ -40,11 +42,12 @@ def main():
 
     balls, proteins = (read_rows(folder / f"solvers-{name}.tsv") for name in ("balls", "molecule"))
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.6), sharey=True)
-    draw(left, [(name, kind_of(r["options"]), int(r["vertices"]),
+    draw(left, [(name, kind_of(r["options"], False), int(r["vertices"]),
                  abs(float(r[f"{name.lower()}_error"])))
                 for r in balls for name in ("Born", "Kirkwood")])
-    draw(right, [(model_of(r["options"]), kind_of(r["options"]), int(r["vertices"]),
-                  abs(float(r["energy"]) / molecule.limit(proteins, model_of(r["options"])) - 1))
+    limits = {model: molecule.limit(proteins, model) for model in ("vdw", "ses-like")}
+    draw(right, [(model_of(r["options"]), kind_of(r["options"], True), int(r["vertices"]),
+                  abs(float(r["energy"]) / limits[model_of(r["options"])] - 1))
                  for r in proteins])
     left.set(ylabel="error of the energy", title="charges in a ball of 2 Å")
     right.set(title="1L2Y")
