@@ -12,7 +12,7 @@ sources = $(shell find geometry surface skin morse certify refine front morskin 
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers solvers exercise lint tidy format sanitize install clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -115,6 +115,11 @@ reproduce: command  ## the paper's Table 1, all methods in one run, into RESULTS
 papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
 	@cmake/install_packages.sh cmake/pages_packages.txt
 	@python3 papers/course/build.py --jobs $(JOBS)
+
+solvers: command  ## what solvers make of the meshes, into papers/results (see papers/solvers.md)
+	@cmake/install_packages.sh cmake/plot_packages.txt
+	/usr/bin/python3 bench/solvers/run.py $(SOLVERS)
+	/usr/bin/python3 bench/solvers/plot.py
 
 exercise: deps  ## try the exercises of the page NAME (NAME=2.1-molecular-skin)
 	@test -f "papers/exercises/$(NAME).h" || { echo "make exercise NAME=PAGE, one of:"; \
