@@ -16,6 +16,7 @@
 #include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
+#include "app/presets.h"
 #include "app/typed_values.h"
 #include "front/subdomains.h"
 #include "skin/molecule_files.h"
@@ -188,7 +189,8 @@ void finish(const CheckArguments& check) {
 }
 
 /// The arguments of the command that was given, checked.
-Arguments chosen(const CLI::App& app, AllArguments& all, const Typed& typed) {
+Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
+  if (typed.purpose) apply_preset(typed, all.mesh);
   for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
                                       &all.info.molecule, &all.against}) {
     finish(*molecule, molecule->input, typed.skin);

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,7 +41,14 @@ struct VertexData {
   bool is_all = false;  ///< charges then only where there are any
 };
 
+/// What --for set, by option.
+struct PresetUse {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> set;
+};
+
 struct MeshArguments {
+  std::optional<PresetUse> preset;
   MoleculeArguments molecule;
   TypedSkin typed;
   /// MSMS's two files both are among them.
@@ -67,7 +76,7 @@ struct MeshArguments {
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
   std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
-  unsigned threads = 1;  ///< at most; the result is the same for any number
+  unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
 };
 

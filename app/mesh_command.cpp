@@ -81,6 +81,7 @@ long long peak_memory_bytes() {
 void describe_input(MeshReport& report, const MeshArguments& arguments,
                     const MoleculeInput& input) {
   report.molecule = arguments.molecule;
+  report.preset = arguments.preset;
   report.sizing = arguments.sizing;
   report.angle_goal_deg =
       arguments.angle_goal_deg.value_or(refine::AngleGoal::usual_deg(arguments.sizing));

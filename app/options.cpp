@@ -6,6 +6,7 @@
 
 #include "app/help_groups.h"
 #include "app/help_text.h"
+#include "app/presets.h"
 #include "app/version.h"
 
 namespace morskin::app {
@@ -102,6 +103,11 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->check(CLI::Range(1, 9));
   command.add_option("--areas", mesh.areas,
                      "Also write the areas of atoms and residues to this file, as CSV");
+  command
+      .add_option("--for", typed.purpose,
+                  "Set density, voids, data and format for a purpose, where no option\n"
+                  "does: bem, boundary elements; learning, points with all data")
+      ->check(CLI::IsMember(preset_names()));
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);

@@ -28,6 +28,7 @@ struct Typed {
   std::optional<std::size_t> fronts;
   std::optional<double> density, triangles, grading, angle_goal;
   std::optional<std::string> grow, vertex_data;
+  std::optional<std::string> purpose;  ///< of --for
   TypedPicture picture;
 };
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
+#include "app/presets.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "geometry/files/provenance_json.h"
@@ -118,6 +119,7 @@ std::string json_text(const MeshReport& report) {
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
   add_selection(json, report.molecule.selection);
+  if (report.preset) json["preset"] = preset_json(*report.preset);
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
@@ -247,6 +249,7 @@ std::string people_text(const MeshReport& report) {
   const RunSeconds& s = report.seconds;
   std::string text =
       report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
+  if (report.preset) text += line("preset", preset_text(*report.preset));
   text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
                             " left out" + (words.empty() ? "" : " (" + words + ")"));
   const bool is_given = report.molecule.model == skin::Model::Given;

@@ -35,6 +35,7 @@ struct RunSeconds {
 /// bytes written.
 struct MeshReport {
   MoleculeArguments molecule;
+  std::optional<PresetUse> preset;
   certify::Sizing sizing;
   std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
   std::optional<morskin::Grading> grading;
