@@ -8,9 +8,8 @@ from page import FENCE, LESSONS, PAPERS, Page
 MAX_WORDS = 1500
 MAX_SENTENCE = 30
 
-# A notebook, and pages about the program.
-MAY_BE_LONG = {"4.3-large-molecules", "hostile-input", "library", "python", "provenance",
-               "vertex-data", "viewer"}
+# Pages about the program that are not part of the course.
+MAY_BE_LONG = {"hostile-input", "provenance", "vertex-data", "viewer"}
 
 PARTS = ["## The claim", "## The picture", "## By hand", "## The code", "## The command",
          "## Exercises", "## One click away"]
