@@ -16,7 +16,7 @@
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
   commands too); the lessons are short and have theirs (papers/course/lesson.py).
-- No sentence has more than 30 words, but for one notebook and pages about the program.
+- No sentence has more than 30 words, but for some pages about the program.
 
 Prints one line and exits with 1 on any failure.
 """

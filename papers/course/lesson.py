@@ -8,13 +8,15 @@ from page import FENCE, LESSONS, PAPERS, Page
 MAX_WORDS = 1500
 MAX_SENTENCE = 30
 
-# A notebook, and pages about the program.
-MAY_BE_LONG = {"4.3-large-molecules", "hostile-input", "library", "python", "provenance",
-               "vertex-data", "viewer"}
+# Pages about the program that are not part of the course.
+MAY_BE_LONG = {"hostile-input", "provenance", "vertex-data", "viewer"}
 
 PARTS = ["## The claim", "## The picture", "## By hand", "## The code", "## The command",
          "## Exercises", "## One click away"]
 WHY_PARTS = ["## Four surfaces", "## What a skin is", "## Asked and got", "## Others"]
+# Words that a lesson defines, in bold, before it or any later one uses them; also in the glossary.
+DEFINED = ["complementarity", "power cell", "orthosphere", "closed ball property", "isotopy",
+           "Reeb graph"]
 NEEDS = re.compile(r"^\*You need\*: (.+?)\.\s+\*Time\*:\s+(\d+)\s+minutes\.\s+"
                    r"\*Afterwards\s+you\s+can\*", re.MULTILINE | re.DOTALL)
 
@@ -77,12 +79,19 @@ def lessons():
 
 
 def path_complaints():
-    """Lessons 0 to 10, joined by links in order, and the syllabus has the minutes of each."""
+    """Lessons 0 to 10, joined by links in order, the syllabus with the minutes of each, and words
+    that are defined where they come first."""
     path = lessons()
     if [p.stem.split("-")[0] for p in path] != [str(n) for n in range(11)]:
         return ["not the lessons 0 to 10"]
     found = [f"{here.stem}: no link to {other.stem}" for one, two in zip(path, path[1:])
              for here, other in ((one, two), (two, one)) if f"]({other.stem}.md)" not in here.text]
+    glossary = (PAPERS / "glossary.md").read_text(encoding="utf-8")
+    whole = "\n".join(p.text for p in path)
+    for word in DEFINED:
+        first = re.search(rf"\**{word}s?\b\**", whole, re.IGNORECASE)
+        if not first or not first[0].startswith("**") or f"\n| {word}" not in glossary:
+            found.append(f"{word}: not defined where it comes first, or not in the glossary")
     index = (PAPERS / "README.md").read_text(encoding="utf-8")
     syllabus = (PAPERS / "syllabus.md").read_text(encoding="utf-8")
     for page in path:
