@@ -15,13 +15,14 @@ tasks did nothing but move memory.
 import heapq
 import itertools
 import json
+import resource
 import statistics
 import tempfile
 import time
 from pathlib import Path
 
-from molecule_runs import (Rows, argument_parser, cpu_seconds_of_children, end, mesh,
-                           molecule_files, molecule_folder)
+from molecule_runs import (Rows, argument_parser, end, mesh, molecule_files, molecule_folder,
+                           read_rows)
 
 SURFACES = [("1grm_model1.pdb", "paper"), ("1ubq.pdb", "paper"), ("1kx5.pdb", "sas"),
             ("1aon.pdb.gz", "sas")]
@@ -157,7 +158,6 @@ def bytes_per_second():
 
 
 def kernel_seconds_of_children():
-    import resource
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_stime
 
 
@@ -200,10 +200,50 @@ def rows_of(path, model, options, copied):
                       sorted(replay.serial_by_stage.items(), key=lambda x: -x[1]) if s > 0.005))
 
 
+def table(rows):
+    """The rows of the page: by molecule, the speed-up of each number of workers."""
+    lines = ["| | " + " | ".join(f"{w}" for w in WORKERS) + " | two threads, measured |",
+             "|---|" + "---|" * (len(WORKERS) + 1)]
+    for name, model in SURFACES:
+        of_it = [r for r in rows if (r["molecule"], r["model"]) == (name, model)]
+        label = f"{name.split('.')[0].split('_')[0].upper()}, {model}"
+        measured = float(of_it[0]["measured"]) / float(of_it[1]["measured"])
+        for what, column in (("", "speed_up"), (", the kernel serial", "with_serial_kernel")):
+            lines.append(f"| {label}{what} | "
+                         + " | ".join(f"{float(r[column]):.2f}" for r in of_it)
+                         + f" | {measured:.2f} |")
+    return "\n".join(lines)
+
+
+def draw(rows, path):
+    """Takes matplotlib, as reproduce_plots.py does."""
+    import reproduce_plots as plots
+    figure, axes = plots.plt.subplots(figsize=(6.4, 4.2))
+    for name, model in SURFACES:
+        of_it = [r for r in rows if (r["molecule"], r["model"]) == (name, model)]
+        workers = [int(r["workers"]) for r in of_it]
+        line, = axes.plot(workers, [float(r["speed_up"]) for r in of_it], "o-", markersize=4,
+                          label=f"{name.split('.')[0].split('_')[0].upper()}, {model}")
+        axes.plot(workers, [float(r["with_serial_kernel"]) for r in of_it], "--",
+                  color=line.get_color(), linewidth=0.9)
+        axes.plot(2, float(of_it[0]["measured"]) / float(of_it[1]["measured"]), "x",
+                  color=line.get_color())
+    axes.plot(WORKERS[:4], WORKERS[:4], color="#7f7f7f", linewidth=0.8, label="ideal")
+    axes.set(xscale="log", xticks=WORKERS, xticklabels=WORKERS, xlabel="workers",
+             ylabel="speed-up", title="Tasks of one thread, replayed; dashed: the kernel serial; "
+                                      "crosses: measured")
+    axes.legend(fontsize=7)
+    plots.save(figure, path.parent, path.stem)
+
+
 def main():
     parser = argument_parser(__doc__, timeout=600, results="papers/results/replay.tsv")
+    parser.add_argument("--plot", action="store_true",
+                        help="only draw the results, as SVG and PNG (python3-matplotlib)")
     parser.add_argument("--repetitions", type=int, default=5, help="default %(default)s")
     options = parser.parse_args()
+    if options.plot:
+        return draw(read_rows(options.results), options.results)
     folder = molecule_folder(options.molecules)
     copied = bytes_per_second()
     print(f"copies: {copied * 1e-9:.1f} GB a second")

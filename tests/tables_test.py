@@ -16,6 +16,7 @@ import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import molecule  # noqa: E402
+import replay  # noqa: E402
 import results  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
@@ -115,6 +116,15 @@ def wrong_counts(rows):
                 if r["verdict"] != "certified")
 
 
+def wrong_replay(rows):
+    if [(r["molecule"], r["model"], int(r["workers"])) for r in rows] != [
+            (name, model, w) for name, model in replay.SURFACES for w in replay.WORKERS]:
+        yield "not the runs of bench/replay.py"
+    for r in rows:
+        if r["verdict"] != "certified":
+            yield f"{r['molecule']} on {r['workers']}: {r['verdict']}"
+
+
 def wrong_replacement():
     """A stale number is found, and put right without touching anything else."""
     head = "| a | b |\n|---|---|\n"
@@ -132,6 +142,7 @@ def wrong_replacement():
 
 FILES = [("ablation", wrong_ablation), ("densities", wrong_densities), ("ses-like", wrong_offsets),
          ("subdomains", wrong_subdomains), ("counts", wrong_counts), ("batch", wrong_batch),
+         ("replay", wrong_replay),
          *((f"solvers-{script.__name__}", partial(wrong_solvers, script))
            for script in (balls, molecule, tetrahedra))]
 

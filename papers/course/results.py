@@ -22,6 +22,7 @@ import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import molecule  # noqa: E402
+import replay  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
@@ -249,7 +250,8 @@ def texts():
     for script, name, page in ((subdomains, "subdomains", "4.1-algorithm"),
                                (ses_like, "ses-like", "coarser-skins"),
                                (which_density, "solvers-molecule", "solvers"),
-                               (batch, "batch", "batch")):
+                               (batch, "batch", "batch"),
+                               (replay, "replay", "4.3-large-molecules")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
     for script in (balls, molecule, tetrahedra):
         rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")
