@@ -22,7 +22,7 @@ void add_molecule_options(CLI::App& command, Typed& typed) {
                   "elements is Bondi 1964 and, where that has none, Mantina 2009 and Alvarez\n"
                   "2013; bondi and alvarez are these alone. A FILE has an element or\n"
                   "RESIDUE:ATOM and a radius on each line, # begins a comment")
-      ->default_str("elements, or INPUT's");
+      ->default_str("elements or INPUT's");
   add_selection_options(command, typed.skin.selection);
 }
 

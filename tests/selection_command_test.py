@@ -122,7 +122,7 @@ class Selections(CommandTest):
         for option, default in (("--model-number", "[the first]"), ("--chain", "[all chains]"),
                                 ("--hetatm", "[all]"), ("--altloc", "[likeliest]"),
                                 ("--hydrogens", "[keep]"), ("--biological-assembly", "[none]"),
-                                ("--radii", "[elements, or INPUT's]"), ("--probe", "[1.4]")):
+                                ("--radii", "[elements or INPUT's]"), ("--probe", "[1.4]")):
             line = next(line for line in text.splitlines() if option + " " in line)
             self.assertIn(default, line)
 
