@@ -31,7 +31,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->default_str("none");
   command
       .add_option("--for", typed.purpose,
-                  "Set density, voids, data and format for a purpose: bem, learning\n"
+                  "Set density, voids, data and format for: bem, learning\n"
                   "Where no option does: bem, boundary elements; learning, points with all data")
       ->check(CLI::IsMember(preset_names()))
       ->default_str("none");
