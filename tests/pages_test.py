@@ -28,8 +28,8 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
 PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
-CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
-                "python", "app", "bench", "tests", "cmake", "papers"]
+CODE_FOLDERS = ["geometry", "surface", "implicit", "skin", "morse", "certify", "refine", "front",
+                "morskin", "python", "app", "bench", "tests", "cmake", "papers"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".pyi", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")
