@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -67,8 +68,9 @@ struct MeshArguments {
   std::filesystem::path snapshot_folder = ".";
   bool has_snapshots() const { return snapshots > 0 || !snapshot_values.empty(); }
   std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
-  unsigned threads = 1;  ///< at most; the result is the same for any number
+  unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 /// The treatment of critical points whose protecting spheres overlap.
@@ -109,6 +111,7 @@ struct CheckArguments {
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "leave out the search with --no-self-intersections"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 struct ViewArguments {

@@ -8,6 +8,8 @@ namespace morskin::app {
 /// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
 /// UsageError
 ExitCode mesh_command(const MeshArguments& arguments);
+/// mesh_command() where a surface is given in place of a molecule.
+ExitCode mesh_surface_command(const MeshArguments& arguments);
 ExitCode morse_command(const MorseArguments& arguments);
 ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);

@@ -82,9 +82,17 @@ void add_certificate_option(CLI::App& command, std::optional<std::filesystem::pa
                      "anew, as JSON");
 }
 
+void add_surface_option(CLI::App& command, std::optional<std::string>& surface) {
+  command.add_option("--surface", surface,
+                     "In place of a molecule's skin: sphere:R, torus:R,r, genus2,\n"
+                     "formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
+                     "|x|, |y|, |z| <= W, or gaussian:MOLECULE[,decay=D][,level=L]");
+}
+
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
-  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command.add_option("INPUT", mesh.molecule.input, "The molecule");
+  add_surface_option(command, mesh.surface);
   command
       .add_option("-o,--output", mesh.outputs,
                   "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
@@ -230,6 +238,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"
                      "given are those that the mesh file states, if it does");
+  add_surface_option(command, check.surface);
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, typed);
   add_voids_option(command, typed);

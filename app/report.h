@@ -81,8 +81,9 @@ std::string critical_text(const morskin::CriticalCounts& counts);
 std::string certified_text(const certify::Certificate& certificate);
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
-std::string certificate_text(const certify::Certificate& certificate,
-                             const certify::Sizing& sizing);
+/// @param source  of the numbers expected
+std::string certificate_text(const certify::Certificate& certificate, const certify::Sizing& sizing,
+                             std::string_view source = "the dual complex says");
 
 // size_report.cpp
 

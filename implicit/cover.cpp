@@ -111,6 +111,21 @@ bool is_outermost(const Box& box, const Box& cube) {
   return (box.centre - cube.centre).cwiseAbs().maxCoeff() + box.half >= cube.half;
 }
 
+/// Whether f is below zero at one of some points of the cube's boundary, which saves a long search.
+bool is_crossed(const Function& f, const Box& cube) {
+  constexpr int points = 16;  // along each edge
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 2 * points * points; ++k) {
+      Vector off;
+      off[axis] = k % 2 == 0 ? -1 : 1;
+      off[(axis + 1) % 3] = (k / 2 % points + 0.5) * 2 / points - 1;
+      off[(axis + 2) % 3] = (k / 2 / points + 0.5) * 2 / points - 1;
+      if (!(f.at(cube.centre + cube.half * off).value > 0)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 double Cover::max_gradient() const {
@@ -135,6 +150,7 @@ surface::BoundingBall Cover::bounding_ball() const {
 }
 
 std::optional<Cover> cover(const Function& f, const Box& cube, const geometry::Run& run) {
+  if (is_crossed(f, cube)) return std::nullopt;
   Cover result;
   std::vector<Box> boxes{cube};
   for (int depth = 0; !boxes.empty(); ++depth) {

@@ -25,7 +25,8 @@ struct Candidate {
 /// slope, so that its eigenvalues are no more than s (A's + r), and no less than s times those of
 /// A - rate (1 + t) g g^T less r + rate (1 + 1/t) delta^2, for any t > 0.
 double norm_over(const Function& f, const Levelling& levelling, const Box& box) {
-  const Jet<Interval, 2> bounds = f.bounds(box);
+  // Without levelling the second derivatives are all that counts.
+  const Jet<Interval, 2> bounds = levelling.rate > 0 ? f.bounds(box) : f.over(box);
   Eigen::Matrix3d A;
   Vector g;
   double squared_r = 0, squared_delta = 0;

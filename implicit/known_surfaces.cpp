@@ -16,11 +16,12 @@ std::string number(double x) {
   return text;
 }
 
-/// The torus with its middle on the x axis.
+/// The torus with its middle on the x axis. With c = R^2 - r^2 (R s)^2 / A is R^2 less
+/// R^2 (z^2 + c) / A, where fewer variables stand twice, so that intervals are narrower.
 std::string torus_at(double x, double R, double r) {
-  const std::string off = "(x-" + number(x) + ")^2+y^2";
-  const std::string A = "(" + off + "+z^2+" + number(R * R - r * r) + ")";
-  return A + "/2-" + number(2 * R * R) + "*(" + off + ")/" + A;
+  const std::string c = number(R * R - r * r);
+  const std::string A = "((x-" + number(x) + ")^2+y^2+z^2+" + c + ")";
+  return A + "/2-" + number(2 * R * R) + "+" + number(2 * R * R) + "*(z^2+" + c + ")/" + A;
 }
 
 }  // namespace
@@ -40,10 +41,11 @@ std::string torus_formula(double R, double r) {
 }
 
 std::string genus_2_formula() {
-  constexpr double R = 1, r = 0.4, apart = 1.2, decay = 3;
-  const std::string minus = "exp(-" + number(decay) + "*(";
-  return "-log(" + minus + torus_at(-apart, R, r) + "))+" + minus + torus_at(apart, R, r) + ")))/" +
-         number(decay);
+  constexpr double R = 1, r = 0.5, apart = 1.3, k = 0.5;
+  const auto weight = [&](double x) {
+    return number(k) + "/(" + torus_at(x, R, r) + "+" + number(k) + ")";
+  };
+  return "1-" + weight(-apart) + "-" + weight(apart);
 }
 
 }  // namespace morskin::implicit

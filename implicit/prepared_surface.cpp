@@ -66,10 +66,16 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   Box cube = space.cube;
   std::optional<Cover> found;
   std::optional<Room> room;
+  double radius = 0;  // of the body that the room is about
   for (;; cube.half *= 2) {
     found = run.stage("cover", [&] { return cover(*f, cube, run); });
     if (found && !found->boxes.empty()) {
-      room = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
+      // Cubes about one point have the same boxes, so that a larger one mostly finds the same body.
+      const bool is_same_body = room && found->bounding_ball().radius == radius;
+      if (!is_same_body) {
+        room = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
+        radius = found->bounding_ball().radius;
+      }
       if (contains(cube, room->ball)) break;
     }
     if (!space.is_fixed && cube.half < largest) continue;
