@@ -36,7 +36,8 @@ class Parser {
       fail("it is longer than " + std::to_string(Expression::max_length) + " characters");
     }
     sum();
-    if (next() != '\0') fail("an operator is missing here");
+    next();
+    if (at_ < text_.size()) fail("an operator is missing here");
     return std::move(program_);
   }
 
