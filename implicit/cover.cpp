@@ -149,9 +149,13 @@ surface::BoundingBall Cover::bounding_ball() const {
   return ball;
 }
 
-std::optional<Cover> cover(const Function& f, const Box& cube, const geometry::Run& run) {
+std::optional<Cover> cover(const Function& f, const Box& cube, const std::optional<Cover>& inner,
+                           const geometry::Run& run) {
   if (is_crossed(f, cube)) return std::nullopt;
-  Cover result;
+  Cover result = inner.value_or(Cover());
+  const auto is_covered = [&](const Box& b) {
+    return inner && (b.centre - cube.centre).cwiseAbs().maxCoeff() + b.half <= cube.half / 2;
+  };
   std::vector<Box> boxes{cube};
   for (int depth = 0; !boxes.empty(); ++depth) {
     Sorted sorted = sort(f, boxes, run);
@@ -168,7 +172,9 @@ std::optional<Cover> cover(const Function& f, const Box& cube, const geometry::R
     }
     boxes.clear();
     for (const Box& b : sorted.open) {
-      for (int k = 0; k < 8; ++k) boxes.push_back(b.octant(k));
+      for (int k = 0; k < 8; ++k) {
+        if (!is_covered(b.octant(k))) boxes.push_back(b.octant(k));
+      }
     }
   }
   // Without a zero on the boundary f has one sign there.

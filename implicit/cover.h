@@ -45,8 +45,10 @@ struct Cover {
 /// Covers the zero set in a cube. Afterwards it is proved to be a smooth surface there, without a
 /// singular point, and closed.
 /// @param cube  its half a power of two
+/// @param inner  of the cube of half the size about the same centre, where there is one already
 /// @return nothing where a zero may lie on the cube's boundary or f is not positive there
 /// @throws SingularLevel
-std::optional<Cover> cover(const Function& f, const Box& cube, const geometry::Run& run);
+std::optional<Cover> cover(const Function& f, const Box& cube, const std::optional<Cover>& inner,
+                           const geometry::Run& run);
 
 }  // namespace morskin::implicit

@@ -30,7 +30,7 @@ Room room_about(const Function& f, const Cover& cover, const Levelling& levellin
   return result;
 }
 
-/// The best of some levellings, by M.
+/// With or without levelling, by M.
 Room best_room(const Function& f, const Cover& cover, const geometry::Run& run) {
   Room best = room_about(f, cover, {}, Interval::infinity, run);
   if (!std::isfinite(best.M)) {
@@ -41,11 +41,9 @@ Room best_room(const Function& f, const Cover& cover, const geometry::Run& run) 
   // The levelling takes rate |grad f|^2 off the second derivative across the surface: no more than
   // what is there makes sense.
   const double most = best.M / (cover.max_gradient() * cover.max_gradient());
-  for (const double share : {0.25, 0.5, 1.0}) {
-    const Room other = room_about(f, cover, {share * most}, best.M, run);
-    if (other.M < best.M) best = other;
-  }
-  return best;
+  constexpr double share = 0.5;
+  const Room other = room_about(f, cover, {share * most}, best.M, run);
+  return other.M < best.M ? other : best;
 }
 
 /// Off the axes, off the default and off each other.
@@ -68,7 +66,7 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   std::optional<Room> room;
   double radius = 0;  // of the body that the room is about
   for (;; cube.half *= 2) {
-    found = run.stage("cover", [&] { return cover(*f, cube, run); });
+    found = run.stage("cover", [&] { return cover(*f, cube, found, run); });
     if (found && !found->boxes.empty()) {
       // Cubes about one point have the same boxes, so that a larger one mostly finds the same body.
       const bool is_same_body = room && found->bounding_ball().radius == radius;
