@@ -82,6 +82,7 @@ struct MeshArguments {
   std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
   unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 /// The treatment of critical points whose protecting spheres overlap.
@@ -122,6 +123,7 @@ struct CheckArguments {
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "leave out the search with --no-self-intersections"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 struct ViewArguments {

@@ -55,14 +55,15 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     });
   };
   geometry::MeshAttributes result;
+  if (skin_ == nullptr) return result;
   if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
-    result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
+    result = mesh_attributes(*skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
   if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
-    result.normals = skin_normals(skin_, mesh, cells);
+    result.normals = skin_normals(*skin_, mesh, cells);
   }
   if (is_any(MeshFormat::MsmsVertices)) {
-    result.msms = msms_columns(skin_, mesh, cells);
+    result.msms = msms_columns(*skin_, mesh, cells);
     result.msms.decimals = arguments_.decimals;
   }
   return result;

@@ -15,7 +15,8 @@ namespace {
 
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
-  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command.add_option("INPUT", mesh.molecule.input, "The molecule");
+  add_surface_option(command, mesh.surface);
   command
       .add_option("-o,--output", mesh.outputs,
                   "The mesh, by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert\n"
@@ -127,6 +128,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"
                      "given are those that the mesh file states, if it does");
+  add_surface_option(command, check.surface);
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
