@@ -147,8 +147,8 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
                            mesh.certificate;
   if (is_of_skins) {
     throw UsageError(
-        "--surface goes without the options of molecules, --vertex-data, --areas and "
-        "--certificate");
+        "--surface goes without the options of molecules, --vertex-data, --areas, --certificate "
+        "and --trace-tasks");
   }
   const bool is_sweep = mesh.method == MeshMethod::Auto || mesh.method == MeshMethod::Sweep;
   if (!is_sweep || mesh.guard != front::Guard::Everywhere || mesh.size_goal.is_set() ||
