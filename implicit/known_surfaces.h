@@ -18,8 +18,4 @@ std::string sphere_formula(double radius);
 /// @throws geometry::RefusedInput  unless R > r > 0
 std::string torus_formula(double R, double r);
 
-/// Two tori side by side that overlap, melted into a surface of genus 2: with their functions f and
-/// g, none below -r^2, and k above r^2, where k / (f + k) + k / (g + k) = 1.
-std::string genus_2_formula();
-
 }  // namespace morskin::implicit
