@@ -2,6 +2,10 @@
 
 #include "implicit/expression.h"
 
+#include <array>
+#include <functional>
+#include <string>
+
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -21,33 +25,20 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
+/// A formula in which each $ is another.
+std::string filled(const char* form, const std::function<std::string()>& part) {
+  std::string text;
+  for (; *form != 0; ++form) *form == '$' ? text.append(part()) : text.append(1, *form);
+  return text;
+}
+
 /// A random formula whose functions are defined everywhere.
 std::string some_formula(support::Random& random, int depth) {
-  const auto part = [&] { return some_formula(random, depth - 1); };
-  if (depth == 0) {
-    const char* const leaves[] = {"x", "y", "z", "1.5", "0.25"};
-    return leaves[random.below(5)];
-  }
-  switch (random.below(9)) {
-    case 0:
-      return "(" + part() + "+" + part() + ")";
-    case 1:
-      return "(" + part() + "-" + part() + ")";
-    case 2:
-      return part() + "*" + part();
-    case 3:
-      return "(" + part() + ")/(1+(" + part() + ")^2)";
-    case 4:
-      return "sqrt(1+(" + part() + ")^2)";
-    case 5:
-      return "sin(" + part() + ")";
-    case 6:
-      return "cos(" + part() + ")";
-    case 7:
-      return "exp(-(" + part() + ")^2)";
-    default:
-      return "log(2+(" + part() + ")^2)";
-  }
+  constexpr std::array leaves{"x", "y", "z", "1.5", "0.25"};
+  constexpr std::array forms{"($+$)",  "($-$)",  "$*$",         "($)/(1+($)^2)", "sqrt(1+($)^2)",
+                             "sin($)", "cos($)", "exp(-($)^2)", "log(2+($)^2)"};
+  if (depth == 0) return leaves[random.below(leaves.size())];
+  return filled(forms[random.below(forms.size())], [&] { return some_formula(random, depth - 1); });
 }
 
 }  // namespace
@@ -130,7 +121,9 @@ TEST_CASE("a formula as long and as deep as is allowed is worth what it should")
   std::string nested = "x";
   for (std::size_t i = 0; i + 2 < Expression::max_depth; ++i) nested = "(y+" + nested + ")";
   CHECK(refusal(nested) != "");  // each level takes two: a sum and a bracket
-  nested = "x";
-  for (std::size_t i = 0; 2 * i + 3 < Expression::max_depth; ++i) nested = "(y+" + nested + ")";
-  CHECK(value(nested.c_str(), {1, 1, 0}) == (Expression::max_depth - 3 + 1) / 2 + 1);
+  std::string shallower = "x";
+  for (std::size_t i = 0; 2 * i + 3 < Expression::max_depth; ++i) {
+    shallower = "(y+" + shallower + ")";
+  }
+  CHECK(value(shallower.c_str(), {1, 1, 0}) == (Expression::max_depth - 3 + 1) / 2 + 1);
 }
