@@ -16,7 +16,7 @@ struct Group {
 
 const std::array<Group, 5>& groups() {
   static const std::array<Group, 5> all{{
-      {"The files", {"--output", "--vertex-data", "--areas", "--report"}},
+      {"The files", {"--output", "--vertex-data", "--order", "--areas", "--report"}},
       {"The atoms",
        {"--model-number", "--chain", "--waters", "--hetatm", "--altloc", "--hydrogens"}},
       {"The skin", {"--model", "--probe", "--voids"}},

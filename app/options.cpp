@@ -1,36 +1,15 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <thread>
 
+#include "app/common_options.h"
+#include "app/features_options.h"
 #include "app/help_groups.h"
 #include "app/help_text.h"
 #include "app/version.h"
 
 namespace morskin::app {
 namespace {
-
-void add_molecule_options(CLI::App& command, Typed& typed) {
-  command
-      .add_option("--model", typed.skin.model,
-                  "How radii become weights: paper, sas, vdw or ses-like; given for an\n"
-                  "INPUT of weights, which XYZW has without it")
-      ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
-      ->default_str("vdw");
-  command.add_option("--probe", typed.skin.probe, "Probe radius, Angstrom; 0 for none")
-      ->default_str("1.4");
-  add_selection_options(command, typed.skin.selection);
-}
-
-void add_voids_option(CLI::App& command, Typed& typed) {
-  command
-      .add_option("--voids", typed.skin.voids,
-                  "Voids inside the skin: keep; drop all, as if they were filled; or\n"
-                  "drop those below a volume, cubic Angstrom. With a void go the bodies\n"
-                  "inside it")
-      ->default_str("keep");
-}
 
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
@@ -51,29 +30,6 @@ void add_function_option(CLI::App& command, Typed& typed) {
                      "The Morse function: height:x,y,z along a direction, or\n"
                      "distance:x,y,z, squared, from a point\n"
                      "(default: height along y, tilted a little)");
-}
-
-void add_progress_option(CLI::App& command, Typed& typed) {
-  command.add_option("--progress", typed.progress, "auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
-}
-
-void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
-  command.add_option("--timeout", limits.timeout,
-                     "Seconds after which to give up, with exit code 6");
-  command.add_option("--max-memory", typed.max_memory,
-                     "Bytes of memory at which to give up, with exit code 6; 2G is\n"
-                     "2 GiB (default: what the machine has)");
-}
-
-void add_threads_option(CLI::App& command, unsigned& threads) {
-  threads = std::max(1U, std::thread::hardware_concurrency());
-  command
-      .add_option("--threads", threads,
-                  "Threads at most (all cores); two do most of the work, and\n"
-                  "what is written is the same for any number")
-      ->check(CLI::Range(1U, 1024U));
 }
 
 void add_certificate_option(CLI::App& command, std::optional<std::filesystem::path>& certificate) {
@@ -100,6 +56,12 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
                   "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
                   "(default: all decimals, so that no bit is lost)")
       ->check(CLI::Range(1, 9));
+  command
+      .add_option("--order", mesh.order,
+                  "2: curved triangles into .vtu and .msh, with a node on the skin in the\n"
+                  "middle of each edge; the certificate is of the corners' mesh")
+      ->check(CLI::Range(1, 2))
+      ->default_str("1");
   command.add_option("--areas", mesh.areas,
                      "Also write the areas of atoms and residues to this file, as CSV");
   add_molecule_options(command, typed);
@@ -225,7 +187,8 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
   command
       .add_option("MESH", check.mesh,
-                  "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
+                  "PLY, OFF, OBJ, STL, VTU, MSH or MSMS (.vert or .face), of any tool, each\n"
+                  "also gzipped; of curved triangles the corners")
       ->required();
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"
@@ -279,6 +242,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "morskin " + std::string(version));
   add_mesh(app, all.mesh, typed);
+  add_features(app, all.features, typed);
   add_morse(app, all.morse, typed);
   add_balls(app, all.balls, typed);
   add_info(app, all.info, typed);

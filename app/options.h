@@ -34,6 +34,7 @@ struct Typed {
 /// The options of all commands.
 struct AllArguments {
   MeshArguments mesh;
+  FeaturesArguments features;
   MorseArguments morse;
   BallsArguments balls;
   InfoArguments info;

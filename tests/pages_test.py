@@ -132,7 +132,8 @@ def check_span(checks, sources, where, span, file):
         checks.expect(span.split()[1] in targets, where, f"no such target: {span}")
     elif span.startswith("-"):
         options = "".join((ROOT / "app" / name).read_text(encoding="utf-8")
-                          for name in ("options.cpp", "selection_arguments.cpp"))
+                          for name in ("options.cpp", "common_options.cpp",
+                                        "selection_arguments.cpp"))
         checks.expect(f"{span.split()[0]}" in options, where, f"no such option: {span}")
     elif FILE.fullmatch(span):
         exists = (ROOT / span).exists()

@@ -12,6 +12,8 @@ sys.path.insert(0, str(ROOT / "bench"))
 import ablation  # noqa: E402
 import condition  # noqa: E402
 import densities  # noqa: E402
+import features  # noqa: E402
+import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
 from molecule_runs import read_rows  # noqa: E402
@@ -87,11 +89,33 @@ def wrong_subdomains(rows):
             yield f"{r['molecule']} in {r['subdomains']}: {r['verdict']}"
 
 
+def wrong_second_order(rows):
+    if [(r["molecule"], float(r["C"])) for r in rows] != [
+            (m, C) for m in second_order.MOLECULES for C in second_order.SIZES]:
+        yield "not the runs of bench/second_order.py"
+    for r in rows:
+        if r["verdict"] != "certified":
+            yield f"{r['molecule']} with {r['C']}: {r['verdict']}"
+    page = (ROOT / "papers" / "second-order.md").read_text(encoding="utf-8")
+    if second_order.sentence(rows) not in page:
+        yield f"second-order.md does not say: {second_order.sentence(rows)}"
+
+
+def wrong_features(rows):
+    if [r["molecule"] for r in rows] != features.MOLECULES:
+        yield "not the runs of bench/features.py"
+    for r in rows:
+        if r["verdict"] != "certified" or abs(float(r["density"]) / 2 - 1) > 0.2:
+            yield f"{r['molecule']}: {r['verdict']}, {r['density']} vertices per square Angstrom"
+
+
 TABLES = [(ablation, "ablation.tsv", "5-results.md", wrong_ablation),
           (ablation, "ablation.tsv", "results/table1.md", wrong_ablation),
           (densities, "densities.tsv", "4.3-large-molecules.md", wrong_densities),
           (subdomains, "subdomains.tsv", "4.1-algorithm.md", wrong_subdomains),
           (ses_like, "ses-like.tsv", "coarser-skins.md", wrong_offsets),
+          (features, "features.tsv", "features.md", wrong_features),
+          (second_order, "second-order.tsv", "second-order.md", wrong_second_order),
           (condition, "condition.tsv", "coarser-skins.md", wrong_conditions)]
 
 

@@ -1,0 +1,69 @@
+#include "app/features_options.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/common_options.h"
+#include "app/output_names.h"
+#include "skin/molecule_files.h"
+
+namespace morskin::app {
+
+void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed) {
+  CLI::App& command = *app.add_subcommand(
+      "features", "Write a mesh with all that learning on surfaces takes, as arrays");
+  MeshArguments& mesh = features.mesh;
+  mesh.limits.advice = "ask for a smaller --density";
+  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command
+      .add_option("-o,--output", mesh.outputs,
+                  ".npz, all of it; .ply, the mesh with what is by vertex; repeat for both")
+      ->required()
+      ->allow_extra_args(false);
+  add_molecule_options(command, typed, "ses-like");
+  add_voids_option(command, typed, "drop");
+  command
+      .add_option("--density", typed.density,
+                  "Vertices per square Angstrom, about: reached by an estimate, without\n"
+                  "trial meshes")
+      ->default_str("2");
+  command.add_option("--report", mesh.report,
+                     "Also write the report of the command mesh to this file, as JSON");
+  command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
+  add_threads_option(command, mesh.threads);
+  add_limit_options(command, mesh.limits, typed);
+  add_progress_option(command, typed);
+  command.footer(
+      "The mesh is certified as that of the command mesh. Normals, curvatures and nearest atoms "
+      "are\n"
+      "those of the skin, in closed form. hphob is the residue's value on the scale of Kyte and\n"
+      "Doolittle, 0 where it is no amino acid. Not there: MaSIF's charge, a potential that a\n"
+      "Poisson-Boltzmann solver makes, and its hbond. papers/features.md lists every array.");
+}
+
+void set_feature_defaults(Typed& typed, const FeaturesArguments& features) {
+  constexpr double density = 2;
+  const bool gives_weights =
+      skin::molecule_format_of(features.mesh.molecule.input) == skin::MoleculeFormat::Xyzw;
+  if (!typed.skin.model && !gives_weights) typed.skin.model = "ses-like";
+  if (!typed.skin.voids) typed.skin.voids = "drop";
+  if (!typed.density) typed.density = density;
+}
+
+void finish_features(FeaturesArguments& features) {
+  MeshArguments& mesh = features.mesh;
+  for (const std::filesystem::path& path : mesh.outputs) {
+    const std::string ending = lower_extension(path);
+    if (!is_special(path) && ending != ".npz" && ending != ".ply") {
+      throw UsageError(path.string() + ": the ending must be .npz or .ply");
+    }
+  }
+  mesh.size_goal.is_estimated = true;
+  mesh.is_brief = true;
+  mesh.vertex_data.data = {morskin::Datum::Normal, morskin::Datum::Curvature, morskin::Datum::Atom};
+  mesh.vertex_data.charges = true;
+  mesh.vertex_data.is_all = true;
+  mesh.vertex_data.features = true;
+}
+
+}  // namespace morskin::app

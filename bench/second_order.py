@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""How much of the skin's area do flat and curved triangles lack? Meshes with --order 2 (model vdw)
+against the area of curved triangles with C = 0.05.
+
+One line for each run, also in papers/results/second-order.tsv: the shares of the area that the flat
+and the curved mesh lack, and the least Jacobian over the flat triangles'. A run is good when it is
+certified, and every Jacobian was proved positive, or the run would have been refused.
+"""
+
+import tempfile
+from pathlib import Path
+
+from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder
+
+MOLECULES = ["benzene.pdb", "caffeine.xyz", "5tmn_ligand.pdb", "1crn.pdb"]
+SIZES = [0.4, 0.35, 0.2, 0.08]
+REFERENCE = 0.05
+COLUMNS = ["molecule", "C", "triangles", "flat_lacks", "curved_lacks", "least_jacobian", "verdict"]
+WIDTHS = [18, 6, 10, 12, 12, 14, 12]
+
+
+def arguments():
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/second-order.tsv")
+    return parser.parse_args()
+
+
+def meshed(path, C, timeout):
+    with tempfile.TemporaryDirectory() as folder:
+        return mesh(path, "vdw", timeout, "-C", str(C), "--order", "2", "-o",
+                    Path(folder) / "curved.vtu")
+
+
+def row_of(path, C, run, exact):
+    report = run.report
+    if not report or "second_order" not in report:
+        return dict.fromkeys(COLUMNS, "") | {"molecule": path.name, "C": C,
+                                             "verdict": f"FAILED: {run.complaint}"}
+    curved = report["second_order"]
+    return {"molecule": path.name, "C": C, "triangles": report["triangles"],
+            "flat_lacks": 1 - report["area"] / exact, "curved_lacks": 1 - curved["area"] / exact,
+            "least_jacobian": curved["least_jacobian"],
+            "verdict": "certified" if report["certified"] else f"FAILED: {run.complaint}"}
+
+
+def table(rows):
+    lines = ["| molecule | C | triangles | flat lacks | curved lacks | least Jacobian |",
+             "|---|---|---|---|---|---|"]
+    for r in rows:
+        lines.append(f"| {r['molecule']} | {r['C']} | {int(r['triangles']):,} | "
+                     f"{100 * float(r['flat_lacks']):.3f} % | "
+                     f"{100 * float(r['curved_lacks']):.4f} % | "
+                     f"{float(r['least_jacobian']):.2f} |")
+    return "\n".join(lines)
+
+
+def sentence(rows):
+    """What the page says of both."""
+    shares = [abs(float(r["curved_lacks"]) / float(r["flat_lacks"])) for r in rows]
+    return (f"a curved mesh is off by {min(shares):.4f} to {max(shares):.4f} of what the flat one "
+            "lacks")
+
+
+def main():
+    options = arguments()
+    folder = molecule_folder(Path("bench/molecules"))
+    with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
+        for name in MOLECULES:
+            path = folder / name
+            if options.only not in str(path):
+                continue
+            exact = meshed(path, REFERENCE, options.timeout).report["second_order"]["area"]
+            for C in SIZES:
+                rows.add(row_of(path, C, meshed(path, C, options.timeout), exact))
+    as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
+    print(table(as_text))
+    print(sentence(as_text))
+    end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
+
+
+if __name__ == "__main__":
+    main()

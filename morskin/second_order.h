@@ -1,0 +1,31 @@
+#pragma once
+
+/// A certified mesh with curved triangles: its vertices stay, and each edge gets a node in its
+/// middle, on the skin. papers/second-order.md.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/indexed_mesh.h"
+#include "geometry/second_order_mesh.h"
+#include "surface/surface.h"
+
+namespace morskin {
+
+struct SecondOrder {
+  geometry::SecondOrderMesh mesh;
+  std::vector<geometry::CellId> cells;  ///< by node, vertices first
+  std::vector<std::uint32_t> ends;      ///< by node in an edge, a vertex of the edge
+  double area = 0;                      ///< Angstrom^2
+  double least_jacobian = 1;            ///< over the flat triangles' (certify/curved_triangle.h)
+};
+
+/// Each middle of an edge moves along the gradient onto the surface.
+/// @param cells  by vertex, the cell that it lies in
+/// @throws geometry::RefusedInput  a triangle whose Jacobian is not proved positive, or an edge
+///         whose middle does not reach the surface; it names the first of them
+SecondOrder second_order(const surface::Surface& surface, const geometry::IndexedMesh& mesh,
+                         std::span<const geometry::CellId> cells);
+
+}  // namespace morskin
