@@ -164,7 +164,8 @@ TEST_CASE("a triangle that is too coarse for the skin is refused and named") {
   const geometry::IndexedMesh mesh{
       {c + Point(1, 0, 0), c + Point(-0.8, 0.6, 0), c + Point(-0.8, -0.6, 0)},
       {{0, 1, 2}, {0, 2, 1}}};
-  const std::vector<geometry::CellId> cells(3, skin.surface.locate(mesh.positions[0], {0}));
+  const std::vector<geometry::CellId> cells(
+      3, skin.surface.locate(mesh.positions[0], geometry::CellId{}));
   CHECK_THROWS_WITH_AS(second_order(skin.surface, mesh, cells),
                        doctest::Contains("second-order triangle 0, with corners 0, 1 and 2"),
                        geometry::RefusedInput);
