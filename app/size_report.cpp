@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/report.h"
@@ -17,7 +18,8 @@ std::string missed_size(const MeshReport& report) {
   const auto is_missed = [&](double is, double wanted) {
     return !(std::abs(is - wanted) <= tenth * wanted);
   };
-  const auto& [density, count] = report.size_goal;
+  const std::optional<double>& density = report.size_goal.density;
+  const std::optional<double>& count = report.size_goal.triangles;
   const certify::Certificate& made = report.certificate;
   std::string wanted;
   if (density && is_missed(static_cast<double>(made.vertices) / made.area, *density)) {
