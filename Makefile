@@ -12,7 +12,7 @@ sources = $(shell find geometry surface skin morse certify refine front morskin 
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers exercise lint tidy format sanitize install clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -46,6 +46,8 @@ test: build  ## run every test but the slow ones
 test-slow: build  ## run the slow tests
 	@cmake/install_packages.sh cmake/python_packages.txt
 	@cmake/install_packages.sh cmake/readers_packages.txt
+	@cmake/install_packages.sh cmake/packaging_packages.txt
+	@cmake/install_packages.sh cmake/engines_packages.txt
 	ctest --test-dir build --output-on-failure -C slow -L slow
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command
@@ -116,6 +118,15 @@ papers: build  ## build the course of papers/ as HTML, run its commands and chec
 	@cmake/install_packages.sh cmake/pages_packages.txt
 	@python3 papers/course/build.py --jobs $(JOBS)
 
+papers-update: command  ## count triangles anew, and put all that papers/results says into the pages
+	python3 bench/counts.py
+	python3 papers/course/results.py
+
+solvers: command  ## what solvers make of the meshes, into papers/results (see papers/solvers.md)
+	@cmake/install_packages.sh cmake/plot_packages.txt
+	/usr/bin/python3 bench/solvers/run.py $(SOLVERS)
+	/usr/bin/python3 bench/solvers/plot.py
+
 exercise: deps  ## try the exercises of the page NAME (NAME=2.1-molecular-skin)
 	@test -f "papers/exercises/$(NAME).h" || { echo "make exercise NAME=PAGE, one of:"; \
 	  ls papers/exercises/*.h | sed -n 's|.*/\([0-9].*\)\.h|  \1|p'; exit 2; }
@@ -145,8 +156,26 @@ sanitize: deps  ## run the tests with the address and undefined behaviour saniti
 	cmake --build build/sanitize --parallel $(JOBS)
 	ctest --test-dir build/sanitize --output-on-failure
 
-install: build  ## install the command, the libraries and the CMake package under PREFIX
+install: build  ## install command, library, manual and examples under PREFIX (DESTDIR too)
 	cmake --install build --prefix $(PREFIX)
+
+# Only what is installed: the packages and the static binary take no tests.
+installed_targets = morskin_command morskin_manual installed_library
+packaged: deps
+	@cmake/install_packages.sh cmake/packaging_packages.txt
+	cmake --preset release
+	cmake --build build --parallel $(JOBS) --target $(installed_targets)
+
+# The address of the maintainer is for whoever gives them to others to put in.
+deb: packaged  ## make Debian packages in build/deb, and have lintian look at them
+	rm -rf build/deb && mkdir -p build/deb/morskin && cp -r packaging/debian build/deb/morskin
+	cd build/deb/morskin && BUILD=$(CURDIR)/build dpkg-buildpackage --build=binary --no-sign
+	lintian --allow-root --fail-on error \
+	  --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog build/deb/*.changes
+
+static: packaged  ## make build/static/morskin, which needs no shared library
+	packaging/static_libzip.sh build/static
+	cmake --build build --parallel $(JOBS) --target morskin_static
 
 clean:  ## remove everything built
 	rm -rf build

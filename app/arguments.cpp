@@ -17,6 +17,7 @@
 #include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
+#include "app/presets.h"
 #include "app/typed_values.h"
 #include "front/subdomains.h"
 #include "skin/molecule_files.h"
@@ -102,6 +103,7 @@ void finish(ViewArguments& view, const Typed& typed) {
   if (!is_special(view.output) && lower_extension(view.output) != ".html") {
     throw UsageError(view.output.string() + ": the ending must be .html");
   }
+  view.typed = typed.skin;
   view.function = parsed(typed);
   view.progress = parsed_progress(typed.progress);
 }
@@ -118,8 +120,25 @@ void check_grading(const MeshArguments& mesh) {
   }
 }
 
+/// Each of several models needs files of its own.
+void check_several(const MeshArguments& mesh) {
+  const auto refuse = [](const std::string& what) {
+    throw UsageError("several models cannot " + what + "; choose one with --model-number");
+  };
+  if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
+  if (std::ranges::any_of(mesh.outputs, is_standard_output)) refuse("go to standard output");
+  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas}) {
+    if (path && is_standard_output(*path)) refuse("go to standard output");
+  }
+  if (mesh.has_snapshots()) refuse("all have snapshots");
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
   mesh.typed = typed.skin;
+  if (mesh.models) check_several(mesh);
+  if (mesh.fail_fast && !mesh.models) {
+    throw UsageError("--fail-fast is for several models, as in --model-number all");
+  }
   mesh.function = parsed(typed);
   mesh.progress = parsed_progress(typed.progress);
   mesh.method = *parse_method(typed.method);
@@ -200,6 +219,12 @@ void finish(const CheckArguments& check) {
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   if (app.got_subcommand("features")) set_feature_defaults(typed, all.features);
+  if (typed.purpose) apply_preset(typed, all.mesh);
+  auto& model_number = typed.skin.selection.model_number;
+  if (model_number && app.got_subcommand("mesh")) {
+    all.mesh.models = ModelSet::parsed(*model_number);
+    if (all.mesh.models) model_number.reset();
+  }
   for (MoleculeArguments* molecule :
        {&all.mesh.molecule, &all.features.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
         &all.info.molecule, &all.against}) {
@@ -228,6 +253,10 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   if (app.got_subcommand("render")) return finished(all.render, typed.picture);
   if (app.got_subcommand("balls")) return finished(all.balls, typed);
   if (app.got_subcommand("info")) return all.info;
+  if (app.got_subcommand("batch")) {
+    all.batch.arguments.progress = parsed_progress(typed.progress);
+    return batch_arguments(*app.get_subcommand("batch"), all.batch);
+  }
   if (app.got_subcommand("figure")) {
     finish(all.figure);
     return all.figure;
@@ -253,10 +282,8 @@ Arguments parse_arguments(int count, const char* const* words) {
   AllArguments all;
   Typed typed;
   std::vector<const char*> completed(words, words + count);
-  for (const char*& word : completed) {
-    const std::string_view as_typed = word;
-    typed.wants_short_help |= as_typed == "--help" || as_typed == "-h";
-    if (as_typed == "--help-all") word = "--help";
+  for (const std::string_view word : completed) {
+    typed.wants_short_help |= word == "--help" || word == "-h";
   }
   add_commands(app, all, typed);
   try {

@@ -4,12 +4,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "app/exit_codes.h"
 #include "app/limits.h"
+#include "app/model_set.h"
 #include "app/picture_arguments.h"
 #include "app/skin_arguments.h"
 #include "certify/sizing.h"
@@ -40,8 +43,17 @@ struct VertexData {
   bool features = false;  ///< hydropathy, mass, the table of atoms and the Laplacian
 };
 
+/// What --for set, by option.
+struct PresetUse {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> set;
+};
+
 struct MeshArguments {
+  std::optional<PresetUse> preset;
   MoleculeArguments molecule;
+  std::optional<ModelSet> models;  ///< several of the molecule's; each goes into files of its own
+  bool fail_fast = false;          ///< the first of them that fails is the last
   TypedSkin typed;
   /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
@@ -56,6 +68,7 @@ struct MeshArguments {
   std::optional<morse::MorseFunction> function;
   std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> certificate;
+  std::optional<std::filesystem::path> task_trace;
   bool json = false;
   bool quiet = false;
   bool is_brief = false;  ///< a report of one line; what only a longer one tells is not computed
@@ -125,11 +138,32 @@ struct ViewArguments {
   std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
   std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
   certify::Sizing sizing;
+  TypedSkin typed;  ///< what was given; the rest a mesh file may state
   std::optional<morse::MorseFunction> function;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "show a coarser mesh"};
+};
+
+/// The molecules of one run of many: every N-th, beginning with the I-th.
+struct Shard {
+  std::size_t number = 1, count = 1;  ///< I from 1 to N
+};
+
+struct BatchArguments {
+  std::vector<std::string> sources;  ///< as batch_inputs takes them
+  std::string only;                  ///< of folders and archives, the names to take; empty for all
+  std::filesystem::path folder;
+  std::vector<std::string> endings{"ply"};  ///< of the files that are made, without their dot
+  bool features = false;                    ///< run `features` in place of `mesh`
+  Shard shard;
+  unsigned workers = 1;
+  /// For the workers: what decides what they write, and the limits, which do not.
+  std::vector<std::string> options, limit_options;
+  bool json = false;
+  bool quiet = false;
+  ShowProgress progress = ShowProgress::Auto;
 };
 
 /// Whether a file's ending, with or without .gz, is that of a mesh.
@@ -142,7 +176,8 @@ struct Finished {
 
 using Arguments =
     std::variant<Finished, MeshArguments, FeaturesArguments, MorseArguments, BallsArguments,
-                 InfoArguments, CheckArguments, ViewArguments, RenderArguments, FigureArguments>;
+                 InfoArguments, CheckArguments, ViewArguments, RenderArguments, FigureArguments,
+                 BatchArguments>;
 
 /// Prints help, the version or a complaint about the arguments.
 Arguments parse_arguments(int count, const char* const* words);

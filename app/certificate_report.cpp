@@ -56,18 +56,28 @@ std::string doubts_about(const certify::Sizing& sizing) {
   return doubts;
 }
 
-std::string certified_text(const Certificate& c) {
-  return std::string("certified: homeomorphic to the skin, ") +
+std::string proved_text(const Certificate& c) {
+  return std::string("homeomorphic to the skin, ") +
          (c.violations_L == 0 ? "[L] and [U] hold" : "[U] holds, no angle is below 30 degrees");
 }
 
-std::string certificate_text(const Certificate& c, const certify::Sizing& sizing) {
+std::string certified_text(const Certificate& c) { return "certified: " + proved_text(c); }
+
+std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
+  std::string text =
+      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3") +
+      line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
+                       counted(c.vertices, "vertex", "vertices"));
+  if (c.triangles == 0) return text;
+  const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
+  return text + line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
+                                   " degrees (bound " + brief(bound) + ")");
+}
+
+std::string certificate_text(const Certificate& c) {
   const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
                             c.euler_characteristic == c.expected_euler_characteristic;
-  std::string text;
-  text += line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
-                           counted(c.vertices, "vertex", "vertices"));
-  text +=
+  std::string text =
       line("topology", counted(c.components, "component", "components") + ", genus " +
                            grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
                            grouped(static_cast<long long>(c.euler_characteristic)) +
@@ -79,9 +89,6 @@ std::string certificate_text(const Certificate& c, const certify::Sizing& sizing
                                  grouped(static_cast<long long>(c.expected_euler_characteristic)));
   }
   if (c.triangles > 0) {
-    const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
-    text += line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                               " degrees (bound " + brief(bound) + ")");
     text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
                               brief(c.worst_U, 6) + " (good below 1), " +
                               counted(c.violations_L + c.violations_U, "violation", "violations"));
@@ -90,9 +97,13 @@ std::string certificate_text(const Certificate& c, const certify::Sizing& sizing
                                " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
                                " of the length scale");
   if (c.is_single_precision) text += line("", "(all coordinates are single precision)");
-  text +=
-      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3");
   return text;
+}
+
+std::string answers_text(const MeshReport& report) {
+  const certify::Certificate& c = report.certificate;
+  return surfaces_text(report.parts, c.area) + measures_text(c, report.sizing) +
+         line("proved", c.certified ? proved_text(c) : "NO: " + c.reason);
 }
 
 }  // namespace morskin::app

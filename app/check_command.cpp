@@ -70,30 +70,6 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
   return covered;
 }
 
-/// The molecule by what the mesh file states and, where that does not fit it, by the options given
-/// alone; the report tells which.
-MoleculeInput read_stated(CheckArguments& arguments, OriginReport& origin) {
-  StatedSkin stated = completed(arguments.typed, origin.stated);
-  origin.not_taken = std::move(stated.not_taken);
-  if (stated.taken.empty()) return read_input(*arguments.against);
-  try {
-    MoleculeArguments molecule{.input = arguments.against->input};
-    certify::Sizing sizing;
-    finish(molecule, molecule.input, stated.typed);
-    finish(sizing, stated.typed, sizing.C);
-    MoleculeInput input = read_input(molecule);
-    arguments.against = std::move(molecule);
-    arguments.sizing = sizing;
-    origin.taken = std::move(stated.taken);
-    return input;
-  } catch (const UsageError& error) {
-    origin.not_taken.emplace_back(error.what());
-  } catch (const geometry::RefusedInput& error) {
-    origin.not_taken.emplace_back(error.what());
-  }
-  return read_input(*arguments.against);
-}
-
 // Writes the certificate file too, if one is asked for.
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
                           const MoleculeInput& input, const CheckArguments& arguments) {
@@ -200,9 +176,14 @@ ExitCode check_command(const CheckArguments& asked) {
   report.topology = geometry::check_mesh(mesh);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) {
-    const MoleculeInput input = read_stated(arguments, report.origin);
-    report.origin.compare_input(input.sha256);
-    report.against = check_against(mesh, report.topology, input, arguments);
+    StatedMolecule stated =
+        read_stated(*arguments.against, arguments.sizing, arguments.typed, report.origin.stated);
+    arguments.against = std::move(stated.molecule);
+    arguments.sizing = stated.sizing;
+    report.origin.taken = std::move(stated.taken);
+    report.origin.not_taken = std::move(stated.not_taken);
+    report.origin.compare_input(stated.input.sha256);
+    report.against = check_against(mesh, report.topology, stated.input, arguments);
     find_what_fits(mesh, arguments, report);
   }
   check_agreement(report);

@@ -152,7 +152,8 @@ std::string worst_text(const std::string& label, const std::vector<Bad>& worst, 
 std::string skin_text(const CheckReport& report) {
   const AgainstSkin& against = *report.against;
   const certify::Deviations& d = against.deviations;
-  std::string text = certificate_text(against.certificate, report.arguments.sizing);
+  std::string text = measures_text(against.certificate, report.arguments.sizing) +
+                     certificate_text(against.certificate);
   text += line("centroids", "no farther than " + brief(d.max_centroid_distance, 2) +
                                 " A from the skin, " + brief(d.max_centroid_relative, 2) +
                                 " of the length scale");

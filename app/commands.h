@@ -8,6 +8,10 @@ namespace morskin::app {
 /// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
 /// UsageError
 ExitCode mesh_command(const MeshArguments& arguments);
+/// Runs the command and reports what it throws.
+using MeshRun = ExitCode (*)(const MeshArguments& arguments);
+/// `mesh` of each of arguments.models; returns the largest of their exit codes.
+ExitCode mesh_models(const MeshArguments& arguments, MeshRun run);
 ExitCode morse_command(const MorseArguments& arguments);
 ExitCode balls_command(const BallsArguments& arguments);
 ExitCode info_command(const InfoArguments& arguments);
@@ -15,5 +19,6 @@ ExitCode check_command(const CheckArguments& arguments);
 ExitCode view_command(const ViewArguments& arguments);
 ExitCode render_command(const RenderArguments& arguments);
 ExitCode figure_command(const FigureArguments& arguments);
+ExitCode batch_command(const BatchArguments& arguments);
 
 }  // namespace morskin::app

@@ -197,17 +197,21 @@ std::string complex_vtu(const ComplexReport& report) {
   const morse::MorseSmaleComplex& complex = left.complex;
   std::vector<Point> points;
   geometry::VtuGrid grid;
-  std::vector<std::int64_t> index, id, arc, survives;
-  std::vector<double> value;
+  const auto column = [](const char* name, bool is_whole) {
+    return geometry::Attribute{name, {name}, {}, is_whole};
+  };
+  std::array of_cells{column("index", true), column("id", true), column("arc", true),
+                      column("survives", true), column("value", false)};
+  auto& [index, id, arc, survives, value] = of_cells;
   const auto end_cell = [&](VtuCell kind, CriticalId named, CriticalId described,
-                            std::int64_t of_arc = -1) {
-    arc.push_back(of_arc);
+                            double of_arc = -1) {
+    arc.numbers.push_back(of_arc);
     grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
     grid.kinds.push_back(kind);
-    index.push_back(complex.points[described.index()].index);
-    value.push_back(complex.points[described.index()].value);
-    id.push_back(named.value);
-    survives.push_back(left.survives[named.index()]);
+    index.numbers.push_back(complex.points[described.index()].index);
+    value.numbers.push_back(complex.points[described.index()].value);
+    id.numbers.push_back(named.value);
+    survives.numbers.push_back(left.survives[named.index()]);
   };
   for (std::size_t i = 0; i < complex.points.size(); ++i) {
     points.push_back(complex.points[i].point.position);
@@ -224,20 +228,15 @@ std::string complex_vtu(const ComplexReport& report) {
           is_end ? std::int64_t{extremum.value} : static_cast<std::int64_t>(points.size());
       if (!is_end) points.push_back(line[k]);
       grid.corners.insert(grid.corners.end(), {from, to});
-      end_cell(VtuCell::Line, saddle, extremum, static_cast<std::int64_t>(i));
+      end_cell(VtuCell::Line, saddle, extremum, static_cast<double>(i));
       from = to;
     }
   }
   grid.points = points;
-  std::vector<double> value_there;
-  value_there.reserve(points.size());
-  for (const Point& point : points) value_there.push_back(report.function(point));
-  grid.point_numbers = {{"value", std::move(value_there)}};
-  grid.cell_integers = {{"index", std::move(index)},
-                        {"id", std::move(id)},
-                        {"arc", std::move(arc)},
-                        {"survives", std::move(survives)}};
-  grid.cell_numbers = {{"value", std::move(value)}};
+  geometry::Attribute value_there = column("value", false);
+  for (const Point& point : points) value_there.numbers.push_back(report.function(point));
+  grid.point_attributes = {&value_there, 1};
+  grid.cell_attributes = of_cells;
   return geometry::vtu(grid);
 }
 

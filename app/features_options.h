@@ -2,9 +2,14 @@
 
 /// The options of `features`, which is `mesh` with other defaults.
 
+#include <array>
+
 #include "app/options.h"
 
 namespace morskin::app {
+
+/// What `mesh` lets choose and `features` sets.
+inline constexpr std::array features_lack{"--vertex-data", "--decimals"};
 
 void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed);
 

@@ -104,6 +104,7 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
   nlohmann::ordered_json json = {{"input", arguments.molecule.input.string()},
                                  {"model", skin::name_of(arguments.molecule.model)},
                                  {"probe", arguments.molecule.probe},
+                                 {"radii", input.molecule.radii},
                                  {"atoms", input.molecule.atoms.size()},
                                  {"elements", elements(input.molecule)},
                                  {"radius_min", rounded(info.radii.smallest)},
@@ -155,7 +156,9 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
     text += line("models", (number ? "number " + std::to_string(*number) : "the first") + " of " +
                                grouped(counts.other_models + 1));
   }
-  text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A");
+  const std::string& radii = input.molecule.radii;
+  text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A, " +
+                            (radii == "input" ? "as in the file" : "of the table " + radii));
   text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +
                               " A, model " + std::string(skin::name_of(arguments.molecule.model)) +
                               ", probe " + brief(arguments.molecule.probe) + " A");

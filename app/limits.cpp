@@ -43,6 +43,14 @@ std::optional<std::uint64_t> number_in(const char* path, int field = 0) {
 
 std::uint64_t page_bytes() { return static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)); }
 
+// The program's size before its work; terabytes with a sanitizer.
+std::uint64_t held_bytes() {
+  constexpr int data_field = 5;  // proc(5), statm: data and stack, in pages
+  return number_in("/proc/self/statm", data_field).value_or(0) * page_bytes();
+}
+
+}  // namespace
+
 std::uint64_t machine_bytes() {
   std::uint64_t bytes = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * page_bytes();
   for (const char* path :
@@ -51,14 +59,6 @@ std::uint64_t machine_bytes() {
   }
   return bytes;
 }
-
-// The program's size before its work; terabytes with a sanitizer.
-std::uint64_t held_bytes() {
-  constexpr int data_field = 5;  // proc(5), statm: data and stack, in pages
-  return number_in("/proc/self/statm", data_field).value_or(0) * page_bytes();
-}
-
-}  // namespace
 
 void limit_memory(const Limits& limits) {
   const std::uint64_t most = limits.max_memory.value_or(machine_bytes());

@@ -18,6 +18,9 @@ struct Limits {
   static constexpr double max_timeout = 1e8;  // three years
 };
 
+/// The memory of the machine or of the control group, bytes.
+std::uint64_t machine_bytes();
+
 /// From now on allocations fail with std::bad_alloc if they would add more than max_memory of data
 /// to the program's present size. A stricter limit of the shell remains. If max_memory is absent,
 /// it is all memory of the machine or the control group, so that the system need not kill the

@@ -14,9 +14,13 @@
 namespace morskin::app {
 namespace {
 
+ExitCode run_apart(const MeshArguments& arguments);
+
 struct Run {
   ExitCode operator()(Finished finished) const { return finished.code; }
-  ExitCode operator()(const MeshArguments& arguments) const { return mesh_command(arguments); }
+  ExitCode operator()(const MeshArguments& arguments) const {
+    return arguments.models ? mesh_models(arguments, run_apart) : mesh_command(arguments);
+  }
   ExitCode operator()(const FeaturesArguments& arguments) const {
     return mesh_command(arguments.mesh);
   }
@@ -27,6 +31,7 @@ struct Run {
   ExitCode operator()(const ViewArguments& arguments) const { return view_command(arguments); }
   ExitCode operator()(const RenderArguments& arguments) const { return render_command(arguments); }
   ExitCode operator()(const FigureArguments& arguments) const { return figure_command(arguments); }
+  ExitCode operator()(const BatchArguments& arguments) const { return batch_command(arguments); }
 };
 
 template <class Error>
@@ -85,17 +90,29 @@ Limits limits_of(const Arguments& arguments) {
       arguments);
 }
 
-ExitCode run(int count, const char* const* words) {
+/// The exit code of a piece of work, or of what it throws, which is reported.
+template <class Work>
+ExitCode reported(Work work) {
   try {
-    const Arguments arguments = parse_arguments(count, words);
-    limit_memory(limits_of(arguments));
-    const ExitCode code = std::visit(Run{}, arguments);
+    const ExitCode code = work();
     if (std::cout.flush()) return code;
     return fail(ExitCode::UnwritableOutput,
                 "standard output: cannot write; the report was not printed");
   } catch (const std::exception& error) {
     return fail(error);
   }
+}
+
+ExitCode run_apart(const MeshArguments& arguments) {
+  return reported([&] { return mesh_command(arguments); });
+}
+
+ExitCode run(int count, const char* const* words) {
+  return reported([&] {
+    const Arguments arguments = parse_arguments(count, words);
+    limit_memory(limits_of(arguments));
+    return std::visit(Run{}, arguments);
+  });
 }
 
 // For exceptions that leave a thread; must not allocate.

@@ -22,6 +22,7 @@
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/stopwatch.h"
+#include "geometry/task_trace.h"
 #include "morskin/pipeline.h"
 
 namespace morskin::app {
@@ -81,9 +82,11 @@ long long peak_memory_bytes() {
 void describe_input(MeshReport& report, const MeshArguments& arguments,
                     const MoleculeInput& input) {
   report.molecule = arguments.molecule;
+  report.preset = arguments.preset;
   report.sizing = arguments.sizing;
   report.angle_goal_deg =
       arguments.angle_goal_deg.value_or(refine::AngleGoal::usual_deg(arguments.sizing));
+  report.radii = input.molecule.radii;
   report.atoms_used = input.molecule.atoms.size();
   report.reading = input.molecule.counts;
   report.rounded_coordinates = input.rounded_coordinates;
@@ -160,6 +163,8 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
 
 ExitCode mesh_command(const MeshArguments& arguments) {
   const Stopwatch total;
+  std::optional<geometry::TaskTrace> trace;
+  if (arguments.task_trace) trace.emplace();
   TimeLimit time_limit(arguments.limits, arguments.molecule.input);
   MeshReport report;
   const std::string doubts = doubts_about(arguments.sizing);
@@ -179,8 +184,10 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (arguments.report) names.push_back(*arguments.report);
   if (arguments.certificate) names.push_back(*arguments.certificate);
   if (arguments.areas) names.push_back(*arguments.areas);
+  if (arguments.task_trace) names.push_back(*arguments.task_trace);
   StagedOutputs outputs(names);
   std::span<PendingFile> files = outputs.files();
+  PendingFile* const trace_file = take_last(files, arguments.task_trace);
   PendingFile* const areas_file = take_last(files, arguments.areas);
   PendingFile* const certificate_file = take_last(files, arguments.certificate);
   PendingFile* const report_file = take_last(files, arguments.report);
@@ -230,18 +237,23 @@ ExitCode mesh_command(const MeshArguments& arguments) {
     areas = areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells));
     if (areas_file != nullptr) areas_file->write(areas);
   }
+  if (trace_file != nullptr) trace_file->write(trace->json());
   time_limit.cancel();
   outputs.undisturbed([&] {
     for (PendingFile& file : files) file.commit(suffix);
     if (report_file != nullptr) report_file->commit();
     if (certificate_file != nullptr) certificate_file->commit(suffix);
     if (areas_file != nullptr) areas_file->commit(suffix);
+    if (trace_file != nullptr) trace_file->commit();
   });
   if (arguments.certificate && certificate_file == nullptr) {
     geometry::write_file_atomically(*arguments.certificate, certificate);
   }
   if (arguments.areas && areas_file == nullptr) {
     geometry::write_file_atomically(*arguments.areas, areas);
+  }
+  if (trace && trace_file == nullptr) {
+    geometry::write_file_atomically(*arguments.task_trace, trace->json());
   }
   publish(report, arguments);
   return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;

@@ -27,6 +27,7 @@ void add_selection(Entries& entries, const TypedSelection& typed) {
   add(entries, "hetatm", typed.hetatms);
   add(entries, "altloc", typed.locations);
   add(entries, "hydrogens", typed.hydrogens);
+  add(entries, "biological-assembly", typed.assembly);
 }
 
 // All that fits into the 80 bytes of STL; the dots say that there was more to say.
@@ -41,10 +42,10 @@ std::string brief(std::string_view verdict, const std::string& input_sha256,
 }  // namespace
 
 MeshOrigin::MeshOrigin(const MeshArguments& arguments, const MoleculeInput& input)
-    : arguments_(arguments), sizing_(arguments.sizing), input_sha256_(input.sha256) {
-  const bool is_of_weights = !input.molecule.weights.empty();
-  radii_ = is_of_weights ? "weights" : input.molecule.has_radii ? "input" : "elements";
-}
+    : arguments_(arguments),
+      sizing_(arguments.sizing),
+      input_sha256_(input.sha256),
+      radii_(input.molecule.radii) {}
 
 Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) const {
   const MoleculeArguments& molecule = arguments_.molecule;

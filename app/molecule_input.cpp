@@ -70,6 +70,7 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   MoleculeInput input;
   skin::ReadOptions options;
   options.selection = arguments.selection;
+  if (arguments.radii) options.radii = skin::radius_table(*arguments.radii);
   const std::string name = arguments.input.string();
   const geometry::FileBytes file = geometry::read_file(arguments.input, options.max_bytes);
   std::string_view bytes = file.view();

@@ -1,127 +1,72 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 
-#include "app/common_options.h"
 #include "app/features_options.h"
 #include "app/help_groups.h"
 #include "app/help_text.h"
+#include "app/presets.h"
+#include "app/shared_options.h"
 #include "app/version.h"
 
 namespace morskin::app {
 namespace {
-
-void add_sizing_options(CLI::App& command, Typed& typed) {
-  command
-      .add_option("-C", typed.skin.C,
-                  "Size of the triangles over the curvature radius;\n"
-                  "half of it makes four times as many")
-      ->default_str("0.08");
-  command.add_option("-Q", typed.skin.Q,
-                     "Quality: every angle exceeds asin(1/Q^2) (default: 1.65 or,\n"
-                     "with C above 0.107, the least that C allows)");
-  command.add_option("--size", typed.skin.size,
-                     "Edges of about this length, Angstrom, where the skin is flat enough;\n"
-                     "elsewhere what -C allows, 0.4 unless it is given");
-}
-
-void add_function_option(CLI::App& command, Typed& typed) {
-  command.add_option("--function", typed.function,
-                     "The Morse function: height:x,y,z along a direction, or\n"
-                     "distance:x,y,z, squared, from a point\n"
-                     "(default: height along y, tilted a little)");
-}
-
-void add_certificate_option(CLI::App& command, std::optional<std::filesystem::path>& certificate) {
-  command.add_option("--certificate", certificate,
-                     "Also write what certify/verify/verify.py needs to prove the mesh\n"
-                     "anew, as JSON");
-}
 
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply .off .obj .vtu .npz .msh .vert with .face\n"
-                  "(exact), .stl .glb (single precision); repeat for several. \"-\",\n"
-                  "/dev/null and the like take PLY")
+                  "The mesh, by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert\n"
+                  "Repeat it for several. .stl and .glb have single precision, the others are "
+                  "exact; .vert writes\n"
+                  ".face too. \"-\", /dev/null and the like take PLY")
       ->required()
       ->allow_extra_args(false);
-  command.add_option("--vertex-data", typed.vertex_data,
-                     "Into .ply .vtu .npz .msh .glb too: normal,curvature,directions,scale,\n"
-                     "atom,shares,component,patch,residue,charge; or all");
-  command
-      .add_option("--decimals", mesh.decimals,
-                  "Write .vert and .face in columns, with so many decimals, 3 as MSMS does\n"
-                  "(default: all decimals, so that no bit is lost)")
-      ->check(CLI::Range(1, 9));
+  add_meshing_options(command, mesh, typed);
   command
       .add_option("--order", mesh.order,
-                  "2: curved triangles into .vtu and .msh, with a node on the skin in the\n"
-                  "middle of each edge; the certificate is of the corners' mesh")
+                  "2: curved triangles into .vtu and .msh\n"
+                  "with a node on the skin in the middle of each edge; the certificate is of the\n"
+                  "corners' mesh")
       ->check(CLI::Range(1, 2))
       ->default_str("1");
-  command.add_option("--areas", mesh.areas,
-                     "Also write the areas of atoms and residues to this file, as CSV");
-  add_molecule_options(command, typed);
-  add_voids_option(command, typed);
-  add_sizing_options(command, typed);
-  command.add_option("--density", typed.density,
-                     "In place of --size: so many vertices per square Angstrom");
-  command.add_option("--triangles", typed.triangles,
-                     "In place of --size: so many triangles, found by trial meshes");
-  command.add_option("--grading", typed.grading,
-                     "By how much edges may grow for each Angstrom from where they are\n"
-                     "short, 0.2 for instance, with -C 0.4; what -C allows anyway is 0.18\n"
-                     "with 0.08 and 0.87 with 0.4. By the static method");
   command
-      .add_option("--angle-goal", typed.angle_goal,
-                  "Degrees: vertices are moved, taken out and put in until no angle is\n"
-                  "smaller; 0 for not at all. With 30 or more no file that has one below\n"
-                  "30 is certified. From 35 on, up to C = 0.2, also none above 105.\n"
-                  "With sweep and static")
-      ->default_str("35 up to C = 0.2, 30 beyond");
-  add_function_option(command, typed);
-  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z");
+      .add_option("--areas", mesh.areas,
+                  "Also write the areas of atoms and residues to this file, as CSV")
+      ->default_str("none");
   command
-      .add_option("--method", typed.method,
-                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
-                  "static with C above 0.25 where no length limits most edges, up to 50,000\n"
-                  "balls: it takes less time there; dynamic, growth from nothing;\n"
-                  "marching-cubes, for comparison: without quality, so as a rule not\n"
-                  "certified")
-      ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))
-      ->capture_default_str();
-  command.add_option("--grid", mesh.grid_step,
-                     "Step of the grid of marching-cubes, Angstrom (default: as many\n"
-                     "triangles as the sweep makes)");
-  command.add_option("--grow", typed.grow,
-                     "T0..T1, of --method dynamic: stop when T1, Angstrom^2, has been added to\n"
-                     "every weight; --snapshots are taken from T0 to T1 (default: -W..0, W the\n"
-                     "largest weight). What is meshed and certified is the skin at T1");
-  command.add_option("--fronts", typed.fronts,
-                     "Sweep so many subdomains, each for itself, a power of two (default: as\n"
-                     "many as the size of the mesh is worth); 1 sweeps from below with one\n"
-                     "front, as the paper's Algorithm 1 does");
+      .add_option("--for", typed.purpose,
+                  "Set density, voids, data and format for a purpose: bem, learning\n"
+                  "Where no option does: bem, boundary elements; learning, points with all data")
+      ->check(CLI::IsMember(preset_names()))
+      ->default_str("none");
+  command.add_flag("--fail-fast", mesh.fail_fast,
+                   "Of several models mesh none after one that fails");
   command
-      .add_option("--guard", typed.guard,
-                  "Where the front looks for collisions: everywhere; adjacent or\n"
-                  "spheres are experiments that fail on most molecules")
-      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
-      ->capture_default_str();
-  command.add_option("--snapshots", mesh.snapshots,
-                     "Write so many states of the growing mesh and its front, at even steps of\n"
-                     "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)");
+      .add_option("--snapshots", mesh.snapshots,
+                  "Write so many states of the growing mesh and its front, at even steps of\n"
+                  "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)")
+      ->default_str("0");
   command
       .add_option("--snapshot-at", mesh.snapshot_values,
                   "Also, or instead, at these values: v,v,...")
+      ->default_str("none")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them (default: here)");
-  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON");
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them")
+      ->type_name("FOLDER")
+      ->default_str("here");
+  command.add_option("--report", mesh.report, "Also write the report to this file, as JSON")
+      ->default_str("none");
   add_certificate_option(command, mesh.certificate);
+  command
+      .add_option("--trace-tasks", mesh.task_trace,
+                  "Write what ran when to this file, in the JSON that browsers' tracing views\n"
+                  "read; bench/replay.py tells from one of --threads 1 what more would bring")
+      ->default_str("none");
   command.add_flag("--json", mesh.json, "Print the report as JSON");
   command.add_flag("-q,--quiet", mesh.quiet,
                    "Print nothing but errors, and the report if --json asks for it");
@@ -130,11 +75,9 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_progress_option(command, typed);
   group_options(command, !typed.wants_short_help);
   command.footer(
-      "--help-all also lists the laboratory: methods, Q, fronts, snapshots, Morse functions.\n"
-      "\n"
-      "The mesh takes its name only when the bytes written have been read back and certified:\n"
-      "homeomorphic to the skin, [L] and [U] met everywhere. Otherwise it is left as\n"
-      "OUT.unverified, the exit code is 5, and an older OUT stays as it was.");
+      "--help-all has more on each, and the rest: grading, methods, Q, fronts, Morse functions.\n"
+      "OUT gets its name once it has been read back and certified; else it is OUT.unverified, exit "
+      "code 5.");
 }
 
 void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {
@@ -234,13 +177,28 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
       "through the sweep again. A mesh that is not certified makes OUT.unverified, exit code 5.");
 }
 
+/// Says in help, manual and completions which values are files.
+void name_files(CLI::App& app) {
+  static constexpr std::array files{"INPUT",    "MESH",          "--output", "--areas",
+                                    "--report", "--certificate", "--frames", "--against"};
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (const char* name : files) {
+      if (auto* option = command->get_option_no_throw(name)) option->type_name("FILE");
+    }
+  }
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   app.description(about);
   app.footer(closing);
   app.require_subcommand(1);
-  app.set_version_flag("--version", "morskin " + std::string(version));
+  show_defaults(app);
+  app.set_help_flag("-h,--help,--help-all", "Print this help and exit");
+  app.set_version_flag("--version", "morskin " + std::string(version) + "\ncommit   " +
+                                        std::string(commit) + "\ncompiler " +
+                                        std::string(compiler));
   add_mesh(app, all.mesh, typed);
   add_features(app, all.features, typed);
   add_morse(app, all.morse, typed);
@@ -251,6 +209,8 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
   add_render(app, all.render, typed.picture);
   add_limit_options(*app.get_subcommand("render"), all.render.limits, typed);
   add_figure(app, all.figure);
+  add_batch(app, all.batch, typed);
+  name_files(app);
 }
 
 }  // namespace morskin::app

@@ -28,7 +28,15 @@ struct Typed {
   std::optional<std::size_t> fronts;
   std::optional<double> density, triangles, grading, angle_goal;
   std::optional<std::string> grow, vertex_data;
+  std::optional<std::string> purpose;  ///< of --for
   TypedPicture picture;
+};
+
+/// The options of `batch`. Those that it shares with `mesh` go to the workers as they were typed.
+struct TypedBatch {
+  BatchArguments arguments;
+  MeshArguments mesh;  ///< not used: the workers take theirs anew
+  std::optional<std::string> shard, timeout, max_memory;
 };
 
 /// The options of all commands.
@@ -43,7 +51,15 @@ struct AllArguments {
   ViewArguments view;
   RenderArguments render;
   FigureArguments figure;
+  TypedBatch batch;
 };
+
+// batch/options.cpp
+
+void add_batch(CLI::App& app, TypedBatch& batch, Typed& typed);
+/// @param command  as parsed
+/// @throws UsageError
+BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed);
 
 /// Adds all commands and options to the parser. Both must outlive it.
 void add_commands(CLI::App& app, AllArguments& all, Typed& typed);

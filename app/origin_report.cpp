@@ -124,6 +124,7 @@ std::string skin_text(const MoleculeArguments& molecule, const certify::Sizing& 
   std::string text =
       "of " + molecule.input.string() + ": model " + std::string(skin::name_of(molecule.model));
   if (molecule.model != skin::Model::Given) text += ", probe " + brief(molecule.probe) + " A";
+  if (molecule.radii) text += ", radii " + *molecule.radii;
   if (chosen.contains("selection")) text += values(chosen["selection"]);
   const double volume = molecule.drop_voids_below;
   text += volume == 0          ? ", voids kept"

@@ -65,12 +65,16 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
   if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
     throw UsageError(output.string() + " would replace the input; choose another name");
   }
+  if (!is_special(output) && molecule.radii && one_name(output) == one_name(*molecule.radii)) {
+    throw UsageError(output.string() + " would replace the radii; choose another name");
+  }
 }
 
 void check_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> names = mesh.outputs;
   if (mesh.report) names.push_back(*mesh.report);
   if (mesh.certificate) names.push_back(*mesh.certificate);
+  if (mesh.task_trace) names.push_back(*mesh.task_trace);
   if (mesh.areas) names.push_back(*mesh.areas);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
+#include "app/presets.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "geometry/files/provenance_json.h"
@@ -105,6 +106,7 @@ std::string json_text(const MeshReport& report) {
   ordered_json json = {{"input", report.molecule.input.string()},
                        {"model", skin::name_of(report.molecule.model)},
                        {"probe", report.molecule.probe},
+                       {"radii", report.radii},
                        {"atoms_used", report.atoms_used},
                        {"atoms_skipped", skipped(report.reading)},
                        {"atoms_skipped_by_reason", skipped_json(report.reading)},
@@ -118,6 +120,7 @@ std::string json_text(const MeshReport& report) {
                        {"Q", report.sizing.Q},
                        {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
   add_selection(json, report.molecule.selection);
+  if (report.preset) json["preset"] = preset_json(*report.preset);
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
@@ -237,6 +240,25 @@ std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
                                      " components more; --report lists them");
 }
 
+/// Of what balls the skin is, and how fine the mesh.
+std::string skin_text(const MeshReport& report) {
+  const MoleculeArguments& molecule = report.molecule;
+  std::string text = "weights as given";
+  if (molecule.model != skin::Model::Given) {
+    text = "model " + std::string(skin::name_of(molecule.model)) + ", probe " +
+           brief(molecule.probe) + " A";
+  }
+  if (molecule.radii) text += ", radii " + *molecule.radii;
+  if (molecule.selection.assembly) text += ", biological assembly " + *molecule.selection.assembly;
+  text += ", patch radii " + brief(report.patch_radius_min) + " to " +
+          brief(report.patch_radius_max) + " A, C " + brief(report.sizing.C) + ", Q " +
+          brief(report.sizing.Q);
+  if (std::isfinite(report.sizing.largest_length_scale)) {
+    text += ", edges of " + brief(report.sizing.edge_length()) + " A";
+  }
+  return line("skin", text);
+}
+
 }  // namespace
 
 std::string people_text(const MeshReport& report) {
@@ -247,30 +269,23 @@ std::string people_text(const MeshReport& report) {
   const RunSeconds& s = report.seconds;
   std::string text =
       report.molecule.input.string() + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
+  text += answers_text(report);
+  if (report.preset) text += line("preset", preset_text(*report.preset));
   text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
                             " left out" + (words.empty() ? "" : " (" + words + ")"));
-  const bool is_given = report.molecule.model == skin::Model::Given;
   if (report.rounded_coordinates > 0) {
     text += line("rounded", counted(report.rounded_coordinates, "coordinate", "coordinates") +
                                 " to multiples of 2^-120 A");
   }
-  text += line("skin", (is_given ? "weights as given"
-                                 : "model " + std::string(skin::name_of(report.molecule.model)) +
-                                       ", probe " + brief(report.molecule.probe) + " A") +
-                           ", patch radii " + brief(report.patch_radius_min) + " to " +
-                           brief(report.patch_radius_max) + " A, C " + brief(report.sizing.C) +
-                           ", Q " + brief(report.sizing.Q) +
-                           (std::isfinite(report.sizing.largest_length_scale)
-                                ? ", edges of " + brief(report.sizing.edge_length()) + " A"
-                                : ""));
+  text += skin_text(report);
   if (const std::string doubts = doubts_about(report.sizing); !doubts.empty()) {
     text +=
         line("range", doubts + (report.certificate.certified ? "; certified all the same" : ""));
   }
-  text += skin_parts_text(report.parts);
+  text += waists_text(report.parts);
   text += sizes_text(report);
-  text += certificate_text(report.certificate, report.sizing) +
-          quality_text(report.quality, report.certificate.area);
+  text +=
+      certificate_text(report.certificate) + quality_text(report.quality, report.certificate.area);
   text += method_text(report);
   text += fallback_text(report.fallbacks);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +

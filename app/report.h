@@ -36,10 +36,12 @@ struct RunSeconds {
 /// bytes written.
 struct MeshReport {
   MoleculeArguments molecule;
+  std::optional<PresetUse> preset;
   certify::Sizing sizing;
   std::optional<morskin::BentPart> bent;  ///< where sizes are limited by length
   std::optional<morskin::Grading> grading;
   morskin::SizeGoal size_goal;  ///< what was asked for
+  std::string radii;            ///< skin::Molecule::radii
   std::size_t atoms_used = 0;
   std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
   skin::ReadingCounts reading;
@@ -81,12 +83,17 @@ std::string critical_text(const morskin::CriticalCounts& counts);
 
 // certificate_report.cpp
 
-/// What a certified mesh is, in words.
+/// What is proved of a certified mesh, in words; and with "certified: " before it.
+std::string proved_text(const certify::Certificate& certificate);
 std::string certified_text(const certify::Certificate& certificate);
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
-std::string certificate_text(const certify::Certificate& certificate,
-                             const certify::Sizing& sizing);
+/// Area and volume, triangles and vertices, angles.
+std::string measures_text(const certify::Certificate& certificate, const certify::Sizing& sizing);
+/// What else the certificate says.
+std::string certificate_text(const certify::Certificate& certificate);
+/// What a chemist asks of a mesh: its surfaces, measures_text(), whether it is proved.
+std::string answers_text(const MeshReport& report);
 
 // size_report.cpp
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/model_set.h"
 #include "app/skin_arguments.h"
 #include "geometry/files/text_lines.h"
 
@@ -55,23 +56,32 @@ void parse_hetatms(const std::string& text, skin::Selection& selection) {
 }  // namespace
 
 void add_selection_options(CLI::App& command, TypedSelection& typed) {
-  command.add_option("--model-number", typed.model_number, "Which of the file's models to read")
+  command
+      .add_option("--model-number", typed.model_number,
+                  "The model to read: its number, or several: 1,3-5 or all\n"
+                  "Several are for mesh: each writes OUT-3.ply and a report, and the exit code\n"
+                  "is the largest")
       ->default_str("the first");
   command
+      .add_option("--biological-assembly", typed.assembly,
+                  "The copies that make up assembly N, of PDB and mmCIF\n"
+                  "PDB has them in REMARK 350. The copies of chain A are A, A-2, A-3 ...")
+      ->default_str("none");
+  command
       .add_option("--chain", typed.chains,
-                  "Keep only these chains, A,B,... by the author's names; _ is the\n"
-                  "chain without a name")
+                  "Only these chains, A,B,... as the author names them\n"
+                  "_ is the chain without a name")
       ->default_str("all chains");
-  command.add_flag("--waters", typed.waters, "Keep the waters");
+  command.add_flag("--waters", typed.waters, "Keep the waters, which are left out otherwise");
   command
       .add_option("--hetatm", typed.hetatms,
-                  "Of HETATM records, --waters aside, keep all, none or those of\n"
-                  "these residues: NAME,NAME,...")
+                  "Of HETATM records keep all, none or residues: NAME,NAME,...\n"
+                  "Waters among them go and stay by --waters alone")
       ->default_str("all");
   command
       .add_option("--altloc", typed.locations,
-                  "Of an atom's alternate locations keep the likeliest, all, or the\n"
-                  "one of this letter; an atom that lacks it keeps the likeliest")
+                  "Of alternate locations the likeliest, all or a letter's\n"
+                  "An atom that lacks the letter keeps the likeliest")
       ->default_str("likeliest");
   command.add_option("--hydrogens", typed.hydrogens, "Hydrogen, deuterium too: keep or drop")
       ->check(CLI::IsMember({"keep", "drop"}))
@@ -86,11 +96,15 @@ skin::Selection parsed(const TypedSelection& typed) {
   if (typed.locations) parse_locations(*typed.locations, selection);
   if (typed.hetatms) parse_hetatms(*typed.hetatms, selection);
   if (typed.model_number) {
-    selection.model = geometry::parse_integer(*typed.model_number);
-    if (!selection.model || *selection.model < 0) {
-      throw UsageError("--model-number must be a whole number, not below 0");
+    if (ModelSet::parsed(*typed.model_number)) {
+      throw UsageError("--model-number: only mesh takes several models; choose one");
     }
+    selection.model = parsed_model_number(*typed.model_number);
   }
+  if (typed.assembly && typed.assembly->empty()) {
+    throw UsageError("--biological-assembly is empty; name one, as in 1");
+  }
+  selection.assembly = typed.assembly;
   return selection;
 }
 
@@ -104,6 +118,7 @@ void add_selection(nlohmann::ordered_json& json, const skin::Selection& selectio
   if (selection.all_locations) chosen["altloc"] = "all";
   if (selection.location) chosen["altloc"] = std::string(1, *selection.location);
   if (!selection.hydrogens) chosen["hydrogens"] = "drop";
+  if (selection.assembly) chosen["biological_assembly"] = *selection.assembly;
   if (!chosen.empty()) json["selection"] = chosen;
 }
 

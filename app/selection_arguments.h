@@ -16,7 +16,7 @@ namespace morskin::app {
 
 /// The options as typed, before they are checked.
 struct TypedSelection {
-  std::optional<std::string> chains, locations, hydrogens, hetatms, model_number;
+  std::optional<std::string> chains, locations, hydrogens, hetatms, model_number, assembly;
   bool waters = false;
 };
 

@@ -3,12 +3,26 @@
 #include <cmath>
 
 #include "app/typed_values.h"
+#include "geometry/error.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
 namespace {
 
 constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
+
+/// A list of radii is checked here; a file when it is read.
+void check_radii(const std::string& radii, const std::filesystem::path& molecule) {
+  if (radii.empty()) throw UsageError("--radii is empty; name a table or a file");
+  if (radii == "-" && molecule == "-") {
+    throw UsageError("the molecule and --radii cannot both be standard input");
+  }
+  try {
+    skin::parse_radius_table(radii);
+  } catch (const geometry::RefusedInput& error) {
+    throw UsageError(std::string("--radii: ") + error.what());
+  }
+}
 
 void check_sizing(const certify::Sizing& sizing) {
   if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
@@ -35,6 +49,8 @@ void finish(MoleculeArguments& molecule, const std::filesystem::path& file,
     throw UsageError("weights that are given need no probe; leave out --probe");
   }
   molecule.selection = parsed(typed.selection);
+  if (typed.radii) check_radii(*typed.radii, file);
+  molecule.radii = typed.radii;
   if (typed.voids) molecule.drop_voids_below = parsed_voids(*typed.voids);
   molecule.probe = typed.probe.value_or(molecule.probe);
   if (!(molecule.probe >= 0 && molecule.probe <= largest_probe)) {

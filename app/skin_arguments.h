@@ -26,12 +26,13 @@ struct MoleculeArguments {
   skin::Model model = skin::Model::Vdw;
   double probe = 1.4;  ///< Angstrom
   skin::Selection selection = {};
-  double drop_voids_below = 0;  ///< Angstrom^3; infinite for all
+  std::optional<std::string> radii = {};  ///< as skin::radius_table takes them
+  double drop_voids_below = 0;            ///< Angstrom^3; infinite for all
 };
 
 /// The options as typed, before they are checked; absent where the default holds.
 struct TypedSkin {
-  std::optional<std::string> model, voids;
+  std::optional<std::string> model, radii, voids;
   std::optional<double> probe, C, Q, size;
   TypedSelection selection;
 };

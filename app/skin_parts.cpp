@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The fewest triangles that a surface of such a demand, the integral of rho^-2, can have.
+/// About how many triangles a surface of such a demand, the integral of rho^-2, takes at least.
 double forced_triangles(double demand) {
   const double largest = morskin::max_provable_share;  // circumradius over rho
   return demand / (0.75 * std::sqrt(3) * largest * largest);
@@ -60,12 +60,12 @@ std::string volumes_text(const std::vector<SkinParts::Cavity>& voids) {
   return " of " + brief(known.back(), 3) + largest + " A^3";
 }
 
-std::string voids_text(const std::vector<SkinParts::Cavity>& voids) {
+std::string voids_text(const std::vector<SkinParts::Cavity>& voids, const std::string& area = "") {
   if (voids.empty()) return line("voids", "none");
   const auto dropped = static_cast<std::size_t>(
       std::ranges::count_if(voids, [](const auto& v) { return v.is_dropped; }));
   return line("voids", grouped(voids.size()) + volumes_text(voids) +
-                           (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped"));
+                           (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped") + area);
 }
 
 std::string waists_text(const char* label, const std::vector<skin::Waist>& waists) {
@@ -77,6 +77,7 @@ std::string waists_text(const char* label, const std::vector<skin::Waist>& waist
 
 SkinParts parts_without_volumes(const morskin::PreparedSkin& skin) {
   SkinParts parts;
+  parts.outer_surfaces = skin.topology.outer_bodies.size();
   for (std::uint32_t i = 0; i < skin.topology.voids.size(); ++i) {
     const skin::Void& v = skin.topology.voids[i];
     parts.voids.push_back({v.centre, std::nullopt, v.bodies.size() - 1, skin.has_dropped(i)});
@@ -94,29 +95,36 @@ void sort_by_volume(std::vector<SkinParts::Cavity>& voids) {
   });
 }
 
-/// By component of the skin what the mesh's on it encloses, negative in a void.
-std::map<skin::SkinComponents::Sides, double> enclosed_volumes(const morskin::PreparedSkin& skin,
-                                                               const morskin::MeshResult& result) {
+/// Of the mesh on a component of the skin.
+struct Extent {
+  double area = 0, volume = 0;  ///< Angstrom^2, Angstrom^3; a void's volume is negative
+};
+
+std::map<skin::SkinComponents::Sides, Extent> extents(const morskin::PreparedSkin& skin,
+                                                      const morskin::MeshResult& result) {
   const std::vector<geometry::Point>& at = result.mesh.positions;
   geometry::UnionFind sets(at.size());
   for (const auto& [a, b, c] : result.mesh.triangles) {
     sets.join(a, b);
     sets.join(a, c);
   }
-  std::vector<double> volumes(at.size(), 0);
+  std::vector<Extent> by_root(at.size());
   for (const auto& [a, b, c] : result.mesh.triangles) {
     const std::uint32_t root = sets.root(a);
     const geometry::Point& o = at[root];
-    volumes[root] += (at[a] - o).dot((at[b] - o).cross(at[c] - o)) / 6;
+    by_root[root].area += (at[b] - at[a]).cross(at[c] - at[a]).norm() / 2;
+    by_root[root].volume += (at[a] - o).dot((at[b] - o).cross(at[c] - o)) / 6;
   }
   const skin::SkinComponents components(skin.surface, skin.topology);
-  std::map<skin::SkinComponents::Sides, double> result_by_sides;
+  std::map<skin::SkinComponents::Sides, Extent> by_sides;
   for (std::uint32_t v = 0; v < at.size(); ++v) {
     if (sets.root(v) != v) continue;
     const auto sides = components.sides(skin.surface.at(at[v], result.cells[v]));
-    if (sides) result_by_sides[*sides] += volumes[v];
+    if (!sides) continue;
+    by_sides[*sides].area += by_root[v].area;
+    by_sides[*sides].volume += by_root[v].volume;
   }
-  return result_by_sides;
+  return by_sides;
 }
 
 }  // namespace
@@ -132,11 +140,12 @@ SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run)
 SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::MeshResult& result) {
   SkinParts parts = parts_without_volumes(skin);
   if (parts.voids.empty()) return parts;
-  for (const auto& [sides, volume] : enclosed_volumes(skin, result)) {
+  for (const auto& [sides, extent] : extents(skin, result)) {
     if (!sides.cavity) continue;
+    parts.void_area += extent.area;
     auto& sum = parts.voids[*sides.cavity].volume;
     const double before = sum ? sum->low : 0;
-    sum = skin::VolumeBounds{before - volume, before - volume};
+    sum = skin::VolumeBounds{before - extent.volume, before - extent.volume};
   }
   sort_by_volume(parts.voids);
   return parts;
@@ -154,9 +163,20 @@ void add_skin_parts(ordered_json& json, const SkinParts& parts) {
   json["tunnels"] = waists_json(parts.tunnels);
 }
 
+std::string waists_text(const SkinParts& parts) {
+  return waists_text("necks", parts.necks) + waists_text("tunnels", parts.tunnels);
+}
+
 std::string skin_parts_text(const SkinParts& parts) {
-  return voids_text(parts.voids) + waists_text("necks", parts.necks) +
-         waists_text("tunnels", parts.tunnels);
+  return voids_text(parts.voids) + waists_text(parts);
+}
+
+std::string surfaces_text(const SkinParts& parts, double area) {
+  const std::string of_voids =
+      parts.void_area == 0 ? "" : "; walls of " + brief(parts.void_area, 6) + " A^2";
+  return line("outer", counted(parts.outer_surfaces, "surface", "surfaces") + " of " +
+                           brief(area - parts.void_area, 6) + " A^2") +
+         voids_text(parts.voids, of_voids);
 }
 
 }  // namespace morskin::app

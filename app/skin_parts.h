@@ -20,6 +20,8 @@ struct SkinParts {
     std::size_t bodies_inside;
     bool is_dropped;
   };
+  std::size_t outer_surfaces = 0;  ///< that border on the outside
+  double void_area = 0;            ///< of the mesh on the walls of voids, Angstrom^2
   std::vector<Cavity> voids;       ///< the largest first
   std::vector<skin::Waist> necks;  ///< the narrowest first
   std::vector<skin::Waist> tunnels;
@@ -33,7 +35,11 @@ SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::MeshResul
 
 /// Adds "voids", all of them, "necks" and "tunnels", the number and the narrowest.
 void add_skin_parts(nlohmann::ordered_json& json, const SkinParts& parts);
-/// Three lines.
+/// Voids, necks and tunnels.
 std::string skin_parts_text(const SkinParts& parts);
+/// Outer surfaces and voids, of a mesh of this area, Angstrom^2.
+std::string surfaces_text(const SkinParts& parts, double area);
+/// Necks and tunnels.
+std::string waists_text(const SkinParts& parts);
 
 }  // namespace morskin::app

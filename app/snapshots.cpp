@@ -13,11 +13,11 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
                       const morse::MorseFunction& function) {
   geometry::VtuGrid grid;
   grid.points = mesh.positions;
-  std::vector<std::int64_t> is_front;
+  geometry::Attribute is_front{"front", {"front"}, {}, true};
   const auto close_cell = [&](geometry::VtuCell kind) {
     grid.ends.push_back(static_cast<std::int64_t>(grid.corners.size()));
     grid.kinds.push_back(kind);
-    is_front.push_back(kind == geometry::VtuCell::Line);
+    is_front.numbers.push_back(kind == geometry::VtuCell::Line);
   };
   for (const auto& triangle : mesh.triangles) {
     grid.corners.insert(grid.corners.end(), triangle.begin(), triangle.end());
@@ -30,10 +30,10 @@ std::string grid_text(const geometry::IndexedMesh& mesh, const front::Front& fro
     grid.corners.push_back(front.target(e).value);
     close_cell(geometry::VtuCell::Line);
   }
-  std::vector<double> values;
-  for (const geometry::Point& p : mesh.positions) values.push_back(function(p));
-  grid.point_numbers.emplace_back("value", std::move(values));
-  grid.cell_integers.emplace_back("front", std::move(is_front));
+  geometry::Attribute value{"value", {"value"}, {}};
+  for (const geometry::Point& p : mesh.positions) value.numbers.push_back(function(p));
+  grid.point_attributes = {&value, 1};
+  grid.cell_attributes = {&is_front, 1};
   return geometry::vtu(grid);
 }
 

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "app/percent_encoding.h"
+#include "geometry/error.h"
 #include "geometry/files/text_lines.h"
+#include "skin/radius_table.h"
 
 namespace morskin::app {
 namespace {
@@ -21,6 +23,21 @@ std::optional<std::string> model(const std::string& name) {
 
 std::optional<std::string> keep_or_drop(const std::string& word) {
   return word == "keep" || word == "drop" ? std::optional(word) : std::nullopt;
+}
+
+/// A mesh file may list radii, but not have another file read.
+std::optional<std::string> radii(const std::string& encoded) {
+  const std::optional<std::string> list = text(encoded);
+  try {
+    return list && skin::parse_radius_table(*list) ? list : std::nullopt;
+  } catch (const geometry::RefusedInput&) {
+    return std::nullopt;
+  }
+}
+
+/// What a reader does without being asked.
+bool is_usual(const std::string& radii) {
+  return radii == "input" || radii == "weights" || radii == "elements";
 }
 
 /// Takes statements one by one.
@@ -45,12 +62,16 @@ class Completion {
     const bool is_size_given = typed.C || typed.Q || typed.size;
     take("model", typed.model, model);
     take("probe", typed.probe, number);
+    if (!is_usual(stated(provenance_, "radii").value_or("input"))) {
+      take("radii", typed.radii, radii);
+    }
     take("voids", typed.voids, text);
     take("model-number", typed.selection.model_number, text);
     take("chain", typed.selection.chains, text);
     take("hetatm", typed.selection.hetatms, text);
     take("altloc", typed.selection.locations, text);
     take("hydrogens", typed.selection.hydrogens, keep_or_drop);
+    take("biological-assembly", typed.selection.assembly, text);
     std::optional<std::string> waters;
     if (typed.selection.waters) waters = "keep";
     take("waters", waters, keep_or_drop);
@@ -83,6 +104,28 @@ std::optional<std::string> stated(const Provenance& provenance, std::string_view
 
 StatedSkin completed(const TypedSkin& given, const Provenance& provenance) {
   return Completion(given, provenance).all();
+}
+
+StatedMolecule read_stated(MoleculeArguments molecule, const certify::Sizing& sizing,
+                           const TypedSkin& given, const Provenance& provenance) {
+  StatedSkin stated = completed(given, provenance);
+  if (!stated.taken.empty()) {
+    try {
+      MoleculeArguments by_file{.input = molecule.input};
+      certify::Sizing its_sizing;
+      finish(by_file, by_file.input, stated.typed);
+      finish(its_sizing, stated.typed, its_sizing.C);
+      MoleculeInput input = read_input(by_file);
+      return {std::move(input), std::move(by_file), its_sizing, std::move(stated.taken),
+              std::move(stated.not_taken)};
+    } catch (const UsageError& error) {
+      stated.not_taken.emplace_back(error.what());
+    } catch (const geometry::RefusedInput& error) {
+      stated.not_taken.emplace_back(error.what());
+    }
+  }
+  MoleculeInput input = read_input(molecule);
+  return {std::move(input), std::move(molecule), sizing, {}, std::move(stated.not_taken)};
 }
 
 }  // namespace morskin::app

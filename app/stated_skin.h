@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/molecule_input.h"
 #include "app/skin_arguments.h"
 #include "geometry/provenance.h"
 
@@ -23,5 +24,20 @@ struct StatedSkin {
 
 /// @param given  on the command line; goes first. C, Q and size are one choice
 StatedSkin completed(const TypedSkin& given, const geometry::Provenance& provenance);
+
+/// The molecule of a mesh, read as it was for it.
+struct StatedMolecule {
+  MoleculeInput input;
+  MoleculeArguments molecule;
+  certify::Sizing sizing;
+  std::vector<std::string> taken, not_taken;  ///< as above
+};
+
+/// By what the mesh file states and, where that does not fit the molecule, by the options alone.
+/// @param molecule, sizing  by the options alone
+/// @param given             the same as typed
+/// @throws  as read_input()
+StatedMolecule read_stated(MoleculeArguments molecule, const certify::Sizing& sizing,
+                           const TypedSkin& given, const geometry::Provenance& provenance);
 
 }  // namespace morskin::app

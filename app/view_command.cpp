@@ -9,7 +9,9 @@
 #include "app/output_names.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/selection_arguments.h"
 #include "app/staged_outputs.h"
+#include "app/stated_skin.h"
 #include "app/version.h"
 #include "app/view_layers.h"
 #include "certify/located_vertices.h"
@@ -25,6 +27,7 @@ namespace {
 // What a page shows beside the mesh, if the molecule is known.
 struct Context {
   MoleculeInput input;
+  certify::Sizing sizing;
   morskin::PreparedSkin skin;
   morse::MorseFunction function;
   morse::MorseSmaleComplex complex;
@@ -43,11 +46,11 @@ morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double rad
   return result;
 }
 
-Context context(const MoleculeArguments& molecule, const ViewArguments& arguments,
+Context context(MoleculeInput input, const MoleculeArguments& molecule,
+                const certify::Sizing& sizing, const ViewArguments& arguments,
                 const morskin::Run& run) {
-  MoleculeInput input = read_input(molecule);
-  morskin::PreparedSkin skin = prepare_skin(input, run);
-  Context result{std::move(input), std::move(skin), {}, {}, {}};
+  morskin::PreparedSkin skin = prepare_skin(input, molecule, run);
+  Context result{std::move(input), sizing, std::move(skin), {}, {}, {}};
   const morse::ChosenFunction chosen = along_function(arguments.function, [&] {
     return run.stage("critical points", [&] {
       return morse::choose_function(result.skin.surface,
@@ -60,20 +63,21 @@ Context context(const MoleculeArguments& molecule, const ViewArguments& argument
     return morse::morse_smale_complex(result.skin.surface, chosen.function, chosen.critical,
                                       morse::Polylines::Keep, run);
   });
-  const double share = morskin::sphere_share(result.skin.surface, arguments.sizing);
+  const double share = morskin::sphere_share(result.skin.surface, sizing);
   const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
   result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
                                  : unsimplified(result.complex, share);
   return result;
 }
 
-void describe(PageData& page, const Context& context, const ViewArguments& arguments,
-              const MoleculeArguments& molecule) {
+void describe(PageData& page, const Context& context, const MoleculeArguments& molecule) {
   page.about["atoms"] = context.input.molecule.atoms.size();
   page.about["model"] = skin::name_of(molecule.model);
   page.about["probe"] = molecule.probe;
-  page.about["C"] = arguments.sizing.C;
-  page.about["Q"] = arguments.sizing.Q;
+  page.about["C"] = context.sizing.C;
+  page.about["Q"] = context.sizing.Q;
+  page.about["radii"] = context.input.molecule.radii;
+  add_selection(page.about, molecule.selection);
   page.about["function"] = function_json(context.function);
   page.about["function"]["words"] = in_words(context.function);
   page.about["function"]["unit"] = unit_of(context.function);
@@ -103,7 +107,8 @@ struct Viewed {
 };
 
 Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
-  const Context context = app::context(arguments.molecule, arguments, run);
+  const Context context = app::context(read_input(arguments.molecule), arguments.molecule,
+                                       arguments.sizing, arguments, run);
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
   options.function = context.function;
@@ -111,7 +116,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
   morskin::MeshResult& result = recorded.result;
 
   page.about["kind"] = "molecule";
-  describe(page, context, arguments, arguments.molecule);
+  describe(page, context, arguments.molecule);
   describe(page, result.mesh);
   const FrontCode code = add_mesh(page, "mesh", result.mesh);
   add_cells(page, code, context.skin.surface.complex(), result.cells);
@@ -124,7 +129,8 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
 }
 
 Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
-  Viewed viewed{geometry::read_mesh(arguments.molecule.input), {}};
+  geometry::MeshFile file = geometry::read_mesh_file(arguments.molecule.input);
+  Viewed viewed{std::move(file.mesh), {}};
   const geometry::IndexedMesh& mesh = viewed.mesh;
   if (mesh.triangles.empty()) {
     throw geometry::RefusedInput(arguments.molecule.input.string() + ": has no triangles to show");
@@ -135,15 +141,21 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
     add_mesh(page, "mesh", mesh);
     return viewed;
   }
-  MoleculeArguments molecule = arguments.molecule;
-  molecule.input = *arguments.against;
-  const Context context = app::context(molecule, arguments, run);
-  describe(page, context, arguments, molecule);
+  MoleculeArguments asked = arguments.molecule;
+  asked.input = *arguments.against;
+  StatedMolecule stated =
+      read_stated(std::move(asked), arguments.sizing, arguments.typed, file.provenance);
+  const MoleculeArguments& molecule = stated.molecule;
+  const Context context =
+      app::context(std::move(stated.input), molecule, stated.sizing, arguments, run);
+  describe(page, context, molecule);
+  if (!stated.taken.empty()) page.about["taken"] = stated.taken;
+  if (!stated.not_taken.empty()) page.about["not_taken"] = stated.not_taken;
   page.about["against"] = molecule.input.filename().string();
   const auto points = certify::locate_vertices(mesh, context.skin.surface);
   const std::vector<geometry::CellId> cells = certify::cells_of(points);
   viewed.certificate = certify::certify(mesh, {{}, cells}, context.skin.surface,
-                                        context.skin.topology, arguments.sizing, run);
+                                        context.skin.expected(), context.sizing, run);
   const FrontCode code = add_mesh(page, "mesh", mesh);
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) &&

@@ -204,14 +204,17 @@ def scaling_text(rows, methods):
 
 def agreement_text(rows, methods):
     """How many sets and models each method has certified, and on how many its topology is right."""
-    head = ["method", "runs", "certified", "right χ, components, genus"]
+    head = ["method", "runs", "out of time", "certified", "right χ, components, genus",
+            "wrong ones"]
     body = []
     for method in methods:
         runs = [r for r in rows if r["method"] == method]
         right = [r for r in measured(runs)
                  if all(r[key] == r["expected_" + key]
                         for key in ("euler_characteristic", "components", "genus"))]
-        body.append([method, len(runs), sum(bool(r["certified"]) for r in runs), len(right)])
+        late = sum(str(r["reason"]).startswith("still running") for r in runs)
+        body.append([method, len(runs), late, sum(bool(r["certified"]) for r in runs), len(right),
+                     len(runs) - late - len(right)])
     return markdown(head, body)
 
 

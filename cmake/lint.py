@@ -79,7 +79,8 @@ def forbidden_chains(path):
 
 
 def files():
-    for folder in [*(m for m in MAY_INCLUDE if m != BASELINES), "cmake"]:
+    modules = (m for m in MAY_INCLUDE if m != BASELINES)
+    for folder in [*modules, "cmake", "packaging", "examples"]:
         for path in sorted((ROOT / folder).rglob("*")):
             if path.is_file() and (path.suffix in TEXT_ENDINGS or path.name == "CMakeLists.txt"):
                 yield path

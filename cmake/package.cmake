@@ -32,3 +32,17 @@ install(FILES ${PROJECT_BINARY_DIR}/package/morskinConfig.cmake
         DESTINATION ${package_folder})
 install(EXPORT morskin_targets NAMESPACE morskin:: FILE morskinTargets.cmake
         DESTINATION ${package_folder})
+
+# The same for pkg-config. All is found from the file itself, so that the tree may be moved.
+string(REGEX REPLACE "[^/]+" ".." path_to_prefix ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(cmake/morskin.pc.in ${PROJECT_BINARY_DIR}/package/morskin.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/morskin.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# What is read, and the examples with their molecules (examples/molecules is a link).
+install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples/cpp examples/python examples/shell
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
+install(FILES examples/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY bench/molecules DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

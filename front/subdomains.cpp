@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "front/dissection.h"
 #include "front/sweep_plan.h"
 #include "front/sweep_progress.h"
 #include "geometry/parallel.h"
@@ -51,14 +50,11 @@ class Sweeps {
                   const std::optional<CoarseningOptions>& coarsening, unsigned threads) {
     geometry::for_each_task(threads, dissection_.leaf_count(), [&](std::size_t leaf) {
       std::size_t k = dissection_.first_leaf() + leaf;
-      sweeps_[k] = std::make_unique<PartialSweep>(surface_, guide_, options_, coarsening,
-                                                  std::vector<SweepObserver*>{&progress_[k]});
-      sweep(k, parts[k]);
+      sweep(k, parts[k], coarsening);
       // Whoever is the second to be done with a half of a box goes on with the box.
       while (k > 0 && is_half_done_[Dissection::parent(k)].exchange(true)) {
         k = Dissection::parent(k);
-        unite_halves(k);
-        sweep(k, parts[k]);
+        sweep(k, parts[k], coarsening);
       }
     });
     SweepResult result = sweeps_[0]->take_result();
@@ -68,7 +64,16 @@ class Sweeps {
   }
 
  private:
-  void sweep(std::size_t k, const SweepPart& part) {
+  /// @pre the halves of box k have been swept
+  void sweep(std::size_t k, const SweepPart& part,
+             const std::optional<CoarseningOptions>& coarsening) {
+    const geometry::Traced traced(geometry::TaskTrace::Kind::Box, {}, k);
+    if (dissection_.is_leaf(k)) {
+      sweeps_[k] = std::make_unique<PartialSweep>(surface_, guide_, options_, coarsening,
+                                                  std::vector<SweepObserver*>{&progress_[k]});
+    } else {
+      unite_halves(k);
+    }
     const std::size_t before = sweeps_[k]->triangles_laid();
     sweeps_[k]->run(part.region, bowls_of(part, guide_.function, disk_));
     if (!dissection_.is_leaf(k)) seam_triangles_ += sweeps_[k]->triangles_laid() - before;

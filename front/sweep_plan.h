@@ -5,13 +5,15 @@
 
 #include <vector>
 
-#include "front/dissection.h"
 #include "front/sweep_region.h"
 #include "front/tangent_disk.h"
+#include "geometry/dissection.h"
 #include "morse/guide.h"
 #include "surface/surface.h"
 
 namespace morskin::front {
+
+using geometry::Dissection;
 
 /// What one sweep of many has to do.
 struct SweepPart {

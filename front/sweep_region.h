@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "front/box.h"
+#include "geometry/box.h"
 
 namespace morskin::front {
+
+using geometry::Box;
+using geometry::Point;
 
 /// The subdomain of a sweep, given in space as there are no vertices yet: a box, less balls about
 /// minima that a later sweep lays bowls at. Sweeps over disjoint boxes do not meet, and so may run

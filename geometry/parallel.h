@@ -5,23 +5,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <future>
+#include <utility>
 #include <vector>
+
+#include "geometry/task_trace.h"
 
 namespace morskin::geometry {
 
 /// Elements in a block, enough to outweigh its overhead.
 inline constexpr std::size_t usual_block = 4096;
-
-/// Runs both, at the same time if `threads` > 1. Throws what either throws, after both have ended.
-template <class First, class Second>
-void do_both(unsigned threads, First first, Second second) {
-  // The future's destructor waits for its thread, also if first() throws.
-  std::future<void> other =
-      std::async(threads > 1 ? std::launch::async : std::launch::deferred, second);
-  first();
-  other.get();
-}
 
 /// The number of blocks of `size` elements, the last shorter, that for_each_block() makes: at least
 /// one.
@@ -34,20 +28,33 @@ inline std::size_t block_count(std::size_t count, std::size_t size = usual_block
 template <class Task>
 void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
-  const auto take = [&] {
+  const auto take = [&](std::uint32_t worker) {
+    const std::uint32_t outside = std::exchange(worker_of_loop, worker);
     try {
-      for (std::size_t i = next++; i < count; i = next++) task(i);
+      for (std::size_t i = next++; i < count; i = next++) {
+        const Traced traced(TaskTrace::Kind::Task, {}, i);
+        task(i);
+      }
     } catch (...) {
       next = count;
+      worker_of_loop = outside;
       throw;
     }
+    worker_of_loop = outside;
   };
+  const Traced loop(TaskTrace::Kind::Loop);
   std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
-    others.push_back(std::async(std::launch::async, take));
+  for (std::uint32_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
+    others.push_back(std::async(std::launch::async, take, i));
   }
-  take();
+  take(worker_of_loop);
   for (std::future<void>& other : others) other.get();
+}
+
+/// Runs both, at the same time if `threads` > 1. Throws what either throws.
+template <class First, class Second>
+void do_both(unsigned threads, First first, Second second) {
+  for_each_task(threads, 2, [&](std::size_t i) { i == 0 ? first() : second(); });
 }
 
 /// Calls work(begin, end, block) for consecutive blocks of [0, count), which do not depend on the

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geometry/stopwatch.h"
+#include "geometry/task_trace.h"
 
 namespace morskin::geometry {
 
@@ -45,6 +46,7 @@ class Run {
   auto stage(std::string_view name, Work work) const {
     state_->stage = name;
     report(unknown_share);
+    const Traced traced(TaskTrace::Kind::Stage, name);
     return timed(state_->seconds[name], std::move(work));
   }
   /// Reports the share of the present stage that is done. From any thread, one at a time.

@@ -4,6 +4,7 @@
 
 #include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/files/text_lines.h"
 #include "morskin/boundary.h"
 #include "morskin/pipeline.h"
 #include "morskin/voids.h"
@@ -38,6 +39,26 @@ skin::Model inside(Model model) {
     default:
       return skin::Model::Paper;
   }
+}
+
+skin::ReadOptions inside(const ReadOptions& options) {
+  skin::ReadOptions result;
+  skin::Selection& selection = result.selection;
+  selection.chains = options.chains;
+  selection.waters = options.waters;
+  selection.hetatms = options.hetatms;
+  selection.all_locations = options.locations == "all";
+  if (options.locations.size() == 1) {
+    selection.location = options.locations.front();
+  } else if (!selection.all_locations && options.locations != "likeliest") {
+    throw geometry::RefusedInput("locations are likeliest, all or the letter of one, not " +
+                                 geometry::quoted(options.locations));
+  }
+  selection.hydrogens = options.hydrogens;
+  selection.model = options.model;
+  selection.assembly = options.assembly;
+  if (options.radii) result.radii = skin::radius_table(*options.radii);
+  return result;
 }
 
 certify::Sizing sizing_of(const MeshOptions& options) {
@@ -132,18 +153,23 @@ geometry::IndexedMesh inside(const TriangleMesh& mesh) {
   return result;
 }
 
-std::vector<Atom> read_molecule(const std::filesystem::path& file) {
+Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options) {
   return with_errors([&] {
-    const skin::Molecule molecule = skin::read_molecule(file);
+    skin::Molecule molecule = skin::read_molecule(file, inside(options));
     if (!molecule.weights.empty()) {
       throw geometry::RefusedInput(molecule.source + ": gives weights; Skin is made of radii");
     }
-    std::vector<Atom> atoms;
+    Molecule result;
     for (const skin::Atom& atom : molecule.atoms) {
-      atoms.push_back({outside(atom.position), atom.radius});
+      result.atoms.push_back({outside(atom.position), atom.radius});
     }
-    return atoms;
+    result.charges = std::move(molecule.charges);
+    return result;
   });
+}
+
+std::vector<Atom> read_molecule(const std::filesystem::path& file, const ReadOptions& options) {
+  return read_molecule_file(file, options).atoms;
 }
 
 std::optional<double> van_der_waals_radius(std::string_view element) {
@@ -182,16 +208,6 @@ SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
     result.certificate_ = outside(made.certificate);
     for (const Fallback& f : made.fallbacks) result.fallbacks_.push_back(in_words(f));
     return result;
-  });
-}
-
-std::filesystem::path SkinMesh::write(const std::filesystem::path& file) const {
-  return with_errors([&] {
-    const geometry::MeshFormat format = geometry::plain_format_of(file);
-    std::filesystem::path name = file;
-    if (!certificate_.certified) name += ".unverified";
-    geometry::write_mesh(name, inside(mesh_), format);
-    return name;
   });
 }
 

@@ -60,10 +60,34 @@ struct Atom {
   double radius;  ///< van der Waals, > 0
 };
 
-/// The atoms of a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order: of its first
-/// model, without water.
+/// Which atoms of a file to read, and with which radii.
+struct ReadOptions {
+  std::vector<std::string> chains = {};  ///< the author's names, "_" for none; empty: all
+  bool waters = false;                   ///< with water
+  /// The residues, water aside, whose HETATM records are read; absent: all.
+  std::optional<std::vector<std::string>> hetatms = {};
+  /// Of an atom's alternate locations: "likeliest", "all", or the letter of one.
+  std::string locations = "likeliest";
+  bool hydrogens = true;                     ///< with hydrogen, deuterium and tritium
+  std::optional<std::int64_t> model = {};    ///< as the file numbers them; absent: the first
+  std::optional<std::string> assembly = {};  ///< biological, by the file's name; absent: as it is
+  /// "elements", "bondi", "alvarez", a list "C=1.7,ALA:CA=1.9", or a file of such lines; absent:
+  /// the file's own radii, or else "elements". papers/library.md has more.
+  std::optional<std::string> radii = {};
+};
+
+/// What a file tells of a molecule.
+struct Molecule {
+  std::vector<Atom> atoms;
+  std::vector<double> charges;  ///< by atom, elementary charges, of a PQR file; else empty
+};
+
+/// The molecule in a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order.
 /// @throws Error  Unreadable, Refused
-std::vector<Atom> read_molecule(const std::filesystem::path& file);
+Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options = {});
+/// Its atoms.
+/// @throws Error  Unreadable, Refused
+std::vector<Atom> read_molecule(const std::filesystem::path& file, const ReadOptions& options = {});
 /// The van der Waals radius of an element, Angstrom; nothing for what is none, or has none.
 /// @param element  a symbol in upper or lower case
 std::optional<double> van_der_waals_radius(std::string_view element);
@@ -182,6 +206,15 @@ struct MorseSmaleComplex {
   std::vector<std::array<std::uint32_t, 4>> regions;
 };
 
+/// What is made of a complex as it was traced.
+enum class Simplify {
+  Not,
+  /// Section 3.2 of the paper: arcs between overlapping protecting spheres, as they are with the
+  /// default C, are contracted where the persistence condition allows it. A line then is a path of
+  /// several, and only where nothing was contracted monotone.
+  ShortArcs,
+};
+
 class SkinMesh;
 
 /// A skin surface, prepared once; a handle that is cheap to copy. Safe to use from several threads.
@@ -217,12 +250,14 @@ class Skin {
   /// what is meshed are there.
   /// @throws Error  Refused: a direction that is none; Degenerate
   std::vector<CriticalPoint> critical_points(const std::optional<Point>& direction = {}) const;
-  /// As traced: nothing is cancelled. The library's choice may be another than above.
+  /// The library's choice of a direction may be another than above.
   /// @throws Error  as above; Stopped
   MorseSmaleComplex morse_smale(const std::optional<Point>& direction = {},
-                                const RunOptions& run = {}) const;
+                                const RunOptions& run = {},
+                                Simplify simplify = Simplify::Not) const;
 
  private:
+  friend class SkinMesh;
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
 };
@@ -240,10 +275,15 @@ class SkinMesh {
   /// C, Q and max_length_scale that it was made with, as Skin::certify takes them.
   MeshOptions sizing() const { return sizing_; }
 
-  /// Writes as write_mesh does. A mesh that is not certified gets the ending .unverified.
+  /// Writes as write_mesh does, and NPZ and MSH. A mesh that is not certified gets the ending
+  /// .unverified.
+  /// @param vertex_data  what PLY, VTU, NPZ, MSH and then GLB too hold beside: "normal",
+  ///                     "curvature", "directions", "scale", "atom", "shares", "component",
+  ///                     "patch"; or "all". papers/vertex-data.md describes them
   /// @return the file's name
-  /// @throws Error  Unwritable
-  std::filesystem::path write(const std::filesystem::path& file) const;
+  /// @throws Error  Unwritable; Refused: data of another name, or for a format that holds none
+  std::filesystem::path write(const std::filesystem::path& file,
+                              std::span<const std::string> vertex_data = {}) const;
 
  private:
   friend class Skin;

@@ -41,7 +41,7 @@ void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geomet
 struct BentPart {
   double area_share = 0;        ///< of the area, where the length scale is below the limit
   double triangles = 0;         ///< there
-  double forced_triangles = 0;  ///< there at least, with circumradii up to max_provable_share
+  double forced_triangles = 0;  ///< there about, with circumradii of max_provable_share
 };
 /// Circumradius over length scale up to which the certificate proves a triangle, cut into pieces
 /// (papers/4.3-large-molecules.md). Such a triangle's area is at most 3 sqrt(3) / 4 of its square.

@@ -1,5 +1,6 @@
 // What the library's face tells of a skin beside meshes: of its points, and of heights on it.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -7,8 +8,13 @@
 #include <vector>
 
 #include "certify/located_vertices.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/mesh_files.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/mesh_shape.h"
+#include "morse/simplification.h"
 #include "morskin/boundary.h"
+#include "morskin/mesh_attributes.h"
 #include "morskin/traced_complex.h"
 #include "skin/atom_shares.h"
 #include "skin/curvatures.h"
@@ -65,6 +71,53 @@ MorseSmaleComplex outside(const morse::MorseSmaleComplex& complex) {
   return result;
 }
 
+/// The points that survive, numbered anew, and what joins them.
+morse::MorseSmaleComplex surviving(morse::Simplification simplified) {
+  morse::MorseSmaleComplex complex = std::move(simplified.complex);
+  std::vector<morse::CriticalId> number;
+  std::vector<morse::CriticalPoint> points;
+  for (std::size_t i = 0; i < complex.points.size(); ++i) {
+    number.push_back(morse::CriticalId{points.size()});
+    if (simplified.survives[i]) points.push_back(std::move(complex.points[i]));
+  }
+  complex.points = std::move(points);
+  for (morse::Arc& arc : complex.arcs) {
+    arc.saddle = number[arc.saddle.index()];
+    arc.extremum = number[arc.extremum.index()];
+  }
+  for (auto& region : complex.regions) {
+    for (morse::CriticalId& corner : region) corner = number[corner.index()];
+  }
+  return complex;
+}
+
+/// The format of a file with data by vertex.
+geometry::MeshFormat format_with_data(const std::filesystem::path& file) {
+  using enum geometry::MeshFormat;
+  const std::optional<geometry::MeshFormat> format = geometry::mesh_format_of(file);
+  for (const geometry::MeshFormat known : {PlyBinary, Vtu, Glb, Npz, Msh}) {
+    if (format == known) return known;
+  }
+  throw geometry::RefusedInput(file.string() +
+                               ": only .ply, .vtu, .glb, .npz and .msh hold data by vertex");
+}
+
+std::vector<Datum> data_called(std::span<const std::string> names) {
+  std::vector<Datum> data;
+  for (const std::string& name : names) {
+    if (name == "all") return {all_data().begin(), all_data().end()};
+    const std::optional<Datum> datum = parse_datum(name);
+    if (!datum) {
+      std::string known;
+      for (const Datum d : all_data()) known += std::string(name_of(d)) + ", ";
+      throw geometry::RefusedInput("data by vertex are " + known + "or all; not " +
+                                   geometry::quoted(name));
+    }
+    if (std::ranges::find(data, *datum) == data.end()) data.push_back(*datum);
+  }
+  return data;
+}
+
 std::optional<morse::MorseFunction> height_along(const std::optional<Point>& direction) {
   if (!direction) return std::nullopt;
   return morse::MorseFunction::height(inside(*direction));
@@ -94,10 +147,35 @@ std::vector<CriticalPoint> Skin::critical_points(const std::optional<Point>& dir
   });
 }
 
-MorseSmaleComplex Skin::morse_smale(const std::optional<Point>& direction,
-                                    const RunOptions& run) const {
+MorseSmaleComplex Skin::morse_smale(const std::optional<Point>& direction, const RunOptions& run,
+                                    Simplify simplify) const {
   return with_errors([&] {
-    return outside(trace_complex(prepared_->skin, height_along(direction), inside(run)).complex);
+    const PreparedSkin& skin = prepared_->skin;
+    const morse::MorseSmaleComplex traced =
+        trace_complex(skin, height_along(direction), inside(run)).complex;
+    if (simplify == Simplify::Not) return outside(traced);
+    const double share = sphere_share(skin.surface, certify::Sizing());
+    return outside(surviving(morse::contract_short_arcs(traced, share)));
+  });
+}
+
+std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
+                                      std::span<const std::string> vertex_data) const {
+  return with_errors([&] {
+    std::filesystem::path name = file;
+    if (!certificate_.certified) name += ".unverified";
+    const geometry::IndexedMesh mesh = inside(mesh_);
+    if (vertex_data.empty()) {
+      geometry::write_mesh(name, mesh, geometry::plain_format_of(file));
+      return name;
+    }
+    const geometry::MeshFormat format = format_with_data(file);
+    const skin::SkinSurface& skin = skin_.prepared_->skin.surface;
+    const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin));
+    geometry::MeshAttributes beside = mesh_attributes(skin, mesh, cells, data_called(vertex_data));
+    beside.normals = skin_normals(skin, mesh, cells);
+    geometry::write_file_atomically(name, geometry::serialized(mesh, format, beside));
+    return name;
   });
 }
 

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -60,9 +62,16 @@ py::dict sizing_of(const Mesh& mesh) {
                   py::arg("max_length_scale") = sizing.max_length_scale);
 }
 
-std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file) {
+/// One name or several.
+using Names = std::variant<std::string, std::vector<std::string>>;
+
+std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file,
+                           const Names& vertex_data) {
+  const auto* const one = std::get_if<std::string>(&vertex_data);
+  const std::vector<std::string> names =
+      one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
   const py::gil_scoped_release unlocked;
-  return mesh.mesh().write(file);
+  return mesh.mesh().write(file, names);
 }
 
 /// A function of morskin/exports.py, which imports another package, as a method.
@@ -126,11 +135,16 @@ void bind_mesh(py::module_& module) {
       .def_property_readonly("sizing", sizing_of,
                              "dict: C, Q and max_length_scale that it was made with, as check() "
                              "takes them")
-      .def("save", save, py::arg("file"),
-           "save(file) -> pathlib.Path\n\n"
-           "Writes PLY, OFF, OBJ, STL or VTU, as the file's ending says, whole or not at all. "
-           "Returns the file's\nname: a mesh that is not certified gets the ending .unverified.\n\n"
-           "Raises UnwritableOutput.")
+      .def("save", save, py::arg("file"), py::kw_only(),
+           py::arg("vertex_data") = std::vector<std::string>(),
+           "save(file, *, vertex_data=()) -> pathlib.Path\n\n"
+           "Writes PLY, OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or "
+           "not at all. Returns\nthe file's name: a mesh that is not certified gets the ending "
+           ".unverified.\n\n"
+           "vertex_data  what PLY, VTU, GLB, NPZ and MSH hold beside the mesh: \"all\", or some of "
+           "\"normal\",\n             \"curvature\", \"directions\", \"scale\", \"atom\", "
+           "\"shares\", \"component\", \"patch\"\n\n"
+           "Raises UnwritableOutput; RefusedInput for other names, or a format that holds none.")
       .def(
           "to_meshio", exporter("to_meshio"),
           "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "

@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -109,19 +110,35 @@ std::vector<CriticalPoint> critical_points(const Skin& skin,
 }
 
 MorseSmaleComplex morse_smale(const Skin& skin, const std::optional<Point>& direction,
-                              const py::object& progress) {
-  return interruptible({1, progress},
-                       [&](const RunOptions& run) { return skin.morse_smale(direction, run); });
+                              bool simplify, const py::object& progress) {
+  const Simplify how = simplify ? Simplify::ShortArcs : Simplify::Not;
+  return interruptible({1, progress}, [&](const RunOptions& run) {
+    return skin.morse_smale(direction, run, how);
+  });
 }
 
-py::tuple read_molecule(const std::filesystem::path& file) {
-  auto* const atoms = new std::vector<Atom>();
-  const py::capsule owner(atoms, [](void* p) { delete static_cast<std::vector<Atom>*>(p); });
+py::tuple read_molecule(const std::filesystem::path& file, std::vector<std::string> chains,
+                        bool waters, std::optional<std::vector<std::string>> hetatms,
+                        std::string altloc, bool hydrogens, std::optional<std::int64_t> model,
+                        std::optional<std::string> assembly, std::optional<std::string> radii) {
+  auto* const molecule = new Molecule();
+  const py::capsule owner(molecule, [](void* p) { delete static_cast<Molecule*>(p); });
+  const ReadOptions options{.chains = std::move(chains),
+                            .waters = waters,
+                            .hetatms = std::move(hetatms),
+                            .locations = std::move(altloc),
+                            .hydrogens = hydrogens,
+                            .model = model,
+                            .assembly = std::move(assembly),
+                            .radii = std::move(radii)};
   {
     const py::gil_scoped_release unlocked;
-    *atoms = morskin::read_molecule(file);
+    *molecule = read_molecule_file(file, options);
   }
-  return py::make_tuple(view(*atoms, &Atom::position, owner), view(*atoms, &Atom::radius, owner));
+  const std::vector<double>& charges = molecule->charges;
+  return py::make_tuple(view(molecule->atoms, &Atom::position, owner),
+                        view(molecule->atoms, &Atom::radius, owner),
+                        charges.empty() ? py::object(py::none()) : view(charges, owner));
 }
 
 py::tuple read_mesh(const std::filesystem::path& file) {
@@ -192,9 +209,11 @@ void bind_skin(py::module_& module) {
            "are not\nmeshed are in them.\n\nRaises RefusedInput if the direction is degenerate for "
            "this skin.")
       .def("morse_smale", &morse_smale, arg("direction") = none, py::kw_only(),
-           arg("progress") = none,
-           "morse_smale(direction=None) -> MorseSmaleComplex\n\n"
-           "The complex of the same height as traced, nothing cancelled. `progress` as of mesh().")
+           arg("simplify") = false, arg("progress") = none,
+           "morse_smale(direction=None, *, simplify=False) -> MorseSmaleComplex\n\n"
+           "The complex of the same height as traced, nothing cancelled; or simplified as in "
+           "section 3.2 of the\npaper: short arcs, between overlapping protecting spheres, are "
+           "contracted. `progress` as of mesh().")
       .def("__repr__", [](const Skin& self) {
         return "<morskin.Skin: components " + std::to_string(self.components()) + ", genus " +
                std::to_string(self.genus()) + ">";
@@ -208,8 +227,11 @@ void bind_skin(py::module_& module) {
              "vertices  (n, 3): Angstrom\n"
              "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
              "The others are what the mesh was made with: **mesh.sizing for one of this library.");
-  module.def("read_molecule", &read_molecule, arg("file"),
-             "read_molecule(file) -> positions (n, 3), radii (n,), Angstrom");
+  module.def("read_molecule", &read_molecule, arg("file"), py::kw_only(), arg("chains"),
+             arg("waters"), arg("hetatms"), arg("altloc"), arg("hydrogens"), arg("model_number"),
+             arg("biological_assembly"), arg("radii"),
+             "read_molecule(file, *, ...) -> positions (n, 3), radii (n,), Angstrom; charges (n,) "
+             "or None\n\nread() has the options.");
   module.def("read_mesh", &read_mesh, arg("file"),
              "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
              "A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.\n\n"

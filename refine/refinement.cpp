@@ -1,6 +1,7 @@
 #include "refine/refinement.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -21,7 +22,7 @@ void Refinement::run() {
   inspect_all();
   operations_.flip_where_needed();
   operations_.contract_short_edges();
-  insert_in_two_halves();
+  insert_by_boxes();
   operations_.report_to(run_);
   operations_.flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.
@@ -82,55 +83,47 @@ void Refinement::find_flips(std::size_t begin, std::size_t end, const DelaunayFi
   }
 }
 
-/// Inserts into both halves of the mesh at once: the triangles laid first, and those laid last.
-/// Triangles on the border wait. The halves are the same for any number of threads.
-void Refinement::insert_in_two_halves() {
-  constexpr std::size_t worth_two_threads = 256;
-  Work& work = operations_.work();
-  if (work.big.size() < worth_two_threads) return;
-  const std::size_t count = mesh_.surface.triangle_count(), middle = count / 2;
-  std::array<Work, 2> todo;
-  for (const TriangleId t : work.big) {
-    // Either half may fill the slot of a removed one.
-    if (!mesh_.surface.is_removed(t)) todo[t.index() >= middle].big.push_back(t);
+/// Inserts box by box, as many boxes at once as there are threads. Triangles at the borders of
+/// boxes wait. The boxes are the same for any number of threads.
+void Refinement::insert_by_boxes() {
+  constexpr std::size_t least_to_each = 128, max_boxes = 64;
+  const std::size_t boxes =
+      std::bit_floor(std::min(operations_.work().big.size() / least_to_each, max_boxes));
+  if (boxes < 2) return;
+  geometry::Parts parts = geometry::parts_by_boxes(
+      mesh_.surface, boxes, [this](VertexId v) -> const Point& { return mesh_.position(v); },
+      run_.threads());
+  std::vector<Work> todo(boxes);
+  for (const TriangleId t : std::exchange(operations_.work().big, {})) {
+    if (mesh_.surface.is_removed(t)) continue;
+    const geometry::Part part = geometry::part_of(mesh_.surface, parts, t);
+    (part == geometry::no_part ? operations_.work() : todo[part]).big.push_back(t);
   }
-  work.big.clear();
 
-  // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
-  const std::size_t max_big = std::max(todo[0].big.size(), todo[1].big.size());
-  geometry::Parts parts = geometry::parts_by_blocks(mesh_.surface, middle);
-  const std::array<SlotList, 2> slots = deal_slots(max_big / 8 * 5);
-  parts.resize(mesh_.surface.vertex_count(), geometry::no_part);
-  for (geometry::Part half = 0; half < 2; ++half) {
-    for (const SurfaceMesh::FreeSlots& free : slots[half]) parts[free.vertex] = half;
+  std::vector<LocalOperations> each;
+  each.reserve(boxes);
+  for (geometry::Part box = 0; box < boxes; ++box) {
+    // A vertex mostly breaks two triangles that were too big, and seldom leaves a new one.
+    std::vector<SurfaceMesh::FreeSlots> slots = new_slots(todo[box].big.size() / 8 * 5);
+    parts.resize(mesh_.surface.vertex_count(), box);
+    each.emplace_back(surface_, sizing_, mesh_, std::move(todo[box]),
+                      geometry::Subdomain(parts, box), std::move(slots));
   }
-  geometry::Parts parts_of_last = parts;  // each gives up vertices as it goes
-
-  LocalOperations first(surface_, sizing_, mesh_, std::move(todo[0]), {parts, 0}, slots[0]);
-  LocalOperations last(surface_, sizing_, mesh_, std::move(todo[1]), {parts_of_last, 1}, slots[1]);
-  first.report_to(run_);
-  geometry::do_both(
-      run_.threads(), [&] { first.insert_into_big_triangles(max_operations_); },
-      [&] { last.insert_into_big_triangles(max_operations_); });
-  operations_.absorb(first);
-  operations_.absorb(last);
+  each.front().report_to(run_);
+  geometry::for_each_task(run_.threads(), boxes, [&](std::size_t box) {
+    each[box].insert_into_big_triangles(max_operations_);
+  });
+  for (const LocalOperations& box : each) operations_.absorb(box);
   std::sort(operations_.free_slots().begin(), operations_.free_slots().end(),
             [](const auto& a, const auto& b) { return a.vertex > b.vertex; });
 }
 
-/// Gives each half so many free slots, in turn, so that few gaps stay where they have not filled
-/// theirs; by blocks, so that two threads seldom write to one cache line.
-std::array<Refinement::SlotList, 2> Refinement::deal_slots(std::size_t each) {
-  constexpr std::size_t block = 64;
-  std::array<SlotList, 2> slots;
-  while (slots[1].size() < each) {
-    for (SlotList& half : slots) {
-      for (std::size_t k = 0; k < block; ++k) half.push_back(mesh_.surface.add_free_slots());
-    }
+/// The first is the last.
+std::vector<SurfaceMesh::FreeSlots> Refinement::new_slots(std::size_t count) {
+  std::vector<SurfaceMesh::FreeSlots> slots(count);
+  for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) {
+    *slot = mesh_.surface.add_free_slots();
   }
-  for (SlotList& half : slots) std::ranges::reverse(half);  // the last is filled first
-  const SlotList left = std::exchange(operations_.free_slots(), {});
-  slots[0].insert(slots[0].end(), left.begin(), left.end());
   return slots;
 }
 

@@ -26,9 +26,8 @@ class Refinement {
   void inspect_all();
   void find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& filter,
                   Work& found) const;
-  void insert_in_two_halves();
-  using SlotList = std::vector<SurfaceMesh::FreeSlots>;
-  std::array<SlotList, 2> deal_slots(std::size_t each);
+  void insert_by_boxes();
+  std::vector<SurfaceMesh::FreeSlots> new_slots(std::size_t count);
 
   Mesh& mesh_;
   const surface::Surface& surface_;

@@ -1,6 +1,7 @@
 #include "refine/smoothing.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,20 +20,24 @@ constexpr int max_rounds = 8;
 class Smoothing {
  public:
   Smoothing(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-            const AngleGoal& goal, std::size_t min_block, const geometry::Run& run)
+            const AngleGoal& goal, std::size_t least_to_each, const geometry::Run& run)
       : surface_(surface),
         sizing_(sizing),
         mesh_(mesh),
         goal_(goal),
-        block_(std::max(min_block, mesh.surface.triangle_count() / max_blocks + 1)),
+        boxes_(std::bit_floor(std::clamp<std::size_t>(
+            mesh.surface.triangle_count() / std::max<std::size_t>(least_to_each, 1), 1,
+            max_boxes))),
         run_(run) {}
 
   SmoothingCounts run() {
     SmoothingCounts counts;
     std::vector<TriangleId> waiting = find_all();
     counts.below = waiting.size();
-    if (mesh_.surface.triangle_count() > block_ && !waiting.empty()) {
-      parts_ = geometry::parts_by_blocks(mesh_.surface, block_);
+    if (boxes_ > 1 && !waiting.empty()) {
+      parts_ = geometry::parts_by_boxes(
+          mesh_.surface, boxes_, [this](VertexId v) -> const Point& { return mesh_.position(v); },
+          run_.threads());
     }
     std::vector<TriangleId> seen = waiting;
     for (int round = 0; round < max_rounds && !waiting.empty(); ++round) {
@@ -49,7 +54,7 @@ class Smoothing {
   }
 
  private:
-  static constexpr std::size_t max_blocks = 16;
+  static constexpr std::size_t max_boxes = 64;
 
   bool misses_goal(TriangleId t) const { return !goal_.is_met(mesh_, t); }
 
@@ -88,20 +93,21 @@ class Smoothing {
     }
   };
 
-  /// Improves the triangles block by block, as many at once as there are threads, and afterwards
-  /// those at the borders of blocks. The blocks are the same for any number of threads.
+  /// Improves the triangles box by box, as many boxes at once as there are threads, and afterwards
+  /// those at the borders of boxes. The boxes are the same for any number of threads.
   Work improve_all(const std::vector<TriangleId>& triangles) {
     if (parts_.empty()) return improve(triangles, {});
-    std::vector<Work> found((mesh_.surface.triangle_count() - 1) / block_ + 1);
-    geometry::for_each_task(run_.threads(), found.size(), [&](std::size_t block) {
-      const auto first_of = [&](std::size_t b) {
-        return std::ranges::lower_bound(triangles, TriangleId{b * block_});
-      };
-      found[block] = improve({first_of(block), first_of(block + 1)},
-                             {parts_, static_cast<geometry::Part>(block)});
+    std::vector<std::vector<TriangleId>> of_box(boxes_);
+    std::vector<TriangleId> left;
+    for (const TriangleId t : triangles) {
+      const geometry::Part part = geometry::part_of(mesh_.surface, parts_, t);
+      (part == geometry::no_part ? left : of_box[part]).push_back(t);
+    }
+    std::vector<Work> found(boxes_);
+    geometry::for_each_task(run_.threads(), boxes_, [&](std::size_t box) {
+      found[box] = improve(of_box[box], {parts_, static_cast<geometry::Part>(box)});
     });
     Work whole;
-    std::vector<TriangleId> left;
     for (const Work& part : found) {
       whole.add(part);
       left.insert(left.end(), part.left.begin(), part.left.end());
@@ -136,16 +142,16 @@ class Smoothing {
   const Sizing sizing_;
   Mesh& mesh_;
   const AngleGoal goal_;
-  const std::size_t block_;
+  const std::size_t boxes_;
   const geometry::Run run_;
-  geometry::Parts parts_;  ///< none where all is one block
+  geometry::Parts parts_;  ///< none where all is one box
 };
 
 }  // namespace
 
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                       const AngleGoal& goal, const geometry::Run& run, std::size_t min_block) {
-  return Smoothing(surface, sizing, mesh, goal, min_block, run).run();
+                       const AngleGoal& goal, const geometry::Run& run, std::size_t least_to_each) {
+  return Smoothing(surface, sizing, mesh, goal, least_to_each, run).run();
 }
 
 }  // namespace morskin::refine

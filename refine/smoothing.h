@@ -23,13 +23,13 @@ struct SmoothingCounts {
   std::size_t left = 0;   ///< triangles that miss the goal, after
 };
 
-/// Triangles are gone through in the order of their ids, in a large mesh in blocks of them, several
-/// at a time, with what lies at the borders of blocks last.
+/// Triangles are gone through in the order of their ids, in a large mesh box by box, several boxes
+/// at a time, with what lies at the borders of boxes last.
 ///
-/// @param min_block  triangles
+/// @param least_to_each  triangles to each box
 /// @pre the mesh is closed and compact, its vertices are points of the skin.
 SmoothingCounts smooth(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                        const AngleGoal& goal, const geometry::Run& run = geometry::Run(),
-                       std::size_t min_block = std::size_t{1} << 19);
+                       std::size_t least_to_each = std::size_t{1} << 14);
 
 }  // namespace morskin::refine

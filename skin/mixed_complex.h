@@ -109,7 +109,7 @@ class MixedComplex {
 
   /// Distance, Angstrom, by which a point may be beyond a wall and count as inside: 2^-42 of the
   /// largest coordinate, above the rounding of a wall's offset. G is C^1 across walls, so at a
-  /// distance d beyond one its value is wrong by at most d^2 (papers/2.1-molecular-skin.md).
+  /// distance d beyond one its value is wrong by 2 d^2 (papers/2.1-molecular-skin.md).
   double wall_tolerance() const { return wall_tolerance_; }
 
   static constexpr double nearness = 1.0 / 64;

@@ -15,6 +15,7 @@
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
+#include "skin/assembly.h"
 #include "skin/molecule_formats.h"
 #include "skin/radii.h"
 
@@ -35,6 +36,7 @@ enum Column : std::size_t {
   Number,
   Insertion,
   Chain,
+  AssemblyChain,
   Alternate,
   Occupancy,
   ModelNumber,
@@ -55,6 +57,7 @@ constexpr std::array<ColumnTags, ColumnCount> column_tags = {{
     {"auth_seq_id", "label_seq_id"},
     {"pdbx_PDB_ins_code"},
     {"auth_asym_id", "label_asym_id"},
+    {"label_asym_id", "auth_asym_id"},
     {"label_alt_id"},
     {"occupancy"},
     {"pdbx_PDB_model_num"},
@@ -170,6 +173,7 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
   atom.residue = Label(table.value(row, Residue));
   atom.residue_number = Label(table.value(row, Number) + table.value(row, Insertion));
   atom.chain = Label(table.value(row, Chain));
+  record.assembly_chain = Label(table.value(row, AssemblyChain));
   atom.element = element_of(table.value(row, Symbol), name, atom.residue.view());
   record.is_hetatm = table.value(row, Record) == "HETATM";
   const std::string alternate = table.value(row, Alternate);
@@ -179,6 +183,31 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
 }
 
 }  // namespace
+
+AssemblyTables assembly_tables(std::string_view bytes, const std::string& source) {
+  cif::Document document = parse_document(bytes, source);
+  AssemblyTables tables;
+  std::vector<std::string> numbers{"id"};
+  for (const char* row : {"1", "2", "3"}) {
+    for (const char* column : {"1", "2", "3"}) {
+      numbers.push_back(std::string("matrix[") + row + "][" + column + "]");
+    }
+  }
+  for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
+  for (cif::Block& block : document.blocks) {
+    for (const auto& row : block.find("_pdbx_struct_assembly_gen.",
+                                      {"assembly_id", "oper_expression", "asym_id_list"})) {
+      tables.generators.push_back({row.str(0), row.str(1), row.str(2)});
+    }
+    for (const auto& row : block.find("_pdbx_struct_oper_list.", numbers)) {
+      AssemblyTables::Operator& made = tables.operators.emplace_back();
+      made.id = row.str(0);
+      int column = 0;
+      for (std::string& number : made.numbers) number = row.str(++column);
+    }
+  }
+  return tables;
+}
 
 ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelSearch& models) {
   cif::Document document = parse_document(bytes, source);

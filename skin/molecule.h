@@ -63,8 +63,9 @@ struct Molecule {
   std::vector<double> weights;
   /// By atom, in units of the elementary charge, of a PQR file. Empty for all other files.
   std::vector<double> charges;
-  bool has_radii = false;  ///< the file gave the radii; otherwise the elements did
-  std::string source;      ///< the file's name
+  /// Where the radii come from: "input" and "weights", of the file; or a table (radius_table.h).
+  std::string radii;
+  std::string source;  ///< the file's name
   ReadingCounts counts;
 };
 

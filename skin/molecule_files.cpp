@@ -11,9 +11,9 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/gzip.h"
 #include "geometry/files/text_lines.h"
+#include "skin/assembly.h"
 #include "skin/model.h"
 #include "skin/molecule_formats.h"
-#include "skin/radii.h"
 
 namespace morskin::skin {
 namespace {
@@ -24,11 +24,13 @@ using geometry::take_field;
 using geometry::TextLines;
 using geometry::trimmed;
 using geometry::UnreadableInput;
+using molecule_formats::Assembly;
 using molecule_formats::AtomRecord;
 using molecule_formats::ModelSearch;
 using molecule_formats::ParsedFile;
 
-constexpr double largest_number = 1e6;  // Angstrom; coordinates and radii
+constexpr double largest_number = 1e6;      // Angstrom; coordinates and radii
+constexpr std::size_t pdb_line_bytes = 80;  // an assembly has no more atoms than a file can
 
 constexpr std::array<std::pair<std::string_view, MoleculeFormat>, 9> endings = {{
     {".pdb", MoleculeFormat::Pdb},
@@ -107,16 +109,16 @@ ParsedFile parse(std::string_view bytes, const std::string& source, MoleculeForm
   throw RefusedInput(source + line + ": " + describe(atom) + " " + what);
 }
 
-void give_radius(Atom& atom, const std::string& source) {
-  const std::optional<double> radius = van_der_waals_radius(atom.element.view());
+void give_radius(Atom& atom, const RadiusTable& table, const std::string& source) {
+  const std::optional<double> radius = table.radius(atom);
   if (!radius) {
     const std::string element = atom.element.is_empty()
                                     ? "no known element"
                                     : "element " + geometry::quoted(atom.element.view());
     refuse(source, atom,
            "has " + element +
-               ", for which there is no van der Waals radius; remove the atom, or give radii "
-               "in a PQR or XYZR file");
+               ", for which there is no van der Waals radius in the table of radii; remove the "
+               "atom, take another table, or give radii in a PQR or XYZR file");
   }
   atom.radius = *radius;
 }
@@ -155,18 +157,39 @@ std::size_t count_duplicates(const std::vector<Atom>& atoms) {
   return static_cast<std::size_t>(balls.end() - distinct_end);
 }
 
-Molecule finish(ParsedFile file, const std::string& source, const Selection& selection) {
+/// The table to take radii from; nothing where the file's own count.
+std::optional<RadiusTable> table_for(const ParsedFile& file, const std::string& source,
+                                     const std::optional<RadiusTable>& asked) {
+  if (!asked)
+    return file.has_radii || file.has_weights ? std::nullopt : std::optional(RadiusTable());
+  if (file.has_elements) return asked;
+  throw RefusedInput(source + ": does not tell elements, so no table gives its atoms radii; read " +
+                     "it without one");
+}
+
+std::string radii_in_words(const Molecule& molecule, const std::optional<RadiusTable>& table) {
+  if (table) return table->text_for(molecule.atoms);
+  return molecule.weights.empty() ? "input" : "weights";
+}
+
+Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& options,
+                const std::optional<Assembly>& assembly) {
+  const std::optional<RadiusTable> table = table_for(file, source, options.radii);
   Molecule molecule;
   molecule.source = source;
-  molecule.has_radii = file.has_radii;
-  molecule.counts = molecule_formats::keep_selected(file, selection, source);
+  molecule.counts = molecule_formats::keep_selected(file, options.selection, source);
+  if (assembly) {
+    const std::size_t max_atoms = options.max_bytes / pdb_line_bytes;
+    molecule.counts.other_chains +=
+        molecule_formats::assemble(file.atoms, *assembly, source, max_atoms);
+  }
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
     if (file.has_weights) {
       check_weight(record, source);
       record.atom.radius = patch_radius(record.weight);
-    } else if (!file.has_radii) {
-      give_radius(record.atom, source);
+    } else if (table) {
+      give_radius(record.atom, *table, source);
     }
     check_range(record.atom, source);
     if (record.atom.radius == 0) {
@@ -185,7 +208,49 @@ Molecule finish(ParsedFile file, const std::string& source, const Selection& sel
                        "; name another file");
   }
   molecule.counts.duplicates = count_duplicates(molecule.atoms);
+  molecule.radii = radii_in_words(molecule, table);
   return molecule;
+}
+
+/// A file's text and what it is.
+struct OpenedFile {
+  std::string unpacked;  ///< empty if the bytes were text
+  std::string_view text;
+  MoleculeFormat format;
+};
+
+void open(OpenedFile& file, std::string_view bytes, const std::string& source,
+          const ReadOptions& options) {
+  if (geometry::is_gzip(bytes)) {
+    file.unpacked = geometry::unpack_gzip(bytes, source, options.max_bytes);
+    bytes = file.unpacked;
+  }
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  if (trimmed(bytes).empty()) throw UnreadableInput(source + ": is empty; name another file");
+  std::optional<MoleculeFormat> format = options.format;
+  if (!format) format = molecule_format_of(source);
+  if (!format) format = format_by_content(bytes);
+  if (!format) {
+    throw UnreadableInput(source +
+                          ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ, "
+                          "XYZR or XYZW and the ending of that name");
+  }
+  file.text = bytes;
+  file.format = *format;
+}
+
+std::optional<Assembly> assembly_in(const OpenedFile& file, const std::string& source,
+                                    const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  if (file.format == MoleculeFormat::Pdb) {
+    return molecule_formats::pdb_assembly(file.text, source, *name);
+  }
+  if (file.format == MoleculeFormat::Mmcif) {
+    return molecule_formats::mmcif_assembly(file.text, source, *name);
+  }
+  throw RefusedInput(source + ": only PDB and mmCIF tell of biological assemblies; read it " +
+                     "without one");
 }
 
 }  // namespace
@@ -202,28 +267,24 @@ std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& pa
 
 Molecule parse_molecule(std::string_view bytes, const std::string& source,
                         const ReadOptions& options) {
-  std::string unpacked;
-  if (geometry::is_gzip(bytes)) {
-    unpacked = geometry::unpack_gzip(bytes, source, options.max_bytes);
-    bytes = unpacked;
-  }
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
-  if (trimmed(bytes).empty()) throw UnreadableInput(source + ": is empty; name another file");
-  std::optional<MoleculeFormat> format = options.format;
-  if (!format) format = molecule_format_of(source);
-  if (!format) format = format_by_content(bytes);
-  if (!format) {
-    throw UnreadableInput(source +
-                          ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ, "
-                          "XYZR or XYZW and the ending of that name");
-  }
+  OpenedFile file;
+  open(file, bytes, source, options);
+  const auto assembly = assembly_in(file, source, options.selection.assembly);
   ModelSearch models(options.selection.model);
-  ParsedFile file = parse(bytes, source, *format, models);
+  ParsedFile parsed = parse(file.text, source, file.format, models);
   const std::size_t other_models = models.others(source);
-  Molecule molecule = finish(std::move(file), source, options.selection);
+  Molecule molecule = finish(std::move(parsed), source, options, assembly);
   molecule.counts.other_models = other_models;
   return molecule;
+}
+
+std::vector<std::int64_t> model_numbers(std::string_view bytes, const std::string& source,
+                                        const ReadOptions& options) {
+  OpenedFile file;
+  open(file, bytes, source, options);
+  ModelSearch models = ModelSearch::of_none();
+  parse(file.text, source, file.format, models);
+  return models.numbers();
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {

@@ -5,16 +5,19 @@
 // By default a reader keeps the first model, of alternate locations the likeliest, and hydrogens if
 // present. It drops water, unless asked to keep it or there is nothing else, and always atoms of
 // the element X (unknown). selection.h has what else can be asked. Radii come from the file (PQR,
-// XYZR) or from the elements (PDB, mmCIF, XYZ; radii.h); a file of weights (XYZW) has those in
+// XYZR) or from a table (PDB, mmCIF, XYZ; radius_table.h); a file of weights (XYZW) has those in
 // their place. Molecule::counts lists what was left out.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "skin/molecule.h"
+#include "skin/radius_table.h"
 #include "skin/selection.h"
 
 namespace morskin::skin {
@@ -33,6 +36,8 @@ std::optional<MoleculeFormat> molecule_format_of(const std::filesystem::path& pa
 
 struct ReadOptions {
   Selection selection = {};
+  /// Given, it also takes the place of a PQR file's radii. Absent: the file's or "elements".
+  std::optional<RadiusTable> radii = {};
   std::optional<MoleculeFormat> format = {};  ///< absent: by the ending, else by the content
   /// Of the unpacked file: 26 million lines of 80 columns, ten times the largest entry of the PDB
   /// (3J3Q, 2.4 million atoms).
@@ -46,7 +51,7 @@ struct ReadOptions {
 ///         radius is positive and at most 10^6 Angstrom, its weight, if given, at most 2^30.
 /// @throws UnreadableInput  for a file that is missing, empty, damaged or of no format known here
 /// @throws RefusedInput     if no atom is left, the selection asks for what the file or its format
-///                          does not have, a number is out of range, or an element has no radius;
+///                          does not have, a number is out of range, or an atom has no radius;
 ///                          names the atom and its line
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {});
 
@@ -56,5 +61,11 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
 /// @throws UnreadableInput, RefusedInput  as above
 Molecule parse_molecule(std::string_view bytes, const std::string& source,
                         const ReadOptions& options = {});
+
+/// The numbers of the models in the file, each once, in its order: what the file calls them, or
+/// their places. Selection::model plays no part.
+/// @throws UnreadableInput, RefusedInput  as above
+std::vector<std::int64_t> model_numbers(std::string_view bytes, const std::string& source,
+                                        const ReadOptions& options = {});
 
 }  // namespace morskin::skin

@@ -25,8 +25,9 @@ struct AtomRecord {
   double weight = 0;  ///< Angstrom^2, in a file that gives weights
   double charge = 0;  ///< elementary charges, in a file that gives charges
   double occupancy = 1;
-  char alternate = ' ';    ///< letter of the alternate location; blank if the atom has only one
-  bool is_hetatm = false;  ///< read from a HETATM record
+  char alternate = ' ';       ///< letter of the alternate location; blank if the atom has only one
+  bool is_hetatm = false;     ///< read from a HETATM record
+  Label assembly_chain = {};  ///< how assemblies call its chain: label_asym_id in mmCIF
 };
 
 struct ParsedFile {
@@ -45,13 +46,21 @@ class ModelSearch {
  public:
   /// @param wanted  the number of a model; absent: the first
   explicit ModelSearch(std::optional<std::int64_t> wanted) : wanted_(wanted) {}
+  /// None is to be read.
+  static ModelSearch of_none() {
+    ModelSearch search(std::nullopt);
+    search.is_found_ = true;
+    return search;
+  }
 
   /// A model begins. Of several with one number the first counts.
   /// @param number  what the file calls it; absent: its place among all
   /// @return whether its atoms are to be read
   bool begin(std::optional<std::int64_t> number = std::nullopt);
 
-  bool has_begun() const { return count_ > 0; }
+  bool has_begun() const { return !numbers_.empty(); }
+  /// Each once, in the file's order.
+  std::vector<std::int64_t> numbers() const;
 
   /// How many models are not to be read.
   /// @throws RefusedInput  the one wanted did not begin, though others did
@@ -59,8 +68,7 @@ class ModelSearch {
 
  private:
   std::optional<std::int64_t> wanted_;
-  std::size_t count_ = 0;
-  std::int64_t least_ = 0, most_ = 0;  // of the numbers
+  std::vector<std::int64_t> numbers_;  // of all that began
   bool is_found_ = false;
 };
 

@@ -126,22 +126,29 @@ bool is_water_residue(std::string_view residue) {
 namespace molecule_formats {
 
 bool ModelSearch::begin(std::optional<std::int64_t> number) {
-  const std::int64_t known = number.value_or(static_cast<std::int64_t>(count_ + 1));
-  least_ = count_ == 0 ? known : std::min(least_, known);
-  most_ = count_ == 0 ? known : std::max(most_, known);
-  ++count_;
+  const std::int64_t known = number.value_or(static_cast<std::int64_t>(numbers_.size() + 1));
+  numbers_.push_back(known);
   if (is_found_ || (wanted_ && *wanted_ != known)) return false;
   is_found_ = true;
   return true;
 }
 
 std::size_t ModelSearch::others(const std::string& source) const {
-  if (is_found_ || count_ == 0) return count_ - (is_found_ ? 1 : 0);
-  const bool is_one = least_ == most_;
+  if (is_found_ || numbers_.empty()) return numbers_.size() - (is_found_ ? 1 : 0);
+  const auto [least, most] = std::ranges::minmax(numbers_);
   throw RefusedInput(
       source + ": has no model " + std::to_string(*wanted_) + "; " +
-      (is_one ? "its only one is number " + std::to_string(least_)
-              : "choose from " + std::to_string(least_) + " to " + std::to_string(most_)));
+      (least == most ? "its only one is number " + std::to_string(least)
+                     : "choose from " + std::to_string(least) + " to " + std::to_string(most)));
+}
+
+std::vector<std::int64_t> ModelSearch::numbers() const {
+  std::vector<std::int64_t> distinct;
+  std::set<std::int64_t> seen;
+  for (const std::int64_t number : numbers_) {
+    if (seen.insert(number).second) distinct.push_back(number);
+  }
+  return distinct;
 }
 
 ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,

@@ -30,6 +30,10 @@ struct Selection {
   /// The number that the file gives the model, or its place in a file without numbers; absent: the
   /// first.
   std::optional<std::int64_t> model = {};
+
+  /// The file's name of a biological assembly: its copies of the atoms read take their place, those
+  /// of chain A called A, A-2, A-3 and so on. Absent: the atoms as they are in the file.
+  std::optional<std::string> assembly = {};
 };
 
 /// Whether residues of this name are water.

@@ -4,6 +4,7 @@
     faults_test.py path/to/morskin [--slow]    --slow: fifty signals of each kind, not four
 """
 
+import json
 import os
 import random
 import signal
@@ -119,6 +120,34 @@ class Faults(CommandTest):
                                   stderr=subprocess.PIPE, preexec_fn=lambda: os.close(1))
             self.assertEqual(done.returncode, 7, words)
             self.assertIn(b"standard output: cannot write", done.stderr)
+
+    def test_a_mesh_that_cannot_be_read_back_gives_5_and_leaves_no_file_but_the_older(self):
+        # Whoever opens a temporary file to read finds its first hundred bytes only.
+        self.input("cut.c", """
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+int open(const char* path, int flags, ...) {
+  int (*next)(const char*, int, int) = (int (*)(const char*, int, int))dlsym(RTLD_NEXT, "open");
+  if ((flags & O_ACCMODE) == O_RDONLY && strstr(path, ".part")) truncate(path, 100);
+  return next(path, flags, 0600);
+}
+int open64(const char* path, int flags, ...) { return open(path, flags, 0600); }
+""")
+        words = ["cc", "-w", "-shared", "-fPIC", "-o", "cut.so", "cut.c", "-ldl"]
+        subprocess.run(words, cwd=self.folder, check=True)
+        self.input("out.ply", self.old)
+        before = self.names()
+        done = self.run_morskin("mesh", self.ring, "-o", "out.ply", "--json", code=5,
+                                env={**os.environ, "LD_PRELOAD": str(self.folder / "cut.so")})
+        self.assertIn(b"not certified: out.ply", done.stderr)
+        self.assertIn(b"see the report", done.stderr)
+        report = json.loads(done.stdout)
+        self.assertEqual((report["certified"], report["outputs"]), (False, []))
+        self.assertEqual((self.folder / "out.ply").read_bytes(), self.old)
+        self.assertEqual(self.names(), before)
 
     def test_of_two_writers_of_one_file_one_wins(self):
         other = self.input("other.xyzr", (MOLECULES / "two_balls.xyzr").read_bytes())

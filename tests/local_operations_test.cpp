@@ -70,12 +70,12 @@ TEST_CASE("a subdomain without room leaves its work as it is") {
   CHECK(mesh.surface.triangle_list() == before);
 }
 
-TEST_CASE("refinement in two halves has one outcome for any number of threads") {
+TEST_CASE("refinement by boxes has one outcome for any number of threads") {
   for (const PreparedSkin& skin : small_skins()) {
     const Mesh rough = refined_mesh(skin, coarse);
     Mesh alone = rough;
     const RefinementCounts counts = refine_mesh(skin, alone);
-    CHECK(counts.insert > 128);  // else no halves
+    CHECK(counts.insert > 128);  // else one box
     check_refined(skin, alone);
     for (const unsigned threads : {2U, 3U}) {
       Mesh together = rough;

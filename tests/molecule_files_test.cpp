@@ -48,9 +48,9 @@ TEST_CASE("a PQR file gives its own radii and loses atoms of radius 0") {
   CHECK(molecule.counts.zero_radii == 1);
   CHECK(elements_of(molecule) == "N C Zn");
   CHECK(molecule.charges == std::vector{-0.3, 0.1, 2.0});
-  CHECK(molecule.has_radii);
+  CHECK(molecule.radii == "input");
   CHECK(parse_molecule(small_xyz, "a.xyz").charges.empty());
-  CHECK(!parse_molecule(small_xyz, "a.xyz").has_radii);
+  CHECK(parse_molecule(small_xyz, "a.xyz").radii == "elements");
 }
 
 TEST_CASE("an XYZ file takes symbols and atomic numbers, an XYZR file comments") {

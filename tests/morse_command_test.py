@@ -85,7 +85,8 @@ class Morse(CommandTest):
         for group in piece:
             for array in group:
                 data = base64.b64decode(array.text, validate=True)
-                letter = {"Float64": "d", "Int64": "q", "UInt8": "B"}[array.get("type")]
+                letters = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
+                letter = letters[array.get("type")]
                 (size,) = struct.unpack("<Q", data[:8])
                 self.assertEqual(size, len(data) - 8)
                 arrays[group.tag, array.get("Name")] = list(

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks what the pages say about the code: papers/*.md and ARCHITECTURE.md.
+"""Checks what the pages say about the code: those of papers/ and ARCHITECTURE.md.
 
 - Every relative link and picture resolves, with its heading if it names one; in READMEs as well.
 - Every code span names something that is there:
@@ -10,11 +10,13 @@
       a make target, an option      `make demo`, `--height`
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
+- Every console block of README.md stands on a page as well, where its commands are run.
 - Every figure is well-formed and shown on some page.
 - Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
-  commands too).
+  commands too); the lessons are short and have theirs (papers/course/lesson.py).
+- No sentence has more than 30 words, but for some pages about the program.
 
 Prints one line and exits with 1 on any failure.
 """
@@ -26,10 +28,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
-PAGES = [*sorted((ROOT / "papers").glob("*.md")), ROOT / "ARCHITECTURE.md"]
+from page import page_files  # noqa: E402
+PAGES = [*page_files(), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
 CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
-                "python", "app", "bench", "tests", "cmake", "papers"]
+                "python", "app", "bench", "tests", "cmake", "papers", "examples",
+                "packaging"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".pyi", ".cmake", ".sh", ".in"}
 
 FENCE = re.compile(r"^\s*(```|~~~)")
@@ -132,8 +136,9 @@ def check_span(checks, sources, where, span, file):
         checks.expect(span.split()[1] in targets, where, f"no such target: {span}")
     elif span.startswith("-"):
         options = "".join((ROOT / "app" / name).read_text(encoding="utf-8")
-                          for name in ("options.cpp", "common_options.cpp",
-                                        "selection_arguments.cpp"))
+                          for name in ("options.cpp", "shared_options.cpp",
+                                       "features_options.cpp", "selection_arguments.cpp",
+                                       "batch/options.cpp"))
         checks.expect(f"{span.split()[0]}" in options, where, f"no such option: {span}")
     elif FILE.fullmatch(span):
         exists = (ROOT / span).exists()
@@ -178,6 +183,17 @@ def check_figures(checks):
             checks.expect(False, where, str(error))
 
 
+def check_readme(checks):
+    """The commands that README.md shows are run where papers/ show them too."""
+    shown = "".join(page.read_text(encoding="utf-8") for page in PAGES if page.exists())
+    text = READMES[0].read_text(encoding="utf-8")
+    found = re.findall(r"^```console\n.*?^```$", text, re.MULTILINE | re.DOTALL)
+    checks.expect(found, "README.md", "no console block")
+    for block in found:
+        line = text[:text.index(block)].count("\n") + 1
+        checks.expect(block in shown, f"README.md:{line}", "a console block that no page runs")
+
+
 def declarations(path):
     """What is to be answered in a file of answers: types and names."""
     text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
@@ -185,11 +201,14 @@ def declarations(path):
 
 
 def check_course(checks):
+    from lesson import lesson_complaints, path_complaints
     from page import Page, complaints
     from sources import all_excerpts
-    pages = [Page(page) for page in PAGES if page.parent.name == "papers" and page.exists()]
+    pages = [Page(page) for page in page_files()]
+    found = path_complaints()
+    checks.expect(not found, "the reading path", "; ".join(found))
     for page in pages:
-        found = complaints(page)
+        found = complaints(page) + lesson_complaints(page)
         checks.expect(not found, page.path.name, "; ".join(found))
     try:
         shown = {(file, name) for page in pages for name, file in page.excerpts()}
@@ -210,7 +229,7 @@ def check_course(checks):
 
 def check_steps(checks):
     from page import STEP, Page
-    commands = {command for path in PAGES if path.parent.name == "papers"
+    commands = {command for path in page_files()
                 for _, command, output in Page(path).commands() if output}
     shown = {match[1] for match in map(STEP.match, commands) if match}
     for program in sorted((ROOT / "papers" / "steps").glob("*.cpp")):
@@ -232,6 +251,7 @@ def main():
             for match in LINK.finditer(block):
                 check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
     check_figures(checks)
+    check_readme(checks)
     check_course(checks)
     check_steps(checks)
     for failure in checks.failures:

@@ -24,7 +24,8 @@ def complaint(script):
 
 
 def main():
-    scripts = sorted(s for s in BENCH.glob("*.py") if '"__main__"' in s.read_text("utf-8"))
+    scripts = sorted(s for folder in (BENCH, BENCH / "solvers") for s in folder.glob("*.py")
+                     if '"__main__"' in s.read_text("utf-8"))
     complaints = {s.name: c for s in scripts if (c := complaint(s))}
     for name, text in complaints.items():
         print(f"bench/{name} does not start: {text}")

@@ -107,8 +107,8 @@ class Selections(CommandTest):
         for words in (("--chain", ""), ("--chain", "A,"), ("--chain", "A, B"),
                       ("--altloc", "AB"), ("--altloc", "first"), ("--altloc", "?"),
                       ("--hydrogens", "no"), ("--hetatm", "SO4,,LIG"), ("--hetatm", "HOH"),
-                      ("--model-number", "-1"), ("--model-number", "1-3"),
-                      ("--model-number", "1.5")):
+                      ("--model-number=-1",), ("--model-number", "1-3"),
+                      ("--model-number", "1.5"), ("--model-number", "+1")):
             with self.subTest(words):
                 self.assertIn("see morskin --help", self.complaint(*words, code=2))
 
@@ -119,9 +119,10 @@ class Selections(CommandTest):
 
     def test_help_states_every_default(self):
         text = self.run_morskin("mesh", "--help").stdout.decode()
-        for option, default in (("--model-number", "=the first"), ("--chain", "=all chains"),
-                                ("--hetatm", "=all"), ("--altloc", "=likeliest"),
-                                ("--hydrogens", "=keep")):
+        for option, default in (("--model-number", "[the first]"), ("--chain", "[all chains]"),
+                                ("--hetatm", "[all]"), ("--altloc", "[likeliest]"),
+                                ("--hydrogens", "[keep]"), ("--biological-assembly", "[none]"),
+                                ("--radii", "[elements or INPUT's]"), ("--probe", "[1.4]")):
             line = next(line for line in text.splitlines() if option + " " in line)
             self.assertIn(default, line)
 

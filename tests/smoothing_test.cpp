@@ -107,21 +107,21 @@ TEST_CASE("smoothing is the same with any number of threads") {
   CHECK(indexed_mesh(first).positions == indexed_mesh(second).positions);
 }
 
-TEST_CASE("smoothing in many small blocks keeps every law, and is the same in any order of them") {
-  constexpr std::size_t min_block = 50;  // triangles; there are at most sixteen blocks
+TEST_CASE("smoothing in many small boxes keeps every law, and is the same in any order of them") {
+  constexpr std::size_t least_to_each = 50;
   std::size_t moved = 0;
   for (const PreparedSkin& skin : skins()) {
     Mesh mesh = rough_mesh(skin);
     Mesh other = mesh;
     const auto before = mesh.surface.triangle_list();
     const SmoothingCounts counts =
-        smooth(skin.surface, {}, mesh, goal_deg, geometry::Run(1), min_block);
+        smooth(skin.surface, {}, mesh, goal_deg, geometry::Run(1), least_to_each);
     moved += counts.moved;
     CHECK(counts.left == 0);
     CHECK(mesh.surface.triangle_list() == before);
     CHECK(certificate(skin, mesh).reason == "");
     CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
-    CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), min_block).moved ==
+    CHECK(smooth(skin.surface, {}, other, goal_deg, geometry::Run(4), least_to_each).moved ==
           counts.moved);
     CHECK(indexed_mesh(mesh).positions == indexed_mesh(other).positions);
   }

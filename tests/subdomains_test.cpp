@@ -165,7 +165,7 @@ TEST_CASE("the leaves of a dissection share out space, each with as many samples
       CHECK(std::abs(in_leaf[k] - 1000 / (1 << depth)) <= depth);
     }
     for (std::size_t k = 1; k < dissection.size(); ++k) {
-      const front::Box &box = dissection[k], &around = dissection[Dissection::parent(k)];
+      const geometry::Box &box = dissection[k], &around = dissection[Dissection::parent(k)];
       CHECK((box.low.array() >= around.low.array()).all());
       CHECK((box.high.array() <= around.high.array()).all());
     }

@@ -221,6 +221,30 @@ class Layers(ViewTest):
         self.assertNotIn("mesh.birth", page.entries)
         self.assertIs(page.about["certified"], True)
 
+    def test_a_mesh_is_shown_against_what_it_says_it_was_made_of(self):
+        self.run_morskin("mesh", self.ring, "-o", "ring.ply", "-q", "--model", "sas", "--probe",
+                         "0.5", "-C", "0.2")
+        page = self.view("ring.ply", "--against", self.ring)
+        self.assertEqual([page.about[k] for k in ("model", "probe", "C", "certified")],
+                         ["sas", 0.5, 0.2, True])
+        self.assertEqual(page.about["taken"], ["model", "probe", "voids", "C", "Q"])
+        page = self.view("ring.ply", "--against", self.ring, "--model", "vdw")
+        self.assertEqual((page.about["model"], page.about["certified"]), ("vdw", False))
+
+    def test_a_mesh_without_its_voids_is_certified_on_its_page_too(self):
+        shell = MOLECULES / "shell_hollow.xyzr"
+        self.run_morskin("mesh", shell, "-o", "shell.ply", "-q", "--voids", "drop")
+        self.assertIs(self.view("shell.ply", "--against", shell).about["certified"], True)
+
+    def test_a_page_states_the_selection_and_the_radii(self):
+        dna = MOLECULES / "9dna.pdb"
+        page = self.view(dna, "--chain", "A", "--radii", "bondi", "-C", "0.3")
+        self.assertEqual(page.about["selection"], {"chain": ["A"]})
+        self.assertEqual(page.about["radii"], "bondi")
+        page = self.view(self.ring)
+        self.assertNotIn("selection", page.about)
+        self.assertEqual(page.about["radii"], "input")
+
     def test_frames_of_a_growing_skin_come_in_the_order_given(self):
         small = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [(0, 1, 2)])
         large = ([[0, 0, 0], [3, 0, 0], [0, 3, 0], [3, 3, 0]], [(0, 1, 2), (1, 3, 2)])

@@ -46,13 +46,6 @@ void append_array(std::string& text, std::string_view attributes,
   text += "</DataArray>\n";
 }
 
-template <class Number>
-void append_named(std::string& text, std::string_view type, const VtuGrid::Named<Number>& arrays) {
-  for (const auto& [name, numbers] : arrays) {
-    append_array(text, "type=\"" + std::string(type) + "\" Name=\"" + name + "\"", numbers);
-  }
-}
-
 void append_attributes(std::string& text, std::span<const Attribute> attributes) {
   for (const Attribute& a : attributes) {
     std::string described = a.is_whole ? "type=\"Int32\"" : "type=\"Float64\"";
@@ -109,16 +102,13 @@ std::string vtu(const VtuGrid& grid) {
   text += "\" NumberOfCells=\"";
   append_number(text, std::uint64_t{grid.ends.size()});
   text += "\">\n";
-  if (!grid.point_numbers.empty() || !grid.point_attributes.empty()) {
+  if (!grid.point_attributes.empty()) {
     text += "<PointData>\n";
-    append_named(text, "Float64", grid.point_numbers);
     append_attributes(text, grid.point_attributes);
     text += "</PointData>\n";
   }
-  if (!grid.cell_numbers.empty() || !grid.cell_integers.empty() || !grid.cell_attributes.empty()) {
+  if (!grid.cell_attributes.empty()) {
     text += "<CellData>\n";
-    append_named(text, "Int64", grid.cell_integers);
-    append_named(text, "Float64", grid.cell_numbers);
     append_attributes(text, grid.cell_attributes);
     text += "</CellData>\n";
   }

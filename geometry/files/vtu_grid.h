@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "geometry/mesh_attributes.h"
@@ -23,11 +22,6 @@ struct VtuGrid {
   std::vector<std::int64_t> ends;     ///< by cell, the end of its corners
   std::vector<VtuCell> kinds;         ///< by cell
 
-  template <class Number>
-  using Named = std::vector<std::pair<std::string, std::vector<Number>>>;
-  Named<double> point_numbers;        ///< name and a number for each point
-  Named<double> cell_numbers;         ///< name and a number for each cell
-  Named<std::int64_t> cell_integers;  ///< name and an integer for each cell
   std::span<const Attribute> point_attributes, cell_attributes;
   std::span<const Provenance::Entry> field_data;  ///< numbers, and texts by bytes
 };

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds papers/*.md as HTML that can be read offline, and checks all that the pages say.
+"""Builds the pages of papers/ as HTML that can be read offline, and checks all that they say.
 
 - Names become links to their lines, excerpts are taken from the sources between marks
   (`// [excerpt: name]` ... `// [/excerpt]`), formulas become MathML, pictures are embedded.
@@ -17,7 +17,8 @@ import sys
 import time
 from pathlib import Path
 
-from page import PAPERS, Page, complaints
+from lesson import lesson_complaints
+from page import PAPERS, Page, complaints, page_files
 from render import Listings, rendered
 from run_commands import check_pages
 from sources import ROOT
@@ -47,7 +48,7 @@ def dead_links(folder):
 
 def changed_pictures(boxes):
     """Pictures made by commands that are not those kept in papers/figures."""
-    return sorted({made.name for made in boxes.glob("*/papers/figures/*.png")
+    return sorted({made.name for made in boxes.glob("*/papers/figures/*.*")
                    if not (PAPERS / "figures" / made.name).exists()
                    or made.read_bytes() != (PAPERS / "figures" / made.name).read_bytes()})
 
@@ -64,13 +65,13 @@ def main():
     parser.add_argument("--command", type=Path, default=ROOT / "build" / "morskin")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--no-run", action="store_true", help="leave the commands alone")
-    parser.add_argument("pages", nargs="*", type=Path, help="by default all of papers/*.md")
+    parser.add_argument("pages", nargs="*", type=Path, help="by default all")
     arguments = parser.parse_args()
 
-    every = [Page(path) for path in sorted(PAPERS.glob("*.md"))]
+    every = [Page(path) for path in page_files()]
     stems = {page.stem for page in every}
     chosen = [Page(path.resolve()) for path in arguments.pages] or every
-    failures = [c for page in chosen for c in complaints(page)]
+    failures = [c for page in chosen for c in complaints(page) + lesson_complaints(page)]
     start, commands = time.monotonic(), 0
     boxes = arguments.out / "run"
     if not arguments.no_run:
@@ -81,7 +82,8 @@ def main():
     listings = Listings(arguments.out / "src")
     if not failures:
         for page in chosen:
-            resources = [boxes / page.stem / "papers", PAPERS]
+            folder = page.path.parent.relative_to(PAPERS.parent)
+            resources = [boxes / page.stem / folder, PAPERS.parent / folder]
             text = rendered(page, stems, listings, resources, failures)
             (arguments.out / f"{page.stem}.html").write_text(text, encoding="utf-8")
         if not arguments.pages:

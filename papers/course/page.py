@@ -6,13 +6,17 @@ from pathlib import Path
 from sources import ROOT, excerpts_in
 
 PAPERS = ROOT / "papers"
+LESSONS = PAPERS / "lessons"
 FENCE = re.compile(r"^\s*(```|~~~)\s*(\w*)")
-EXCERPT = re.compile(r"^\[excerpt: ([\w-]+)\]\(\.\./([\w./-]+)\)$", re.MULTILINE)
+EXCERPT = re.compile(r"^\[excerpt: ([\w-]+)\]\((?:\.\./)+(\w[\w./-]+)\)$", re.MULTILINE)
 STEP = re.compile(r"build/papers/steps/step_(\w+)$")  # one of the small programs of papers/steps
 # What a command on a page may start with; `make` ones are looked up, not run.
-RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "mkdir ",
+RUNNABLE = ("build/morskin ", "build/papers/steps/", "python3 ", "/usr/bin/python3 ", "mkdir ",
             "PYTHONPATH=build/python /usr/bin/python3 ")
-COURSE_FIRST_WORDS = (*RUNNABLE, "make ")
+# What one in an installed tree may start with; tests/installed_test.py runs these.
+INSTALLED = ("morskin ", "cmake ", "cp ", "export ", "PKG_CONFIG_PATH=", "source ", "man ",
+             "examples/", "with-cmake/")
+COURSE_FIRST_WORDS = (*RUNNABLE, *INSTALLED, "make ")
 
 # Every page of the course has these, in this order.
 PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test",
@@ -20,6 +24,11 @@ PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, 
 # And one of these, on what the print does not say.
 OPEN_PARTS = ["## What the paper leaves open", "## What was chosen", "## What was not, and why"]
 KINDS = ["Predict", "Run", "Explain"]
+
+
+def page_files():
+    """All pages: the reference and the notebooks, and the lessons of the reading path."""
+    return sorted(PAPERS.glob("*.md")) + sorted(LESSONS.glob("*.md"))
 
 
 class Page:
@@ -32,6 +41,10 @@ class Page:
     def title(self):
         match = re.search(r"^# (.*)$", self.text, re.MULTILINE)
         return re.sub(r"[`*]", "", match[1]) if match else self.stem
+
+    @property
+    def is_lesson(self):
+        return self.path.parent == LESSONS
 
     @property
     def is_of_course(self):

@@ -5,7 +5,8 @@ import re
 import subprocess
 import sys
 
-from page import EXCERPT, FENCE, PAPERS
+from lesson import lessons
+from page import EXCERPT, FENCE, LESSONS, PAPERS
 from sources import ROOT, excerpts_in, line_of, lines_of, tests_in
 
 sys.path.insert(0, str(ROOT / "tests"))
@@ -114,7 +115,7 @@ def relinked(text, page, stems, listings):
         if re.match(r"[a-z]+:", address) or address.startswith("src/") or not address:
             return match[0]
         path = (page.path.parent / address).resolve()
-        if path.parent == PAPERS and path.suffix == ".md" and path.stem in stems:
+        if path.parent in (PAPERS, LESSONS) and path.suffix == ".md" and path.stem in stems:
             return f'href="{path.stem}.html{hash_}{anchor}"'
         if path.is_file() and path.is_relative_to(ROOT) and path.suffix != ".png":
             return f'href="{listings.link(path)}"'
@@ -135,6 +136,15 @@ def with_words(text):
     return word.sub(joined, text)
 
 
+def navigation(page):
+    """Links to the reading path and the pages that all others need."""
+    places = [("README", "Index"), *((p.stem, p.stem.split("-")[0]) for p in lessons()),
+              ("equations", "Equations"), ("errata", "Errata"), ("glossary", "Glossary")]
+    links = [f"<b>{name}</b>" if stem == page.stem else f'<a href="{stem}.html">{name}</a>'
+             for stem, name in places]
+    return f"<nav>{' '.join(links)}</nav>"
+
+
 def rendered(page, stems, listings, resources, missing):
     """The page as one HTML file that needs nothing else; pictures are looked for in `resources`."""
     command = ["pandoc", "--from=gfm+tex_math_dollars", "--to=html5", "--mathml", "--standalone",
@@ -145,4 +155,5 @@ def rendered(page, stems, listings, resources, missing):
                           capture_output=True, check=False)
     problems = [line for line in done.stderr.splitlines() if line.strip()]
     missing.extend(f"{page.path.name}: pandoc: {line}" for line in problems)
-    return relinked(with_words(done.stdout), page, stems, listings)
+    text = relinked(with_words(done.stdout), page, stems, listings)
+    return text.replace("<body>", f"<body>\n{navigation(page)}", 1)

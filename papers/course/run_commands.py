@@ -6,7 +6,7 @@ import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
-from page import RUNNABLE
+from page import LESSONS, PAPERS, RUNNABLE
 from sources import ROOT
 
 TIMEOUT = 1800  # seconds for one command: a busy machine is slow, and that is no failure
@@ -16,12 +16,17 @@ def sandbox_for(page, folder, binary):
     """A folder that looks like the project's root, in which a page's commands may write."""
     folder = folder / page.stem
     shutil.rmtree(folder, ignore_errors=True)
-    (folder / "papers" / "figures").mkdir(parents=True)
+    for name in ("figures", "lessons"):
+        (folder / "papers" / name).mkdir(parents=True)
+    (folder / "papers" / "course").symlink_to(PAPERS / "course")
+    for file in LESSONS.glob("*.py"):
+        (folder / "papers" / "lessons" / file.name).symlink_to(file)
     (folder / "build" / "papers").mkdir(parents=True)
     (folder / "build" / "morskin").symlink_to(binary)
     (folder / "build" / "papers" / "steps").symlink_to(binary.parent / "papers" / "steps")
     (folder / "build" / "python").symlink_to(binary.parent / "python")
-    for name in ("bench", "tests", "app", "python", "front", "refine", "morse", "skin", "geometry"):
+    for name in ("bench", "tests", "app", "examples", "front", "refine", "morse", "skin",
+                 "geometry", "certify"):
         (folder / name).symlink_to(ROOT / name)
     return folder
 

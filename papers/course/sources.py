@@ -6,7 +6,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
-           "python", "app", "bench", "tests", "papers"]
+           "python", "app", "bench", "tests", "papers", "examples"]
 
 MARK = re.compile(r"^\s*(?://|#) \[excerpt: ([\w-]+)\]$")
 END_MARK = re.compile(r"^\s*(?://|#) \[/excerpt\]$")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any, Literal
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 from ._morskin import Mesh, Skin, read_molecule
 
 Model = Literal["vdw", "sas", "ses-like", "paper"]
+Radii = Union[str, "PathLike[str]", Mapping[str, float], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,10 +23,12 @@ class Molecule:
 
     positions  (n, 3) float64, Angstrom
     radii      (n,) float64, van der Waals, Angstrom
+    charges    (n,) float64, elementary charges, of a PQR file; None of all others
     """
 
     positions: NDArray[np.float64]
     radii: NDArray[np.float64]
+    charges: Optional[NDArray[np.float64]] = None
 
     def __len__(self) -> int:
         return len(self.radii)
@@ -39,10 +44,37 @@ class Molecule:
         return skin.mesh(**options)
 
 
-def read(file: str | PathLike[str]) -> Molecule:
-    """The atoms of a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not: of its first model,
-    without water.
+def _radii_text(radii: Radii) -> str | None:
+    """A table as the library takes it: a name, a file, or a list of entries."""
+    if isinstance(radii, Mapping):
+        if not radii:
+            raise ValueError("radii lists none")
+        return ",".join(f"{key}={float(value)!r}" for key, value in radii.items())
+    return None if radii is None else os.fspath(radii)
+
+
+def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool = False,
+         hetatms: Sequence[str] | None = None, altloc: str = "likeliest", hydrogens: bool = True,
+         model_number: int | None = None, biological_assembly: str | int | None = None,
+         radii: Radii = None) -> Molecule:
+    """The atoms of a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not.
+
+    chains               only these, by the author's names, "_" for a blank; none: all
+    waters               with water
+    hetatms              only these residues of HETATM records, water aside; None: all
+    altloc               of alternate locations "likeliest", "all" or the letter of one
+    hydrogens            with hydrogen and deuterium
+    model_number         of the file's models; None: the first
+    biological_assembly  the copies that make up this one, of PDB and mmCIF; None: as in the file
+    radii                "elements", "bondi", "alvarez", a file of lines "C 1.7" and "ALA:CA 1.9",
+                         or a dict of such; None: the file's own, else "elements"
 
     Raises UnreadableInput or RefusedInput.
     """
-    return Molecule(*read_molecule(file))
+    if isinstance(chains, str) or isinstance(hetatms, str):
+        raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
+    assembly = None if biological_assembly is None else str(biological_assembly)
+    return Molecule(*read_molecule(
+        file, chains=list(chains), waters=waters,
+        hetatms=None if hetatms is None else list(hetatms), altloc=altloc, hydrogens=hydrogens,
+        model_number=model_number, biological_assembly=assembly, radii=_radii_text(radii)))

@@ -11,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-EXAMPLES = ROOT / "python" / "examples"
+EXAMPLES = ROOT / "examples" / "python"
 sys.path.insert(1, str(ROOT / "papers" / "course"))
 from page import Page  # noqa: E402  (from papers/course)
 from run_commands import matches, run, sandbox_for, trimmed  # noqa: E402
@@ -28,7 +28,7 @@ class Examples(ModuleTest):
         page = Page(ROOT / "papers" / "python.md")
         box = sandbox_for(page, self.folder, Path(sys.path[0]).parent / "morskin")
         commands = {found[1]: (command, shown) for _, command, shown in page.commands()
-                    if (found := re.search(r"python/examples/(\w+\.py)", command))}
+                    if (found := re.search(r"examples/python/(\w+\.py)", command))}
         self.assertEqual(set(commands), {path.name for path in EXAMPLES.glob("*.py")})
         for name, (command, shown) in commands.items():
             if needs_packages(name) and not RUNS_ALL:

@@ -43,7 +43,7 @@ class Install(unittest.TestCase):
             target = self.folder / "checkout" / name
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / name).exists():
-                shutil.copy(ROOT / name, target)
+                shutil.copy(ROOT / name, target, follow_symlinks=False)
         return self.folder / "checkout"
 
     def sdist(self):

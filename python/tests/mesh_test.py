@@ -41,6 +41,29 @@ class Meshes(ModuleTest):
             np.testing.assert_array_equal(vertices, mesh.vertices)
             np.testing.assert_array_equal(faces, mesh.faces)
 
+    def test_a_saved_mesh_holds_the_data_that_are_asked_for(self):
+        mesh = morskin.Skin(*BALLS).mesh(**COARSE)
+        mesh.save(self.folder / "told.npz", vertex_data=["curvature", "atom", "atom"])
+        told = np.load(self.folder / "told.npz")
+        np.testing.assert_array_equal(told["vertices"], mesh.vertices)
+        np.testing.assert_array_equal(told["atom"], mesh.atoms)
+        # The larger first here, the larger in magnitude first there.
+        np.testing.assert_allclose(np.column_stack([told["k1"], told["k2"]]),
+                                   -np.sort(-mesh.curvatures, axis=1), rtol=1e-12)
+        self.assertNotIn("share1", told)
+        mesh.save(self.folder / "all.npz", vertex_data="all")
+        self.assertIn("share1", np.load(self.folder / "all.npz"))
+        for name in ("m.ply", "m.vtu", "m.glb", "m.msh"):
+            plain = mesh.save(self.folder / name).stat().st_size
+            told = mesh.save(self.folder / name, vertex_data=("normal",)).stat().st_size
+            self.assertGreater(told, plain)
+        vertices, _ = morskin.read_mesh(self.folder / "m.ply")
+        np.testing.assert_array_equal(vertices, mesh.vertices)
+        for name, data in (("m.off", "normal"), ("m.ply", "charges"), ("m.vert", "all"),
+                           ("m.ply", ["normal", ""])):
+            with self.assertRaises(morskin.RefusedInput):
+                mesh.save(self.folder / name, vertex_data=data)
+
     def test_area_and_volume_of_the_arrays_are_the_certificate_s(self):
         mesh = morskin.Skin(*BALLS).mesh(**COARSE)
         face_areas, _ = areas(mesh)

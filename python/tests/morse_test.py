@@ -50,6 +50,27 @@ class Morse(ModuleTest):
             np.testing.assert_array_equal(points.indices[found.regions],
                                           [[0, 1, 2, 1]] * len(found.regions))
 
+    def test_a_simplified_complex_has_the_characteristic_and_lines_from_point_to_point(self):
+        skin = morskin.read(MOLECULES / "1crn.pdb").skin("paper")
+        raw, simple = skin.morse_smale(), skin.morse_smale(simplify=True)
+        self.assertLess(len(simple.points), len(raw.points))
+        for found in (raw, simple):
+            minima, saddles, maxima = np.bincount(found.points.indices, minlength=3)
+            self.assertEqual(minima - saddles + maxima, 2 * (skin.components - skin.genus))
+            self.assertEqual(found.arcs.shape, (4 * saddles, 2))
+            self.assertEqual(found.regions.shape, (2 * saddles, 4))
+            np.testing.assert_array_equal(found.points.indices[found.arcs[:, 0]], 1)
+            np.testing.assert_array_equal(found.points.indices[found.arcs[:, 1]] % 2, 0)
+            np.testing.assert_array_equal(found.points.indices[found.regions],
+                                          [[0, 1, 2, 1]] * len(found.regions))
+            ends = found.arc_offsets[1:] - 1
+            np.testing.assert_array_equal(found.arc_points[found.arc_offsets[:-1]],
+                                          found.points.positions[found.arcs[:, 0]])
+            np.testing.assert_array_equal(found.arc_points[ends],
+                                          found.points.positions[found.arcs[:, 1]])
+        kept = {tuple(p) for p in raw.points.positions}
+        self.assertTrue(all(tuple(p) in kept for p in simple.points.positions))
+
     def test_a_ball_has_two_critical_points_and_no_arcs(self):
         skin = morskin.Skin([[1, 2, 3]], [2])
         np.testing.assert_allclose(skin.critical_points([0, 0, 1]).values, [1, 5])

@@ -7,9 +7,18 @@ import * as palette from './palette.js';
 
 const css = (colour) => hex(colour);
 
+/** { chain: ["A"], waters: true } as "chain A, waters". */
+function selectionWords(selection) {
+  return Object.entries(selection).map(([name, value]) => {
+    const words = name.replaceAll('_', ' ');
+    return value === true ? words : `${words} ${[value].flat().join(' ')}`;
+  }).join(', ');
+}
+
 function headline(about) {
   const lines = [`${number(about.mesh.triangles)} triangles, ${number(about.mesh.vertices)} vertices`];
   if (about.atoms) lines.push(`${number(about.atoms)} atoms, model ${about.model}`);
+  if (about.selection) lines.push(`only ${selectionWords(about.selection)}`);
   if (about.min_angle_deg) lines.push(`smallest angle ${about.min_angle_deg.toFixed(2)}°`);
   return lines.join(' · ');
 }

@@ -1,6 +1,6 @@
 #include "answers/4.1-algorithm.h"
 
-#include "front/dissection.h"
+#include "geometry/dissection.h"
 #include "morse/choose_function.h"
 #include "papers/exercises/tests/course_support.h"
 
@@ -26,6 +26,6 @@ TEST_CASE("4.1-algorithm, run: so many bowls are made on 9DNA in subdomains" *
 
 TEST_CASE("4.1-algorithm, explain: so many boxes has a dissection" * until(sweeps)) {
   for (const int depth : {0, 1, 2, 5, 9}) {
-    CHECK((*sweeps)(depth) == static_cast<double>(front::Dissection({}, depth).size()));
+    CHECK((*sweeps)(depth) == static_cast<double>(geometry::Dissection({}, depth).size()));
   }
 }

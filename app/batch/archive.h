@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+struct archive;
+
+namespace morskin::app {
+
+/// The files in a tar archive, plain or compressed (gzip, bzip2, xz, zstd), one after the other.
+class Archive {
+ public:
+  /// @throws geometry::UnreadableInput  from here and from both functions
+  explicit Archive(std::filesystem::path path);
+
+  /// Goes on to the next regular file.
+  /// @return its name, without ./ before it; nothing at the end
+  std::optional<std::string> next();
+
+  /// Writes the file that next() named. @pre it did, and this is the first call since
+  /// @throws geometry::UnwritableOutput  also
+  void extract(const std::filesystem::path& target);
+
+ private:
+  [[noreturn]] void fail() const;
+
+  struct Close {
+    void operator()(archive* opened) const;
+  };
+  std::filesystem::path path_;
+  std::unique_ptr<archive, Close> archive_;
+};
+
+/// Whether a name is one of a tar archive: .tar, also with .gz, .bz2, .xz or .zst, and .tgz.
+bool names_an_archive(const std::filesystem::path& path);
+
+}  // namespace morskin::app

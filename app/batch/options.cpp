@@ -1,0 +1,113 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <thread>
+
+#include "app/features_options.h"
+#include "app/output_names.h"
+#include "app/shared_options.h"
+
+namespace morskin::app {
+namespace {
+
+/// "I/N".
+Shard parsed_shard(std::string_view text) {
+  Shard shard;
+  const auto read = [](std::string_view digits, std::size_t& number) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const std::size_t slash = text.find('/');
+  const bool is_read = slash != std::string_view::npos &&
+                       read(text.substr(0, slash), shard.number) &&
+                       read(text.substr(slash + 1), shard.count);
+  if (!is_read || shard.number < 1 || shard.number > shard.count) {
+    throw UsageError("--shard takes I/N, with I from 1 to N, as in 3/16");
+  }
+  return shard;
+}
+
+/// An option as it was typed, in one word for each of its values.
+std::vector<std::string> as_typed(const CLI::Option& option) {
+  if (option.get_expected_max() == 0) return {option.get_name()};  // a flag
+  const bool is_long = !option.get_lnames().empty();
+  std::vector<std::string> words;
+  for (const std::string& value : option.results()) {
+    words.push_back(option.get_name() + (is_long ? "=" : "") + value);
+  }
+  return words;
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app, TypedBatch& batch, Typed& typed) {
+  BatchArguments& arguments = batch.arguments;
+  CLI::App& command = *app.add_subcommand("batch", "Mesh many molecules, one worker per core");
+  command
+      .add_option("LIST", arguments.sources,
+                  "A file of names, one a line; - for names on standard input; a folder\n"
+                  "or tar archive of molecules; a pattern; molecules. Or several of these")
+      ->required();
+  command
+      .add_option("-o,--output", arguments.folder,
+                  "The folder for the files and rows.jsonl, which has a row for each molecule.\n"
+                  "What has a row there is not made again")
+      ->required();
+  command
+      .add_option("--format", arguments.endings,
+                  "Endings of the files to make, as mesh has them: ply,vtu,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->default_str("ply; npz with --features");
+  command.add_option("--only", arguments.only,
+                     "Of folders and archives only what fits this pattern: '*.cif.gz'");
+  command.add_flag("--features", arguments.features, "Run features in place of mesh");
+  command.add_option("--shard", batch.shard,
+                     "I/N: every N-th molecule, beginning with the I-th; rows go to\n"
+                     "rows-I-of-N.jsonl. I from 1 to N");
+  arguments.workers = std::max(1U, std::thread::hardware_concurrency());
+  command.add_option("--workers", arguments.workers, "Processes at a time (all cores)")
+      ->check(CLI::Range(1U, 1024U));
+  add_meshing_options(command, batch.mesh, typed);
+  command.add_option("--timeout", batch.timeout, "Seconds for a molecule; then its row says limit");
+  command.add_option("--max-memory", batch.max_memory,
+                     "Bytes for a molecule, 2G is 2 GiB; then its row says limit\n"
+                     "(default: what the machine has, divided by the workers)");
+  command.add_flag("--json", arguments.json, "Print the summary as JSON");
+  command.add_flag("-q,--quiet", arguments.quiet,
+                   "Print nothing but errors, and the summary if --json asks for it");
+  add_progress_option(command, typed);
+  command.footer(
+      "Exit code 0: every molecule has its row. A row's status is ok, refused, uncertified,\n"
+      "unreadable, limit or failed. After any end the same command goes on where it was.");
+}
+
+BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed) {
+  BatchArguments batch = typed.arguments;
+  if (typed.shard) batch.shard = parsed_shard(*typed.shard);
+  if (batch.folder.empty()) throw UsageError("an output's name is empty");
+  if (batch.features && command.count("--format") == 0) batch.endings = {"npz"};
+  for (const char* name : features_lack) {
+    if (batch.features && command.count(name) > 0) {
+      throw UsageError(std::string(name) + " is of mesh; features sets what it writes");
+    }
+  }
+  constexpr std::array<std::string_view, 11> own{"--help", "LIST",       "--output",  "--format",
+                                                 "--only", "--features", "--shard",   "--workers",
+                                                 "--json", "--quiet",    "--progress"};
+  constexpr std::array<std::string_view, 2> limits{"--timeout", "--max-memory"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::find(own, name) != own.end()) continue;
+    const bool is_limit = std::ranges::find(limits, name) != limits.end();
+    std::vector<std::string>& target = is_limit ? batch.limit_options : batch.options;
+    for (std::string& word : as_typed(*option)) target.push_back(std::move(word));
+  }
+  return batch;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,100 @@
+#include "app/batch/rows.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+
+#include "geometry/error.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+void add_row(std::map<std::string, BatchRow>& rows, const geometry::TextLines& lines) {
+  try {
+    const ordered_json json = ordered_json::parse(lines.line());
+    BatchRow row{json.at("status"), json.at("options"), {}};
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const auto found = json.find(measures[i]);
+      const bool is_there = found != json.end() && found->is_number();
+      row.values[i] = is_there ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+    }
+    rows.emplace(json.at("input"), std::move(row));
+  } catch (const nlohmann::json::exception&) {
+    lines.fail("is no row of a batch; remove this line");
+  }
+}
+
+}  // namespace
+
+std::string rows_name(const Shard& shard) {
+  if (shard.count == 1) return "rows.jsonl";
+  return "rows-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count) + ".jsonl";
+}
+
+std::map<std::string, BatchRow> read_rows(const std::filesystem::path& folder) {
+  std::map<std::string, BatchRow> rows;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("rows") || !name.ends_with(".jsonl")) continue;
+    const geometry::FileBytes bytes = geometry::read_file(entry.path());
+    const std::string_view text = bytes.view();
+    geometry::TextLines lines(text.substr(0, text.rfind('\n') + 1), entry.path().string());
+    while (lines.advance()) add_row(rows, lines);
+  }
+  return rows;
+}
+
+RowFile::RowFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
+  if (file_ < 0) fail(errno);
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    ::close(file_);
+    if (error != EWOULDBLOCK) fail(error);
+    throw geometry::UnwritableOutput(path_.string() +
+                                     ": another run writes it; wait for its end, or take shards");
+  }
+  cut_torn_line();
+}
+
+RowFile::~RowFile() { ::close(file_); }
+
+void RowFile::cut_torn_line() {
+  const geometry::FileBytes bytes = geometry::read_file(path_);
+  const std::size_t whole = bytes.view().rfind('\n') + 1;
+  if (whole == bytes.view().size()) return;
+  if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) fail(errno);
+}
+
+void RowFile::append(const ordered_json& row) {
+  const std::string line = row.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  struct stat before {};
+  if (::fstat(file_, &before) != 0) fail(errno);
+  const ssize_t written = ::write(file_, line.data(), line.size());
+  const int error = written < 0 ? errno : ENOSPC;
+  if (written != static_cast<ssize_t>(line.size())) {
+    static_cast<void>(::ftruncate(file_, before.st_size));
+    fail(error);
+  }
+  if (::fsync(file_) != 0) fail(errno);
+}
+
+void RowFile::fail(int error) const {
+  throw geometry::UnwritableOutput(path_.string() +
+                                   ": cannot write: " + std::generic_category().message(error) +
+                                   "; free some space or choose a folder that you may write to");
+}
+
+}  // namespace morskin::app

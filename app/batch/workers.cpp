@@ -1,0 +1,252 @@
+#include "app/batch/workers.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "app/exit_codes.h"
+#include "app/output_names.h"
+#include "app/report_lines.h"
+#include "geometry/error.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::app {
+namespace {
+
+using nlohmann::ordered_json;
+using std::filesystem::path;
+
+constexpr const char* report_name = "report.json";
+constexpr const char* errors_name = "errors.txt";
+
+/// Of a molecule whose worker somebody else ends: another program, or the system for lack of
+/// memory.
+constexpr int max_attempts = 3;
+
+/// Signals that say a program is at fault; the others come from outside.
+bool is_fault(int signal) {
+  constexpr std::array faults = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP};
+  return std::ranges::find(faults, signal) != faults.end();
+}
+
+std::string_view status_of(int exit_code) {
+  switch (static_cast<ExitCode>(exit_code)) {
+    case ExitCode::Success:
+      return "ok";
+    case ExitCode::UnreadableInput:
+      return "unreadable";
+    case ExitCode::RefusedInput:
+      return "refused";
+    case ExitCode::NotCertified:
+      return "uncertified";
+    case ExitCode::LimitReached:
+      return "limit";
+    default:
+      return "failed";
+  }
+}
+
+/// The names in the batch's folder of what is made of a molecule that is certified.
+std::vector<path> output_names(const BatchArguments& arguments, const std::string& file_name) {
+  std::vector<path> names;
+  for (const std::string& ending : arguments.endings) {
+    names.emplace_back(file_name + "." + ending);
+    if (is_msms(names.back())) names.push_back(msms_partner(names.back()));
+  }
+  return names;
+}
+
+/// The last line that a worker said, without the program's name and with the molecule's name in
+/// the row in the place of its file's.
+std::string last_words(const path& errors, const path& file, const std::string& name) {
+  std::ifstream stream(errors);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!geometry::trimmed(line).empty()) last = line;
+  }
+  constexpr std::string_view program = "morskin: ";
+  if (last.starts_with(program)) last.erase(0, program.size());
+  const std::size_t at = last.find(file.string());
+  if (at != std::string::npos) last.replace(at, file.string().size(), name);
+  return last;
+}
+
+/// What a row tells of a report of `mesh`.
+void add_figures(ordered_json& row, const ordered_json& report) {
+  const auto add = [&](const char* key, const char* place) {
+    row[key] = report.value(ordered_json::json_pointer(place), ordered_json());
+  };
+  add("input_sha256", "/provenance/input-sha256");
+  add("atoms", "/atoms_used");
+  add("vertices", "/vertices");
+  add("triangles", "/triangles");
+  add("area", "/area");
+  add("vertices_per_square_angstrom", "/quality/vertices_per_square_angstrom");
+  add("min_angle_deg", "/min_angle_deg");
+  add("components", "/components");
+  add("genus", "/genus");
+  add("peak_memory_bytes", "/peak_memory_bytes");
+}
+
+/// A moved file is in its new place after any end of this process; this is for ends of the machine.
+void force_to_disk(const path& file) {
+  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) return;
+  ::fsync(opened);
+  ::close(opened);
+}
+
+[[noreturn]] void fail_to_write(const path& file, const std::error_code& error) {
+  throw geometry::UnwritableOutput(file.string() + ": cannot write: " + error.message() +
+                                   "; free some space or choose a folder that you may write to");
+}
+
+}  // namespace
+
+std::vector<std::string> worker_words(const BatchArguments& arguments, const path& input,
+                                      const path& folder) {
+  std::vector<std::string> words{arguments.features ? "features" : "mesh", input.string(),
+                                 "--threads=1", "-q"};
+  for (const std::string& ending : arguments.endings) {
+    words.push_back("--output=" + (folder / (input.filename().string() + "." + ending)).string());
+  }
+  if (!arguments.features) words.push_back("--report=" + (folder / report_name).string());
+  words.insert(words.end(), arguments.options.begin(), arguments.options.end());
+  words.insert(words.end(), arguments.limit_options.begin(), arguments.limit_options.end());
+  return words;
+}
+
+std::string options_text(const BatchArguments& arguments) {
+  std::string text;
+  const auto add = [&](std::string_view option, std::string_view value = {}) {
+    if (!text.empty()) text += ' ';
+    text.append(option).append(value);
+  };
+  if (arguments.features) add("--features");
+  for (const std::string& ending : arguments.endings) add("--format=", ending);
+  for (const std::string& option : arguments.options) add(option);
+  return text;
+}
+
+WorkFolder::WorkFolder(path path) : path_(std::move(path)) {
+  std::error_code failed;
+  std::filesystem::remove_all(path_, failed);
+  if (!failed) std::filesystem::create_directory(path_, failed);
+  if (failed) fail_to_write(path_, failed);
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+path WorkFolder::new_folder() const {
+  // A worker of a run that was killed a moment ago may still know the folders of that run.
+  std::string name = (path_ / "XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) fail_to_write(name, {errno, std::generic_category()});
+  return name;
+}
+
+path Workers::file_of(const BatchInput& input, const path& folder) {
+  // A name that begins with a dash would be an option.
+  if (!input.is_in_archive) return input.file.is_relative() ? "." / input.file : input.file;
+  if (!archive_ || archive_->first != input.file) {
+    archive_.emplace(input.file, Archive(input.file));
+  }
+  while (const auto name = archive_->second.next()) {
+    if (*name != input.name) continue;
+    const path file = folder / "in" / input.file_name();
+    std::filesystem::create_directory(file.parent_path());
+    archive_->second.extract(file);
+    return file;
+  }
+  throw geometry::UnreadableInput(input.file.string() + ": " + input.name + " is gone from it; " +
+                                  "leave archives alone while a batch reads them");
+}
+
+void Workers::start(const BatchInput& input) {
+  Job job{input, work_folder_.new_folder(), {}, {}};
+  job.file = file_of(input, job.folder);
+  run(std::move(job));
+}
+
+void Workers::run(Job job) {
+  const pid_t child =
+      children_.start(worker_words(arguments_, job.file, job.folder), job.folder / errors_name);
+  jobs_.emplace(child, std::move(job));
+}
+
+std::optional<ordered_json> Workers::next_row() {
+  while (true) {
+    const std::optional<EndedChild> ended = children_.next_ended();
+    if (!ended) return std::nullopt;
+    Job job = std::move(jobs_.extract(ended->id).mapped());
+    if (ended->signal != 0 && !is_fault(ended->signal) && job.attempts < max_attempts) {
+      ++job.attempts;
+      run(std::move(job));
+      continue;
+    }
+    if (ended->exit_code == static_cast<int>(ExitCode::UnwritableOutput)) {
+      throw geometry::UnwritableOutput(
+          last_words(job.folder / errors_name, job.file, job.input.name));
+    }
+    ordered_json row = row_of(job, *ended);
+    std::error_code ignored;
+    std::filesystem::remove_all(job.folder, ignored);
+    return row;
+  }
+}
+
+ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
+  const bool is_killed = ended.signal != 0;
+  const std::string_view status = is_killed ? "failed" : status_of(ended.exit_code);
+  ordered_json row = {{"input", job.input.name}, {"status", status}};
+  ordered_json report;
+  if (std::ifstream stream(job.folder / report_name); stream && !is_killed) {
+    report = ordered_json::parse(stream);
+  }
+  if (is_killed) {
+    row["reason"] = "ended by signal " + std::to_string(ended.signal) +
+                    (is_fault(ended.signal) ? "; please report it with the input"
+                                            : ", " + std::to_string(max_attempts) + " times; is " +
+                                                  "there memory for so many workers?");
+  } else if (status != "ok") {
+    row["reason"] = last_words(job.folder / errors_name, job.file, job.input.name);
+    if (report.contains("reason")) row["reason"] = report["reason"];
+  }
+  row["outputs"] = is_killed ? std::vector<std::string>() : move_outputs(job);
+  if (!report.empty()) add_figures(row, report);
+  row["seconds"] = rounded(job.time.seconds());
+  row["cpu_seconds"] = rounded(ended.cpu_seconds);
+  row["options"] = options_text(arguments_);
+  return row;
+}
+
+std::vector<std::string> Workers::move_outputs(const Job& job) const {
+  std::vector<std::string> moved;
+  for (const path& name : output_names(arguments_, job.file.filename().string())) {
+    for (const path& made : {name, path(name.string() + ".unverified")}) {
+      const path target = arguments_.folder / made;
+      std::error_code failed;
+      if (!std::filesystem::exists(job.folder / made)) {
+        std::filesystem::remove(target, failed);
+        continue;
+      }
+      force_to_disk(job.folder / made);
+      std::filesystem::rename(job.folder / made, target, failed);
+      if (failed) fail_to_write(target, failed);
+      moved.push_back(made.string());
+    }
+  }
+  return moved;
+}
+
+}  // namespace morskin::app

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Which atoms are read, and with which radii. Usage: read_test.py folder-of-the-package"""
+
+from support import MOLECULES, ModuleTest, main
+
+import morskin
+import numpy as np
+
+PDB = """\
+REMARK 350 BIOMOLECULE: 1
+REMARK 350 APPLY THE FOLLOWING TO CHAINS: A
+REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000
+REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000
+REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000
+REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000        0.00000
+REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000
+REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000       20.00000
+MODEL        1
+ATOM      1  N   ALA A   1       1.000   2.000   3.000  1.00  0.00           N
+ATOM      2  H   ALA A   1       1.000   0.100   0.000  1.00  0.00           H
+ATOM      3  OG ASER A   2       2.500   0.000   0.200  0.40  0.00           O
+ATOM      4  OG BSER A   2       2.500   0.600   0.200  0.60  0.00           O
+ATOM      5  CA  GLY B   1       9.000   0.000   0.000  1.00  0.00           C
+HETATM    6  S   SO4 B   9      10.500   0.000   0.300  1.00  0.00           S
+HETATM    7  O   HOH B  10      14.000   0.000   0.000  1.00  0.00           O
+ENDMDL
+MODEL        4
+ATOM      1  N   ALA A   1       7.000   0.000   0.000  1.00  0.00           N
+ENDMDL
+"""
+
+
+class Reading(ModuleTest):
+    def setUp(self) -> None:
+        super().setUp()
+        self.file = self.folder / "two.pdb"
+        self.file.write_text(PDB)
+
+    def test_each_option_keeps_the_atoms_that_it_says(self) -> None:
+        for options, count in (({}, 5), ({"chains": ["A"]}, 3), ({"chains": ("A", "B")}, 5),
+                               ({"hydrogens": False}, 4), ({"hetatms": []}, 4),
+                               ({"hetatms": ["SO4"]}, 5), ({"waters": True}, 6),
+                               ({"altloc": "all"}, 6), ({"altloc": "A"}, 5),
+                               ({"model_number": 4}, 1), ({"biological_assembly": 1}, 6),
+                               ({"biological_assembly": "1", "hydrogens": False}, 4)):
+            with self.subTest(options):
+                self.assertEqual(len(morskin.read(self.file, **options)), count)
+        a, b = (morskin.read(self.file, altloc=letter).positions[2, 1] for letter in "AB")
+        self.assertEqual((a, b), (0.0, 0.6))
+
+    def test_the_second_copy_is_where_its_motion_puts_it(self) -> None:
+        read = morskin.read(self.file, chains=["A"])
+        both = morskin.read(self.file, chains=["A"], biological_assembly="1")
+        np.testing.assert_array_equal(both.positions[:3], read.positions)
+        np.testing.assert_array_equal(both.positions[3:],
+                                      read.positions * [-1, -1, 1] + [0, 0, 20])
+        self.assertTrue(both.mesh(C=0.3).certificate.certified)
+
+    def test_radii_come_from_a_name_a_file_or_a_dict(self) -> None:
+        table = self.folder / "mine.txt"
+        table.write_text("N 1.6\nH 1.1\nC 1.9\nS 2\nSER:OG 1.45 # hydroxyl\n")
+        mine = {"N": 1.6, "H": 1.1, "C": 1.9, "S": 2, "SER:OG": 1.45}
+        expected = [1.6, 1.1, 1.45, 1.9, 2]
+        for radii in (table, str(table), mine):
+            np.testing.assert_array_equal(morskin.read(self.file, radii=radii).radii, expected)
+        np.testing.assert_array_equal(morskin.read(self.file, radii="alvarez").radii,
+                                      [1.66, 1.2, 1.5, 1.77, 1.89])
+        np.testing.assert_array_equal(morskin.read(self.file, radii="elements").radii,
+                                      morskin.read(self.file).radii)
+
+    def test_charges_are_those_of_a_pqr_file_in_the_order_of_its_atoms(self) -> None:
+        file = self.folder / "a.pqr"
+        file.write_text("ATOM 1 N ALA 1 0 0 0 -0.3 1.5\nATOM 2 H ALA 1 1 0 0 0.25 0\n"
+                        "ATOM 3 C ALA 1 1.4 0 0 0.05 1.7\n")
+        molecule = morskin.read(file)
+        np.testing.assert_array_equal(molecule.charges, [-0.3, 0.05])  # no radius, no atom
+        self.assertIsNone(morskin.read(self.file).charges)
+        with self.assertRaises(ValueError):
+            molecule.charges[0] = 0
+
+    def test_what_makes_no_sense_is_refused(self) -> None:
+        for options in ({"chains": ["C"]}, {"altloc": "first"}, {"model_number": 2},
+                        {"biological_assembly": 2}, {"radii": {"C": -1}}, {"radii": {"Qq": 1}},
+                        {"radii": {"C": float("nan")}}, {"radii": {"C": 1.7}}):
+            with self.subTest(options), self.assertRaises(morskin.RefusedInput):
+                morskin.read(self.file, **options)
+        for error, options in ((TypeError, {"chains": "A"}), (TypeError, {"hetatms": "SO4"}),
+                               (ValueError, {"radii": {}}), (TypeError, {"radii": 1.7}),
+                               (morskin.UnreadableInput, {"radii": "no such table"})):
+            with self.subTest(options), self.assertRaises(error):
+                morskin.read(self.file, **options)
+        with self.assertRaises(morskin.RefusedInput):
+            morskin.read(MOLECULES / "ring12.xyzr", biological_assembly=1)
+
+
+if __name__ == "__main__":
+    main()

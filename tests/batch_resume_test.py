@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""A batch goes on where it was, whatever ended it. Usage: batch_resume_test.py path/to/morskin"""
+
+import os
+import random
+import shutil
+import signal
+import time
+from pathlib import Path
+
+from support.batch_case import COARSE, Batch
+from support.command import main
+
+
+def is_alive(process):
+    try:
+        # Behind the program's name, in brackets, the state.
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"  # dead, but nobody has asked for its exit code
+
+
+def molecule_of(worker):
+    try:
+        return Path(f"/proc/{worker}/cmdline").read_text().split("\0")[2]
+    except (OSError, IndexError):
+        return None
+
+
+class Resume(Batch):
+    def test_nothing_is_made_twice(self):
+        self.chains(3)
+        self.batch("in", "-o", "out", *COARSE)
+        times = {p: p.stat().st_mtime_ns for p in (self.folder / "out").iterdir()}
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 0)
+        self.assertEqual({p: p.stat().st_mtime_ns for p in (self.folder / "out").iterdir()}, times)
+
+    def test_a_torn_row_and_a_file_without_a_row_are_made_again(self):
+        names = self.chains(3)
+        self.batch("in", "-o", "out", *COARSE)
+        rows, made = self.rows(), self.made()
+        path = self.folder / "out/rows.jsonl"
+        lines = path.read_bytes().splitlines(keepends=True)
+        for torn in (lines[-1][:-1], lines[-1][:40], b"{", b"\0\0\0"):
+            path.write_bytes(b"".join(lines[:-1]) + torn)
+            stale = self.folder / "out" / (names[2] + ".ply")
+            stale.write_text("half a mesh")
+            (stale.parent / (stale.name + ".unverified")).write_text("of another run")
+            self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 1)
+            self.assertEqual((self.rows(), self.made()), (rows, made))
+
+    def test_a_line_that_is_no_row_is_named(self):
+        self.chains(2)
+        self.batch("in", "-o", "out", *COARSE)
+        path = self.folder / "out/rows.jsonl"
+        path.write_text('{"input": "x"}\n' + path.read_text())
+        self.assertIn("out/rows.jsonl:1: is no row", self.batch("in", "-o", "out", *COARSE, code=3))
+
+    def test_other_options_are_refused_and_other_limits_are_not(self):
+        self.chains(2)
+        self.batch("in", "-o", "out", *COARSE)
+        complaint = self.batch("in", "-o", "out", "-C", "0.25", code=2)
+        self.assertIn("-C0.3", complaint)
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE, "--timeout", "60")["made"], 0)
+
+    def test_rows_are_still_true_where_the_folders_were_moved(self):
+        self.chains(2, "here/in")
+        here, there = self.folder / "here", self.folder / "there"
+        for source in ("in", "in/*.xyzr"):
+            self.batch(here / source, "-o", here / "out", *COARSE)
+            shutil.move(here, there)
+            self.assertEqual(self.batch(there / source, "-o", there / "out", *COARSE)["made"], 0)
+            shutil.move(there, here)
+
+    def test_shards_together_make_the_whole(self):
+        names = self.chains(7)
+        self.batch("in", "-o", "whole", *COARSE)
+        for number in (3, 1, 2):
+            summary = self.batch("in", "-o", "out", *COARSE, "--shard", f"{number}/3")
+            self.assertEqual(summary["rows"], len(names[number - 1::3]))
+        self.assertEqual(sorted(p.name for p in (self.folder / "out").glob("*.jsonl")),
+                         [f"rows-{i}-of-3.jsonl" for i in (1, 2, 3)])
+        self.assertEqual((self.rows(), self.made()), (self.rows("whole"), self.made("whole")))
+        summary = self.batch("in", "-o", "out", *COARSE)
+        self.assertEqual((summary["rows"], summary["made"]), (7, 0))
+        self.batch("in", "-o", "out", *COARSE, "--shard", "8/9")  # more shards than molecules
+
+    def test_two_runs_do_not_write_the_same_rows(self):
+        self.chains(6, balls=150)
+        first = self.started("in", "-o", "out", "-C", "0.08")
+        while not self.workers_of(first):
+            time.sleep(0.005)
+        complaint = self.batch("in", "-o", "out", "-C", "0.08", code=7)
+        self.assertIn("another run writes it", complaint)
+        first.kill()
+
+    def rows_so_far(self):
+        path = self.folder / "out/rows.jsonl"
+        return path.read_text().count("\n") if path.exists() else 0
+
+    def kill_at_random(self, victims, seed):
+        """Kills what victims(run) gives, at random moments, but only after a row more, so that a
+        busy machine gets on too; until a run ends by itself."""
+        rng, kills = random.Random(seed), 0
+        names = self.chains(10, balls=60)
+        self.batch("in", "-o", "whole", "-C", "0.2")
+        while True:
+            run, before = self.started("in", "-o", "out", "-C", "0.2"), self.rows_so_far()
+            while run.poll() is None:
+                time.sleep(rng.uniform(0, 0.05))
+                if self.rows_so_far() == before:
+                    continue
+                before = self.rows_so_far()
+                time.sleep(rng.uniform(0, 0.1))
+                for process in victims(run):
+                    workers = self.workers_of(run)
+                    try:
+                        os.kill(process, signal.SIGKILL)
+                        kills += 1
+                    except ProcessLookupError:
+                        continue
+                    if process == run.pid:
+                        run.wait()
+                        self.assert_ended(workers)
+            if run.returncode == 0:
+                break
+            self.assertEqual(run.returncode, -signal.SIGKILL)
+            self.rows()  # whole lines, none twice
+        self.assertGreater(kills, 1)
+        self.assertEqual(sorted(self.rows()), names)
+        self.assertEqual((self.rows(), self.made()), (self.rows("whole"), self.made("whole")))
+
+    def assert_ended(self, workers):
+        end = time.monotonic() + 60
+        while any(map(is_alive, workers)):
+            self.assertLess(time.monotonic(), end, "workers outlive their parent")
+            time.sleep(0.01)
+
+    def test_killed_at_random_moments_the_union_is_complete_and_equal(self):
+        self.kill_at_random(lambda run: [run.pid], seed=1)
+
+    def test_killed_workers_are_started_again(self):
+        killed = []
+
+        def first_worker(run):
+            workers = [w for w in self.workers_of(run) if killed.count(molecule_of(w)) < 2][:1]
+            killed.extend(map(molecule_of, workers))
+            return workers
+        self.kill_at_random(first_worker, seed=2)
+
+    def test_a_worker_that_is_always_killed_fails_after_three_attempts(self):
+        self.chains(1, balls=400)
+        run = self.started("in", "-o", "out", "-C", "0.05")
+        killed = set()
+        while run.poll() is None:
+            for worker in self.workers_of(run):
+                if worker not in killed:
+                    os.kill(worker, signal.SIGKILL)
+                    killed.add(worker)
+            time.sleep(0.002)
+        self.assertEqual((run.returncode, len(killed)), (0, 3))
+        row = self.rows()["chain00.xyzr"]
+        self.assertEqual(row["status"], "failed")
+        self.assertIn("ended by signal 9, 3 times", row["reason"])
+
+    def test_a_signal_ends_the_workers_and_leaves_nothing_unfinished(self):
+        self.chains(4, balls=400)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            run = self.started("in", "-o", "out", "-C", "0.03")
+            while not self.workers_of(run):
+                time.sleep(0.005)
+            workers = self.workers_of(run)
+            run.send_signal(number)
+            self.assertEqual(run.wait(), -number)
+            self.assertFalse(any(map(is_alive, workers)))
+            names = sorted(p.name for p in (self.folder / "out").iterdir())
+            self.assertEqual(names, ["rows.jsonl"])
+
+
+if __name__ == "__main__":
+    main()

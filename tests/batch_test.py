@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Many molecules by one command: rows, resuming after any end, shards, where the molecules are.
+Usage: batch_test.py path/to/morskin"""
+
+import gzip
+import resource
+import tarfile
+from pathlib import Path
+
+from support.batch_case import COARSE, Batch, chain
+from support.command import main
+
+
+class Rows(Batch):
+    def test_what_is_made_is_what_mesh_makes(self):
+        names = self.chains(5)
+        summary = self.batch("in", "-o", "out", *COARSE, "--format", "ply,vert")
+        self.assertEqual((summary["inputs"], summary["rows"], summary["made"]), (5, 5, 5))
+        self.assertEqual(summary["statuses"], {"ok": 5})
+        rows, made = self.rows(), self.made()
+        self.assertEqual(len(made), 15)
+        for name in names:
+            report = self.mesh_json(f"in/{name}", "-o", "one.ply", "-o", "one.vert", *COARSE)
+            outputs = [f"{name}.ply", f"{name}.vert", f"{name}.face"]
+            self.assertEqual(rows[name]["outputs"], outputs)
+            for output in outputs:
+                one = (self.folder / ("one" + Path(output).suffix)).read_bytes()
+                self.assertEqual(made[output], one)
+            self.assertEqual((rows[name]["status"], rows[name]["triangles"]),
+                             ("ok", report["triangles"]))
+        triangles = sorted(row["triangles"] for row in rows.values())
+        self.assertEqual([summary["triangles"][k] for k in ("least", "median", "most")],
+                         [triangles[0], triangles[2], triangles[4]])
+        self.assertEqual(summary["triangles"]["sum"], sum(triangles))
+
+    def test_each_end_of_a_worker_is_a_status_with_its_reason(self):
+        self.input("good.xyzr", chain(1))
+        self.input("torn.pdb", "ATOM  nonsense\n")
+        self.input("touching.xyzr", "0 0 0 2\n6 6 0 4\n")
+        self.input("weights.xyzw", "0 0 0 2\n")
+        self.input("list.txt", "good.xyzr\n\n# not this one\nmissing.pdb\ntorn.pdb\n"
+                               "touching.xyzr\nweights.xyzw\ngood.xyzr\n")
+        summary = self.batch("list.txt", "-o", "out", "--model", "vdw", *COARSE)
+        self.assertEqual(summary["statuses"],
+                         {"failed": 1, "ok": 1, "refused": 1, "unreadable": 2})
+        rows = self.rows()
+        for name, status, reason in (
+                ("missing.pdb", "unreadable", "missing.pdb: cannot be opened"),
+                ("torn.pdb", "unreadable", "torn.pdb:1: "),
+                ("touching.xyzr", "refused", "touching.xyzr: the skin is singular at"),
+                ("weights.xyzw", "failed", "gives weights; leave out --model")):
+            with self.subTest(name):
+                self.assertEqual((rows[name]["status"], rows[name]["outputs"]), (status, []))
+                self.assertIn(reason, rows[name]["reason"])
+        self.assertNotIn("reason", rows["good.xyzr"])
+        self.assertEqual(list(self.made()), ["good.xyzr.ply"])
+
+    def test_a_mesh_that_is_not_certified_keeps_its_ending(self):
+        self.chains(2)
+        self.batch("in", "-o", "out", "--method", "marching-cubes", "--grid", "0.5")
+        self.assertEqual({row["status"] for row in self.rows().values()}, {"uncertified"})
+        self.assertEqual(list(self.made()),
+                         ["chain00.xyzr.ply.unverified", "chain01.xyzr.ply.unverified"])
+
+    def test_limits_are_of_each_molecule(self):
+        self.chains(2)
+        for word, value in (("--timeout", "1e-6"), ("--max-memory", "1K")):
+            self.batch("in", "-o", word, word, value, *COARSE)
+            for row in self.rows(word).values():
+                self.assertEqual((row["status"], row["outputs"]), ("limit", []))
+                self.assertIn(word, row["reason"])
+
+    def test_wrong_arguments_give_2_and_make_nothing(self):
+        self.chains(1)
+        for words in (("in",), ("-o", "out"), ("in", "-o", ""), ("in", "-o", "out", "-C", "-1"),
+                      ("in", "-o", "out", "--density", "0"), ("in", "-o", "out", "--format", "png"),
+                      ("in", "-o", "out", "--shard", "0/2"), ("in", "-o", "out", "--shard", "3/2"),
+                      ("in", "-o", "out", "--shard", "1/2x"), ("in", "-o", "out", "--workers", "0"),
+                      ("in", "-o", "out", "--timeout", "-1"), ("in", "-o", "out", "--report", "x")):
+            with self.subTest(words):
+                self.batch(*words, code=2)
+        self.assertEqual(self.names(), ["in"])
+        for words in (("no*.pdb",), ("nothing",), ("in", "--only", "*.pdb")):
+            self.batch(*words, "-o", "out", code=3)
+        self.assertEqual(self.names(), ["in"])
+
+    def test_a_full_disk_ends_the_batch_without_a_row(self):
+        self.chains(2)
+        def no_large_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
+        complaint = self.batch("in", "-o", "out", *COARSE, code=7, preexec_fn=no_large_files)
+        self.assertIn("cannot write: File too large", complaint)
+        self.assertEqual((self.rows(), self.made()), ({}, {}))
+        self.batch("in", "-o", "out", *COARSE)
+        self.assertEqual(len(self.rows()), 2)
+
+    def test_progress_tells_how_long_it_will_take(self):
+        self.chains(3)
+        done = self.run_morskin("batch", "in", "-o", "out", *COARSE, "--progress", "always")
+        self.assertRegex(done.stderr.decode(), r"\r2 of 3, \d+ s left *\r3 of 3, 0 s left")
+        self.assertRegex(done.stdout.decode(), r"^3 molecules, 3 rows, 3 made now in .* s: 3 ok\n")
+
+
+class Sources(Batch):
+    def test_all_ways_to_name_molecules_mean_the_same(self):
+        names = self.chains(4)
+        (self.folder / "in/below").mkdir()
+        self.input("in/below/ring12.xyzr.gz", gzip.compress(self.ring.read_bytes()))
+        self.input("in/about.json", "{}")
+        self.batch("in", "-o", "out", *COARSE)
+        expected = self.made()
+        self.assertEqual(sorted(self.rows()), ["below/ring12.xyzr.gz", *names])
+        listed = "".join(f"{p}\n" for p in ("in/below/ring12.xyzr.gz",
+                                            *(f"in/{n}" for n in names)))
+        self.input("list.txt", listed)
+        for ending in ("", ".gz", ".xz"):
+            with tarfile.open(self.folder / f"in.tar{ending}", "w:" + ending[1:]) as archive:
+                archive.add(self.folder / "in", arcname=".")
+        ways = [["list.txt"], ["-"], ["in/*.gz", "in/b*/*.gz", "in/*.xyzr"], ["in.tar"],
+                ["in.tar.gz"], ["in.tar.xz"], listed.split()]
+        for number, words in enumerate(ways):
+            with self.subTest(words):
+                self.batch(*words, "-o", f"out{number}", *COARSE,
+                           input=listed.encode() if words == ["-"] else b"")
+                self.assertEqual(self.made(f"out{number}"), expected)
+        self.assertEqual(sorted(self.rows("out3")), sorted(self.rows()))
+        self.batch("in.tar", "-o", "some", "--only", "*1.xyzr", *COARSE)
+        self.assertEqual(list(self.rows("some")), ["chain01.xyzr"])
+
+    def test_equal_names_from_two_folders_are_refused(self):
+        self.chains(2)
+        self.chains(1, "more")
+        self.chains(1, "deep/a")
+        self.chains(1, "deep/b")
+        with tarfile.open(self.folder / "more.tar", "w") as archive:
+            archive.add(self.folder / "more", arcname="more")
+        for words in (("in", "more"), ("deep",), ("*/*.xyzr",), ("in", "more.tar")):
+            complaint = self.batch(*words, "-o", "out", code=2)
+            self.assertIn("would have the same name", complaint)
+        self.assertFalse((self.folder / "out").exists())
+        self.batch("in/chain00.xyzr", "-o", "out", *COARSE)
+        complaint = self.batch("more/chain00.xyzr", "-o", "out", *COARSE, code=2)
+        self.assertIn("has a row of in/chain00.xyzr", complaint)
+
+    def test_a_torn_archive_is_unreadable(self):
+        self.chains(3)
+        with tarfile.open(self.folder / "in.tar.gz", "w:gz") as archive:
+            archive.add(self.folder / "in", arcname="in")
+        whole = (self.folder / "in.tar.gz").read_bytes()
+        self.input("torn.tar.gz", whole[:len(whole) // 2])
+        self.assertIn("torn.tar.gz: ", self.batch("torn.tar.gz", "-o", "out", code=3))
+
+    def test_names_that_mean_harm_stay_in_the_folder(self):
+        (self.folder / "in").mkdir()
+        names = ["-o.xyzr", "a b.xyzr", "$(touch x).xyzr", "'q\".xyzr", "new\nline.xyzr", "ö.xyzr"]
+        for seed, name in enumerate(names):
+            self.input(f"in/{name}", chain(seed))
+        with tarfile.open(self.folder / "up.tar", "w") as archive:
+            archive.add(self.folder / "in" / names[1], arcname="../../up.xyzr")
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE)["statuses"], {"ok": len(names)})
+        self.assertEqual(sorted(self.rows()), sorted(names))
+        self.batch("up.tar", "-o", "up", *COARSE)
+        self.assertEqual(list(self.made("up")), ["up.xyzr.ply"])
+        self.assertEqual(self.names(), ["in", "out", "up", "up.tar"])
+        self.input(b"in/\xff.xyzr".decode(errors="surrogateescape"), chain(9))
+        self.assertIn("no UTF-8", self.batch("in", "-o", "out", *COARSE, code=2))
+
+
+if __name__ == "__main__":
+    main()

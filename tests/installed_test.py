@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""What `make install` puts where, and whether it works from there: programs are built against it,
+and the commands of papers/install.md are run in it.
+Usage: installed_test.py BUILD CONFIG CXX [FLAGS]"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from fnmatch import fnmatch
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "papers" / "course"))
+from page import INSTALLED, Page  # noqa: E402  (from papers/course)
+from run_commands import matches, run, trimmed  # noqa: E402
+
+BUILD, CONFIG, CXX, FLAGS = [*sys.argv[1:], ""][:4]
+PAGE = Page(ROOT / "papers" / "install.md")
+
+
+def output_of(*words, **options):
+    done = subprocess.run([*map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{words}\n{done.stdout[-5000:]}")
+    return done.stdout.strip()
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = Path(temporary.name)
+        cls.stage = cls.folder / "stage"
+        output_of("cmake", "--install", BUILD, "--prefix", "/opt/skins", "--config", CONFIG,
+                  env={**os.environ, "DESTDIR": str(cls.stage)})
+        cls.outside = [p for p in cls.stage.rglob("*") if p.is_file()
+                       and not p.is_relative_to(cls.stage / "opt" / "skins")]
+        cls.prefix = cls.folder / "moved"
+        shutil.move(cls.stage / "opt" / "skins", cls.prefix)
+        cls.files = sorted(p for p in cls.prefix.rglob("*") if not p.is_dir())
+        cls.names = [str(p.relative_to(cls.prefix)) for p in cls.files]
+
+    def setUp(self):
+        self.environment = {**os.environ, "PREFIX": str(self.prefix), "CXX": CXX,
+                            "CXXFLAGS": f"-O1 {FLAGS}",
+                            "PATH": f"{self.prefix}/bin:{os.environ['PATH']}"}
+
+    def test_files_lie_under_destdir_and_prefix_and_are_those_that_the_page_lists(self):
+        self.assertEqual(self.outside, [])
+        listed = re.findall(r"^PREFIX/(\S+)", PAGE.text, re.MULTILINE)
+        for name in self.names:
+            self.assertEqual(sum(fnmatch(name, pattern) for pattern in listed), 1, name)
+        for pattern in listed:
+            self.assertTrue(any(fnmatch(name, pattern) for name in self.names), pattern)
+
+    def test_every_example_of_the_sources_is_installed_with_its_data_and_may_be_run_or_read(self):
+        there = self.prefix / "share" / "doc" / "morskin" / "examples"
+        tracked = [p.relative_to(ROOT / "examples") for p in (ROOT / "examples").rglob("*")
+                   if p.is_file() and "__pycache__" not in p.parts]
+        data = [Path("molecules", p.name) for p in (ROOT / "bench" / "molecules").iterdir()]
+        self.assertEqual(sorted({*tracked, *data}),
+                         sorted(p.relative_to(there) for p in there.rglob("*") if p.is_file()))
+        for path in self.files:
+            self.assertFalse(path.is_symlink(), path)
+            self.assertTrue(path.stat().st_mode & 0o444 == 0o444, path)
+        self.assertTrue(os.access(there / "shell" / "mesh_all.sh", os.X_OK))
+
+    def test_nothing_that_is_installed_names_the_folder_of_the_build_or_of_the_sources(self):
+        if CONFIG != "Release":
+            self.skipTest("assertions name their files")
+        for path in self.files:
+            for folder in (ROOT, Path(BUILD).resolve()):
+                self.assertNotIn(bytes(folder), path.read_bytes(), path)
+
+    def test_programs_and_shared_libraries_build_with_find_package_and_each_header_alone(self):
+        build = self.folder / "uses"
+        output_of("cmake", "-S", ROOT / "tests" / "installed", "-B", build,
+                  f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_BUILD_TYPE={CONFIG}",
+                  f"-DCMAKE_CXX_COMPILER={CXX}", f"-DCMAKE_CXX_FLAGS={FLAGS}")
+        output_of("cmake", "--build", build)
+        molecule, mesh = ROOT / "bench/molecules/two_balls.xyzr", self.folder / "two.ply"
+        self.assertIn("certified, genus 0", output_of(build / "uses_morskin", molecule, mesh))
+        output_of(self.prefix / "bin/morskin", "check", mesh, "--against", molecule, "--model",
+                  "sas", "-C", "0.2")
+
+    def test_the_page_shows_what_its_commands_print(self):
+        box = self.folder / "box"
+        box.mkdir()
+        os.environ.update(self.environment)
+        commands = [c for c in PAGE.commands() if c[1].startswith(INSTALLED)]
+        self.assertGreater(len(commands), 8)
+        for number, command, shown in commands:
+            printed = run(command, box)
+            self.assertTrue(matches(trimmed(shown), printed),
+                            "\n".join([f"papers/install.md:{number}: {command}", *printed]))
+
+    def test_all_that_tell_a_version_tell_the_same(self):
+        version = re.search(r"project\(morskin VERSION (\S+)",
+                            (ROOT / "CMakeLists.txt").read_text())[1]
+        self.assertRegex(version, r"^(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)$")
+        date = re.search(r"MORSKIN_DATE (\S+)\)", (ROOT / "CMakeLists.txt").read_text())[1]
+        self.assertEqual(output_of(self.prefix / "bin/morskin", "--version").split()[1], version)
+        self.assertIn(f"\nVersion: {version}\n",
+                      (self.prefix / "lib/pkgconfig/morskin.pc").read_text())
+        pages = self.prefix / "share/man/man1"
+        for page in pages.iterdir():
+            self.assertIn(f' 1 {date} "morskin {version}"', page.read_text(), page)
+        changes = (ROOT / "packaging/debian/changelog").read_text()
+        self.assertTrue(changes.startswith(f"morskin ({version}) "))
+        day = output_of("date", "--utc", "--date", re.search(r"^ -- .*>  (.*)$", changes,
+                                                             re.MULTILINE)[1], "+%Y-%m-%d")
+        self.assertEqual(day, date)
+        self.assertIn(f'version = "{version}"', (ROOT / "packaging/conda/meta.yaml").read_text())
+        package = self.prefix / "lib/cmake/morskin/morskinConfigVersion.cmake"
+        self.assertIn(f'set(PACKAGE_VERSION "{version}")', package.read_text())
+
+
+class Commit(unittest.TestCase):
+    """cmake/commit.cmake on made-up trees."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.tree = Path(temporary.name) / "tree"
+        self.tree.mkdir()
+        self.file = Path(temporary.name) / "commit.cpp"
+
+    def git(self, *words):
+        return output_of("git", "-C", self.tree, "-c", "user.name=a", "-c", "user.email=a@b.c",
+                         *words)
+
+    def made(self, tree=None):
+        output_of("cmake", "-D", f"SOURCE={tree or self.tree}", "-D", f"OUT={self.file}", "-P",
+                  ROOT / "cmake" / "commit.cmake")
+        return re.search(r'commit = "(.*)";', self.file.read_text())[1]
+
+    def test_a_tree_without_git_and_a_folder_of_another_checkout_have_no_commit(self):
+        self.assertEqual(self.made(), "unknown, built without git")
+        self.git("init", "--quiet")
+        self.assertEqual(self.made(), "unknown, built without git")  # nothing is committed yet
+        self.git("commit", "--quiet", "--allow-empty", "-m", "first")
+        (self.tree / "morskin").mkdir()
+        self.assertEqual(self.made(self.tree / "morskin"), "unknown, built without git")
+
+    def test_the_file_is_written_anew_for_another_commit_or_changes_and_only_then(self):
+        self.git("init", "--quiet")
+        (self.tree / "a").write_text("1")
+        self.git("add", "a")
+        self.git("commit", "--quiet", "-m", "first")
+        first = self.made()
+        self.assertEqual(first, self.git("rev-parse", "--short=12", "HEAD"))
+        os.utime(self.file, (0, 0))
+        self.made()
+        self.assertEqual(self.file.stat().st_mtime, 0)
+        (self.tree / "a").write_text("2")
+        self.assertEqual(self.made(), f"{first} with changes")
+        self.git("commit", "--quiet", "--all", "-m", "second")
+        self.assertNotIn(first, self.made())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

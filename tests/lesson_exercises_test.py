@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""The exercises of the lessons teach: right answers are taken, known mistakes get their hint, no
+reply holds an answer, and what is to be run is written nowhere."""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT / "papers" / "lessons"), str(ROOT / "papers" / "course")]
+from answers import Formula, Number, Run, evaluated  # noqa: E402
+from page import page_files  # noqa: E402
+from questions import LESSONS  # noqa: E402
+
+MORSKIN = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "morskin").resolve()
+
+
+def all_of(kind):
+    return [(f"lesson {n}, {name}", e) for n, exercises in LESSONS.items()
+            for name, e in exercises.items() if isinstance(e, kind)]
+
+
+def plain(text):
+    return " ".join(re.sub(r"[`$\\]", "", text).split())
+
+
+def test_every_lesson_asks_to_predict_to_run_and_to_explain():
+    assert list(LESSONS) == list(range(1, 11))
+    assert all(list(e) == ["predict", "run", "explain"] for e in LESSONS.values())
+
+
+def test_the_lesson_has_the_questions():
+    for number, exercises in LESSONS.items():
+        page = next((ROOT / "papers" / "lessons").glob(f"{number}-*.md"))
+        text = plain(page.read_text(encoding="utf-8"))
+        for kind, exercise in exercises.items():
+            assert plain(exercise.question) in text, f"{page.name}: no {kind}: {exercise.question}"
+
+
+def test_right_answers_are_taken():
+    for where, e in all_of(Number):
+        assert e.reply(repr(e.right)) is None, where
+    for where, e in all_of(Formula):
+        for case in e.cases:
+            one = Formula(e.question, e.variables, e.right, [case], {})
+            assert one.reply(repr(e.right(*case))) is None, where
+
+
+def test_known_mistakes_get_their_hint_and_no_reply_holds_the_answer():
+    for where, e in all_of(Number):
+        for wrong, hint in e.mistakes.items():
+            reply = e.reply(repr(wrong))
+            assert reply and reply.endswith(hint), f"{where}: {wrong}: {reply}"
+            numbers = [float(x) for x in re.findall(r"-?\d+\.?\d*", reply)]
+            assert e.right not in numbers, f"{where}: {reply}"
+    for where, e in all_of(Formula):
+        for wrong, hint in e.mistakes.items():
+            reply = e.reply(wrong)
+            assert reply and reply.endswith(hint), f"{where}: {wrong}: {reply}"
+            said = reply.partition(" it ")[2].split()
+            assert all(f"{e.right(*case):g}" not in said for case in e.cases), reply
+
+
+def test_a_formula_is_arithmetic_and_nothing_else():
+    assert evaluated("2*x^2 + sqrt(4)", {"x": 3}) == 20
+    for text in ("__import__('os')", "x.real", "(lambda: 1)()", "y", "1/0", "'a'*2", "[1]", "2 +",
+                 "9^9^9^9"):
+        try:
+            evaluated(text, {"x": 1})
+        except ValueError:
+            continue
+        raise AssertionError(f"taken: {text}")
+
+
+def test_what_is_to_be_run_is_written_nowhere():
+    pages = {p.name: p.read_text(encoding="utf-8") for p in page_files()}
+    for where, e in all_of(Run):
+        right = e.right(MORSKIN)
+        assert e.reply(f"{right}", MORSKIN) is None and e.reply(f"{right + 1}", MORSKIN), where
+        for name, text in pages.items():
+            for shown in {f"{right}", f"{right:,}"}:
+                near = re.search(rf"(?<![\d.,]){shown}(?![\d.,]*\d)", text)
+                assert not near, f"{where}: {name} says {shown}"
+
+
+def main():
+    tests = [value for name, value in globals().items() if name.startswith("test_")]
+    for test in tests:
+        test()
+    print(f"{len(tests)} tests of {len(LESSONS)} lessons")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""What `mesh --for PURPOSE` sets, what overrides it, and what the report says of it. Usage:
+preset_command_test.py path/to/morskin"""
+
+from support.command import MOLECULES, CommandTest, main
+
+
+class Presets(CommandTest):
+    def set_by(self, *words, source=None):
+        return self.mesh_json(source or self.ring, *words)["preset"]
+
+    def test_bem_is_density_5_without_voids_as_msms_files(self):
+        report = self.mesh_json(MOLECULES / "shell_hollow.xyzr", "--for", "bem", "-o", "shell")
+        self.assertEqual(report["preset"], {"for": "bem", "set": {
+            "density": "5", "voids": "drop", "output": "shell.vert"}})
+        self.assertEqual(self.names(), ["shell.face", "shell.vert"])
+        self.assertAlmostEqual(report["quality"]["vertices_per_square_angstrom"], 5, delta=0.5)
+        self.assertEqual(report["components"], 1)
+
+    def test_a_preset_writes_the_very_mesh_that_its_options_do(self):
+        self.run_morskin("mesh", self.ring, "--for", "bem", "-o", "a.ply", "-q")
+        self.run_morskin("mesh", self.ring, "--density", "5", "--voids", "drop", "--vertex-data",
+                         "normal", "-o", "b.ply", "-q")
+        self.assertEqual((self.folder / "a.ply").read_bytes(),
+                         (self.folder / "b.ply").read_bytes())
+
+    def test_learning_has_all_data_as_arrays(self):
+        found = self.set_by("--for", "learning", "-o", "ring")
+        self.assertEqual(found["set"], {"density": "2", "voids": "drop", "output": "ring.npz",
+                                        "vertex-data": "all"})
+        self.assertEqual(self.names(), ["ring.npz"])
+
+    def test_an_explicit_option_overrides_what_a_preset_sets(self):
+        found = self.set_by("--for", "learning", "-o", "ring.vtu", "--voids", "keep",
+                            "--vertex-data", "normal", "--density", "3")
+        self.assertEqual(found, {"for": "learning", "set": {}})
+
+    def test_a_size_of_any_kind_takes_the_place_of_the_density(self):
+        for size in (["-C", "0.2"], ["--size", "1"], ["--triangles", "2000"],
+                     ["--method", "marching-cubes", "--grid", "1"]):
+            report = self.mesh_json(self.ring, "--for", "bem", "-o", "r.off", *size, code=None)
+            self.assertEqual(report["preset"]["set"], {"voids": "drop"}, size)
+
+    def test_formats_without_data_get_none(self):
+        self.assertNotIn("vertex-data", self.set_by("--for", "learning", "-o", "r.stl")["set"])
+
+    def test_the_report_for_people_has_a_line_of_it(self):
+        done = self.run_morskin("mesh", self.ring, "--for", "bem", "-o", "r")
+        self.assertIn(b"preset      bem: --density 5 --voids drop --output r.vert", done.stdout)
+
+    def test_another_purpose_is_refused(self):
+        done = self.run_morskin("mesh", self.ring, "--for", "fem", "-o", "r.ply", code=2)
+        self.assertIn(b"--for", done.stderr)
+        self.assertEqual(self.names(), [])
+
+    def test_without_a_purpose_an_output_needs_its_ending(self):
+        self.run_morskin("mesh", self.ring, "-o", "r", code=2)
+
+
+if __name__ == "__main__":
+    main()

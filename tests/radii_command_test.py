@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""Tables of radii from outside. Usage: radii_command_test.py path/to/morskin"""
+
+import json
+
+from support.command import MOLECULES, CommandTest, main
+
+PDB = """\
+ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C
+ATOM      2  CB  ALA A   1       1.500   0.000   0.000  1.00  0.00           C
+ATOM      3  N   ALA A   1       0.000   1.500   0.000  1.00  0.00           N
+ATOM      4  D   ALA A   1       0.000   2.500   0.000  1.00  0.00           D
+"""
+IRON = "HETATM    5 FE   HEM A   2       5.000   0.000   0.000  1.00  0.00          FE\n"
+
+
+class Radii(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.input("a.pdb", PDB)
+        self.input("iron.pdb", PDB + IRON)
+
+    def radii(self, *words, file="a.pdb"):
+        self.run_morskin("balls", file, "-o", "balls.xyzr", "-q", *words)
+        return [round(float(line.split()[3]), 9)
+                for line in (self.folder / "balls.xyzr").read_text().splitlines()]
+
+    def complaint(self, *words, code, file="a.pdb"):
+        return self.run_morskin("balls", file, "-o", "b.xyzr", *words, code=code).stderr.decode()
+
+    def test_named_tables_give_the_published_radii(self):
+        for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
+                                (("--radii", "elements"), [1.7, 1.7, 1.55, 1.2, 2.44]),
+                                (("--radii", "alvarez"), [1.77, 1.77, 1.66, 1.2, 2.44])):
+            self.assertEqual(self.radii(*words, file="iron.pdb"), expected)
+        self.assertEqual(self.radii("--radii", "bondi"), [1.7, 1.7, 1.55, 1.2])
+        said = self.complaint("--radii", "bondi", code=4, file="iron.pdb")
+        self.assertIn('iron.pdb:5: atom FE of HEM 2 chain A (line 5) has element "Fe", for which '
+                      "there is no van der Waals radius in the table", said)
+
+    def test_a_file_gives_elements_and_atoms_radii_the_atom_first(self):
+        for text in ("# mine\n C 1.5\r\nn\t1.6 # amid\r\n\r\nALA:CB 1.9\r\nH 1\n",
+                     "\ufeffC 1.5\rN 1.6\rALA:CB 1.9\rH 1.0"):
+            self.input("my.txt", text)
+            self.assertEqual(self.radii("--radii", "my.txt"), [1.5, 1.9, 1.6, 1])
+        self.assertEqual(self.radii("--radii", "C=1.5,N=1.6,ALA:CB=1.9,H=1,D=1.1"),
+                         [1.5, 1.9, 1.6, 1.1])
+
+    def test_a_file_that_means_harm_is_refused_with_its_line(self):
+        for line, words in (("C nan", 'C is "nan"'), ("C inf", "above 0"), ("C -1.7", "above 0"),
+                            ("C 0", "above 0"), ("C 1e7", "at most 10^6"), ("C 1,7", "above 0"),
+                            ("C", "has 1 fields"), ("C 1.7 A", "has 3 fields"),
+                            ("Qq 1.7", '"Qq" is neither an element'), (":CA 1", "neither"),
+                            ("ALA: 1", "neither"), ("ALA:CA:B 1", "neither"), ("6 1.7", "neither"),
+                            ("N 1.9", "N has a radius already"), ("n 1.55", "already"),
+                            ("C=1.7", "has 1 fields"), ("C \0", "above 0")):
+            with self.subTest(line):
+                self.input("my.txt", f"# mine\r\nN 1.55\r\n{line}\r\n")
+                said = self.complaint("--radii", "my.txt", code=3)
+                self.assertIn("my.txt:3: ", said)
+                self.assertIn(words, said)
+        self.input("my.txt", "# nothing\n\n")
+        self.assertIn("has no radius", self.complaint("--radii", "my.txt", code=3))
+        self.assertIn("no such file.txt", self.complaint("--radii", "no such file.txt", code=3))
+        self.assertNotIn("b.xyzr", self.names())
+
+    def test_a_list_that_is_wrong_is_wrong_usage(self):
+        for text in ("C=nan", "C=1.7,C=1.8", "Qq=1", "C=", "=1", "C=1.7,", "C=1.7,N", ""):
+            with self.subTest(text):
+                self.assertIn("--radii", self.complaint("--radii", text, code=2))
+
+    def test_an_atom_that_the_table_lacks_is_named(self):
+        said = self.complaint("--radii", "C=1.7,H=1", code=4)
+        self.assertIn("a.pdb:3: atom N of ALA 1 chain A", said)
+
+    def test_a_table_takes_the_place_of_a_file_s_radii_where_it_tells_elements(self):
+        self.input("a.pqr", "ATOM 1 CA ALA 1 0 0 0 0.1 2.5\nATOM 2 N ALA 1 1.5 0 0 -0.1 2.6\n")
+        self.assertEqual(self.radii(file="a.pqr"), [2.5, 2.6])
+        self.assertEqual(self.radii("--radii", "bondi", file="a.pqr"), [1.7, 1.55])
+        self.assertIn("does not tell elements",
+                      self.complaint("--radii", "bondi", code=4, file=self.ring))
+
+    def test_a_mesh_says_its_radii_and_check_and_view_take_them_from_there(self):
+        self.input("my.txt", "C 1.5\nN 1.6\nALA:CB 1.9\nH 1.25\nO 1.4\n")
+        for radii, stated in (("alvarez", "alvarez"), ("my.txt", "ALA:CB=1.9,C=1.5,H=1.25,N=1.6")):
+            with self.subTest(radii):
+                report = self.mesh_json("a.pdb", "-o", "m.ply", "--radii", radii)
+                self.assertEqual(report["radii"], stated)
+                self.assertIn(b"comment morskin: radii " + stated.replace("=", "%3D").replace(
+                    ":", "%3A").encode() + b"\n", (self.folder / "m.ply").read_bytes())
+                checked = self.check("m.ply", "--against", "a.pdb")
+                self.assertTrue(checked["certified"])
+                self.assertIn("radii", checked["origin"]["taken"])
+                self.check("m.ply", "--against", "a.pdb", "--radii", "elements", code=5)
+                self.assertIn(b"certified", self.run_morskin("view", "m.ply", "--against", "a.pdb",
+                                                             "-o", "m.html").stdout)
+                self.assertIn(f'"radii": "{stated}"', (self.folder / "m.html").read_text())
+
+    def test_a_mesh_file_does_not_make_check_read_another_file(self):
+        self.run_morskin("mesh", "a.pdb", "-o", "m.ply", "-q")
+        self.input("my.txt", "C 1.5\nN 1.6\nH 1.25\n")
+        mesh = (self.folder / "m.ply").read_bytes()
+        self.assertIn(b"radii elements", mesh)
+        for value in (b"my.txt", b"C%3Dnan", b"/dev/zero"):
+            self.input("forged.ply", mesh.replace(b"radii elements", b"radii " + value))
+            origin = self.check("forged.ply", "--against", "a.pdb")["origin"]
+            self.assertNotIn("radii", origin["taken"])
+            self.assertTrue(any(why.startswith("radii: ") for why in origin["not_taken"]))
+
+    def test_no_output_replaces_the_radii(self):
+        self.input("my.off", "C 1.5\nN 1.6\nH 1.25\n")
+        said = self.run_morskin("mesh", "a.pdb", "-o", "my.off", "--radii", "my.off", code=2)
+        self.assertIn(b"would replace the radii", said.stderr)
+
+    def test_info_names_the_table(self):
+        self.assertIn(b"of the table bondi",
+                      self.run_morskin("info", "a.pdb", "--radii", "bondi").stdout)
+        told = json.loads(self.run_morskin("info", self.ring, "--json").stdout)
+        self.assertEqual(told["radii"], "input")
+        self.assertIn(b"of the table elements",
+                      self.run_morskin("info", MOLECULES / "benzene.pdb").stdout)
+
+
+if __name__ == "__main__":
+    main()
