@@ -174,10 +174,9 @@ struct Finished {
   ExitCode code;
 };
 
-using Arguments =
-    std::variant<Finished, MeshArguments, FeaturesArguments, MorseArguments, BallsArguments,
-                 InfoArguments, CheckArguments, ViewArguments, RenderArguments, FigureArguments,
-                 BatchArguments>;
+using Arguments = std::variant<Finished, MeshArguments, FeaturesArguments, MorseArguments,
+                               BallsArguments, InfoArguments, CheckArguments, ViewArguments,
+                               RenderArguments, FigureArguments, BatchArguments>;
 
 /// Prints help, the version or a complaint about the arguments.
 Arguments parse_arguments(int count, const char* const* words);

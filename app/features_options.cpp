@@ -28,7 +28,8 @@ void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed) {
       ->description("Vertices per square Angstrom, about: by an estimate, without trial meshes")
       ->default_str("2");
   command.get_option("-C")->default_str("0.4, which --density makes finer");
-  command.add_option("--report", mesh.report, "Also write the report of mesh to this file, as JSON")
+  command
+      .add_option("--report", mesh.report, "Also write the report of mesh to this file, as JSON")
       ->default_str("none");
   command.add_flag("-q,--quiet", mesh.quiet, "Print nothing but errors");
   add_threads_option(command, mesh.threads);

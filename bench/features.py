@@ -16,12 +16,17 @@ from pathlib import Path
 
 from molecule_runs import MORSKIN, Rows, argument_parser, end, molecule_folder
 
-MOLECULES = ["1crn.pdb", "5pti.pdb", "1ubq.pdb", "1aki.pdb", "1atp.pdb"]
+MOLECULES = ["atp.pdb", "amprenavir.pdb", "heme.pdb", "1grm_model1.pdb", "9dna_duplex.pdb",
+             "1l2y.cif", "1crn.pdb", "1bna.pdb", "1ubq.pdb", "1rna.cif", "1ejg.pdb", "2koc.pdb",
+             "5pti.pdb", "1stp.cif", "1aki.pdb", "1hpv.pdb", "2buk.pdb", "1brs.pdb", "1ehz.pdb",
+             "1j4n.pdb", "1a63.pqr", "2por.pdb", "1atp.pdb", "1ake.pdb"]
+GOAL = 2  # vertices per square Angstrom
 REPEATS = 3
 STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "voids"],
           "mesh": ["critical_points", "sweep", "refine"], "angles": ["smooth"],
           "certify": ["certify"], "write": ["write"]}
-COLUMNS = ["molecule", "atoms", "vertices", "density", "cpu_seconds", "seconds", *STAGES, "verdict"]
+COLUMNS = ["molecule", "atoms", "vertices", "density", "cpu_seconds", "seconds", *STAGES,
+           "verdict"]
 WIDTHS = [12, 6, 8, 8, 11, 8, 8, 6, 6, 8, 6, 10]
 
 
@@ -67,15 +72,27 @@ def table(rows):
     return "\n".join(lines)
 
 
+def sentence(rows):
+    """What the page says of all."""
+    densities, atoms = ([float(r[k]) for r in rows] for k in ("density", "atoms"))
+    kinase = next(r for r in rows if r["molecule"] == "1atp.pdb")
+    return (f"on {len(rows)} molecules of {min(atoms):,.0f} to {max(atoms):,.0f} atoms, "
+            f"{min(densities):.2f} to {max(densities):.2f} were made where {GOAL} were asked for. "
+            f"1ATP, {int(kinase['atoms']):,} atoms, takes {float(kinase['cpu_seconds']):.2f} s of "
+            "one core")
+
+
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
         for name in MOLECULES:
-            for path in sorted(folder.rglob(name)):
-                if options.only in str(path):
-                    rows.add(row_of(path, options.timeout))
-    print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
+            path = next(folder.rglob(name), None)
+            if path and options.only in str(path):
+                rows.add(row_of(path, options.timeout))
+    as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
+    print(table(as_text))
+    print(sentence(as_text))
     end([r["verdict"] for r in rows.rows if r["verdict"] != "certified"], rows.rows)
 
 
