@@ -63,8 +63,8 @@ def row_of(path, timeout):
 
 
 def table(rows):
-    lines = ["| molecule | atoms | vertices | per Å² | processor seconds | prepare | mesh | angles | "
-             "certify | write |", "|---|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| molecule | atoms | vertices | per Å² | processor seconds | prepare | mesh | "
+             "angles | certify | write |", "|---|---|---|---|---|---|---|---|---|---|"]
     for r in rows:
         shares = " | ".join(f"{100 * float(r[stage]):.0f} %" for stage in STAGES)
         lines.append(f"| {r['molecule']} | {int(r['atoms']):,} | {int(r['vertices']):,} | "
