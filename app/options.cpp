@@ -156,7 +156,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
   command
       .add_option("INPUT", view.molecule.input,
                   "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
-                  "STL or MSMS, by its ending")
+                  "STL, VTU, MSH or MSMS, by its ending")
       ->required();
   command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
       ->required();
