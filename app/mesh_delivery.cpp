@@ -73,10 +73,10 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     });
   };
   geometry::MeshAttributes result;
-  result.arrays = arrays_;
   if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
     result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
+  result.arrays = arrays_;
   if (arguments_.vertex_data.features) add_operators(result, mesh, is_any(MeshFormat::Npz));
   if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
     result.normals = skin_normals(skin_, mesh, cells);

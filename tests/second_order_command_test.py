@@ -79,14 +79,24 @@ class SecondOrder(CommandTest):
         unit = numpy.linalg.norm(vtu.point_data["normal"], axis=1)
         numpy.testing.assert_allclose(unit, 1)
 
-    def test_curved_area_is_nearer_to_a_fine_mesh_s_than_the_flat_one_s_a_hundredth(self):
-        coarse = self.meshed("-o", "m.vtu")
-        fine = self.mesh_json(MOLECULES / "benzene.pdb", "-C", "0.03", "--order", "2", "-o",
-                              "fine.vtu")
-        exact = fine["second_order"]["area"]
-        lacking = exact - coarse["area"]
-        self.assertGreater(lacking / exact, 0.01)
-        self.assertLess(abs(exact - coarse["second_order"]["area"]), lacking / 20)
+    def test_curved_triangles_lack_a_tenth_of_what_flat_ones_lack_and_a_hundredth_of_fine_ones(self):
+        def lacking(C):
+            report = self.mesh_json(MOLECULES / "benzene.pdb", "-C", C, "--order", "2", "-o",
+                                    "m.vtu")
+            return exact - report["area"], abs(exact - report["second_order"]["area"])
+
+        exact = self.mesh_json(MOLECULES / "benzene.pdb", "-C", "0.03", "--order", "2", "-o",
+                               "fine.vtu")["second_order"]["area"]
+        for C, share in ((0.35, 0.1), (0.08, 0.01)):
+            flat, curved = lacking(C)
+            self.assertGreater(flat, 0)
+            self.assertLess(curved, share * flat)
+
+    def test_where_a_triangle_might_fold_over_the_run_is_refused_and_no_file_is_left(self):
+        done = self.run_morskin("mesh", MOLECULES / "1crn.pdb", "-C", "0.4", "--order", "2", "-o",
+                                "m.vtu", "-o", "m.ply", code=4)
+        self.assertIn(b"the Jacobian of the second-order triangle", done.stderr)
+        self.assertEqual(self.names(), [])
 
     def test_the_mesh_is_the_same_with_and_without(self):
         self.meshed("-o", "m.vtu", "-o", "a.off")
