@@ -168,7 +168,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   TimeLimit time_limit(arguments.limits, arguments.molecule.input);
   MeshReport report;
   const std::string doubts = doubts_about(arguments.sizing);
-  if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";
+  const bool is_talkative = !arguments.quiet && !arguments.is_brief;
+  if (!doubts.empty() && is_talkative) std::cerr << "morskin: note: " << doubts << "\n";
 
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);

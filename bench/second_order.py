@@ -64,8 +64,9 @@ def sentence(rows):
         return [abs(float(r["curved_lacks"]) / float(r["flat_lacks"])) for r in rows
                 if float(r["C"]) == C and r["verdict"] == "certified"]
 
-    spans = [f"{min(shares(C)):.4f} to {max(shares(C)):.4f} with C = {C}" for C in SIZES]
-    return f"a curved mesh lacks, of what the flat one lacks, {', '.join(spans)}"
+    coarse, middle, fine = (f"{min(shares(C)):.4f} to {max(shares(C)):.4f}" for C in SIZES[1:])
+    return (f"With C = {SIZES[1]} curved triangles lack {coarse} of what flat ones lack, with "
+            f"{SIZES[2]} {middle}, with {SIZES[3]} {fine}")
 
 
 def main():

@@ -102,7 +102,7 @@ class Features(CommandTest):
     def test_charges_are_there_if_the_file_gives_them_and_only_then(self):
         a = self.features(self.input("m.pqr", CHARGED))
         numpy.testing.assert_array_equal(a["atom_charge"], [-0.30, 0.21, -0.47, 2.00])
-        alone = a["vertices"][:, 0] > 8  # beyond, the mixed cell of MG and its neighbour begins
+        alone = a["vertices"][:, 0] > 8  # nearer, the mixed cell of both begins
         self.assertEqual(set(a["partial_charge"][alone]), {2.0})
         self.assertEqual(list(a["atom_chain"]), ["A", "A", "B", "B"])
         numpy.testing.assert_array_equal(a["atom_hphob"], [-4.5, -4.5, 4.5, 0])

@@ -79,7 +79,7 @@ class SecondOrder(CommandTest):
         unit = numpy.linalg.norm(vtu.point_data["normal"], axis=1)
         numpy.testing.assert_allclose(unit, 1)
 
-    def test_curved_triangles_lack_a_tenth_of_what_flat_ones_lack_and_a_hundredth_of_fine_ones(self):
+    def test_curved_triangles_lack_a_tenth_of_what_flat_ones_lack_and_fine_ones_a_hundredth(self):
         def lacking(C):
             report = self.mesh_json(MOLECULES / "benzene.pdb", "-C", C, "--order", "2", "-o",
                                     "m.vtu")
