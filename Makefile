@@ -8,7 +8,7 @@ SETS ?= 2000
 SECONDS ?= 60
 RESULTS ?= papers/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
-sources = $(shell find geometry surface skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
+sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11

@@ -133,7 +133,39 @@ void check_several(const MeshArguments& mesh) {
   if (mesh.has_snapshots()) refuse("all have snapshots");
 }
 
+bool is_set(const TypedSelection& typed) {
+  return typed.chains || typed.locations || typed.hydrogens || typed.hetatms ||
+         typed.model_number || typed.assembly || typed.waters;
+}
+
+/// What only a molecule's skin has, with the option that asks for it.
+void check_surface(const MeshArguments& mesh, const Typed& typed) {
+  if (!mesh.molecule.input.empty()) {
+    throw UsageError("a molecule and --surface are two surfaces; give one of them");
+  }
+  const TypedSkin& skin = typed.skin;
+  const bool is_of_skins = skin.model || skin.probe || skin.radii || mesh.models || skin.voids ||
+                           is_set(skin.selection) || typed.vertex_data || mesh.areas ||
+                           mesh.certificate || mesh.order == 2;
+  if (is_of_skins) {
+    throw UsageError(
+        "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "
+        "--certificate and --trace-tasks");
+  }
+  const bool is_sweep = mesh.method == MeshMethod::Auto || mesh.method == MeshMethod::Sweep;
+  if (!is_sweep || mesh.guard != front::Guard::Everywhere || mesh.size_goal.is_set() ||
+      mesh.grading || (mesh.function && !mesh.function->is_height())) {
+    throw UsageError("--surface goes with --method sweep, along a height, and with --size only");
+  }
+  if (std::ranges::any_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
+    throw UsageError("MSMS's files are of molecules; write --surface to another format");
+  }
+}
+
 void finish(MeshArguments& mesh, const Typed& typed) {
+  if (mesh.molecule.input.empty() && !mesh.surface) {
+    throw UsageError("INPUT is missing: a molecule, or --surface");
+  }
   mesh.typed = typed.skin;
   if (mesh.models) check_several(mesh);
   if (mesh.fail_fast && !mesh.models) {
@@ -198,6 +230,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (mesh.order == 2 && std::ranges::none_of(mesh.outputs, takes_second_order)) {
     throw UsageError("--order 2 is of .vtu and .msh files, and none is written");
   }
+  if (mesh.surface) check_surface(mesh, typed);
   if (mesh.decimals &&
       std::ranges::none_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
     throw UsageError("--decimals is of .vert and .face files, and none is written");
@@ -210,6 +243,9 @@ void finish(FeaturesArguments& features, const Typed& typed) {
 }
 
 void finish(const CheckArguments& check) {
+  if (check.surface && check.against) {
+    throw UsageError("--against and --surface are two surfaces; give one of them");
+  }
   if (!check.certificate) return;
   if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");
   check_not_input(*check.certificate, *check.against);

@@ -85,6 +85,7 @@ struct MeshArguments {
   std::optional<std::size_t> fronts;  ///< morskin::MeshingOptions::fronts
   unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 /// A mesh with all that learning on surfaces takes: features_options.h fills it in.
@@ -130,6 +131,7 @@ struct CheckArguments {
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "leave out the search with --no-self-intersections"};
+  std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 
 struct ViewArguments {

@@ -74,14 +74,14 @@ std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
                                    " degrees (bound " + brief(bound) + ")");
 }
 
-std::string certificate_text(const Certificate& c) {
+std::string certificate_text(const Certificate& c, std::string_view source) {
   const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
                             c.euler_characteristic == c.expected_euler_characteristic;
   std::string text =
       line("topology", counted(c.components, "component", "components") + ", genus " +
                            grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
                            grouped(static_cast<long long>(c.euler_characteristic)) +
-                           (counts_agree ? ", as the dual complex says" : ""));
+                           (counts_agree ? ", as " + std::string(source) : ""));
   if (!counts_agree) {
     text += line("expected", counted(c.expected_components, "component", "components") +
                                  ", genus " + grouped(static_cast<long long>(c.expected_genus)) +

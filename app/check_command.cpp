@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <stdexcept>
@@ -9,13 +10,16 @@
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/molecule_input.h"
+#include "app/percent_encoding.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
 #include "app/stated_skin.h"
+#include "app/surface_input.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/stopwatch.h"
+#include "morskin/implicit_mesh.h"
 
 namespace morskin::app {
 namespace {
@@ -90,6 +94,87 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
     write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices, skin,
                                            arguments.sizing));
   }
+  return result;
+}
+
+/// The surface given or, where there is neither one nor a molecule, the one that the mesh file
+/// states. The statement may be wrong in any way; then the report says so.
+std::optional<SurfaceInput> surface_of(CheckArguments& arguments, OriginReport& origin) {
+  if (arguments.surface) return read_surface(*arguments.surface);
+  const std::optional<std::string> encoded = stated(origin.stated, "surface");
+  const auto text = encoded && !arguments.against ? percent_decoded(*encoded) : std::nullopt;
+  if (!text) return std::nullopt;
+  const auto refuse = [&](const std::exception& error) {
+    origin.not_taken.push_back("surface: " + std::string(error.what()));
+    return std::nullopt;
+  };
+  try {
+    SurfaceInput input = read_surface(*text);
+    arguments.surface = text;
+    origin.taken.emplace_back("surface");
+    return input;
+  } catch (const UsageError& error) {
+    return refuse(error);
+  } catch (const geometry::UnreadableInput& error) {
+    return refuse(error);
+  } catch (const geometry::RefusedInput& error) {
+    return refuse(error);
+  }
+}
+
+/// -C, -Q and --size where none is given.
+void take_stated_sizes(CheckArguments& arguments, OriginReport& origin) {
+  geometry::Provenance of_sizes;
+  for (const auto& entry : origin.stated.entries) {
+    if (entry.key == "C" || entry.key == "Q" || entry.key == "size") {
+      of_sizes.entries.push_back(entry);
+    }
+  }
+  StatedSkin all = completed(arguments.typed, of_sizes);
+  try {
+    certify::Sizing sizing;
+    finish(sizing, all.typed, sizing.C);
+    arguments.sizing = sizing;
+    origin.taken.insert(origin.taken.end(), all.taken.begin(), all.taken.end());
+  } catch (const UsageError& error) {
+    origin.not_taken.emplace_back(error.what());
+  }
+}
+
+/// The surface's components by their minima, and those of the mesh that cover them.
+std::vector<CoveredComponent> components_by_minima(const IndexedMesh& mesh,
+                                                   const implicit::PreparedSurface& prepared) {
+  std::vector<CoveredComponent> covered;
+  const auto components = morskin::components_at_minima(mesh, prepared);
+  std::size_t minimum = 0;
+  for (const implicit::CriticalHeight& p : prepared.critical.points) {
+    if (p.index != 0) continue;
+    const auto& component = components[minimum++];
+    const auto is_same = [&](const CoveredComponent& c) {
+      return component && c.by == std::vector{*component};
+    };
+    if (std::ranges::any_of(covered, is_same)) continue;
+    covered.push_back({"the component with the minimum at " + brief(p.position.x()) + " " +
+                           brief(p.position.y()) + " " + brief(p.position.z()),
+                       false,
+                       {}});
+    if (component) covered.back().by.push_back(*component);
+  }
+  return covered;
+}
+
+AgainstSkin check_surface(const IndexedMesh& mesh, const SurfaceInput& input,
+                          const CheckArguments& arguments) {
+  const morskin::Run run(arguments.threads);
+  const implicit::PreparedSurface prepared = prepare_surface(input, std::nullopt, run);
+  const auto points = certify::locate_vertices(mesh, prepared.surface);
+  const std::vector<surface::CellId> cells = certify::cells_of(points);
+  AgainstSkin result;
+  result.certificate =
+      morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
+  result.deviations = certify::measure_deviations(mesh, prepared.surface, points, arguments.sizing);
+  result.delaunay = certify::restricted_delaunay(mesh, prepared.surface, points, 10, run);
+  result.covered = components_by_minima(mesh, prepared);
   return result;
 }
 
@@ -185,6 +270,11 @@ ExitCode check_command(const CheckArguments& asked) {
     report.origin.compare_input(stated.input.sha256);
     report.against = check_against(mesh, report.topology, stated.input, arguments);
     find_what_fits(mesh, arguments, report);
+  }
+  if (const std::optional<SurfaceInput> input = surface_of(arguments, report.origin)) {
+    take_stated_sizes(arguments, report.origin);
+    report.origin.compare_input(input->sha256);
+    report.against = check_surface(mesh, *input, arguments);
   }
   check_agreement(report);
   report.seconds = stopwatch.seconds();

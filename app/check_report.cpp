@@ -8,6 +8,7 @@
 #include "app/report.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
+#include "app/surface_report.h"
 
 namespace morskin::app {
 namespace {
@@ -152,8 +153,10 @@ std::string worst_text(const std::string& label, const std::vector<Bad>& worst, 
 std::string skin_text(const CheckReport& report) {
   const AgainstSkin& against = *report.against;
   const certify::Deviations& d = against.deviations;
-  std::string text = measures_text(against.certificate, report.arguments.sizing) +
-                     certificate_text(against.certificate);
+  std::string text =
+      measures_text(against.certificate, report.arguments.sizing) +
+      (report.arguments.surface ? certificate_text(against.certificate, critical_points_say)
+                                : certificate_text(against.certificate));
   text += line("centroids", "no farther than " + brief(d.max_centroid_distance, 2) +
                                 " A from the skin, " + brief(d.max_centroid_relative, 2) +
                                 " of the length scale");
@@ -189,6 +192,11 @@ std::string json_text(const CheckReport& report) {
     json["model"] = skin::name_of(arguments.against->model);
     json["probe"] = arguments.against->probe;
     add_selection(json, arguments.against->selection);
+    json["C"] = arguments.sizing.C;
+    json["Q"] = arguments.sizing.Q;
+  }
+  if (arguments.surface) {
+    json["surface"] = *arguments.surface;
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;
   }
@@ -240,6 +248,7 @@ std::string people_text(const CheckReport& report) {
   const CheckArguments& arguments = report.arguments;
   std::string text = arguments.mesh.string();
   if (arguments.against) text += " against " + arguments.against->input.string();
+  if (arguments.surface) text += " against " + *arguments.surface;
   text += "\n" + origin_text(report.origin);
   if (arguments.against) text += skin_text(*arguments.against, arguments.sizing);
   const geometry::MeshCheck& topology = report.topology;

@@ -8,6 +8,8 @@ namespace morskin::app {
 /// @throws geometry::UnreadableInput, geometry::RefusedInput, geometry::UnwritableOutput,
 /// UsageError
 ExitCode mesh_command(const MeshArguments& arguments);
+/// mesh_command() where a surface is given in place of a molecule.
+ExitCode mesh_surface_command(const MeshArguments& arguments);
 /// Runs the command and reports what it throws.
 using MeshRun = ExitCode (*)(const MeshArguments& arguments);
 /// `mesh` of each of arguments.models; returns the largest of their exit codes.

@@ -17,7 +17,7 @@ struct Group {
 
 const std::array<Group, 5>& groups() {
   static const std::array<Group, 5> all{{
-      {"The files", {"--output", "--for", "--report", "--vertex-data"}},
+      {"The files", {"--output", "--surface", "--for", "--report", "--vertex-data"}},
       {"The atoms",
        {"--chain", "--waters", "--hetatm", "--altloc", "--hydrogens", "--model-number",
         "--biological-assembly"}},

@@ -162,6 +162,7 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
 }  // namespace
 
 ExitCode mesh_command(const MeshArguments& arguments) {
+  if (arguments.surface) return mesh_surface_command(arguments);
   const Stopwatch total;
   std::optional<geometry::TaskTrace> trace;
   if (arguments.task_trace) trace.emplace();
@@ -203,7 +204,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   input = {};  // only the skin is needed from here on
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
-  MeshDelivery delivery(arguments, outputs, files, skin.surface, std::move(origin),
+  MeshDelivery delivery(arguments, outputs, files, &skin.surface, std::move(origin),
                         std::move(properties), std::move(arrays));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });

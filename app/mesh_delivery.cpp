@@ -73,16 +73,17 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     });
   };
   geometry::MeshAttributes result;
+  if (skin_ == nullptr) return result;
   if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
-    result = mesh_attributes(skin_, mesh, cells, arguments_.vertex_data.data, properties_);
+    result = mesh_attributes(*skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
   result.arrays = arrays_;
   if (arguments_.vertex_data.features) add_operators(result, mesh, is_any(MeshFormat::Npz));
   if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
-    result.normals = skin_normals(skin_, mesh, cells);
+    result.normals = skin_normals(*skin_, mesh, cells);
   }
   if (is_any(MeshFormat::MsmsVertices)) {
-    result.msms = msms_columns(skin_, mesh, cells);
+    result.msms = msms_columns(*skin_, mesh, cells);
     result.msms.decimals = arguments_.decimals;
   }
   return result;
@@ -105,7 +106,7 @@ void MeshDelivery::curve(const IndexedMesh& mesh, std::span<const geometry::Cell
   if (arguments_.order != 2) return;
   curved_.reset();
   try {
-    curved_ = second_order(skin_, mesh, cells);
+    curved_ = second_order(*skin_, mesh, cells);
   } catch (const geometry::RefusedInput& error) {
     not_curved_ = error.what();
   }
@@ -134,7 +135,7 @@ geometry::MeshAttributes MeshDelivery::curved_attributes(
   const auto first = static_cast<std::ptrdiff_t>(vertices);
   const IndexedMesh in_edges{{nodes.begin() + first, nodes.end()}, {}};
   const std::span<const geometry::CellId> cells(curved_->cells);
-  const geometry::MeshAttributes added = mesh_attributes(skin_, in_edges, cells.subspan(vertices),
+  const geometry::MeshAttributes added = mesh_attributes(*skin_, in_edges, cells.subspan(vertices),
                                                          arguments_.vertex_data.data, properties_);
   geometry::MeshAttributes result = flat;
   for (std::size_t i = 0; i < result.vertices.size(); ++i) {

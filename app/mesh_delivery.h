@@ -29,9 +29,10 @@ struct CurvedSizes {
 class MeshDelivery : public morskin::Observer {
  public:
   /// @param arguments, outputs, files, skin  must outlive this; the files are those of the mesh
+  /// @param skin  nothing for another surface, of which files tell nothing beside the mesh
   /// @param properties, arrays  of atoms, to be told as well
   MeshDelivery(const MeshArguments& arguments, StagedOutputs& outputs,
-               std::span<geometry::PendingFile> files, const skin::SkinSurface& skin,
+               std::span<geometry::PendingFile> files, const skin::SkinSurface* skin,
                MeshOrigin origin, std::vector<morskin::AtomProperty> properties,
                std::vector<geometry::NamedArray> arrays)
       : arguments_(arguments),
@@ -87,7 +88,7 @@ class MeshDelivery : public morskin::Observer {
   const MeshArguments& arguments_;
   StagedOutputs& outputs_;
   std::span<geometry::PendingFile> files_;
-  const skin::SkinSurface& skin_;
+  const skin::SkinSurface* skin_;
   MeshOrigin origin_;
   std::map<geometry::MeshFormat, MeshHashes> hashes_;
   const std::vector<morskin::AtomProperty> properties_;

@@ -47,13 +47,8 @@ MeshOrigin::MeshOrigin(const MeshArguments& arguments, const MoleculeInput& inpu
       input_sha256_(input.sha256),
       radii_(input.molecule.radii) {}
 
-Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) const {
+void MeshOrigin::add_molecule(Entries& entries) const {
   const MoleculeArguments& molecule = arguments_.molecule;
-  const std::string verdict(is_certified ? certified_verdict : other_verdict);
-  Provenance result;
-  result.brief = brief(verdict, input_sha256_, hashes.coordinates);
-  Entries& entries = result.entries;
-  add(entries, "version", std::string(version));
   add(entries, "input", molecule.input.filename().string());
   add(entries, "input-sha256", input_sha256_);
   add(entries, "radii", radii_);
@@ -62,6 +57,21 @@ Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) c
   add_selection(entries, arguments_.typed.selection);
   add(entries, "voids", arguments_.typed.voids.value_or("keep"));
   if (arguments_.grow_to != 0) add(entries, "grow", arguments_.grow_to);
+}
+
+Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) const {
+  const std::string verdict(is_certified ? certified_verdict : other_verdict);
+  Provenance result;
+  result.brief = brief(verdict, input_sha256_, hashes.coordinates);
+  Entries& entries = result.entries;
+  add(entries, "version", std::string(version));
+  if (arguments_.surface) {
+    // As it was typed, as far as a line takes it.
+    entries.push_back({"surface", percent_encoded(*arguments_.surface, ",:=()+*/^"), false});
+    add(entries, "input-sha256", input_sha256_);
+  } else {
+    add_molecule(entries);
+  }
   add(entries, "C", sizing_.C);
   add(entries, "Q", sizing_.Q);
   if (arguments_.typed.size) {

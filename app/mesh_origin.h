@@ -3,6 +3,7 @@
 /// What mesh files tell of their origin; papers/provenance.md lists the keys.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/arguments.h"
@@ -20,6 +21,10 @@ class MeshOrigin {
   /// @param arguments  must outlive this
   MeshOrigin(const MeshArguments& arguments, const MoleculeInput& input);
 
+  /// Of arguments.surface. @param input_sha256  of the molecule's file or, without one, of the text
+  MeshOrigin(const MeshArguments& arguments, std::string input_sha256)
+      : arguments_(arguments), sizing_(arguments.sizing), input_sha256_(std::move(input_sha256)) {}
+
   /// @param sizing  as a size goal has set it
   void set_sizing(const certify::Sizing& sizing) { sizing_ = sizing; }
 
@@ -27,6 +32,9 @@ class MeshOrigin {
   geometry::Provenance provenance(const MeshHashes& hashes, bool is_certified) const;
 
  private:
+  /// What says whose skin the mesh is.
+  void add_molecule(std::vector<geometry::Provenance::Entry>& entries) const;
+
   const MeshArguments& arguments_;
   certify::Sizing sizing_;
   std::string input_sha256_;

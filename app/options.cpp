@@ -16,7 +16,8 @@ namespace {
 
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
-  command.add_option("INPUT", mesh.molecule.input, "The molecule")->required();
+  command.add_option("INPUT", mesh.molecule.input, "The molecule");
+  add_surface_option(command, mesh.surface);
   command
       .add_option("-o,--output", mesh.outputs,
                   "The mesh, by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert\n"
@@ -39,7 +40,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->default_str("none");
   command
       .add_option("--for", typed.purpose,
-                  "Set density, voids, data and format for a purpose: bem, learning\n"
+                  "Set density, voids, data and format for: bem, learning\n"
                   "Where no option does: bem, boundary elements; learning, points with all data")
       ->check(CLI::IsMember(preset_names()))
       ->default_str("none");
@@ -136,6 +137,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"
                      "given are those that the mesh file states, if it does");
+  add_surface_option(command, check.surface);
   add_certificate_option(command, check.certificate);
   add_molecule_options(command, typed);
   add_voids_option(command, typed);

@@ -91,8 +91,8 @@ std::string origin_text(const OriginReport& origin) {
   std::string text;
   if (origin.stated.brief.empty()) {
     text += line("origin", "so the file says: morskin " + shown("version", "?") + ", from " +
-                               shown("input", "?") + ", " + shown("verdict", "no verdict") +
-                               "; none of it counts here");
+                               shown("input", shown("surface", "?")) + ", " +
+                               shown("verdict", "no verdict") + "; none of it counts here");
   } else {
     text += line("origin", "so the file says: " + geometry::quoted(origin.stated.brief));
   }

@@ -62,6 +62,7 @@ bool is_special(const std::filesystem::path& path) {
 
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule) {
   if (output.empty()) throw UsageError("an output's name is empty");
+  if (molecule.input.empty()) return;  // a surface of another kind
   if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
     throw UsageError(output.string() + " would replace the input; choose another name");
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/mesh_delivery.h"
@@ -91,7 +92,9 @@ nlohmann::ordered_json certificate_json(const certify::Certificate& certificate)
 /// Area and volume, triangles and vertices, angles.
 std::string measures_text(const certify::Certificate& certificate, const certify::Sizing& sizing);
 /// What else the certificate says.
-std::string certificate_text(const certify::Certificate& certificate);
+/// @param source  of the numbers expected
+std::string certificate_text(const certify::Certificate& certificate,
+                             std::string_view source = "the dual complex says");
 /// What a chemist asks of a mesh: its surfaces, measures_text(), whether it is proved.
 std::string answers_text(const MeshReport& report);
 

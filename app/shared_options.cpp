@@ -88,6 +88,15 @@ void add_certificate_option(CLI::App& command, std::optional<std::filesystem::pa
       ->default_str("none");
 }
 
+void add_surface_option(CLI::App& command, std::optional<std::string>& surface) {
+  command
+      .add_option("--surface", surface,
+                  "No molecule: sphere:R torus:R,r formula:... gaussian:...\n"
+                  "formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
+                  "|x|, |y|, |z| <= W; gaussian:MOLECULE[,decay=D][,level=L]")
+      ->default_str("none");
+}
+
 void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--vertex-data", typed.vertex_data,

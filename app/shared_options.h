@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/options.h"
 
@@ -16,6 +17,8 @@ void add_voids_option(CLI::App& command, Typed& typed);
 /// -C, -Q and --size.
 void add_sizing_options(CLI::App& command, Typed& typed);
 void add_function_option(CLI::App& command, Typed& typed);
+/// A surface in place of a molecule's skin.
+void add_surface_option(CLI::App& command, std::optional<std::string>& surface);
 /// What of `mesh` makes the mesh what it is: all but files, reports, limits and snapshots.
 void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed);
 void add_progress_option(CLI::App& command, Typed& typed);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "morskin/pipeline_parts.h"
 #include "morskin/voids.h"
 #include "skin/model.h"
 
@@ -48,10 +49,9 @@ bool is_thinned(const MeshingOptions& options) {
   return is_by_length && options.sizing.is_coarser_than_laid() && !options.sizes;
 }
 
-/// Raises angles to the goal by moves, then what is below 30 degrees by insertions.
-void raise_angles(const PreparedSkin& skin, const MeshingOptions& options, MethodResult& made,
-                  const Run& run) {
-  const SizedSurface sized(skin.surface, options.sizes);
+void raise_angles(const surface::Surface& surface, const MeshingOptions& options,
+                  MethodResult& made, const Run& run) {
+  const SizedSurface sized(surface, options.sizes);
   const double goal_deg = options.goal_deg() + angle_margin_deg;
   const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
   made.smoothing = run.stage(
@@ -80,7 +80,7 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
     if (k > 0) made.mesh = whole;
     run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, except, run); });
     if (options.goal_deg() == 0) return;
-    raise_angles(skin, options, made, run);
+    raise_angles(skin.surface, options, made, run);
     const std::vector<geometry::Point>& left = made.angles.left;
     if (left.empty()) return;
     except.insert(except.end(), left.begin(), left.end());
@@ -98,7 +98,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
   if (is_thinned(options)) {
     thin_and_raise_angles(skin, options, made, run);
   } else if (options.goal_deg() > 0) {
-    raise_angles(skin, options, made, run);
+    raise_angles(skin.surface, options, made, run);
   }
   if (made.angles.left.empty()) return made;
   run.stage("refine angles in space", [&] {

@@ -7,6 +7,7 @@
 #include "geometry/orthogonal.h"
 #include "geometry/parallel.h"
 #include "geometry/stopwatch.h"
+#include "morskin/pipeline_parts.h"
 #include "morskin/safety_net.h"
 #include "morskin/traced_complex.h"
 
@@ -41,7 +42,9 @@ void check(const SizeGoal& goal) {
   }
 }
 
-void check(const MeshingOptions& options) {
+}  // namespace
+
+void require_sound(const MeshingOptions& options) {
   check(options.sizing);
   check(options.size_goal);
   if (options.function) require_usable(*options.function);
@@ -64,91 +67,68 @@ void check(const MeshingOptions& options) {
   }
 }
 
-/// A mesh on its way from the mesher to the certificate, with what is known of it.
-struct Parcel {
-  geometry::IndexedMesh mesh;
-  std::vector<geometry::CellId> cells;      ///< by vertex
-  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; none when the safety net made it
-
-  /// Empties the mesh that it is made from, so that little is there twice.
-  Parcel(surface::Mesh& from, const Run& run) {
-    const auto list_triangles = [&] {
-      const geometry::SurfaceMesh connectivity = std::move(from.surface);  // freed here
-      mesh.triangles = connectivity.triangle_list();
-      twins = connectivity.twins();
-    };
-    const auto list_vertices = [&] {
-      mesh.positions.reserve(from.points.size());
-      cells.reserve(from.points.size());
-      for (const surface::SurfacePoint& p : from.points) {
-        mesh.positions.push_back(p.position);
-        cells.push_back(p.cell);
-      }
-      from.points = {};
-    };
-    geometry::do_both(run.threads(), list_triangles, list_vertices);
-  }
-};
-
-/// Delivers a mesh and certifies what has arrived.
-class Delivering {
- public:
-  Delivering(const PreparedSkin& skin, const certify::Sizing& sizing, Observer& observer,
-             const Run& run)
-      : skin_(skin), sizing_(sizing), observer_(observer), run_(run) {}
-
-  void operator()(MeshResult& result, std::span<const geometry::HalfEdgeId> twins) const {
-    Observer::Delivery arrived = run_.stage(
-        "deliver", [&] { return observer_.deliver(std::exchange(result.mesh, {}), result.cells); });
-    result.mesh = std::move(arrived.mesh);
-    result.certificate = run_.stage("certify", [&] {
-      return certify::certify(result.mesh, {twins, result.cells}, skin_.surface, skin_.expected(),
-                              sizing_, run_);
-    });
-    if (arrived.defect.empty()) return;
-    result.certificate.certified = false;
-    result.certificate.reason = std::move(arrived.defect);
-  }
-
- private:
-  const PreparedSkin& skin_;
-  const certify::Sizing& sizing_;
-  Observer& observer_;
-  const Run& run_;
-};
-
-}  // namespace
-
-MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
-                     const Run& run) {
-  check(asked);
-  MeshingOptions options = asked;
+MeshingOptions with_claimed_angle(MeshingOptions options) {
   if (!options.mesher && options.goal_deg() >= certify::guaranteed_angle_deg) {
     options.sizing.claimed_angle_deg = certify::guaranteed_angle_deg;
   }
+  return options;
+}
+
+Parcel::Parcel(MethodResult made, const MeshingOptions& options, const Run& run)
+    : result{{}, *options.method, options.sizing, {}, {}, {}, {}} {
+  surface::Mesh& from = made.mesh;
+  const auto list_triangles = [&] {
+    const geometry::SurfaceMesh connectivity = std::move(from.surface);  // freed here
+    result.mesh.triangles = connectivity.triangle_list();
+    twins = connectivity.twins();
+  };
+  const auto list_vertices = [&] {
+    result.mesh.positions.reserve(from.points.size());
+    result.cells.reserve(from.points.size());
+    for (const surface::SurfacePoint& p : from.points) {
+      result.mesh.positions.push_back(p.position);
+      result.cells.push_back(p.cell);
+    }
+    from.points = {};
+  };
+  geometry::do_both(run.threads(), list_triangles, list_vertices);
+  static_cast<RunCounts&>(result) = std::move(made);
+}
+
+void deliver(MeshResult& result, std::span<const geometry::HalfEdgeId> twins,
+             const Certifying& certify, Observer& observer, const Run& run) {
+  Observer::Delivery arrived = run.stage(
+      "deliver", [&] { return observer.deliver(std::exchange(result.mesh, {}), result.cells); });
+  result.mesh = std::move(arrived.mesh);
+  result.certificate = run.stage("certify", [&] {
+    return certify(result.mesh, {twins, result.cells});
+  });
+  if (arrived.defect.empty()) return;
+  result.certificate.certified = false;
+  result.certificate.reason = std::move(arrived.defect);
+}
+
+MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
+                     const Run& run) {
+  require_sound(asked);
+  MeshingOptions options = with_claimed_angle(asked);
   if (options.grading) {
     options.sizes = size_field(skin, options, run);
     if (options.sizes) options.method = Method::Static;
   }
   if (options.size_goal.is_set()) settle_size(skin, options, run);
   observer.sized(options.sizing);
-  const Method method = method_of(skin, options);
-  options.method = method;
-  MethodResult made = run_method(skin, options, observer, run);
-  Parcel parcel(made.mesh, run);
-  MeshResult result{std::move(made),
-                    method,
-                    options.sizing,
-                    std::move(parcel.mesh),
-                    std::move(parcel.cells),
-                    {},
-                    {}};
-  const Delivering deliver(skin, options.sizing, observer, run);
-  deliver(result, parcel.twins);
+  options.method = method_of(skin, options);
+  Parcel parcel(run_method(skin, options, observer, run), options, run);
+  const Certifying certify = [&](const geometry::IndexedMesh& mesh, const certify::Hints& hints) {
+    return certify::certify(mesh, hints, skin.surface, skin.expected(), options.sizing, run);
+  };
+  MeshResult& result = parcel.result;
+  deliver(result, parcel.twins, certify, observer, run);
   const bool is_method_free = !asked.method && !options.sizes;
   if (!result.certificate.certified && mend(skin, options, is_method_free, result, run))
-    deliver(result, {});
-  return result;
+    deliver(result, {}, certify, observer, run);
+  return std::move(result);
 }
 
 MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, const Run& run) {

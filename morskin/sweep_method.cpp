@@ -1,7 +1,7 @@
 #include "front/subdomains.h"
 #include "morse/make_guide.h"
 #include "morse/skin_spheres.h"
-#include "morskin/method.h"
+#include "morskin/pipeline_parts.h"
 
 namespace morskin {
 
@@ -21,27 +21,26 @@ std::optional<front::NarrowGuard> experimental_guard(front::Guard guard,
                             guard == front::Guard::Adjacent);
 }
 
-front::SweepResult sweep(const skin::SkinSurface& skin, const morse::Guide& guide,
-                         const MeshingOptions& options, Observer& observer, const Run& run) {
-  const auto guard = experimental_guard(options.guard, skin, guide);
+front::SweepResult sweep(const surface::Surface& surface, const morse::Guide& guide,
+                         const MeshingOptions& options, const front::GuardPolicy* guard,
+                         Observer& observer, const Run& run) {
   front::SweepOptions sweeping{.sizing = options.sizing.laid(),
                                .record_births = observer.wants_births()};
-  if (guard) sweeping.guard = &*guard;
+  if (guard != nullptr) sweeping.guard = guard;
   std::optional<front::CoarseningOptions> coarsening;
   if (options.sizing.is_coarser_than_laid()) coarsening = {.sizing = options.sizing};
   return options.fronts == 1
-             ? front::sweep_once(skin, guide, sweeping, coarsening, observer.sweep_observers(), run)
-             : front::sweep_subdomains(skin, guide, sweeping, coarsening, run, options.fronts);
+             ? front::sweep_once(surface, guide, sweeping, coarsening, observer.sweep_observers(),
+                                 run)
+             : front::sweep_subdomains(surface, guide, sweeping, coarsening, run, options.fronts);
 }
 
 }  // namespace
 
-MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& options,
-                          Observer& observer, const Run& run) {
+MethodResult sweep_along(const surface::Surface& surface, const morse::Guide& guide,
+                         const MeshingOptions& options, const front::GuardPolicy* guard,
+                         Observer& observer, const Run& run) {
   MethodResult result;
-  const morse::Guide guide =
-      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
-                        sphere_share(skin.surface, options.sizing.laid()), run);
   observer.guided(guide);
   result.function = guide.function;
   result.critical_points = guide.found;
@@ -49,7 +48,7 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& option
     result.surviving_points[static_cast<std::size_t>(index)] = guide.count(index);
   }
   run.stage("sweep", [&] {
-    front::SweepResult swept = sweep(skin.surface, guide, options, observer, run);
+    front::SweepResult swept = sweep(surface, guide, options, guard, observer, run);
     result.mesh = std::move(swept.mesh);
     result.operations = swept.operations;
     result.open_edges = swept.open_edges;
@@ -60,12 +59,21 @@ MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& option
   observer.swept(result.mesh);
   if (result.open_edges > 0) return result;
   run.stage("refine", [&] {
-    refine::Refinement refinement(skin.surface, options.sizing, result.mesh, run);
+    refine::Refinement refinement(surface, options.sizing, result.mesh, run);
     refinement.run();
     result.refinement = refinement.counts();
   });
   observer.refined(result.mesh);
   return result;
+}
+
+MethodResult sweep_method(const PreparedSkin& skin, const MeshingOptions& options,
+                          Observer& observer, const Run& run) {
+  const morse::Guide guide =
+      morse::make_guide(skin.surface, skin.topology.skin_euler_characteristic(), options.function,
+                        sphere_share(skin.surface, options.sizing.laid()), run);
+  const auto guard = experimental_guard(options.guard, skin.surface, guide);
+  return sweep_along(skin.surface, guide, options, guard ? &*guard : nullptr, observer, run);
 }
 
 }  // namespace morskin

@@ -45,7 +45,7 @@ class WithoutACommand(CommandTest):
         for words in (["mehs", self.ring], ["mehs", self.ring, "-o", "ring.ply"]):
             complaint = self.run_morskin(*words, code=2).stderr.decode()
             self.assertIn("'mehs' is neither a command nor a file", complaint)
-            self.assertIn("mesh, morse, balls, info, check", complaint)
+            self.assertIn("mesh, features, morse, balls, info, check", complaint)
         self.assertEqual(self.names(), [])
 
 

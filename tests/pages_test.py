@@ -31,8 +31,8 @@ sys.path.insert(0, str(ROOT / "papers" / "course"))
 from page import page_files  # noqa: E402
 PAGES = [*page_files(), ROOT / "ARCHITECTURE.md"]
 READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
-CODE_FOLDERS = ["geometry", "surface", "skin", "morse", "certify", "refine", "front", "morskin",
-                "python", "app", "bench", "tests", "cmake", "papers", "examples",
+CODE_FOLDERS = ["geometry", "surface", "implicit", "skin", "morse", "certify", "refine", "front",
+                "morskin", "python", "app", "bench", "tests", "cmake", "papers", "examples",
                 "packaging"]
 CODE_ENDINGS = {".h", ".cpp", ".py", ".pyi", ".cmake", ".sh", ".in"}
 

@@ -91,7 +91,7 @@ class Readers(CommandTest):
             9, gmsh.model.mesh.getIntegrationPoints(9, "Gauss6")[0])
         whole = (determinants.reshape(len(tags[0]), -1) * weights).sum()
         self.assertLess(abs(whole / report["second_order"]["area"] - 1), 1e-4)
-        self.assertGreater(min(gmsh.model.mesh.getElementQualities(tags[0], "minSJ")), 0)
+        self.assertGreater(determinants.min(), 0)
 
     def test_gmsh_opens_stl(self):
         gmsh.open(str(self.folder / "m.stl"))

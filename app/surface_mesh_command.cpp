@@ -1,0 +1,104 @@
+#include <iostream>
+#include <span>
+#include <string>
+
+#include "app/commands.h"
+#include "app/limits.h"
+#include "app/mesh_delivery.h"
+#include "app/output_names.h"
+#include "app/progress.h"
+#include "app/staged_outputs.h"
+#include "app/surface_input.h"
+#include "app/surface_report.h"
+#include "geometry/error.h"
+#include "geometry/stopwatch.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::PendingFile;
+
+constexpr std::string_view unverified = ".unverified";
+
+morskin::MeshingOptions options_of(const MeshArguments& arguments) {
+  morskin::MeshingOptions options;
+  options.sizing = arguments.sizing;
+  options.angle_goal_deg = arguments.angle_goal_deg;
+  options.function = arguments.function;
+  options.fronts = arguments.fronts;
+  return options;
+}
+
+void publish(const SurfaceReport& report, const MeshArguments& arguments) {
+  if (!report.certificate.certified) {
+    std::cerr << "morskin: " << arguments.outputs.front().string()
+              << ": not certified: " << report.certificate.reason << "\n";
+  }
+  if (arguments.quiet && !arguments.json) return;
+  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output);
+  (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
+}
+
+}  // namespace
+
+ExitCode mesh_surface_command(const MeshArguments& arguments) {
+  const geometry::Stopwatch total;
+  TimeLimit time_limit(arguments.limits, *arguments.surface);
+  const SurfaceInput input = read_surface(*arguments.surface);
+  std::vector<std::filesystem::path> names = arguments.outputs;
+  if (arguments.report) names.push_back(*arguments.report);
+  StagedOutputs outputs(names);
+  std::span<PendingFile> files = outputs.files();
+  PendingFile* report_file = nullptr;
+  if (arguments.report && !geometry::is_written_directly(*arguments.report)) {
+    report_file = &files.back();
+    files = files.first(files.size() - 1);
+  }
+
+  ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
+  const morskin::Run run(arguments.threads, line.callback());
+  std::optional<geometry::Vector> height;
+  if (arguments.function) height = arguments.function->direction;
+  const implicit::PreparedSurface prepared = prepare_surface(input, height, run);
+  SurfaceReport report;
+  report.surface = *arguments.surface;
+  report.facts = SurfaceFacts::of(prepared);
+  report.prepare_seconds = total.seconds();
+  MeshDelivery delivery(arguments, outputs, files, nullptr, MeshOrigin(arguments, input.sha256), {},
+                        {});
+  const geometry::Stopwatch meshing;
+  const morskin::MeshResult result =
+      morskin::make_mesh(prepared, options_of(arguments), delivery, run);
+  report.certify_seconds = run.seconds("certify");
+  report.mesh_seconds = meshing.seconds() - report.certify_seconds;
+  report.sizing = result.sizing;
+  report.counts = result;
+  report.certificate = result.certificate;
+  report.provenance = delivery.provenance(result);
+  report.certified_file = delivery.certified_file();
+  report.quality = certify::measure_quality(result.mesh, run);
+  line.wipe();
+  const bool is_certified = report.certificate.certified;
+  if (!is_certified && !delivery.mark_not_certified(result)) files = {};
+  const std::string_view suffix = is_certified ? "" : unverified;
+  for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
+  for (const std::filesystem::path& path : outputs.direct()) {
+    if (!is_certified || path == arguments.report) continue;
+    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
+    report.outputs.push_back(path);
+  }
+  report.total_seconds = total.seconds();
+  if (report_file != nullptr) report_file->write(json_text(report));
+  time_limit.cancel();
+  outputs.undisturbed([&] {
+    for (PendingFile& file : files) file.commit(suffix);
+    if (report_file != nullptr) report_file->commit();
+  });
+  if (arguments.report && report_file == nullptr) {
+    geometry::write_file_atomically(*arguments.report, json_text(report));
+  }
+  publish(report, arguments);
+  return is_certified ? ExitCode::Success : ExitCode::NotCertified;
+}
+
+}  // namespace morskin::app

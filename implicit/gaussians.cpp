@@ -1,0 +1,230 @@
+#include "implicit/gaussians.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "geometry/error.h"
+
+namespace morskin::implicit {
+
+namespace {
+
+/// The balls left out of a sum have less than this share of it, together.
+constexpr double tail = 0x1p-60;
+
+Interval square_norm(const Triple<Interval>& v) {
+  return square(v[0]) + square(v[1]) + square(v[2]);
+}
+
+}  // namespace
+
+Gaussians::Gaussians(std::vector<Ball> balls, const GaussianOptions& options)
+    : balls_(std::move(balls)), options_(options) {
+  const auto& [decay, level] = options_;
+  if (balls_.empty()) throw geometry::RefusedInput("a Gaussian surface needs an atom");
+  if (!(decay >= 1e-3 && decay <= 1e3)) {
+    throw geometry::RefusedInput("the decay must be from 0.001 to 1000 per square Angstrom");
+  }
+  if (!(level >= 1e-6 && level <= 1e6)) {
+    throw geometry::RefusedInput("the level must be from 1e-6 to 1e6");
+  }
+  Point low = balls_.front().centre, high = low;
+  double largest = 0;
+  for (const Ball& ball : balls_) {
+    low = low.cwiseMin(ball.centre);
+    high = high.cwiseMax(ball.centre);
+    largest = std::max(largest, ball.radius);
+  }
+  // At a distance t from all centres the sum is at most n exp(-decay (t^2 - r^2)).
+  const double n = static_cast<double>(balls_.size());
+  const double squared = largest * largest + std::max(0.0, std::log(n / level)) / decay;
+  constexpr double room = 1.01;  // over rounding, and so that f is well above zero outside
+  const double half = room * ((high - low).maxCoeff() / 2 + std::sqrt(squared)) + 1e-3;
+  // A power of two about a point of a coarse grid is halved without rounding.
+  const auto on_grid = [](double x) { return std::round(x * 16) / 16; };
+  extent_ = {((low + high) / 2).unaryExpr(on_grid), std::exp2(std::ceil(std::log2(half + 0.1)))};
+  farthest_ = 4 * extent_.half;
+  for (std::uint32_t i = 0; i < balls_.size(); ++i) all_.push_back(i);
+  fill_grid();
+}
+
+double Gaussians::sum_at(double f) const { return options_.level * std::exp(-options_.decay * f); }
+
+/// A ball may be left out of a voxel where its power distance exceeds another's so much, all over
+/// it, that n of its kind have no more than the tail.
+void Gaussians::fill_grid() {
+  constexpr double usual_side = 2;  // Angstrom
+  constexpr int most = 48;
+  voxels_ = std::clamp(static_cast<int>(2 * extent_.half / usual_side), 1, most);
+  voxel_side_ = 2 * extent_.half / voxels_;
+  const double gap = std::log(static_cast<double>(balls_.size()) / tail) / options_.decay;
+  const double radius = voxel_side_ * 0.87;  // of a voxel's circumscribed ball, rounding included
+  const Point corner = extent_.centre - Vector::Constant(extent_.half);
+  for (int k = 0; k < voxels_; ++k) {
+    for (int j = 0; j < voxels_; ++j) {
+      for (int i = 0; i < voxels_; ++i) {
+        const Point middle = corner + voxel_side_ * (Vector(i, j, k) + Vector::Constant(0.5));
+        double least = Interval::infinity;
+        for (const Ball& ball : balls_) {
+          const double far = (middle - ball.centre).norm() + radius;
+          least = std::min(least, far * far - ball.radius * ball.radius);
+        }
+        first_.push_back(static_cast<std::uint32_t>(ids_.size()));
+        for (const std::uint32_t id : all_) {
+          const Ball& ball = balls_[id];
+          const double near = std::max(0.0, (middle - ball.centre).norm() - radius);
+          if (near * near - ball.radius * ball.radius < least + gap) ids_.push_back(id);
+        }
+      }
+    }
+  }
+  first_.push_back(static_cast<std::uint32_t>(ids_.size()));
+}
+
+std::size_t Gaussians::voxel(const Point& x) const {
+  const Vector at = (x - extent_.centre).array() + extent_.half;
+  std::size_t result = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const double i = std::floor(at[axis] / voxel_side_);
+    if (!(i >= 0 && i < voxels_)) return first_.size();
+    result = result * static_cast<std::size_t>(voxels_) + static_cast<std::size_t>(i);
+  }
+  return result;
+}
+
+Gaussians::Ids Gaussians::near(const Point& x) const {
+  const std::size_t v = voxel(x);
+  if (v >= first_.size()) return all_;
+  return Ids(ids_).subspan(first_[v], first_[v + 1] - first_[v]);
+}
+
+Gaussians::Ids Gaussians::near(const Box& box) const {
+  const Vector to_corner = Vector::Constant(box.half);
+  const std::size_t v = voxel(box.centre - to_corner);
+  return v == voxel(box.centre + to_corner) ? near(box.centre) : Ids(all_);
+}
+
+double Gaussians::least_power(const Point& x, Ids ids) const {
+  double least = Interval::infinity;
+  for (const std::uint32_t id : ids) {
+    const Ball& ball = balls_[id];
+    least = std::min(least, (x - ball.centre).squaredNorm() - ball.radius * ball.radius);
+  }
+  return least;
+}
+
+Function::Value Gaussians::at(const Point& x) const {
+  const Ids ids = near(x);
+  const auto& [decay, level] = options_;
+  const double least = least_power(x, ids);
+  double sum = 0;
+  Vector mean = Vector::Zero();  // of x - a
+  for (const std::uint32_t id : ids) {
+    const Ball& ball = balls_[id];
+    const Vector off = x - ball.centre;
+    const double weight =
+        std::exp(-decay * (off.squaredNorm() - ball.radius * ball.radius - least));
+    sum += weight;
+    mean += weight * off;
+  }
+  return {least - std::log(sum / level) / decay, (2 / sum) * mean};
+}
+
+/// exp(-decay (power - shift)) by ball, and their sum, by which the mean and the value are found.
+struct Gaussians::Terms {
+  double shift;
+  Point reference;  ///< nearly the mean of the centres
+  std::vector<Interval> weights;
+  Interval sum;
+  Triple<Interval> mean;  ///< less the reference
+};
+
+Gaussians::Terms Gaussians::terms(const Point& x, Ids ids) const {
+  Terms result{least_power(x, ids), x - at(x).gradient / 2, {}, 0.0, {}};
+  result.weights.reserve(ids.size());
+  for (const std::uint32_t id : ids) {
+    const auto& [centre, radius] = balls_[id];
+    Triple<Interval> off;
+    for (int k = 0; k < 3; ++k) off[static_cast<std::size_t>(k)] = Interval(x[k]) - centre[k];
+    const Interval power = square_norm(off) - square(Interval(radius));
+    const Interval weight = exp(Interval(-options_.decay) * (power - result.shift));
+    result.weights.push_back(weight);
+    result.sum += weight;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = static_cast<int>(k);
+      result.mean[k] += weight * (Interval(centre[axis]) - result.reference[axis]);
+    }
+  }
+  for (Interval& m : result.mean) m = m / result.sum + Interval::about(0, 2 * tail * farthest_);
+  return result;
+}
+
+Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
+  const auto [shift, reference, weights, sum, mean] = terms(x, near(x));
+  Jet<Interval, 1> result;
+  const Interval whole_sum{sum.low, Interval::up(sum.high * (1 + 2 * tail))};
+  result.value =
+      Interval(shift) - log(whole_sum / Interval(options_.level)) / Interval(options_.decay);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    result.gradient[k] = Interval(2.0) * (Interval(x[axis]) - reference[axis] - mean[k]);
+  }
+  return result;
+}
+
+/// With b near the mean at the centre c, the shares at c + v are those at c times exp(t), over the
+/// mean of exp(t) by the shares at c, t = -2 decay (b - a) . v. That mean is at least the
+/// exponential of the mean of t, which is small as b - mean is, and no more than that of exp |t|.
+Jet<Interval, 2> Gaussians::over(const Box& box) const {
+  const Ids ids = near(box);
+  const auto [shift, reference, weights, sum, mean] = terms(box.centre, ids);
+  const double decay = options_.decay;
+  const Interval reach = Interval(2 * decay) * Interval(box.half);
+  std::vector<Interval> growth;  // exp |t| at most
+  growth.reserve(ids.size());
+  Interval most = 0.0;
+  const auto off = [&](std::size_t i, std::size_t k) {
+    const int axis = static_cast<int>(k);
+    return Interval(balls_[ids[i]].centre[axis]) - reference[axis];
+  };
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Interval length = off(i, 0).max_abs() + off(i, 1).max_abs() + off(i, 2).max_abs();
+    growth.push_back(exp(reach * Interval(Interval::up(length.high * (1 + 0x1p-50)))));
+    most += weights[i] * growth[i];
+  }
+  const double off_mean = mean[0].max_abs() + mean[1].max_abs() + mean[2].max_abs();
+  const Interval least = sum * exp(-(reach * Interval(off_mean * (1 + 0x1p-50))));
+  Triple<Interval> first;
+  std::array<Interval, 6> second;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const double low = (weights[i] / (growth[i] * most)).low;
+    const double high = (weights[i] * growth[i] / least).high;
+    const Interval share{std::max(0.0, low), std::min(1.0, high)};
+    const Triple<Interval> y{off(i, 0), off(i, 1), off(i, 2)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      first[k] += share * y[k];
+      for (std::size_t l = k; l < 3; ++l) {
+        second[symmetric_index[k][l]] += share * (k == l ? square(y[k]) : y[k] * y[l]);
+      }
+    }
+  }
+  Jet<Interval, 2> result;
+  result.value = Interval::whole();
+  const Interval first_tail = Interval::about(0, 2 * tail * farthest_);
+  const Interval second_tail = Interval::about(0, 4 * tail * farthest_ * farthest_);
+  for (std::size_t k = 0; k < 3; ++k) first[k] += first_tail;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    result.gradient[k] = Interval(2.0) * (box.side(axis) - reference[axis] - first[k]);
+    for (std::size_t l = k; l < 3; ++l) {
+      const std::size_t at = symmetric_index[k][l];
+      const Interval product = k == l ? square(first[k]) : first[k] * first[l];
+      const Interval covariance = second[at] + second_tail - product;
+      result.hessian[at] = Interval(k == l ? 2.0 : 0.0) - Interval(4 * decay) * covariance;
+    }
+  }
+  return result;
+}
+
+}  // namespace morskin::implicit

@@ -1,0 +1,100 @@
+#pragma once
+
+/// The zero set of a function as a surface for front, refinement and certificate.
+///
+/// Let g be the levelled function (hessian_bound.h), which has the same zeros and the same gradient
+/// there, and M a proved bound on the norm of its Hessian over a ball D that holds the zero set
+/// with room. With
+///
+///     G = 2 g / M,   N = grad G / 2 = grad g / M
+///
+/// the laws of surface.h hold in D: N is 1-Lipschitz, so |N| is too, and by Taylor's theorem
+/// |G(x + d) - 2 N(x) . d| <= |d|^2 at a zero x, so that G keeps its sign in the open balls of
+/// radius |N(x)| that touch the surface at x. All is one cell.
+
+#include <memory>
+
+#include "implicit/critical_heights.h"
+#include "implicit/hessian_bound.h"
+#include "surface/surface.h"
+
+namespace morskin::implicit {
+
+using surface::CellId;
+
+class ImplicitSurface final : public surface::Surface {
+ public:
+  /// @param room  of the ball D; outside of it nothing is known of the surface
+  /// @param M     the bound in it
+  /// @pre the zero set in `room` is what `cover` covers
+  ImplicitSurface(std::shared_ptr<const Function> f, Cover cover, const Levelling& levelling,
+                  const surface::BoundingBall& room, double M);
+
+  CellId locate(const Point&, CellId) const override { return CellId{0U}; }
+  bool is_in(const Point&, CellId cell) const override { return cell == CellId{0U}; }
+  surface::Jet jet(const Point& x, CellId cell) const override;
+  double length_scale(const Point& x, CellId cell) const override {
+    return jet(x, cell).half_gradient.norm();
+  }
+  /// Infinite where x and what the certificate concludes from it are not all in D.
+  surface::Enclosure enclose(const Point& x, CellId hint) const override;
+  /// By steps that never pass the surface. Where |G| < |N|^2 at x, the tube of the certificate, it
+  /// is proved to arrive: see project().
+  std::optional<surface::SurfacePoint> project(const Point& x, CellId hint) const override;
+  double residual_bound(double rho) const override {
+    return relative_residual * rho * rho + error_;
+  }
+  surface::LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
+  surface::BoundingBall bounding_ball() const override { return body_; }
+  double max_length_scale() const override { return max_length_scale_; }
+  surface::Samples samples() const override;
+  std::size_t cell_count() const override { return 1; }
+  surface::PatchExtent extent(CellId, double) const override {
+    return {max_integral_, max_length_scale_};
+  }
+
+  const Function& function() const { return *f_; }
+  const Cover& cover() const { return cover_; }
+  double hessian_bound() const { return M_; }
+
+ private:
+  static constexpr double relative_residual = 1e-11;
+
+  void halve(const Point& p, const Point& q, double low, double high,
+             surface::LineCrossings& found) const;
+  surface::LineCrossing zero(const Point& p, const Point& q, double low, double high,
+                             bool is_outside_at_low) const;
+
+  std::shared_ptr<const Function> f_;
+  Cover cover_;
+  Levelling levelling_;
+  surface::BoundingBall room_, body_;
+  double M_;
+  double max_length_scale_;
+  double max_integral_ = 0;  ///< bound on that of rho^-2
+  double error_ = 0;         ///< four times the largest rounding of G that was met, Angstrom^2
+};
+
+/// The function of the seam, its topology's proof, and what they were made from.
+struct PreparedSurface {
+  ImplicitSurface surface;
+  CriticalHeights critical;
+};
+
+/// The part of space that a surface is searched in.
+struct SearchSpace {
+  Box cube;               ///< its half a power of two
+  bool is_fixed = false;  ///< else it is doubled until the surface lies in it with room
+};
+
+/// Covers the zero set, bounds the Hessian round it and finds the critical points of a height.
+/// Stages "cover", "second derivatives", "critical points".
+/// @param height  the direction asked for; without one the default, and others where that leaves a
+///                box undecided
+/// @throws SingularLevel
+/// @throws geometry::RefusedInput  where there is no zero, or the space holds it not with room
+PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchSpace& space,
+                                const std::optional<Vector>& height,
+                                const geometry::Run& run = geometry::Run());
+
+}  // namespace morskin::implicit

@@ -1,0 +1,39 @@
+#include "implicit/known_surfaces.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/error.h"
+
+namespace morskin::implicit {
+
+namespace {
+
+/// With all digits, in parentheses.
+std::string number(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "(%.17g)", x);
+  return text;
+}
+
+}  // namespace
+
+std::string sphere_formula(double radius) {
+  if (!(radius > 0 && std::isfinite(radius))) {
+    throw geometry::RefusedInput("a sphere's radius must be above 0");
+  }
+  return "x^2+y^2+z^2-" + number(radius * radius);
+}
+
+std::string torus_formula(double R, double r) {
+  if (!(r > 0 && R > r && std::isfinite(R))) {
+    throw geometry::RefusedInput("a torus R,r must have R > r > 0");
+  }
+  // With c = R^2 - r^2 (R s)^2 / A is R^2 less R^2 (z^2 + c) / A, where fewer variables stand
+  // twice, so that intervals are narrower.
+  const std::string c = number(R * R - r * r);
+  const std::string A = "(x^2+y^2+z^2+" + c + ")";
+  return A + "/2-" + number(2 * R * R) + "+" + number(2 * R * R) + "*(z^2+" + c + ")/" + A;
+}
+
+}  // namespace morskin::implicit

@@ -1,0 +1,218 @@
+#include "morskin/implicit_mesh.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+#include "certify/tube.h"
+#include "geometry/kd_tree.h"
+#include "geometry/orthogonal.h"
+#include "geometry/union_find.h"
+#include "morskin/pipeline_parts.h"
+
+namespace morskin {
+
+namespace {
+
+using geometry::Point;
+using geometry::Vector;
+using surface::CellId;
+
+constexpr CellId only_cell{0U};
+
+/// The critical point with its first-order data and, at a saddle, the directions of steepest
+/// descent and ascent: the surface's height over the tangent plane has the Hessian -H / (grad f .
+/// height).
+morse::CriticalPoint critical_point(const implicit::PreparedSurface& prepared,
+                                    const implicit::CriticalHeight& found,
+                                    const morse::MorseFunction& function) {
+  const implicit::ImplicitSurface& surface = prepared.surface;
+  morse::CriticalPoint result{surface.at(found.position, only_cell), found.index,
+                              function(found.position)};
+  if (found.index != 1) return result;
+  const auto bounds = surface.function().bounds({found.position, 0});
+  Eigen::Matrix3d H;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const std::size_t k =
+          implicit::symmetric_index[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      H(i, j) = bounds.hessian[k].middle();
+    }
+  }
+  const geometry::TangentFrame frame(result.point.normal);
+  Eigen::Matrix<double, 3, 2> tangents;
+  tangents << frame.first, frame.second;
+  const double up = result.point.normal.dot(function.direction) > 0 ? 1 : -1;
+  const Eigen::Matrix2d bend = -up * tangents.transpose() * H * tangents;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(bend);
+  result.descending = tangents * solver.eigenvectors().col(0);
+  result.ascending = tangents * solver.eigenvectors().col(1);
+  return result;
+}
+
+/// By vertex, the component of the mesh; no_component for one of no triangle.
+constexpr std::uint32_t no_component = 0xffffffff;
+std::vector<std::uint32_t> components_of(const geometry::IndexedMesh& mesh) {
+  geometry::UnionFind sets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  std::vector<std::uint32_t> of_root(mesh.positions.size(), no_component);
+  std::vector<std::uint32_t> result(mesh.positions.size(), no_component);
+  std::uint32_t count = 0;
+  for (const auto& triangle : mesh.triangles) {
+    std::uint32_t& component = of_root[sets.root(triangle[0])];
+    if (component == no_component) component = count++;
+    for (const std::uint32_t v : triangle) result[v] = component;
+  }
+  return result;
+}
+
+/// Whether a vertex flows to the component of the surface that a critical point lies on.
+///
+/// Two points p and q of the surface with |p - q| = l <= rho(p) / 2 lie on one component. For on
+/// the segment |G| <= l^2 / 4, and from each of its points a path along the normal at p, on which G
+/// has no smaller slope than 2 (rho - distance from p), leads to the surface within 0.14 l; where
+/// it ends depends continuously on where it begins.
+bool leads_to_component(const Point& vertex, const implicit::CriticalHeight& minimum,
+                        const surface::Surface& surface) {
+  constexpr double up = 1 + 1e-9;
+  const surface::Enclosure at_minimum = surface.enclose(minimum.position, only_cell);
+  const double rho = at_minimum.half_gradient.norm() - at_minimum.error - minimum.doubt;
+  const surface::Enclosure at_vertex = surface.enclose(vertex, only_cell);
+  const double path = certify::max_flow_path(at_vertex.half_gradient.norm() - at_vertex.error,
+                                             at_vertex.max_value());
+  const double distance = (vertex - minimum.position).norm() + minimum.doubt + path;
+  return up * distance < rho / 2;
+}
+
+/// What the critical points and the mesh tell together.
+surface::Topology expected_topology(const geometry::IndexedMesh& mesh,
+                                    const implicit::PreparedSurface& prepared) {
+  std::set<std::uint32_t> reached;
+  std::size_t missed = 0;
+  for (const auto& component : components_at_minima(mesh, prepared)) {
+    if (component) {
+      reached.insert(*component);
+    } else {
+      missed = 1;  // some are missing, nobody knows how many
+    }
+  }
+  surface::Topology result;
+  result.components = reached.size() + missed;
+  result.euler_characteristic = prepared.critical.euler_characteristic();
+  const long genus = static_cast<long>(result.components) - result.euler_characteristic / 2;
+  result.genus = static_cast<std::size_t>(std::max(0L, genus));
+  return result;
+}
+
+void require_usable_here(const MeshingOptions& options) {
+  require_sound(options);
+  const bool is_function_usable = !options.function || options.function->is_height();
+  if (!is_function_usable) {
+    throw geometry::RefusedInput("other surfaces than skins are swept along a height");
+  }
+  const bool is_sweep = options.method.value_or(Method::Sweep) == Method::Sweep &&
+                        !options.mesher && options.guard == front::Guard::Everywhere;
+  if (!is_sweep || options.grading || options.size_goal.is_set()) {
+    throw geometry::RefusedInput(
+        "other surfaces than skins have the sweep only, without grading, density or number of "
+        "triangles");
+  }
+}
+
+}  // namespace
+
+morse::Guide guide_of(const implicit::PreparedSurface& prepared, double radius_share) {
+  morse::Guide guide;
+  guide.is_simplified = false;
+  guide.function = morse::MorseFunction::height(prepared.critical.directions.height());
+  guide.found = prepared.critical.counts();
+  std::vector<Point> positions;
+  for (const implicit::CriticalHeight& found : prepared.critical.points) {
+    guide.points.push_back(critical_point(prepared, found, guide.function));
+    positions.push_back(found.position);
+  }
+  const geometry::KdTree<morse::CriticalId> tree(positions);
+  std::vector<double> radii;
+  std::vector<morse::ProtectingSpheres::Incidence> incidences;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double full = radius_share * guide.points[i].point.length_scale;
+    const auto other = tree.nearest(positions[i], 2.01 * full,
+                                    [&](morse::CriticalId j) { return j.index() != i; });
+    radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
+    incidences.emplace_back(only_cell, morse::CriticalId{i});
+  }
+  guide.spheres = {guide.points, std::move(radii), std::move(incidences), 1};
+  return guide;
+}
+
+std::vector<std::optional<std::uint32_t>> components_at_minima(
+    const geometry::IndexedMesh& mesh, const implicit::PreparedSurface& prepared) {
+  const std::vector<std::uint32_t> component = components_of(mesh);
+  std::vector<Point> positions;  // finite ones, or the tree is in no order
+  std::vector<std::uint32_t> vertex;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (component[v] == no_component || !mesh.positions[v].allFinite()) continue;
+    positions.push_back(mesh.positions[v]);
+    vertex.push_back(v);
+  }
+  const geometry::KdTree<geometry::VertexId> tree(positions);
+  std::vector<std::optional<std::uint32_t>> result;
+  for (const implicit::CriticalHeight& p : prepared.critical.points) {
+    if (p.index != 0) continue;
+    result.emplace_back();
+    const double rho = prepared.surface.length_scale(p.position, only_cell);
+    const auto nearest = tree.nearest(p.position, rho / 2, [](geometry::VertexId) { return true; });
+    if (!nearest) continue;
+    const std::uint32_t v = vertex[nearest->id.index()];
+    if (leads_to_component(mesh.positions[v], p, prepared.surface)) result.back() = component[v];
+  }
+  return result;
+}
+
+certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh,
+                                      const certify::Hints& hints,
+                                      const implicit::PreparedSurface& prepared,
+                                      const certify::Sizing& sizing, const Run& run) {
+  certify::Certificate result = certify::certify(mesh, hints, prepared.surface,
+                                                 expected_topology(mesh, prepared), sizing, run);
+  if (prepared.critical.is_complete()) return result;
+  const Point& at = prepared.critical.undecided.front();
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "whether the height has a critical point near (%.6g, %.6g, %.6g) could not be "
+                "decided; try another --height",
+                at.x(), at.y(), at.z());
+  result.fail(certify::Claim::Counts, text);
+  result.conclude(sizing);
+  return result;
+}
+
+MeshResult make_mesh(const implicit::PreparedSurface& prepared, const MeshingOptions& asked,
+                     Observer& observer, const Run& run) {
+  require_usable_here(asked);
+  MeshingOptions options = with_claimed_angle(asked);
+  options.method = Method::Sweep;
+  observer.sized(options.sizing);
+  const certify::Sizing laid = options.sizing.laid();
+  const double rho = prepared.surface.max_length_scale();
+  const morse::Guide guide =
+      guide_of(prepared, laid.tangent_disk_share() * (laid.scale(rho) / rho));
+  MethodResult made = sweep_along(prepared.surface, guide, options, nullptr, observer, run);
+  if (made.open_edges == 0 && options.goal_deg() > 0) {
+    raise_angles(prepared.surface, options, made, run);
+  }
+  Parcel parcel(std::move(made), options, run);
+  const Certifying certify = [&](const geometry::IndexedMesh& mesh, const certify::Hints& hints) {
+    return certify_implicit(mesh, hints, prepared, options.sizing, run);
+  };
+  deliver(parcel.result, parcel.twins, certify, observer, run);
+  return std::move(parcel.result);
+}
+
+}  // namespace morskin
