@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/complex_files.h"
+#include "app/features_options.h"
 #include "app/function_argument.h"
 #include "app/implied_command.h"
 #include "app/limits.h"
@@ -45,7 +46,8 @@ void finish(morskin::SizeGoal& goal, const Typed& typed) {
   if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {
     throw UsageError("--triangles must be at least 4");
   }
-  goal = {typed.density, typed.triangles};
+  goal.density = typed.density;
+  goal.triangles = typed.triangles;
 }
 
 void finish(Limits& limits, const Typed& typed) {
@@ -144,11 +146,11 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
   const TypedSkin& skin = typed.skin;
   const bool is_of_skins = skin.model || skin.probe || skin.radii || mesh.models || skin.voids ||
                            is_set(skin.selection) || typed.vertex_data || mesh.areas ||
-                           mesh.certificate;
+                           mesh.certificate || mesh.order == 2;
   if (is_of_skins) {
     throw UsageError(
-        "--surface goes without the options of molecules, --vertex-data, --areas, --certificate "
-        "and --trace-tasks");
+        "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "
+        "--certificate and --trace-tasks");
   }
   const bool is_sweep = mesh.method == MeshMethod::Auto || mesh.method == MeshMethod::Sweep;
   if (!is_sweep || mesh.guard != front::Guard::Everywhere || mesh.size_goal.is_set() ||
@@ -225,11 +227,19 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
     throw UsageError("--vertex-data goes into .ply, .vtu, .glb, .npz and .msh; none is written");
   }
+  if (mesh.order == 2 && std::ranges::none_of(mesh.outputs, takes_second_order)) {
+    throw UsageError("--order 2 is of .vtu and .msh files, and none is written");
+  }
   if (mesh.surface) check_surface(mesh, typed);
   if (mesh.decimals &&
       std::ranges::none_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
     throw UsageError("--decimals is of .vert and .face files, and none is written");
   }
+}
+
+void finish(FeaturesArguments& features, const Typed& typed) {
+  finish(features.mesh, typed);
+  finish_features(features);
 }
 
 void finish(const CheckArguments& check) {
@@ -244,26 +254,28 @@ void finish(const CheckArguments& check) {
 
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
+  if (app.got_subcommand("features")) set_feature_defaults(typed, all.features);
   if (typed.purpose) apply_preset(typed, all.mesh);
   auto& model_number = typed.skin.selection.model_number;
   if (model_number && app.got_subcommand("mesh")) {
     all.mesh.models = ModelSet::parsed(*model_number);
     if (all.mesh.models) model_number.reset();
   }
-  for (MoleculeArguments* molecule : {&all.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
-                                      &all.info.molecule, &all.against}) {
+  for (MoleculeArguments* molecule :
+       {&all.mesh.molecule, &all.features.mesh.molecule, &all.morse.molecule, &all.balls.molecule,
+        &all.info.molecule, &all.against}) {
     finish(*molecule, molecule->input, typed.skin);
   }
   finish(all.view.molecule, all.view.against.value_or(all.view.molecule.input), typed.skin);
   // A size of any kind may need triangles as coarse as can be.
   const bool has_size_goal = typed.density || typed.triangles;
   const double default_C = has_size_goal ? certify::Sizing::coarsest_C : certify::Sizing().C;
-  for (certify::Sizing* sizing :
-       {&all.mesh.sizing, &all.info.sizing, &all.check.sizing, &all.view.sizing}) {
+  for (certify::Sizing* sizing : {&all.mesh.sizing, &all.features.mesh.sizing, &all.info.sizing,
+                                  &all.check.sizing, &all.view.sizing}) {
     finish(*sizing, typed.skin, default_C);
   }
-  for (Limits* limits :
-       {&all.mesh.limits, &all.check.limits, &all.view.limits, &all.render.limits}) {
+  for (Limits* limits : {&all.mesh.limits, &all.features.mesh.limits, &all.check.limits,
+                         &all.view.limits, &all.render.limits}) {
     finish(*limits, typed);
   }
   const auto finished = [&](auto& arguments, const auto& as_typed) {
@@ -271,6 +283,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
     return arguments;
   };
   if (app.got_subcommand("mesh")) return finished(all.mesh, typed);
+  if (app.got_subcommand("features")) return finished(all.features, typed);
   if (app.got_subcommand("morse")) return finished(all.morse, typed);
   if (app.got_subcommand("view")) return finished(all.view, typed);
   if (app.got_subcommand("render")) return finished(all.render, typed.picture);

@@ -39,7 +39,8 @@ struct VertexData {
   std::vector<morskin::Datum> data;
   bool residues = false;  ///< and chains
   bool charges = false;
-  bool is_all = false;  ///< charges then only where there are any
+  bool is_all = false;    ///< charges then only where there are any
+  bool features = false;  ///< hydropathy, mass, the table of atoms and the Laplacian
 };
 
 /// What --for set, by option.
@@ -57,6 +58,7 @@ struct MeshArguments {
   /// MSMS's two files both are among them.
   std::vector<std::filesystem::path> outputs;
   VertexData vertex_data;
+  int order = 1;                               ///< of triangles in formats that have curved ones
   std::optional<int> decimals;                 ///< of MSMS's files
   std::optional<std::filesystem::path> areas;  ///< of atoms and residues, a CSV file
   certify::Sizing sizing;
@@ -69,6 +71,7 @@ struct MeshArguments {
   std::optional<std::filesystem::path> task_trace;
   bool json = false;
   bool quiet = false;
+  bool is_brief = false;  ///< a report of one line; what only a longer one tells is not computed
   ShowProgress progress = ShowProgress::Auto;
   MeshMethod method = MeshMethod::Auto;
   std::optional<double> grid_step;  ///< of marching cubes, Angstrom
@@ -83,6 +86,11 @@ struct MeshArguments {
   unsigned threads = 1;               ///< at most; the result is the same for any number
   Limits limits{.advice = "make a coarser mesh with a larger -C"};
   std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
+};
+
+/// A mesh with all that learning on surfaces takes: features_options.h fills it in.
+struct FeaturesArguments {
+  MeshArguments mesh;
 };
 
 /// The treatment of critical points whose protecting spheres overlap.
@@ -168,9 +176,9 @@ struct Finished {
   ExitCode code;
 };
 
-using Arguments =
-    std::variant<Finished, MeshArguments, MorseArguments, BallsArguments, InfoArguments,
-                 CheckArguments, ViewArguments, RenderArguments, FigureArguments, BatchArguments>;
+using Arguments = std::variant<Finished, MeshArguments, FeaturesArguments, MorseArguments,
+                               BallsArguments, InfoArguments, CheckArguments, ViewArguments,
+                               RenderArguments, FigureArguments, BatchArguments>;
 
 /// Prints help, the version or a complaint about the arguments.
 Arguments parse_arguments(int count, const char* const* words);

@@ -14,11 +14,17 @@
 namespace morskin::app {
 
 /// What is asked for of "residue" and "chain", each counted from 0 as they begin in the file, and
-/// "partial_charge", elementary charges, between atoms by their shares. An atom begins a residue
+/// "partial_charge", elementary charges, between atoms by their shares; of
+/// "hphob" the nearest atom's, by skin::kyte_doolittle. An atom begins a residue
 /// where its residue's name or number, or its chain, is not the one before's.
 /// @throws geometry::RefusedInput  charges are asked for by name and the file gives none
 std::vector<morskin::AtomProperty> atom_properties(const skin::Molecule& molecule,
                                                    const VertexData& asked);
+
+/// For surface learning: "atom_name", "atom_element", "atom_residue", "atom_residue_number" and
+/// "atom_chain", texts; "atom_position" (atoms x 3) and "atom_radius", Angstrom; "atom_hphob", 0
+/// where the residue is no amino acid; "atom_charge" where the file gives charges.
+std::vector<geometry::NamedArray> atom_arrays(const skin::Molecule& molecule);
 
 /// CSV: a row for each atom, then one for each residue, then the total. The columns are of, atom
 /// (from 1, the line of `balls`), line (of the molecule's file), chain, residue_number, residue,

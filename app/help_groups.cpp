@@ -28,10 +28,11 @@ const std::array<Group, 5>& groups() {
   return all;
 }
 
-constexpr std::array<std::string_view, 18> laboratory{
-    "--method",    "-Q",         "--function",     "--height",      "--grid",     "--grow",
-    "--fronts",    "--guard",    "--snapshots",    "--snapshot-at", "--decimals", "--areas",
-    "--fail-fast", "--progress", "--snapshot-dir", "--certificate", "--grading",  "--trace-tasks"};
+constexpr std::array<std::string_view, 19> laboratory{
+    "--method",      "-Q",        "--function",    "--height",    "--grid",
+    "--grow",        "--fronts",  "--guard",       "--snapshots", "--snapshot-at",
+    "--decimals",    "--areas",   "--fail-fast",   "--progress",  "--snapshot-dir",
+    "--certificate", "--grading", "--trace-tasks", "--order"};
 
 /// Each option with its default behind what it does.
 class Help : public CLI::Formatter {

@@ -21,6 +21,9 @@ struct Run {
   ExitCode operator()(const MeshArguments& arguments) const {
     return arguments.models ? mesh_models(arguments, run_apart) : mesh_command(arguments);
   }
+  ExitCode operator()(const FeaturesArguments& arguments) const {
+    return mesh_command(arguments.mesh);
+  }
   ExitCode operator()(const MorseArguments& arguments) const { return morse_command(arguments); }
   ExitCode operator()(const BallsArguments& arguments) const { return balls_command(arguments); }
   ExitCode operator()(const InfoArguments& arguments) const { return info_command(arguments); }
@@ -81,6 +84,7 @@ Limits limits_of(const Arguments& arguments) {
   return std::visit(
       []([[maybe_unused]] const auto& given) {
         if constexpr (requires { given.limits; }) return given.limits;
+        if constexpr (requires { given.mesh.limits; }) return given.mesh.limits;
         return Limits{};
       },
       arguments);

@@ -95,7 +95,12 @@ void describe_input(MeshReport& report, const MeshArguments& arguments,
   report.patch_radius_max = radii.largest;
 }
 
-bool prints_report(const MeshArguments& arguments) { return !arguments.quiet || arguments.json; }
+bool prints_report(const MeshArguments& arguments) {
+  return !arguments.is_brief && (!arguments.quiet || arguments.json);
+}
+bool makes_report(const MeshArguments& arguments) {
+  return prints_report(arguments) || arguments.report.has_value();
+}
 
 void describe_run(MeshReport& report, const MeshArguments& arguments,
                   const morskin::PreparedSkin& skin, const morskin::MeshResult& result,
@@ -105,17 +110,18 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   report.size_goal = arguments.size_goal;
   const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
   const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
-  if (is_size_asked)
+  if (is_size_asked && makes_report(arguments))
     report.bent = run.stage("describe", [&] { return bent_part(skin.surface, result); });
   if (arguments.grading) {
     report.grading = run.stage(
         "describe", [&] { return morskin::measure_grading(result.mesh, *arguments.grading); });
   }
-  if (prints_report(arguments) || arguments.report) {
+  if (makes_report(arguments)) {
     report.quality =
         run.stage("describe", [&] { return certify::measure_quality(result.mesh, run); });
     report.parts = run.stage("describe", [&] { return skin_parts(skin, result); });
   }
+  report.curved = delivery.curved();
   report.certified_file = delivery.certified_file();
   report.counts = result;
   report.fallbacks = result.fallbacks;
@@ -143,6 +149,9 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
               << ": not certified: " << report.certificate.reason << "; see "
               << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
   }
+  if (arguments.is_brief && !arguments.quiet) {
+    print_beside(arguments.outputs.front(), brief_text(report));
+  }
   if (!prints_report(arguments)) return;
   // A mesh, or the report as JSON, on standard output sends the report for people elsewhere.
   const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
@@ -160,7 +169,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   TimeLimit time_limit(arguments.limits, arguments.molecule.input);
   MeshReport report;
   const std::string doubts = doubts_about(arguments.sizing);
-  if (!doubts.empty() && !arguments.quiet) std::cerr << "morskin: note: " << doubts << "\n";
+  const bool is_talkative = !arguments.quiet && !arguments.is_brief;
+  if (!doubts.empty() && is_talkative) std::cerr << "morskin: note: " << doubts << "\n";
 
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
@@ -169,6 +179,8 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   describe_input(report, arguments, input);
   std::vector<morskin::AtomProperty> properties =
       atom_properties(input.molecule, arguments.vertex_data);
+  std::vector<geometry::NamedArray> arrays;
+  if (arguments.vertex_data.features) arrays = atom_arrays(input.molecule);
 
   std::vector<std::filesystem::path> names = arguments.outputs;
   if (arguments.report) names.push_back(*arguments.report);
@@ -193,7 +205,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
   MeshDelivery delivery(arguments, outputs, files, &skin.surface, std::move(origin),
-                        std::move(properties));
+                        std::move(properties), std::move(arrays));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
   const bool is_static = result.method == morskin::Method::Static;
@@ -214,7 +226,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
   report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
   report.peak_memory_bytes = peak_memory_bytes();
-  report.floor_seconds = morskin::floor_seconds(skin.surface, result);
+  if (makes_report(arguments)) report.floor_seconds = morskin::floor_seconds(skin.surface, result);
   if (report_file != nullptr) report_file->write(json_text(report));
   std::string certificate;
   if (arguments.certificate) {

@@ -1,10 +1,13 @@
 #include "app/mesh_delivery.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "app/output_names.h"
 #include "app/snapshots.h"
+#include "geometry/cotangent_laplacian.h"
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
 
@@ -22,12 +25,27 @@ bool keeps_coordinates(MeshFormat format, const MeshArguments& arguments) {
     case MeshFormat::PlyAscii:
     case MeshFormat::Off:
     case MeshFormat::Obj:
+    case MeshFormat::Vtu:
+    case MeshFormat::Msh:
       return true;
     case MeshFormat::MsmsVertices:
       return !arguments.decimals;
     default:
       return false;
   }
+}
+
+/// Adds the lumped mass of each vertex and, among arrays of their own, the Laplacian as SciPy's
+/// csr_array takes it.
+void add_operators(geometry::MeshAttributes& to, const IndexedMesh& mesh, bool has_arrays) {
+  to.vertices.push_back({"mass", {"mass"}, geometry::lumped_mass(mesh)});
+  if (!has_arrays) return;
+  geometry::SparseMatrix laplacian = geometry::cotangent_laplacian(mesh);
+  const auto size = static_cast<std::int64_t>(mesh.positions.size());
+  to.arrays.push_back({"laplacian_data", std::move(laplacian.values)});
+  to.arrays.push_back({"laplacian_indices", std::move(laplacian.columns)});
+  to.arrays.push_back({"laplacian_indptr", std::move(laplacian.offsets)});
+  to.arrays.push_back({"laplacian_shape", std::vector<std::int64_t>{size, size}});
 }
 
 }  // namespace
@@ -59,6 +77,8 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
   if (std::ranges::any_of(arguments_.outputs, takes_vertex_data)) {
     result = mesh_attributes(*skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
+  result.arrays = arrays_;
+  if (arguments_.vertex_data.features) add_operators(result, mesh, is_any(MeshFormat::Npz));
   if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
     result.normals = skin_normals(*skin_, mesh, cells);
   }
@@ -73,12 +93,65 @@ void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::Cell
                          bool is_certified) {
   geometry::timed(seconds_writing_, [&] {
     geometry::MeshAttributes beside = attributes(mesh, cells);
+    curve(mesh, cells);
     for (geometry::PendingFile& file : files_) {
       const MeshFormat format = format_of(file.path());
       beside.provenance = origin_.provenance(hashes(mesh, format), is_certified);
-      file.write(geometry::serialized(mesh, format, beside));
+      file.write(bytes(mesh, format, beside));
     }
   });
+}
+
+void MeshDelivery::curve(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) {
+  if (arguments_.order != 2) return;
+  curved_.reset();
+  try {
+    curved_ = second_order(*skin_, mesh, cells);
+  } catch (const geometry::RefusedInput& error) {
+    not_curved_ = error.what();
+  }
+}
+
+std::optional<CurvedSizes> MeshDelivery::curved() const {
+  if (arguments_.order != 2) return std::nullopt;
+  if (!curved_)
+    throw geometry::RefusedInput(arguments_.molecule.input.string() + ": " + not_curved_);
+  return CurvedSizes{curved_->mesh.nodes.size(), curved_->area, curved_->least_jacobian};
+}
+
+std::string MeshDelivery::bytes(const IndexedMesh& mesh, MeshFormat format,
+                                const geometry::MeshAttributes& beside) const {
+  // Without curved triangles the run is refused, and this file is never named.
+  if (!curved_ || !geometry::has_second_order(format)) {
+    return geometry::serialized(mesh, format, beside);
+  }
+  return geometry::serialized(curved_->mesh, format, curved_attributes(beside));
+}
+
+geometry::MeshAttributes MeshDelivery::curved_attributes(
+    const geometry::MeshAttributes& flat) const {
+  const std::vector<geometry::Point>& nodes = curved_->mesh.nodes;
+  const std::size_t vertices = nodes.size() - curved_->ends.size();
+  const auto first = static_cast<std::ptrdiff_t>(vertices);
+  const IndexedMesh in_edges{{nodes.begin() + first, nodes.end()}, {}};
+  const std::span<const geometry::CellId> cells(curved_->cells);
+  const geometry::MeshAttributes added = mesh_attributes(*skin_, in_edges, cells.subspan(vertices),
+                                                         arguments_.vertex_data.data, properties_);
+  geometry::MeshAttributes result = flat;
+  for (std::size_t i = 0; i < result.vertices.size(); ++i) {
+    geometry::Attribute& attribute = result.vertices[i];
+    if (attribute.name != name_of(Datum::Component)) {
+      const std::vector<double>& numbers = added.vertices[i].numbers;
+      attribute.numbers.insert(attribute.numbers.end(), numbers.begin(), numbers.end());
+      continue;
+    }
+    for (const std::uint32_t end : curved_->ends) {  // connectivity decides, not the place
+      for (std::size_t k = 0; k < attribute.columns.size(); ++k) {
+        attribute.numbers.push_back(attribute.numbers[end * attribute.columns.size() + k]);
+      }
+    }
+  }
+  return result;
 }
 
 bool MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
@@ -92,7 +165,7 @@ std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
   const MeshFormat format = format_of(path);
   geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
   beside.provenance = origin_.provenance(hashes(result.mesh, format), true);
-  return geometry::serialized(result.mesh, format, beside);
+  return bytes(result.mesh, format, beside);
 }
 
 geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/arguments.h"
 #include "app/mesh_origin.h"
@@ -12,25 +13,35 @@
 #include "geometry/files/mesh_files.h"
 #include "morskin/observer.h"
 #include "morskin/pipeline.h"
+#include "morskin/second_order.h"
 
 namespace morskin::app {
+
+/// What a report tells of curved triangles.
+struct CurvedSizes {
+  std::size_t nodes;      ///< vertices and nodes in edges
+  double area;            ///< Angstrom^2
+  double least_jacobian;  ///< over the flat triangles'
+};
 
 /// Writes a mesh to its files, so that what is certified is what they hold; on the way it takes the
 /// snapshots that were asked for.
 class MeshDelivery : public morskin::Observer {
  public:
   /// @param arguments, outputs, files, skin  must outlive this; the files are those of the mesh
-  /// @param skin        nothing for another surface, of which files tell nothing beside the mesh
-  /// @param properties  of atoms, to be told as well
+  /// @param skin  nothing for another surface, of which files tell nothing beside the mesh
+  /// @param properties, arrays  of atoms, to be told as well
   MeshDelivery(const MeshArguments& arguments, StagedOutputs& outputs,
                std::span<geometry::PendingFile> files, const skin::SkinSurface* skin,
-               MeshOrigin origin, std::vector<morskin::AtomProperty> properties)
+               MeshOrigin origin, std::vector<morskin::AtomProperty> properties,
+               std::vector<geometry::NamedArray> arrays)
       : arguments_(arguments),
         outputs_(outputs),
         files_(files),
         skin_(skin),
         origin_(std::move(origin)),
-        properties_(std::move(properties)) {}
+        properties_(std::move(properties)),
+        arrays_(std::move(arrays)) {}
 
   void sized(const certify::Sizing& sizing) override { origin_.set_sizing(sizing); }
   void guided(const morse::Guide& guide) override;
@@ -53,6 +64,9 @@ class MeshDelivery : public morskin::Observer {
   /// What was read back.
   const std::string& certified_file() const { return certified_file_; }
   double seconds_writing() const { return seconds_writing_; }
+  /// What the last mesh is with curved triangles; nothing unless they were asked for.
+  /// @throws geometry::RefusedInput  there are none, with the reason
+  std::optional<CurvedSizes> curved() const;
 
  private:
   void write(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells,
@@ -60,6 +74,12 @@ class MeshDelivery : public morskin::Observer {
   /// What is told beside the mesh, as far as one of the outputs takes it; without provenance.
   geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
                                       std::span<const geometry::CellId> cells) const;
+  /// Makes the curved triangles if they are asked for, or says why not.
+  void curve(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells);
+  /// What is told of the nodes of the curved triangles, by what is told of the vertices.
+  geometry::MeshAttributes curved_attributes(const geometry::MeshAttributes& flat) const;
+  std::string bytes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format,
+                    const geometry::MeshAttributes& beside) const;
   /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
   const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
   void read_back(Delivery& delivery);
@@ -72,6 +92,9 @@ class MeshDelivery : public morskin::Observer {
   MeshOrigin origin_;
   std::map<geometry::MeshFormat, MeshHashes> hashes_;
   const std::vector<morskin::AtomProperty> properties_;
+  const std::vector<geometry::NamedArray> arrays_;
+  std::optional<morskin::SecondOrder> curved_;
+  std::string not_curved_;  ///< why there are none
   std::optional<front::Snapshots> snapshots_;
   std::size_t snapshots_written_ = 0;
   std::string certified_file_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/features_options.h"
 #include "app/help_groups.h"
 #include "app/help_text.h"
 #include "app/presets.h"
@@ -26,6 +27,13 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->required()
       ->allow_extra_args(false);
   add_meshing_options(command, mesh, typed);
+  command
+      .add_option("--order", mesh.order,
+                  "2: curved triangles into .vtu and .msh\n"
+                  "with a node on the skin in the middle of each edge; the certificate is of the\n"
+                  "corners' mesh")
+      ->check(CLI::Range(1, 2))
+      ->default_str("1");
   command
       .add_option("--areas", mesh.areas,
                   "Also write the areas of atoms and residues to this file, as CSV")
@@ -123,7 +131,8 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
       "check", "Check a mesh file: alone, or against the molecule whose skin it should be");
   command
       .add_option("MESH", check.mesh,
-                  "PLY, OFF, OBJ, STL or MSMS (.vert or .face), of any tool, each also gzipped")
+                  "PLY, OFF, OBJ, STL, VTU, MSH or MSMS (.vert or .face), of any tool, each\n"
+                  "also gzipped; of curved triangles the corners")
       ->required();
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"
@@ -149,7 +158,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
   command
       .add_option("INPUT", view.molecule.input,
                   "The molecule, which is meshed first; or a mesh: PLY, OFF, OBJ,\n"
-                  "STL or MSMS, by its ending")
+                  "STL, VTU, MSH or MSMS, by its ending")
       ->required();
   command.add_option("-o,--output", view.output, "The page, .html; one file that needs no network")
       ->required();
@@ -193,6 +202,7 @@ void add_commands(CLI::App& app, AllArguments& all, Typed& typed) {
                                         std::string(commit) + "\ncompiler " +
                                         std::string(compiler));
   add_mesh(app, all.mesh, typed);
+  add_features(app, all.features, typed);
   add_morse(app, all.morse, typed);
   add_balls(app, all.balls, typed);
   add_info(app, all.info, typed);

@@ -42,6 +42,7 @@ struct TypedBatch {
 /// The options of all commands.
 struct AllArguments {
   MeshArguments mesh;
+  FeaturesArguments features;
   MorseArguments morse;
   BallsArguments balls;
   InfoArguments info;

@@ -109,6 +109,10 @@ bool takes_vertex_data(const std::filesystem::path& path) {
   return std::ranges::find(formats, format_of(path)) != formats.end();
 }
 
+bool takes_second_order(const std::filesystem::path& path) {
+  return geometry::has_second_order(format_of(path));
+}
+
 bool is_msms(MeshFormat format) {
   return format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
 }
@@ -132,8 +136,8 @@ void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
 bool names_a_mesh(const std::filesystem::path& path) {
   std::string ending = lower_extension(path);
   if (ending == ".gz") ending = lower_extension(path.stem());
-  constexpr std::array<std::string_view, 6> endings{".ply", ".off",  ".obj",
-                                                    ".stl", ".vert", ".face"};
+  constexpr std::array<std::string_view, 8> endings{".ply", ".off", ".obj",  ".vtu",
+                                                    ".msh", ".stl", ".vert", ".face"};
   return std::ranges::find(endings, ending) != endings.end();
 }
 

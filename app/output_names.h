@@ -36,6 +36,9 @@ geometry::MeshFormat format_of(const std::filesystem::path& path);
 /// Whether that format can hold what --vertex-data asks for.
 bool takes_vertex_data(const std::filesystem::path& path);
 
+/// Whether that format has curved triangles.
+bool takes_second_order(const std::filesystem::path& path);
+
 /// Whether it is one of MSMS's two files.
 bool is_msms(geometry::MeshFormat format);
 bool is_msms(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/mesh_delivery.h"
 #include "app/molecule_input.h"
 #include "app/report_lines.h"
 #include "app/skin_parts.h"
@@ -58,6 +59,7 @@ struct MeshReport {
   morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
+  std::optional<CurvedSizes> curved;              ///< where triangles are curved
   double angle_goal_deg = 0;
   std::vector<morskin::Fallback> fallbacks;
   RunSeconds seconds;
@@ -69,6 +71,8 @@ struct MeshReport {
 std::string json_text(const MeshReport& report);
 /// A dozen aligned lines.
 std::string people_text(const MeshReport& report);
+/// One line.
+std::string brief_text(const MeshReport& report);
 
 /// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
 /// theory.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/report.h"
@@ -17,7 +18,8 @@ std::string missed_size(const MeshReport& report) {
   const auto is_missed = [&](double is, double wanted) {
     return !(std::abs(is - wanted) <= tenth * wanted);
   };
-  const auto& [density, count] = report.size_goal;
+  const std::optional<double>& density = report.size_goal.density;
+  const std::optional<double>& count = report.size_goal.triangles;
   const certify::Certificate& made = report.certificate;
   std::string wanted;
   if (density && is_missed(static_cast<double>(made.vertices) / made.area, *density)) {
@@ -57,6 +59,11 @@ void add_sizes(nlohmann::ordered_json& json, const MeshReport& report) {
                     {"triangles", std::round(report.bent->triangles)},
                     {"forced_triangles", std::round(report.bent->forced_triangles)}};
   }
+  if (report.curved) {
+    json["second_order"] = {{"nodes", report.curved->nodes},
+                            {"area", rounded(report.curved->area, 12)},
+                            {"least_jacobian", rounded(report.curved->least_jacobian)}};
+  }
   if (report.grading) {
     json["grading"] = {{"allowed", rounded(report.grading->allowed)},
                        {"median", rounded(report.grading->median)},
@@ -72,7 +79,21 @@ std::string sizes_text(const MeshReport& report) {
   }
   if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
   if (report.grading) text += grading_text(*report.grading);
+  if (report.curved) {
+    text += line("curved", grouped(report.curved->nodes) + " nodes, area " +
+                               brief(report.curved->area, 6) + " A^2, Jacobians at least " +
+                               brief(report.curved->least_jacobian) + " of the flat triangles'");
+  }
   return text;
+}
+
+std::string brief_text(const MeshReport& report) {
+  const certify::Certificate& made = report.certificate;
+  const double density = static_cast<double>(made.vertices) / made.area;
+  const std::string name = report.outputs.empty() ? "no file" : report.outputs.front().string();
+  return name + ": " + grouped(made.vertices) + " vertices, " + grouped(made.triangles) +
+         " triangles, " + brief(density, 3) + " vertices per A^2, " +
+         (made.certified ? "certified" : "not certified") + "\n";
 }
 
 }  // namespace morskin::app

@@ -64,7 +64,7 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   report.surface = *arguments.surface;
   report.facts = SurfaceFacts::of(prepared);
   report.prepare_seconds = total.seconds();
-  MeshDelivery delivery(arguments, outputs, files, nullptr, MeshOrigin(arguments, input.sha256),
+  MeshDelivery delivery(arguments, outputs, files, nullptr, MeshOrigin(arguments, input.sha256), {},
                         {});
   const geometry::Stopwatch meshing;
   const morskin::MeshResult result =

@@ -1,7 +1,7 @@
 #pragma once
 
 /// A second-order triangle, curved through nodes in the middle of its edges: whether it is regular
-/// everywhere, proved, and its area.
+/// everywhere, proved, and its area. papers/second-order.md derives the bound.
 
 #include <array>
 #include <optional>

@@ -41,7 +41,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/morskin.pc
 
 # What is read, and the examples with their molecules (examples/molecules is a link).
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY examples/cpp examples/python examples/shell
+install(DIRECTORY examples/cpp examples/learning examples/python examples/shell
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
 install(FILES examples/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

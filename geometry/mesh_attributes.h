@@ -3,9 +3,11 @@
 /// Numbers beside a mesh: what a file can hold of its vertices and triangles besides where they
 /// are.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "geometry/point.h"
@@ -21,6 +23,15 @@ struct Attribute {
   bool is_whole = false;             ///< whole numbers of at most 32 bits
 };
 
+/// An array beside the mesh: of its atoms, say, or a part of a sparse matrix.
+struct NamedArray {
+  std::string name;
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>,
+               std::vector<std::string>>
+      values;               ///< texts in ASCII
+  std::size_t columns = 1;  ///< values of each row, side by side; 1 for an array of one dimension
+};
+
 /// What MSMS's two files hold besides the mesh and its normals.
 struct MsmsColumns {
   std::optional<int> decimals;  ///< of lengths and normals, in columns; absent: all that there are
@@ -32,8 +43,9 @@ struct MsmsColumns {
 
 struct MeshAttributes {
   std::vector<Attribute> vertices, triangles;
-  std::vector<Vector> normals;  ///< by vertex, for formats with a place of their own for them
-  MsmsColumns msms;             ///< empty unless such a file is to be written
+  std::vector<Vector> normals;     ///< by vertex, for formats with a place of their own for them
+  std::vector<NamedArray> arrays;  ///< for formats that are made of arrays
+  MsmsColumns msms;                ///< empty unless such a file is to be written
   Provenance provenance;
 };
 

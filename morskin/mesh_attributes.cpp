@@ -136,7 +136,8 @@ void add_shares(MeshAttributes& to, const SkinVertices& vertices) {
 
 void add_property(MeshAttributes& to, const SkinVertices& vertices, const AtomProperty& property) {
   const std::vector<double>& of_atom = property.of_atom;
-  add_by_vertex(to, vertices.size(), property.name, {property.name}, !property.is_interpolated,
+  const bool is_whole = !property.is_interpolated && !property.is_real;
+  add_by_vertex(to, vertices.size(), property.name, {property.name}, is_whole,
                 [&](std::size_t v, auto& numbers) {
                   if (!property.is_interpolated) {
                     numbers.push_back(of_atom[vertices.nearest_atom(v).index()]);

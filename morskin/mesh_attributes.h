@@ -42,6 +42,7 @@ struct AtomProperty {
   std::vector<double> of_atom;
   /// Between atoms by their shares (skin/atom_shares.h), or else the nearest atom's.
   bool is_interpolated = false;
+  bool is_real = false;  ///< its values are no whole numbers; those of an interpolation never are
 };
 
 /// @param cells  by vertex, the mixed cell that it lies in

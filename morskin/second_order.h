@@ -1,7 +1,7 @@
 #pragma once
 
 /// A certified mesh with curved triangles: its vertices stay, and each edge gets a node in its
-/// middle, on the skin.
+/// middle, on the skin. papers/second-order.md.
 
 #include <cstdint>
 #include <span>

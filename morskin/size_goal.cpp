@@ -19,6 +19,21 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double near_enough = 0.03;
 constexpr int max_trials = 5;
 
+/// The limit with which a mesh has so many vertices; infinite if it always has more.
+/// @param vertices_with  with a limit up to max_scale, beyond which it does not count; falling
+template <class Vertices>
+double limit_of(double vertices, double max_scale, const Vertices& vertices_with) {
+  if (vertices_with(max_scale) >= vertices) return infinity;
+  double low = max_scale, high = max_scale;
+  while (vertices_with(low) < vertices) low /= 2;
+  constexpr double rounding = 1e-4;
+  while (high > (1 + rounding) * low) {
+    const double middle = std::sqrt(low * high);
+    (vertices_with(middle) > vertices ? low : high) = middle;
+  }
+  return high;
+}
+
 /// What a trial tells of meshes of other sizes.
 class Trial {
  public:
@@ -45,15 +60,7 @@ class Trial {
   double area() const { return area_; }
   /// The limit with which a mesh has so many vertices; infinite if it always has more.
   double limit_for(double vertices) const {
-    if (factor_ * demand(max_scale_) >= vertices) return infinity;
-    double low = max_scale_, high = max_scale_;
-    while (factor_ * demand(low) < vertices) low /= 2;
-    constexpr double rounding = 1e-4;
-    while (high > (1 + rounding) * low) {
-      const double middle = std::sqrt(low * high);
-      (factor_ * demand(middle) > vertices ? low : high) = middle;
-    }
-    return high;
+    return limit_of(vertices, max_scale_, [&](double limit) { return factor_ * demand(limit); });
   }
 
  private:
@@ -75,11 +82,44 @@ double wanted_vertices(const SizeGoal& goal, double area) {
   return goal.density ? *goal.density * area : *goal.triangles / 2;
 }
 
+/// The limit of a mesh of the static method that has what the goal asks for, by points that stand
+/// for the skin; infinite if it always has more.
+double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& sizing,
+                       const SizeGoal& goal) {
+  // Over the largest circumradius of [U], that of equilateral triangles as many as are made;
+  // bench/features.py measures what comes of it.
+  constexpr double usual_share = 0.75;
+  const double radius = usual_share * sizing.C * sizing.Q;  // over the length scale
+  const double vertices_per_demand = 2 / (3 * std::sqrt(3.0) * radius * radius);
+  const surface::Samples samples = skin.samples();
+  double area = 0, max_scale = 0;
+  for (const surface::SurfacePoint& p : samples.points) {
+    area += samples.each * p.length_scale * p.length_scale;
+    max_scale = std::max(max_scale, p.length_scale);
+  }
+  const auto vertices = [&](double limit) {
+    double demand = 0;
+    for (const surface::SurfacePoint& p : samples.points) {
+      const double ratio = std::max(1.0, p.length_scale / limit);
+      demand += samples.each * ratio * ratio;
+    }
+    return vertices_per_demand * demand;
+  };
+  if (samples.points.empty()) return infinity;
+  return limit_of(wanted_vertices(goal, area), max_scale, vertices);
+}
+
 }  // namespace
 
 void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geometry::Run& run) {
   certify::Sizing& sizing = options.sizing;
   sizing.largest_length_scale = infinity;
+  if (options.size_goal.is_estimated && method_of(skin, options) == Method::Static) {
+    options.method = Method::Static;  // the estimate is of this one, also where edges are short
+    const double limit = estimated_limit(skin.surface, sizing, options.size_goal);
+    sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
+    return;
+  }
   for (int k = 0; k < max_trials; ++k) {
     MeshingOptions unsmoothed = options;
     unsmoothed.angle_goal_deg = 0;

@@ -18,6 +18,7 @@ struct MeshingOptions;
 struct SizeGoal {
   std::optional<double> density;    ///< vertices per square Angstrom
   std::optional<double> triangles;  ///< in all
+  bool is_estimated = false;        ///< without trial meshes where the method is static
 
   bool is_set() const { return density || triangles; }
 };

@@ -33,6 +33,21 @@ class Rows(Batch):
                          [triangles[0], triangles[2], triangles[4]])
         self.assertEqual(summary["triangles"]["sum"], sum(triangles))
 
+    def test_with_features_it_makes_what_features_makes_with_the_same_options(self):
+        names = self.chains(3)
+        options = ("--density", "3", "--model", "vdw", "--max-memory", "2G", "--timeout", "100")
+        summary = self.batch("in", "-o", "out", "--features", *options)
+        self.assertEqual(summary["statuses"], {"ok": 3})
+        made, rows = self.made(), self.rows()
+        for name in names:
+            self.run_morskin("features", f"in/{name}", "-o", "one.npz", "-q", *options)
+            self.assertEqual(made[f"{name}.npz"], (self.folder / "one.npz").read_bytes())
+            self.assertGreater(rows[name]["triangles"], 100)
+        self.assertEqual(self.batch("in", "-o", "out", "--features", *options)["made"], 0)
+        for option in (["--vertex-data", "all"], ["--decimals", "3"]):
+            self.assertIn(option[0], self.batch("in", "-o", "x", "--features", *option, code=2))
+        self.assertFalse((self.folder / "x").exists())
+
     def test_each_end_of_a_worker_is_a_status_with_its_reason(self):
         self.input("good.xyzr", chain(1))
         self.input("torn.pdb", "ATOM  nonsense\n")
@@ -65,7 +80,8 @@ class Rows(Batch):
     def test_limits_are_of_each_molecule(self):
         self.chains(2)
         for word, value in (("--timeout", "1e-6"), ("--max-memory", "1K")):
-            self.batch("in", "-o", word, word, value, *COARSE)
+            # A few hundred triangles would fit into what reading the options has given back.
+            self.batch("in", "-o", word, word, value, "-C", "0.1")
             for row in self.rows(word).values():
                 self.assertEqual((row["status"], row["outputs"]), ("limit", []))
                 self.assertIn(word, row["reason"])

@@ -45,7 +45,7 @@ class WithoutACommand(CommandTest):
         for words in (["mehs", self.ring], ["mehs", self.ring, "-o", "ring.ply"]):
             complaint = self.run_morskin(*words, code=2).stderr.decode()
             self.assertIn("'mehs' is neither a command nor a file", complaint)
-            self.assertIn("mesh, morse, balls, info, check", complaint)
+            self.assertIn("mesh, features, morse, balls, info, check", complaint)
         self.assertEqual(self.names(), [])
 
 
@@ -143,7 +143,7 @@ class Mesh(CommandTest):
     def test_every_format_is_written_and_the_first_exact_one_is_certified(self):
         names = ["m.stl", "m.vtu", "m.obj", "m.off", "m.ply"]
         report = self.mesh_json(self.ring, *(w for n in names for w in ("-o", n)))
-        self.assertEqual(report["certified_file"], "m.obj")
+        self.assertEqual(report["certified_file"], "m.vtu")
         self.assertEqual(report["outputs"], names)
         self.assertEqual(self.names(), sorted(names))
 

@@ -189,7 +189,8 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("garbage", "a.stl", "no STL file");
   check_refused("garbage", "a.txt", "recognised");
   check_refused("", "a.ply", "is empty");
-  check_refused("<VTKFile/>", "a.vtu", "only written");
+  check_refused("<VTKFile/>", "a.vtu", "a.vtu: is no unstructured grid");
+  check_refused("PK", "a.npz", "only written");
 }
 
 TEST_CASE("a bad PLY mesh is turned down with a reason") {

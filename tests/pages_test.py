@@ -137,7 +137,8 @@ def check_span(checks, sources, where, span, file):
     elif span.startswith("-"):
         options = "".join((ROOT / "app" / name).read_text(encoding="utf-8")
                           for name in ("options.cpp", "shared_options.cpp",
-                                       "selection_arguments.cpp", "batch/options.cpp"))
+                                       "features_options.cpp", "selection_arguments.cpp",
+                                       "batch/options.cpp"))
         checks.expect(f"{span.split()[0]}" in options, where, f"no such option: {span}")
     elif FILE.fullmatch(span):
         exists = (ROOT / span).exists()

@@ -69,6 +69,30 @@ class Readers(CommandTest):
         data = numpy.array(gmsh.view.getModelData(views["normal"], 0)[2])
         numpy.testing.assert_array_equal(data, self.exact["normals"])
 
+    def test_vtk_and_gmsh_open_curved_triangles_and_find_the_same_area(self):
+        report = self.mesh_json(MOLECULES / "benzene.pdb", "-C", "0.35", "--order", "2", "-o",
+                                "c.vtu", "-o", "c.msh", "-o", "c.npz")
+        grid = self.read_by(vtk.vtkXMLUnstructuredGridReader(), "c.vtu")
+        self.assertEqual(grid.GetCell(0).GetCellType(), vtk.VTK_QUADRATIC_TRIANGLE)
+        self.assertEqual(grid.GetNumberOfPoints(), report["second_order"]["nodes"])
+        tessellation = vtk.vtkDataSetSurfaceFilter()
+        tessellation.SetInputData(grid)
+        tessellation.SetNonlinearSubdivisionLevel(3)
+        area = vtk.vtkMassProperties()
+        area.SetInputConnection(tessellation.GetOutputPort())
+        self.assertLess(abs(area.GetSurfaceArea() / report["second_order"]["area"] - 1), 1e-3)
+        gmsh.open(str(self.folder / "c.msh"))
+        kinds, tags, nodes = gmsh.model.mesh.getElements(2)
+        self.assertEqual(list(kinds), [9])  # triangles of six nodes
+        with numpy.load(self.folder / "c.npz") as archive:
+            numpy.testing.assert_array_equal(nodes[0].reshape(-1, 6)[:, :3], archive["faces"] + 1)
+        _, weights = gmsh.model.mesh.getIntegrationPoints(9, "Gauss6")
+        _, determinants, _ = gmsh.model.mesh.getJacobians(
+            9, gmsh.model.mesh.getIntegrationPoints(9, "Gauss6")[0])
+        whole = (determinants.reshape(len(tags[0]), -1) * weights).sum()
+        self.assertLess(abs(whole / report["second_order"]["area"] - 1), 1e-4)
+        self.assertGreater(determinants.min(), 0)
+
     def test_gmsh_opens_stl(self):
         gmsh.open(str(self.folder / "m.stl"))
         _, elements, _ = gmsh.model.mesh.getElements(2)

@@ -15,9 +15,11 @@ import balls  # noqa: E402
 import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
+import features  # noqa: E402
 import molecule  # noqa: E402
 import replay  # noqa: E402
 import results  # noqa: E402
+import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
 import tetrahedra  # noqa: E402
@@ -125,6 +127,23 @@ def wrong_replay(rows):
             yield f"{r['molecule']} on {r['workers']}: {r['verdict']}"
 
 
+def wrong_second_order(rows):
+    if [(r["molecule"], float(r["C"])) for r in rows] != [
+            (m, C) for m in second_order.MOLECULES for C in second_order.SIZES]:
+        yield "not the runs of bench/second_order.py"
+    for r in rows:
+        if r["verdict"] != "certified" and (r["verdict"] != "refused" or float(r["C"]) < 0.4):
+            yield f"{r['molecule']} with {r['C']}: {r['verdict']}"
+
+
+def wrong_features(rows):
+    if [r["molecule"] for r in rows] != features.MOLECULES:
+        yield "not the runs of bench/features.py"
+    for r in rows:
+        if r["verdict"] != "certified" or abs(float(r["density"]) / features.GOAL - 1) > 0.1:
+            yield f"{r['molecule']}: {r['verdict']}, {r['density']} vertices per square Angstrom"
+
+
 def wrong_replacement():
     """A stale number is found, and put right without touching anything else."""
     head = "| a | b |\n|---|---|\n"
@@ -142,7 +161,8 @@ def wrong_replacement():
 
 FILES = [("ablation", wrong_ablation), ("densities", wrong_densities), ("ses-like", wrong_offsets),
          ("subdomains", wrong_subdomains), ("counts", wrong_counts), ("batch", wrong_batch),
-         ("replay", wrong_replay),
+         ("replay", wrong_replay), ("second-order", wrong_second_order),
+         ("features", wrong_features),
          *((f"solvers-{script.__name__}", partial(wrong_solvers, script))
            for script in (balls, molecule, tetrahedra))]
 

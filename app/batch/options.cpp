@@ -7,6 +7,7 @@
 #include <string_view>
 #include <thread>
 
+#include "app/features_options.h"
 #include "app/output_names.h"
 #include "app/shared_options.h"
 
@@ -90,6 +91,11 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
   if (typed.shard) batch.shard = parsed_shard(*typed.shard);
   if (batch.folder.empty()) throw UsageError("an output's name is empty");
   if (batch.features && command.count("--format") == 0) batch.endings = {"npz"};
+  for (const char* name : features_lack) {
+    if (batch.features && command.count(name) > 0) {
+      throw UsageError(std::string(name) + " is of mesh; features sets what it writes");
+    }
+  }
   constexpr std::array<std::string_view, 11> own{"--help", "LIST",       "--output",  "--format",
                                                  "--only", "--features", "--shard",   "--workers",
                                                  "--json", "--quiet",    "--progress"};

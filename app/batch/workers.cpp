@@ -118,7 +118,7 @@ std::vector<std::string> worker_words(const BatchArguments& arguments, const pat
   for (const std::string& ending : arguments.endings) {
     words.push_back("--output=" + (folder / (input.filename().string() + "." + ending)).string());
   }
-  if (!arguments.features) words.push_back("--report=" + (folder / report_name).string());
+  words.push_back("--report=" + (folder / report_name).string());
   words.insert(words.end(), arguments.options.begin(), arguments.options.end());
   words.insert(words.end(), arguments.limit_options.begin(), arguments.limit_options.end());
   return words;

@@ -86,6 +86,8 @@ std::string_view first_line(std::string_view bytes) {
 std::optional<MeshFormat> format_by_content(std::string_view bytes) {
   if (bytes.starts_with("ply")) return MeshFormat::PlyBinary;
   if (mesh_formats::looks_like_binary_stl(bytes)) return MeshFormat::Stl;
+  if (bytes.starts_with("<?xml") || bytes.starts_with("<VTKFile")) return MeshFormat::Vtu;
+  if (bytes.starts_with("$MeshFormat")) return MeshFormat::Msh;
   std::string_view line = first_line(bytes);
   const std::string_view word = take_field(line);
   if (word.ends_with("OFF")) return MeshFormat::Off;
@@ -102,35 +104,6 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
     if (ending == known) return format;
   }
   return std::nullopt;
-}
-
-std::string serialized(const IndexedMesh& mesh, MeshFormat format,
-                       const MeshAttributes& attributes) {
-  switch (format) {
-    case MeshFormat::PlyBinary:
-      return mesh_formats::ply_binary(mesh, attributes);
-    case MeshFormat::PlyAscii:
-      return mesh_formats::ply_ascii(mesh, attributes);
-    case MeshFormat::Off:
-      return mesh_formats::off(mesh, attributes.provenance);
-    case MeshFormat::Obj:
-      return mesh_formats::obj(mesh, attributes.provenance);
-    case MeshFormat::Stl:
-      return mesh_formats::stl(mesh, attributes.provenance);
-    case MeshFormat::Vtu:
-      return mesh_formats::vtu(mesh, attributes);
-    case MeshFormat::Glb:
-      return mesh_formats::glb(mesh, attributes);
-    case MeshFormat::Npz:
-      return mesh_formats::npz(mesh, attributes);
-    case MeshFormat::Msh:
-      return mesh_formats::msh(mesh, attributes);
-    case MeshFormat::MsmsVertices:
-      return mesh_formats::msms_vertices(mesh, attributes);
-    case MeshFormat::MsmsFaces:
-      return mesh_formats::msms_faces(mesh, attributes);
-  }
-  return {};
 }
 
 IndexedMesh with_decimals(IndexedMesh mesh, int decimals) {
@@ -216,8 +189,10 @@ MeshFormat readable_format(std::string_view bytes, const std::string& source) {
   std::optional<MeshFormat> format = format_by_content(bytes);
   if (!format) format = mesh_format_of(unpacked_name(source));
   if (!format) {
-    throw UnreadableInput(source +
-                          ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL or MSMS");
+    throw UnreadableInput(
+        source +
+        ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL, VTU, MSH or "
+        "MSMS");
   }
   return *format;
 }
@@ -240,13 +215,15 @@ IndexedMesh parse_format(MeshFormat format, std::string_view bytes, const std::s
     case MeshFormat::Stl:
       return mesh_formats::parse_stl(bytes, source);
     case MeshFormat::Vtu:
+      return mesh_formats::parse_vtu(bytes, source);
+    case MeshFormat::Msh:
+      return mesh_formats::parse_msh(bytes, source);
     case MeshFormat::Glb:
     case MeshFormat::Npz:
-    case MeshFormat::Msh:
       break;
   }
-  throw UnreadableInput(source + ": VTU, GLB, NPZ and MSH files are only written; use the PLY, " +
-                        "OFF or OBJ file");
+  throw UnreadableInput(source +
+                        ": GLB and NPZ files are only written; use the PLY, OFF or OBJ file");
 }
 
 Provenance provenance_of(MeshFormat format, std::string_view bytes) {
@@ -257,6 +234,10 @@ Provenance provenance_of(MeshFormat format, std::string_view bytes) {
       return mesh_formats::obj_provenance(bytes);
     case MeshFormat::Stl:
       return mesh_formats::stl_provenance(bytes);
+    case MeshFormat::Vtu:
+      return mesh_formats::vtu_provenance(bytes);
+    case MeshFormat::Msh:
+      return mesh_formats::msh_provenance(bytes);
     default:
       return mesh_formats::ply_provenance(bytes);
   }

@@ -4,12 +4,13 @@
 //
 // The parts of an IndexedMesh that each format keeps:
 //   PLY (binary or ASCII), OFF, OBJ   everything, every coordinate to the last bit
-//   VTU, NPZ, MSH                     the same; written only
+//   VTU, MSH                          the same; of curved triangles the corners are read
+//   NPZ                               the same; written only
 //   GLB                               single precision coordinates; written only
 //   STL                               single precision coordinates, no sharing of vertices
 //   MSMS (.vert and .face)            everything; three decimals where that program wrote them
 //
-// Binary PLY and those that are only written take attributes as well (geometry/mesh_attributes.h).
+// Binary PLY, VTU, NPZ, MSH and GLB take attributes as well (geometry/mesh_attributes.h).
 // MSMS's need them.
 // All hold provenance (geometry/provenance.h).
 //
@@ -22,6 +23,7 @@
 
 #include "geometry/indexed_mesh.h"
 #include "geometry/mesh_attributes.h"
+#include "geometry/second_order_mesh.h"
 
 namespace morskin::geometry {
 
@@ -50,6 +52,13 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 /// @throws LimitReached  the mesh is too large for Glb
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});
+
+/// Whether a format has curved triangles: Vtu and Msh.
+bool has_second_order(MeshFormat format);
+/// The bytes of a mesh of curved triangles. @param attributes  of all nodes, and of the triangles
+/// @pre has_second_order(format)
+std::string serialized(const SecondOrderMesh& mesh, MeshFormat format,
+                       const MeshAttributes& attributes);
 
 /// The format of a file that is written from a mesh alone.
 /// @throws UnwritableOutput  if the ending is of no format, or of one that takes more

@@ -10,6 +10,7 @@
 #include "geometry/files/text_lines.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/mesh_attributes.h"
+#include "geometry/second_order_mesh.h"
 
 namespace morskin::geometry::mesh_formats {
 
@@ -18,6 +19,8 @@ IndexedMesh parse_ply(std::string_view bytes, const std::string& source);
 IndexedMesh parse_off(std::string_view bytes, const std::string& source);
 IndexedMesh parse_obj(std::string_view bytes, const std::string& source);
 IndexedMesh parse_stl(std::string_view bytes, const std::string& source);
+IndexedMesh parse_vtu(std::string_view bytes, const std::string& source);
+IndexedMesh parse_msh(std::string_view bytes, const std::string& source);
 /// The two files of an MSMS mesh, each by its bytes and its name.
 struct MsmsFile {
   std::string_view bytes;
@@ -38,6 +41,10 @@ std::string glb(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
 std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
 std::string msh(const IndexedMesh& mesh, const MeshAttributes& attributes = {});
 
+/// The same with curved triangles. @param attributes  of all nodes, and of the triangles
+std::string vtu(const SecondOrderMesh& mesh, const MeshAttributes& attributes);
+std::string msh(const SecondOrderMesh& mesh, const MeshAttributes& attributes);
+
 /// Whether these are the normals, which `all` has in their own place too.
 inline bool is_normal(const Attribute& attribute, const MeshAttributes& all) {
   return attribute.name == "normal" && !all.normals.empty();
@@ -54,6 +61,10 @@ Provenance off_provenance(std::string_view bytes);
 Provenance obj_provenance(std::string_view bytes);
 Provenance stl_provenance(std::string_view bytes);
 Provenance msms_provenance(std::string_view bytes);
+Provenance vtu_provenance(std::string_view bytes);
+Provenance msh_provenance(std::string_view bytes);
+/// Takes the entry "key value".
+void take_entry(Provenance& provenance, std::string_view text);
 
 /// Appends the polygon's triangles, all with its first corner. @pre at least three corners.
 void append_fan(IndexedMesh& mesh, std::span<const std::uint32_t> polygon);

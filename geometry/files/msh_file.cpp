@@ -2,7 +2,10 @@
 // from 1, and a view for each column of numbers.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/text_lines.h"
@@ -11,7 +14,8 @@ namespace morskin::geometry::mesh_formats {
 namespace {
 
 // Gmsh's own numbers.
-constexpr int surface_dimension = 2, surface_tag = 1, triangle_type = 2;
+constexpr int surface_dimension = 2, surface_tag = 1;
+constexpr int triangle_type = 2, second_order_triangle_type = 9;
 
 /// Appends a section, `$Name`, what `body` appends, `$EndName`.
 template <class Body>
@@ -39,10 +43,10 @@ void append_block_counts(std::string& text, std::size_t count) {
   text.back() = '\n';
 }
 
-void append_surface(std::string& text, const IndexedMesh& mesh) {
+void append_surface(std::string& text, const std::vector<Point>& points) {
   Point least = Point::Zero(), most = Point::Zero();
-  if (!mesh.positions.empty()) least = most = mesh.positions[0];
-  for (const Point& p : mesh.positions) {
+  if (!points.empty()) least = most = points[0];
+  for (const Point& p : points) {
     least = least.cwiseMin(p);
     most = most.cwiseMax(p);
   }
@@ -54,26 +58,33 @@ void append_surface(std::string& text, const IndexedMesh& mesh) {
   text += "0 0\n";
 }
 
-void append_nodes(std::string& text, const IndexedMesh& mesh) {
-  append_block_counts(text, mesh.positions.size());
+void append_nodes(std::string& text, const std::vector<Point>& points) {
+  append_block_counts(text, points.size());
   text += surface() + " 0 ";
-  append_count(text, mesh.positions.size());
+  append_count(text, points.size());
   text.back() = '\n';
-  for (std::size_t v = 1; v <= mesh.positions.size(); ++v) {
+  for (std::size_t v = 1; v <= points.size(); ++v) {
     append_count(text, v);
     text.back() = '\n';
   }
-  for (const Point& p : mesh.positions) append_position(text, p);
+  for (const Point& p : points) append_position(text, p);
 }
 
-void append_elements(std::string& text, const IndexedMesh& mesh) {
-  append_block_counts(text, mesh.triangles.size());
-  text += surface() + " " + std::to_string(triangle_type) + " ";
-  append_count(text, mesh.triangles.size());
+/// @param type  Gmsh's number for triangles of so many nodes
+template <std::size_t Nodes>
+void append_elements(std::string& text,
+                     const std::vector<std::array<std::uint32_t, Nodes>>& triangles, int type) {
+  append_block_counts(text, triangles.size());
+  text += surface() + " " + std::to_string(type) + " ";
+  append_count(text, triangles.size());
   text.back() = '\n';
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     append_number(text, std::uint64_t{t + 1});
-    append_corners(text, mesh.triangles[t], 1);
+    for (const std::uint32_t node : triangles[t]) {
+      text += ' ';
+      append_number(text, std::uint64_t{node} + 1);
+    }
+    text += '\n';
   }
 }
 
@@ -105,20 +116,31 @@ void append_views(std::string& text, const std::string& section, const Attribute
   }
 }
 
-}  // namespace
-
-std::string msh(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+template <std::size_t Nodes>
+std::string msh(const std::vector<Point>& points,
+                const std::vector<std::array<std::uint32_t, Nodes>>& triangles, int type,
+                const MeshAttributes& attributes) {
   std::string text;
-  text.reserve(72 * mesh.positions.size() + 32 * mesh.triangles.size() + 4096);
+  text.reserve(72 * points.size() + 32 * triangles.size() + 4096);
   append_section(text, "MeshFormat", [&] { text += "4.1 0 8\n"; });
   append_section(text, "Comments",
                  [&] { text += "Angstrom\n" + provenance_lines(attributes.provenance, ""); });
-  append_section(text, "Entities", [&] { append_surface(text, mesh); });
-  append_section(text, "Nodes", [&] { append_nodes(text, mesh); });
-  append_section(text, "Elements", [&] { append_elements(text, mesh); });
+  append_section(text, "Entities", [&] { append_surface(text, points); });
+  append_section(text, "Nodes", [&] { append_nodes(text, points); });
+  append_section(text, "Elements", [&] { append_elements(text, triangles, type); });
   for (const Attribute& a : attributes.vertices) append_views(text, "NodeData", a);
   for (const Attribute& a : attributes.triangles) append_views(text, "ElementData", a);
   return text;
+}
+
+}  // namespace
+
+std::string msh(const IndexedMesh& mesh, const MeshAttributes& attributes) {
+  return msh(mesh.positions, mesh.triangles, triangle_type, attributes);
+}
+
+std::string msh(const SecondOrderMesh& mesh, const MeshAttributes& attributes) {
+  return msh(mesh.nodes, mesh.triangles, second_order_triangle_type, attributes);
 }
 
 }  // namespace morskin::geometry::mesh_formats

@@ -2,16 +2,19 @@
 //
 //   vertices (n, 3) float64, faces (m, 3) uint32, normals (n, 3) float64
 //   by vertex a column of each attribute (n), by triangle the same with face_ before its name
+//   the arrays beside the mesh, texts as <U
 //   numbers of the provenance as 0-d arrays; metadata, all of it as a JSON text
 
 #include <zip.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 
 #include "geometry/error.h"
 #include "geometry/files/mesh_formats.h"
@@ -25,7 +28,7 @@ static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(Point) == 3 * sizeof(double));
 
 /// A shape as Python spells it, "(12, 3)" or "(12,)".
-std::string shape_of(std::size_t rows, std::optional<int> columns = {}) {
+std::string shape_of(std::size_t rows, std::optional<std::size_t> columns = {}) {
   std::string text = "(";
   text += std::to_string(rows);
   text += columns ? ", " + std::to_string(*columns) : ",";
@@ -128,6 +131,36 @@ void add_columns(Archive& archive, const Attribute& attribute, const std::string
   }
 }
 
+/// Texts as NumPy's, each as wide as the longest, padded with zeros.
+std::string npy_texts(const std::string& shape, const std::vector<std::string>& texts) {
+  std::size_t width = 1;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  std::vector<std::uint32_t> characters(width * texts.size(), 0);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::ranges::transform(texts[i], characters.begin() + static_cast<std::ptrdiff_t>(i * width),
+                           [](char c) { return static_cast<unsigned char>(c); });
+  }
+  return npy("<U" + std::to_string(width), shape, characters);
+}
+
+void add_array(Archive& archive, const NamedArray& array) {
+  std::visit(
+      [&]<class Value>(const std::vector<Value>& values) {
+        const std::string shape = array.columns == 1
+                                      ? shape_of(values.size())
+                                      : shape_of(values.size() / array.columns, array.columns);
+        if constexpr (std::is_same_v<Value, std::string>) {
+          archive.add(array.name, npy_texts(shape, values));
+        } else {
+          constexpr std::string_view type = std::is_same_v<Value, double> ? "<f8"
+                                            : sizeof(Value) == 4          ? "<i4"
+                                                                          : "<i8";
+          archive.add(array.name, npy(type, shape, values));
+        }
+      },
+      array.values);
+}
+
 void add_provenance(Archive& archive, const Provenance& provenance) {
   for (const auto& [key, value, is_number] : provenance.entries) {
     const std::optional<double> number = is_number ? parse_double(value) : std::nullopt;
@@ -151,6 +184,7 @@ std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes) {
   for (const Attribute& attribute : attributes.triangles) {
     add_columns(archive, attribute, "face_");
   }
+  for (const NamedArray& array : attributes.arrays) add_array(archive, array);
   add_provenance(archive, attributes.provenance);
   return archive.close();
 }

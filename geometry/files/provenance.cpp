@@ -15,14 +15,6 @@ constexpr std::string_view separator = "; ";
 // Far above what is ever written; files that hold more mean harm.
 constexpr std::size_t max_entries = 64, max_entry = 1 << 14;
 
-/// Takes `key value`.
-void take_entry(Provenance& provenance, std::string_view text) {
-  if (text.size() > max_entry || provenance.entries.size() >= max_entries) return;
-  text = trimmed(text);
-  const std::string_view key = take_field(text);
-  if (!key.empty()) provenance.entries.push_back({std::string(key), std::string(trimmed(text))});
-}
-
 void take_comment(Provenance& provenance, std::string_view comment) {
   comment = trimmed(comment);
   if (!comment.starts_with(mark)) return;
@@ -32,6 +24,13 @@ void take_comment(Provenance& provenance, std::string_view comment) {
 std::string joined(const Provenance::Entry& entry) { return entry.key + ' ' + entry.value; }
 
 }  // namespace
+
+void take_entry(Provenance& provenance, std::string_view text) {
+  if (text.size() > max_entry || provenance.entries.size() >= max_entries) return;
+  text = trimmed(text);
+  const std::string_view key = take_field(text);
+  if (!key.empty()) provenance.entries.push_back({std::string(key), std::string(trimmed(text))});
+}
 
 std::string provenance_lines(const Provenance& provenance, std::string_view start) {
   std::string text;
@@ -57,6 +56,15 @@ Provenance ply_provenance(std::string_view bytes) {
     const std::string_view word = take_field(line);
     if (word == "end_header") break;
     if (word == "comment") take_comment(provenance, line);
+  }
+  return provenance;
+}
+
+Provenance msh_provenance(std::string_view bytes) {
+  Provenance provenance;
+  TextLines lines(bytes, "");
+  while (lines.advance() && trimmed(lines.line()) != "$EndComments") {
+    take_comment(provenance, lines.line());
   }
   return provenance;
 }

@@ -14,7 +14,7 @@
 namespace morskin::geometry {
 
 /// VTK's cell types. Lines have two corners, as not every reader knows polylines.
-enum class VtuCell : unsigned char { Vertex = 1, Line = 3, Triangle = 5 };
+enum class VtuCell : unsigned char { Vertex = 1, Line = 3, Triangle = 5, QuadraticTriangle = 22 };
 
 struct VtuGrid {
   std::span<const Point> points;

@@ -21,9 +21,11 @@ import balls  # noqa: E402
 import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
+import features  # noqa: E402
 import molecule  # noqa: E402
 import replay  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
+import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
 import tetrahedra  # noqa: E402
@@ -251,8 +253,13 @@ def texts():
                                (ses_like, "ses-like", "coarser-skins"),
                                (which_density, "solvers-molecule", "solvers"),
                                (batch, "batch", "batch"),
-                               (replay, "replay", "4.3-large-molecules")):
+                               (replay, "replay", "4.3-large-molecules"),
+                               (features, "features", "features"),
+                               (second_order, "second-order", "second-order")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
+    yield ("papers/second-order.md",
+           second_order.sentence(read_rows(RESULTS / "second-order.tsv")))
+    yield "papers/features.md", features.sentence(read_rows(RESULTS / "features.tsv"))
     for script in (balls, molecule, tetrahedra):
         rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")
         yield "papers/solvers.md", script.table(rows)

@@ -29,7 +29,8 @@ void look_at(const geometry::IndexedMesh& mesh) {
     geometry::components(closed.mesh);
   }
   if (mesh.positions.empty()) return;
-  for (const MeshFormat format : {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off}) {
+  for (const MeshFormat format : {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off,
+                                  MeshFormat::Vtu, MeshFormat::Msh}) {
     const auto again = geometry::parse_mesh(geometry::serialized(mesh, format), "again");
     fuzz::require(again.triangles == mesh.triangles && again.positions == mesh.positions);
   }
@@ -38,13 +39,14 @@ void look_at(const geometry::IndexedMesh& mesh) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::array names = {"a.ply", "a.off", "a.obj", "a.stl", "a"};
+  constexpr std::array names = {"a.ply", "a.off", "a.obj", "a.stl", "a.vtu", "a.msh", "a"};
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   for (const auto provenance_of :
        {geometry::mesh_formats::ply_provenance, geometry::mesh_formats::off_provenance,
         geometry::mesh_formats::obj_provenance, geometry::mesh_formats::stl_provenance,
-        geometry::mesh_formats::msms_provenance}) {
+        geometry::mesh_formats::msms_provenance, geometry::mesh_formats::vtu_provenance,
+        geometry::mesh_formats::msh_provenance}) {
     fuzz::require(provenance_of(bytes).entries.size() <= 64);
   }
   try {

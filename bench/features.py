@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""How near to two vertices per square Angstrom `features` comes without trial meshes, and how long
+it takes on one core.
+
+One line for each molecule, also in papers/results/features.tsv: atoms, vertices, vertices per
+square Angstrom, the least processor and wall seconds of several runs of the whole command, and the
+shares of the stages in a run with a report. A run is good when it is certified.
+"""
+
+import json
+import resource
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from molecule_runs import MORSKIN, Rows, argument_parser, end, molecule_folder
+
+MOLECULES = ["atp.pdb", "amprenavir.pdb", "heme.pdb", "1grm_model1.pdb", "9dna_duplex.pdb",
+             "1l2y.cif", "1crn.pdb", "1bna.pdb", "1ubq.pdb", "1rna.cif", "1ejg.pdb", "2koc.pdb",
+             "5pti.pdb", "1stp.cif", "1aki.pdb", "1hpv.pdb", "2buk.pdb", "1brs.pdb", "1ehz.pdb",
+             "1j4n.pdb", "1a63.pqr", "2por.pdb", "1atp.pdb", "1ake.pdb"]
+GOAL = 2  # vertices per square Angstrom
+REPEATS = 3
+STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "voids"],
+          "mesh": ["critical_points", "sweep", "refine"], "angles": ["smooth"],
+          "certify": ["certify"], "write": ["write"]}
+COLUMNS = ["molecule", "atoms", "vertices", "density", "cpu_seconds", "seconds", *STAGES,
+           "verdict"]
+WIDTHS = [12, 6, 8, 8, 11, 8, 8, 6, 6, 8, 6, 10]
+
+
+def arguments():
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/features.tsv")
+    return parser.parse_args()
+
+
+def timed(path, output, timeout):
+    """Processor and wall seconds of one run, which prints and tells nothing."""
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    subprocess.run([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1"], check=True,
+                   timeout=timeout)
+    wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall
+
+
+def row_of(path, timeout):
+    with tempfile.TemporaryDirectory() as folder:
+        output, report_file = Path(folder) / "x.npz", Path(folder) / "r.json"
+        best = [min(times) for times in zip(*(timed(path, output, timeout)
+                                              for _ in range(REPEATS)))]
+        subprocess.run([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1",
+                        "--report", report_file], check=True, timeout=timeout)
+        report = json.loads(report_file.read_text(encoding="utf-8"))
+    seconds = report["seconds"]
+    stages = {name: sum(seconds.get(s, 0) for s in parts) for name, parts in STAGES.items()}
+    whole = sum(stages.values())
+    return {"molecule": path.name, "atoms": report["atoms_used"], "vertices": report["vertices"],
+            "density": report["quality"]["vertices_per_square_angstrom"],
+            "cpu_seconds": best[0], "seconds": best[1],
+            **{name: part / whole for name, part in stages.items()},
+            "verdict": "certified" if report["certified"] else "FAILED"}
+
+
+def table(rows):
+    lines = ["| molecule | atoms | vertices | per Å² | processor seconds | prepare | mesh | "
+             "angles | certify | write |", "|---|---|---|---|---|---|---|---|---|---|"]
+    for r in rows:
+        shares = " | ".join(f"{100 * float(r[stage]):.0f} %" for stage in STAGES)
+        lines.append(f"| {r['molecule']} | {int(r['atoms']):,} | {int(r['vertices']):,} | "
+                     f"{float(r['density']):.2f} | {float(r['cpu_seconds']):.2f} | {shares} |")
+    return "\n".join(lines)
+
+
+def sentence(rows):
+    """What the page says of all."""
+    densities, atoms = ([float(r[k]) for r in rows] for k in ("density", "atoms"))
+    kinase = next(r for r in rows if r["molecule"] == "1atp.pdb")
+    return (f"on {len(rows)} molecules of {min(atoms):,.0f} to {max(atoms):,.0f} atoms, "
+            f"{min(densities):.2f} to {max(densities):.2f} were made where {GOAL} were asked for. "
+            f"1ATP, {int(kinase['atoms']):,} atoms, takes {float(kinase['cpu_seconds']):.2f} s of "
+            "one core")
+
+
+def main():
+    options = arguments()
+    folder = molecule_folder(options.molecules)
+    with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
+        for name in MOLECULES:
+            path = next(folder.rglob(name), None)
+            if path and options.only in str(path):
+                rows.add(row_of(path, options.timeout))
+    as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
+    print(table(as_text))
+    print(sentence(as_text))
+    end([r["verdict"] for r in rows.rows if r["verdict"] != "certified"], rows.rows)
+
+
+if __name__ == "__main__":
+    main()

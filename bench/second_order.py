@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""How much of the skin's area do flat and curved triangles lack? Meshes with --order 2 (model vdw)
+against the area of curved triangles with C = 0.05.
+
+One line for each run, also in papers/results/second-order.tsv: the shares of the area that the flat
+and the curved mesh lack, and the least Jacobian over the flat triangles'. A run is good when it is
+certified, which means that every Jacobian was proved positive, or refused since one was not.
+"""
+
+import tempfile
+from pathlib import Path
+
+from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder
+
+MOLECULES = ["benzene.pdb", "caffeine.xyz", "5tmn_ligand.pdb", "1crn.pdb"]
+SIZES = [0.4, 0.35, 0.2, 0.08]
+REFERENCE = 0.05
+COLUMNS = ["molecule", "C", "triangles", "flat_lacks", "curved_lacks", "least_jacobian", "verdict"]
+WIDTHS = [18, 6, 10, 12, 12, 14, 12]
+
+
+def arguments():
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/second-order.tsv")
+    return parser.parse_args()
+
+
+def meshed(path, C, timeout):
+    with tempfile.TemporaryDirectory() as folder:
+        return mesh(path, "vdw", timeout, "-C", str(C), "--order", "2", "-o",
+                    Path(folder) / "curved.vtu")
+
+
+def row_of(path, C, run, exact):
+    """A run that is refused, exit code 4, has no triangle to tell of."""
+    row = dict.fromkeys(COLUMNS, "") | {"molecule": path.name, "C": C}
+    if run.code == 4 and "Jacobian" in run.complaint:
+        return row | {"verdict": "refused"}
+    report = run.report
+    if not report or not report["certified"]:
+        return row | {"verdict": f"FAILED: {run.complaint}"}
+    curved = report["second_order"]
+    return row | {"triangles": report["triangles"], "flat_lacks": 1 - report["area"] / exact,
+                  "curved_lacks": 1 - curved["area"] / exact,
+                  "least_jacobian": curved["least_jacobian"], "verdict": "certified"}
+
+
+def table(rows):
+    lines = ["| molecule | C | triangles | flat lacks | curved lacks | least Jacobian |",
+             "|---|---|---|---|---|---|"]
+    for r in rows:
+        if r["verdict"] == "refused":
+            lines.append(f"| {r['molecule']} | {r['C']} | refused | | | not proved positive |")
+            continue
+        lines.append(f"| {r['molecule']} | {r['C']} | {int(r['triangles']):,} | "
+                     f"{100 * float(r['flat_lacks']):.3f} % | "
+                     f"{100 * float(r['curved_lacks']):.4f} % | "
+                     f"{float(r['least_jacobian']):.2f} |")
+    return "\n".join(lines)
+
+
+def sentence(rows):
+    """What the page says of both."""
+    def shares(C):
+        return [abs(float(r["curved_lacks"]) / float(r["flat_lacks"])) for r in rows
+                if float(r["C"]) == C and r["verdict"] == "certified"]
+
+    coarse, middle, fine = (f"{min(shares(C)):.4f} to {max(shares(C)):.4f}" for C in SIZES[1:])
+    return (f"With C = {SIZES[1]} curved triangles lack {coarse} of what flat ones lack, with "
+            f"{SIZES[2]} {middle}, with {SIZES[3]} {fine}")
+
+
+def main():
+    options = arguments()
+    folder = molecule_folder(Path("bench/molecules"))
+    with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
+        for name in MOLECULES:
+            path = folder / name
+            if options.only not in str(path):
+                continue
+            exact = meshed(path, REFERENCE, options.timeout).report["second_order"]["area"]
+            for C in SIZES:
+                rows.add(row_of(path, C, meshed(path, C, options.timeout), exact))
+    as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
+    print(table(as_text))
+    print(sentence(as_text))
+    end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,121 @@
+// Reads Gmsh's MSH 4.1 as text: triangles of three or six nodes, of these the corners. Points and
+// lines are skipped, as are sections other than nodes and elements.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/second_order_corners.h"
+#include "geometry/files/text_lines.h"
+
+namespace morskin::geometry::mesh_formats {
+namespace {
+
+constexpr std::int64_t triangle = 2, second_order_triangle = 9;  // Gmsh's own numbers
+
+std::string_view next_line(TextLines& lines) {
+  if (!lines.advance()) lines.fail("the file ends too early; write it again");
+  return lines.line();
+}
+
+std::int64_t take_integer(std::string_view& fields, const TextLines& lines) {
+  const std::string_view field = take_field(fields);
+  const std::optional<std::int64_t> number = parse_integer(field);
+  if (!number || *number < 0) {
+    lines.fail("expected a whole number, found " + quoted(field) + "; write the mesh again");
+  }
+  return *number;
+}
+
+/// Numbers of a line, of which there must be so many at least.
+std::vector<std::int64_t> integers(TextLines& lines, std::size_t count) {
+  std::string_view fields = next_line(lines);
+  std::vector<std::int64_t> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back(take_integer(fields, lines));
+  return result;
+}
+
+/// Points with Gmsh's tags for them.
+struct Nodes {
+  std::vector<Point> points;
+  std::unordered_map<std::int64_t, std::uint32_t> index;  ///< by tag
+};
+
+Nodes parse_nodes(TextLines& lines) {
+  Nodes nodes;
+  const std::int64_t blocks = integers(lines, 4)[0];
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    const std::int64_t count = integers(lines, 4)[3];
+    const std::size_t first = nodes.points.size();
+    for (std::int64_t i = 0; i < count; ++i) {
+      const auto next = static_cast<std::uint32_t>(first + static_cast<std::size_t>(i));
+      if (!nodes.index.try_emplace(integers(lines, 1)[0], next).second) {
+        lines.fail("two nodes have this tag; write the mesh again");
+      }
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::string_view fields = next_line(lines);
+      nodes.points.push_back(take_position(fields, lines));
+    }
+  }
+  return nodes;
+}
+
+std::uint32_t take_node(std::string_view& fields, const Nodes& nodes, const TextLines& lines) {
+  const auto found = nodes.index.find(take_integer(fields, lines));
+  if (found == nodes.index.end()) lines.fail("a node does not exist; write the mesh again");
+  return found->second;
+}
+
+void parse_elements(TextLines& lines, const Nodes& nodes, CornersOnly& mesh) {
+  const std::int64_t blocks = integers(lines, 4)[0];
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    const std::vector<std::int64_t> head = integers(lines, 4);
+    const bool is_curved = head[2] == second_order_triangle;
+    if (head[0] >= 2 && !is_curved && head[2] != triangle) {
+      lines.fail("elements of type " + std::to_string(head[2]) +
+                 " are not read; write triangles, of type 2 or 9");
+    }
+    for (std::int64_t i = 0; i < head[3]; ++i) {
+      std::string_view fields = next_line(lines);
+      if (head[0] < 2) continue;
+      take_integer(fields, lines);  // its tag
+      TriangleCorners corners;
+      for (std::uint32_t& corner : corners) corner = take_node(fields, nodes, lines);
+      mesh.add(corners);
+      for (int k = 0; is_curved && k < 3; ++k) mesh.add_middle(take_node(fields, nodes, lines));
+    }
+  }
+}
+
+}  // namespace
+
+IndexedMesh parse_msh(std::string_view bytes, const std::string& source) {
+  TextLines lines(bytes, source);
+  std::optional<Nodes> nodes;
+  std::optional<CornersOnly> mesh;
+  while (lines.advance()) {
+    const std::string_view section = trimmed(lines.line());
+    if (section == "$MeshFormat") {
+      const std::string_view format = trimmed(next_line(lines));
+      if (!format.starts_with("4.1 0 ")) {
+        lines.fail("only MSH 4.1 as text is read, not " + quoted(format) +
+                   "; write the mesh as that");
+      }
+    } else if (section == "$Nodes" && !nodes) {
+      nodes = parse_nodes(lines);
+      mesh.emplace(nodes->points);
+    } else if (section == "$Elements") {
+      if (!mesh) lines.fail("elements come before the nodes; write the mesh again");
+      parse_elements(lines, *nodes, *mesh);
+    }
+  }
+  if (!mesh) lines.fail("there are no nodes; write the mesh again");
+  return std::move(*mesh).take(source);
+}
+
+}  // namespace morskin::geometry::mesh_formats

@@ -1,0 +1,262 @@
+// Reads VTU as this program and others write it by default: one piece, arrays inline, as base64
+// without compression or as text. Of triangles with three or six nodes the corners are taken.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/files/second_order_corners.h"
+#include "geometry/files/text_lines.h"
+#include "geometry/files/vtu_grid.h"
+
+namespace morskin::geometry::mesh_formats {
+namespace {
+
+[[noreturn]] void fail(const std::string& source, const std::string& what) {
+  throw UnreadableInput(source + ": " + what);
+}
+
+/// An XML tag and the text up to the next one.
+struct Tag {
+  std::string_view name;  ///< "/Points" where it closes
+  std::map<std::string_view, std::string_view> attributes;
+  std::string_view text;
+};
+
+/// The attributes name="value" of a tag's inside.
+std::map<std::string_view, std::string_view> attributes_of(std::string_view inside) {
+  std::map<std::string_view, std::string_view> result;
+  while (true) {
+    const std::size_t equals = inside.find('=');
+    const std::size_t open = inside.find_first_of("\"'", equals);
+    if (equals == inside.npos || open == inside.npos) return result;
+    const std::size_t close = inside.find(inside[open], open + 1);
+    if (close == inside.npos) return result;
+    std::string_view name = inside.substr(0, equals);
+    result.emplace(take_field(name), inside.substr(open + 1, close - open - 1));
+    inside.remove_prefix(close + 1);
+  }
+}
+
+/// Calls take(tag) with each tag in turn.
+void for_each_tag(std::string_view bytes, const std::function<void(const Tag&)>& take) {
+  std::size_t at = bytes.find('<');
+  while (at < bytes.size()) {
+    const std::size_t end = std::min(bytes.find('>', at), bytes.size());
+    const std::size_t next = std::min(bytes.find('<', end), bytes.size());
+    const std::size_t text = std::min(end + 1, next);
+    std::string_view inside = bytes.substr(at + 1, end - at - 1);
+    const std::string_view name = take_field(inside);
+    take({name, attributes_of(inside), bytes.substr(text, next - text)});
+    at = next;
+  }
+}
+
+/// The bytes that base64 stands for, without what follows padding.
+std::optional<std::string> decoded(std::string_view text) {
+  static constexpr std::array<signed char, 256> values = [] {
+    std::array<signed char, 256> result{};
+    result.fill(-1);
+    signed char value = 0;
+    for (const char c :
+         std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")) {
+      result[static_cast<unsigned char>(c)] = value++;
+    }
+    return result;
+  }();
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  std::uint32_t group = 0;
+  int bits = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const signed char value = values[static_cast<unsigned char>(c)];
+    if (value < 0) return std::nullopt;
+    group = group << 6 | static_cast<std::uint32_t>(value);
+    bits += 6;
+    if (bits >= 8) bytes += static_cast<char>(group >> (bits -= 8) & 255);
+  }
+  return bytes;
+}
+
+template <class Number>
+std::vector<double> numbers_of(std::string_view bytes) {
+  std::vector<double> result(bytes.size() / sizeof(Number));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    Number number;
+    std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
+    result[i] = static_cast<double>(number);
+  }
+  return result;
+}
+
+/// Reads the arrays of one file.
+class Reader {
+ public:
+  explicit Reader(std::string source) : source_(std::move(source)) {}
+
+  void take(const Tag& tag) {
+    if (tag.name == "VTKFile") check_header(tag);
+    if (tag.name == "Piece" && ++pieces_ > 1) fail(source_, "has several pieces; write one mesh");
+    if (tag.name == "Points" || tag.name == "Cells" || tag.name == "FieldData") section_ = tag.name;
+    if (tag.name.starts_with('/') && tag.name != "/DataArray") section_ = {};
+    if (tag.name != "DataArray") return;
+    if (section_ == "Points") points_ = array(tag);
+    if (section_ == "Cells") cells_[std::string(value(tag, "Name"))] = array(tag);
+    if (section_ == "FieldData") take_field_data(tag);
+  }
+
+  IndexedMesh mesh() const {
+    CornersOnly result(positions());
+    const std::vector<double>& corners = cell_array("connectivity");
+    const std::vector<double>& ends = cell_array("offsets");
+    const std::vector<double>& kinds = cell_array("types");
+    if (ends.size() != kinds.size()) fail(source_, "has more or fewer cell types than cells");
+    double start = 0;
+    for (std::size_t cell = 0; cell < ends.size(); ++cell) {
+      const std::size_t nodes = nodes_of(kinds[cell]);
+      const double end = ends[cell];
+      if (end != start + static_cast<double>(nodes) ||
+          !(end <= static_cast<double>(corners.size()))) {
+        fail(source_, "cell " + std::to_string(cell) + " has not the corners of its type");
+      }
+      std::array<std::uint32_t, 6> at{};
+      for (std::size_t k = 0; k < nodes; ++k) {
+        at[k] = index(corners[static_cast<std::size_t>(start) + k], result.point_count());
+      }
+      result.add({at[0], at[1], at[2]});
+      for (std::size_t k = 3; k < nodes; ++k) result.add_middle(at[k]);
+      start = end;
+    }
+    return std::move(result).take(source_);
+  }
+
+  const Provenance& provenance() const { return provenance_; }
+
+ private:
+  void check_header(const Tag& tag) {
+    if (value(tag, "type") != "UnstructuredGrid") fail(source_, "is no unstructured grid");
+    if (tag.attributes.contains("compressor")) {
+      fail(source_, "is compressed; write it without compression");
+    }
+    if (tag.attributes.contains("byte_order") && value(tag, "byte_order") != "LittleEndian") {
+      fail(source_, "is big-endian; write it as LittleEndian");
+    }
+    is_wide_ = tag.attributes.contains("header_type") && value(tag, "header_type") == "UInt64";
+  }
+  /// A number, or a text by its bytes.
+  void take_field_data(const Tag& tag) {
+    const std::vector<double> numbers = array(tag);
+    std::string text;
+    if (value(tag, "type") == "UInt8") {
+      for (const double byte : numbers) text += byte < 128 ? static_cast<char>(byte) : '?';
+    } else if (numbers.size() == 1) {
+      append_number(text, numbers[0]);
+    }
+    take_entry(provenance_, std::string(value(tag, "Name")) + ' ' + text);
+  }
+  static std::string_view value(const Tag& tag, std::string_view name) {
+    const auto found = tag.attributes.find(name);
+    return found == tag.attributes.end() ? std::string_view() : found->second;
+  }
+
+  std::vector<double> array(const Tag& tag) const {
+    const std::string_view format = value(tag, "format");
+    if (format == "ascii") return ascii_array(tag);
+    if (format != "binary") fail(source_, "has arrays that are not inline; write it as binary");
+    const std::optional<std::string> bytes = decoded(trimmed(tag.text));
+    const std::size_t head = is_wide_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
+    if (!bytes || bytes->size() < head) fail(source_, "has an array that is damaged");
+    std::uint64_t size = 0;
+    std::memcpy(&size, bytes->data(), head);
+    if (size != bytes->size() - head) fail(source_, "has an array that is damaged");
+    const std::string_view numbers = std::string_view(*bytes).substr(head);
+    const std::string_view type = value(tag, "type");
+    if (type == "Float64") return numbers_of<double>(numbers);
+    if (type == "Float32") return numbers_of<float>(numbers);
+    if (type == "Int64" || type == "UInt64") return numbers_of<std::int64_t>(numbers);
+    if (type == "Int32") return numbers_of<std::int32_t>(numbers);
+    if (type == "UInt32") return numbers_of<std::uint32_t>(numbers);
+    if (type == "UInt8") return numbers_of<std::uint8_t>(numbers);
+    fail(source_, "has numbers of the type " + quoted(type) + ", which are not read");
+  }
+  std::vector<double> ascii_array(const Tag& tag) const {
+    std::vector<double> numbers;
+    std::string_view rest = tag.text;
+    for (std::string_view field = take_field(rest); !field.empty(); field = take_field(rest)) {
+      const std::optional<double> number = parse_double(field);
+      if (!number || !std::isfinite(*number))
+        fail(source_, "has " + quoted(field) + " in the place of a number");
+      numbers.push_back(*number);
+    }
+    return numbers;
+  }
+
+  std::vector<Point> positions() const {
+    if (points_.size() % 3 != 0) fail(source_, "has points without three coordinates");
+    if (points_.size() / 3 > std::numeric_limits<std::uint32_t>::max()) {
+      fail(source_, "has too many points; at most 2^32 - 1 are read");
+    }
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < points_.size(); i += 3) {
+      points.emplace_back(points_[i], points_[i + 1], points_[i + 2]);
+      if (!points.back().allFinite()) fail(source_, "has a coordinate that is not finite");
+    }
+    return points;
+  }
+  const std::vector<double>& cell_array(const std::string& name) const {
+    const auto found = cells_.find(name);
+    if (found == cells_.end()) fail(source_, "has no array of cells called " + name);
+    return found->second;
+  }
+  std::size_t nodes_of(double kind) const {
+    if (kind == static_cast<double>(VtuCell::Triangle)) return 3;
+    if (kind == static_cast<double>(VtuCell::QuadraticTriangle)) return 6;
+    fail(source_, "has cells that are no triangles; write triangles, of type 5 or 22");
+  }
+  std::uint32_t index(double corner, std::size_t points) const {
+    if (!(corner >= 0 && corner < static_cast<double>(points)) || corner != std::floor(corner)) {
+      fail(source_, "has a corner that does not exist");
+    }
+    return static_cast<std::uint32_t>(corner);
+  }
+
+  std::string source_;
+  std::string_view section_;
+  bool is_wide_ = false;
+  int pieces_ = 0;
+  std::vector<double> points_;
+  std::map<std::string, std::vector<double>> cells_;
+  Provenance provenance_;
+};
+
+}  // namespace
+
+IndexedMesh parse_vtu(std::string_view bytes, const std::string& source) {
+  Reader reader(source);
+  for_each_tag(bytes, [&](const Tag& tag) { reader.take(tag); });
+  return reader.mesh();
+}
+
+Provenance vtu_provenance(std::string_view bytes) {
+  const std::size_t end = bytes.find("</FieldData>");
+  if (end == bytes.npos) return {};
+  Reader reader("");
+  try {
+    for_each_tag(bytes.substr(0, end), [&](const Tag& tag) { reader.take(tag); });
+  } catch (const UnreadableInput&) {  // what is damaged says nothing
+  }
+  return reader.provenance();
+}
+
+}  // namespace morskin::geometry::mesh_formats
