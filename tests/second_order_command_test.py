@@ -2,6 +2,8 @@
 """Files of curved triangles: what meshio reads of them, and that `check` reads their corners.
 Usage: second_order_command_test.py path/to/morskin"""
 
+import base64
+
 import meshio
 import numpy
 
@@ -125,6 +127,31 @@ class SecondOrder(CommandTest):
             with self.subTest(name):
                 said = self.run_morskin("check", self.input(name, text), code=3).stderr.decode()
                 self.assertIn(name, said)
+
+    def test_hostile_numbers_of_vtu_files_are_refused(self):
+        def text(points="0 0 0 1 0 0 0 1 0", corners="0 1 2", ends="3", kinds="5", kind="ascii"):
+            def array(name, type_, numbers):
+                return (f'<DataArray Name="{name}" type="{type_}" format="{kind}">{numbers}'
+                        "</DataArray>")
+            return ('<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"><Piece><Points>'
+                    + array("Points", "Float64", points) + "</Points><Cells>"
+                    + array("connectivity", "Int64", corners) + array("offsets", "Int64", ends)
+                    + array("types", "UInt8", kinds) + "</Cells></Piece></VTKFile>")
+
+        self.run_morskin("check", self.input("open.vtu", text()), code=5)
+        cases = [dict(points=p) for p in ("0 0", "nan 0 0 1 0 0 0 1 0", "1e999 0 0 1 0 0 0 1 0")]
+        cases += [dict(corners=c) for c in ("0 1 -1", "0 1 3", "0 1 1e300", "0 1 0.5", "0 1", "")]
+        cases += [dict(ends=e) for e in ("-3", "4", "9223372036854775807", "3 6", "0")]
+        cases += [dict(kinds=k) for k in ("9", "22", "-5", "5 5", "")]
+        cases += [dict(kind=k) for k in ("appended", "binary", "")]
+        for case in cases:
+            with self.subTest(case):
+                self.run_morskin("check", self.input("bad.vtu", text(**case)), code=3)
+        for size in (b"\xff" * 8, b"\0" * 7 + b"\x80", b"\0" * 8):  # not that of what follows
+            encoded = base64.b64encode(size + b"\0" * 72).decode()
+            said = self.run_morskin("check", self.input("bad.vtu", text(encoded, kind="binary")),
+                                    code=3).stderr
+            self.assertIn(b"damaged", said)
 
 
 if __name__ == "__main__":
