@@ -68,10 +68,8 @@ LESSONS = {
                           {18: "Those are the regions. How many lines leave a saddle?",
                            9: "More than one line leaves a saddle.",
                            72: "An arc has a saddle at one end only."}),
-        "run": Run("How many pairs does the program cancel on gramicidin, "
-                   "`bench/molecules/1grm_model1.pdb`, model paper, with the height along "
-                   "(1, 2, 3)?",
-                   "morse 1grm_model1.pdb --model paper --function height:1,2,3",
+        "run": Run("How many pairs does the program cancel on a protein of a virus, "
+                   "`bench/molecules/2buk.pdb.gz`, model vdw?", "morse 2buk.pdb.gz",
                    ["cancelled_pairs"]),
         "explain": Formula(
             "The dumbbell of two balls of weight w at a distance d lies on its side. Give the "
