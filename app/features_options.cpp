@@ -24,9 +24,7 @@ void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed) {
   for (const char* name : features_lack) command.remove_option(command.get_option(name));
   command.get_option("--model")->default_str("ses-like");
   command.get_option("--voids")->default_str("drop");
-  command.get_option("--density")
-      ->description("Vertices per square Angstrom, about: by an estimate, without trial meshes")
-      ->default_str("2");
+  command.get_option("--density")->default_str("2");
   command.get_option("-C")->default_str("0.4, which --density makes finer");
   command
       .add_option("--report", mesh.report, "Also write the report of mesh to this file, as JSON")
@@ -59,7 +57,6 @@ void finish_features(FeaturesArguments& features) {
       throw UsageError(path.string() + ": the ending must be .npz or .ply");
     }
   }
-  mesh.size_goal.is_estimated = mesh.size_goal.is_set();
   mesh.is_brief = true;
   mesh.vertex_data.data = {morskin::Datum::Normal, morskin::Datum::Curvature, morskin::Datum::Atom};
   mesh.vertex_data.charges = true;

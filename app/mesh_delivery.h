@@ -43,7 +43,10 @@ class MeshDelivery : public morskin::Observer {
         properties_(std::move(properties)),
         arrays_(std::move(arrays)) {}
 
-  void sized(const certify::Sizing& sizing) override { origin_.set_sizing(sizing); }
+  void sized(const certify::Sizing& sizing) override {
+    origin_.set_sizing(sizing);
+    snapshots_written_ = 0;
+  }
   void guided(const morse::Guide& guide) override;
   std::vector<front::SweepObserver*> sweep_observers() override;
   /// Reads back the first file whose format keeps every coordinate; if there is none, the bytes

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""How near to two vertices per square Angstrom `features` comes without trial meshes, and how long
-it takes on one core.
+"""How near to two vertices per square Angstrom `features` comes, and how long it takes on one core.
 
 One line for each molecule, also in papers/results/features.tsv: atoms, vertices, vertices per
 square Angstrom, the least processor and wall seconds of several runs of the whole command, and the

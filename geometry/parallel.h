@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <future>
-#include <utility>
 #include <vector>
 
 #include "geometry/task_trace.h"
@@ -28,8 +26,7 @@ inline std::size_t block_count(std::size_t count, std::size_t size = usual_block
 template <class Task>
 void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
-  const auto take = [&](std::uint32_t worker) {
-    const std::uint32_t outside = std::exchange(worker_of_loop, worker);
+  const auto take = [&] {
     try {
       for (std::size_t i = next++; i < count; i = next++) {
         const Traced traced(TaskTrace::Kind::Task, {}, i);
@@ -37,17 +34,15 @@ void for_each_task(unsigned threads, std::size_t count, Task task) {
       }
     } catch (...) {
       next = count;
-      worker_of_loop = outside;
       throw;
     }
-    worker_of_loop = outside;
   };
   const Traced loop(TaskTrace::Kind::Loop);
   std::vector<std::future<void>> others;
-  for (std::uint32_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
-    others.push_back(std::async(std::launch::async, take, i));
+  while (others.size() + 1 < std::min<std::size_t>(threads, count)) {
+    others.push_back(std::async(std::launch::async, take));
   }
-  take(worker_of_loop);
+  take();
   for (std::future<void>& other : others) other.get();
 }
 

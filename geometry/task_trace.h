@@ -15,6 +15,9 @@
 
 namespace morskin::geometry {
 
+/// Its own as long as it lives, the least that was free when it was first asked for.
+std::uint32_t number_of_this_thread();
+
 /// Records all that is traced in this process while it lives. One at a time.
 class TaskTrace {
  public:
@@ -29,11 +32,14 @@ class TaskTrace {
     Kind kind;
     std::string_view name;  ///< of a stage; empty else
     std::size_t number;
-    std::uint32_t worker;  ///< which thread of its loop, 0 for the one that began it
+    std::uint32_t thread;  ///< by number_of_this_thread()
     double begin, end;     ///< seconds
   };
 
-  TaskTrace() { active.store(this); }
+  TaskTrace() {
+    number_of_this_thread();  // the least for the one that waits for all others
+    active.store(this);
+  }
   ~TaskTrace() { active.store(nullptr); }
   TaskTrace(const TaskTrace&) = delete;
   TaskTrace& operator=(const TaskTrace&) = delete;
@@ -50,9 +56,6 @@ class TaskTrace {
   std::vector<Span> spans_;
 };
 
-/// Which of a loop's threads this one is.
-inline thread_local std::uint32_t worker_of_loop = 0;
-
 /// A span from here to the end of the scope. Costs nothing where nobody records.
 class Traced {
  public:
@@ -60,7 +63,7 @@ class Traced {
   explicit Traced(TaskTrace::Kind kind, std::string_view name = {}, std::size_t number = 0)
       : trace_(TaskTrace::active.load(std::memory_order_relaxed)) {
     if (trace_ == nullptr) return;
-    span_ = {kind, name, number, worker_of_loop, trace_->since_.seconds(), 0};
+    span_ = {kind, name, number, number_of_this_thread(), trace_->since_.seconds(), 0};
   }
   ~Traced() {
     if (trace_ == nullptr) return;

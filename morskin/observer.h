@@ -18,7 +18,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// The sizing of all that follows, as a size goal has set it.
+  /// The sizing of the mesh that is made next. A size goal may take several, and the last counts.
   virtual void sized(const certify::Sizing&) {}
   /// The guide of a sweep that is about to start; it lives until the sweep has ended.
   virtual void guided(const morse::Guide&) {}

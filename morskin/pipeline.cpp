@@ -42,6 +42,15 @@ void check(const SizeGoal& goal) {
   }
 }
 
+/// Sets the method, and the sizing where a size goal wants it.
+MethodResult mesh_by(const PreparedSkin& skin, MeshingOptions& options, Observer& observer,
+                     const Run& run) {
+  if (options.size_goal.is_set()) return mesh_of_size(skin, options, observer, run);
+  options.method = method_of(skin, options);
+  observer.sized(options.sizing);
+  return run_method(skin, options, observer, run);
+}
+
 }  // namespace
 
 void require_sound(const MeshingOptions& options) {
@@ -116,10 +125,7 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
     options.sizes = size_field(skin, options, run);
     if (options.sizes) options.method = Method::Static;
   }
-  if (options.size_goal.is_set()) settle_size(skin, options, run);
-  observer.sized(options.sizing);
-  options.method = method_of(skin, options);
-  Parcel parcel(run_method(skin, options, observer, run), options, run);
+  Parcel parcel(mesh_by(skin, options, observer, run), options, run);
   const Certifying certify = [&](const geometry::IndexedMesh& mesh, const certify::Hints& hints) {
     return certify::certify(mesh, hints, skin.surface, skin.expected(), options.sizing, run);
   };

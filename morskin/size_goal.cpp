@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Trials end when the number is as near to the one wanted, in shares, or after so many.
-constexpr double near_enough = 0.03;
+constexpr double near_enough = 0.05;
 constexpr int max_trials = 5;
 
 /// The limit with which a mesh has so many vertices; infinite if it always has more.
@@ -82,12 +82,12 @@ double wanted_vertices(const SizeGoal& goal, double area) {
   return goal.density ? *goal.density * area : *goal.triangles / 2;
 }
 
-/// The limit of a mesh of the static method that has what the goal asks for, by points that stand
-/// for the skin; infinite if it always has more.
+/// The limit of a mesh that has about what the goal asks for, by points that stand for the skin;
+/// infinite if it always has more.
 double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& sizing,
                        const SizeGoal& goal) {
-  // Over the largest circumradius of [U], that of equilateral triangles as many as are made;
-  // bench/features.py measures what comes of it.
+  // Over the largest circumradius of [U], that of equilateral triangles as many as the static method
+  // makes. Sweeps are coarsened to nearly as many.
   constexpr double usual_share = 0.75;
   const double radius = usual_share * sizing.C * sizing.Q;  // over the length scale
   const double vertices_per_demand = 2 / (3 * std::sqrt(3.0) * radius * radius);
@@ -111,28 +111,24 @@ double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& siz
 
 }  // namespace
 
-void settle_size(const PreparedSkin& skin, MeshingOptions& options, const geometry::Run& run) {
+MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Observer& observer,
+                          const geometry::Run& run) {
   certify::Sizing& sizing = options.sizing;
-  sizing.largest_length_scale = infinity;
-  if (options.size_goal.is_estimated && method_of(skin, options) == Method::Static) {
-    options.method = Method::Static;  // the estimate is of this one, also where edges are short
-    const double limit = estimated_limit(skin.surface, sizing, options.size_goal);
-    sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
-    return;
-  }
-  for (int k = 0; k < max_trials; ++k) {
-    MeshingOptions unsmoothed = options;
-    unsmoothed.angle_goal_deg = 0;
-    Observer unobserved;
-    const MethodResult made = run_method(skin, unsmoothed, unobserved, run);
-    if (made.open_edges > 0) break;
-    const Trial trial(made.mesh, sizing.largest_length_scale);
-    const double wanted = wanted_vertices(options.size_goal, trial.area());
-    if (std::abs(trial.vertices() / wanted - 1) <= near_enough) break;
-    const double limit = trial.limit_for(wanted);
-    if (limit == sizing.largest_length_scale) break;  // as coarse as C allows
+  const auto limit_to = [&](double limit) {
     sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
     options.method = method_of(skin, options);  // the same in all further trials
+  };
+  limit_to(estimated_limit(skin.surface, sizing, options.size_goal));
+  for (int k = 1;; ++k) {
+    observer.sized(sizing);
+    MethodResult made = run_method(skin, options, observer, run);
+    if (made.open_edges > 0 || k == max_trials) return made;
+    const Trial trial(made.mesh, sizing.largest_length_scale);
+    const double wanted = wanted_vertices(options.size_goal, trial.area());
+    if (std::abs(trial.vertices() / wanted - 1) <= near_enough) return made;
+    const double limit = trial.limit_for(wanted);
+    if (limit == sizing.largest_length_scale) return made;  // as coarse as C allows
+    limit_to(limit);
   }
 }
 

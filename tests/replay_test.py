@@ -73,9 +73,9 @@ class Traces(unittest.TestCase):
         cls.one = trace_of(BUNDLED / "caffeine.xyz", "-C", "0.02", "--threads", "1")
         cls.two = trace_of(BUNDLED / "caffeine.xyz", "-C", "0.02", "--threads", "2")
 
-    def test_one_thread_is_worker_0_alone_and_two_are_two(self):
+    def test_one_thread_is_number_0_alone_and_two_are_more(self):
         self.assertEqual({e["tid"] for e in self.one["traceEvents"]}, {0})
-        self.assertEqual({e["tid"] for e in self.two["traceEvents"]}, {0, 1})
+        self.assertLess({0}, {e["tid"] for e in self.two["traceEvents"]})
 
     def test_the_tasks_are_the_same_for_any_number_of_threads(self):
         def counts(trace):
@@ -83,17 +83,17 @@ class Traces(unittest.TestCase):
             return sorted(tasks)
         self.assertEqual(counts(self.one), counts(self.two))
 
-    def test_spans_of_one_thread_lie_in_each_other_or_apart(self):
-        """What the replay reads. With more threads a loop in a task numbers its own anew, so two
-        threads may bear one number for a moment."""
-        open_ends = []
-        spans = [(e["ts"], e["ts"] + e["dur"]) for e in self.one["traceEvents"]]
-        for begin, end in sorted(spans, key=lambda s: (s[0], -s[1])):
-            while open_ends and begin >= open_ends[-1]:
-                open_ends.pop()
-            if open_ends:
-                self.assertLessEqual(end, open_ends[-1] + 1e-3)
-            open_ends.append(end)
+    def test_spans_of_a_thread_lie_in_each_other_or_apart(self):
+        for trace, thread in itertools.product((self.one, self.two), range(64)):
+            open_ends = []
+            spans = [(e["ts"], e["ts"] + e["dur"]) for e in trace["traceEvents"]
+                     if e["tid"] == thread]
+            for begin, end in sorted(spans, key=lambda s: (s[0], -s[1])):
+                while open_ends and begin >= open_ends[-1]:
+                    open_ends.pop()
+                if open_ends:
+                    self.assertLessEqual(end, open_ends[-1] + 1e-3)
+                open_ends.append(end)
 
     def test_every_box_of_the_dissection_is_swept_once(self):
         boxes = sorted(e["args"]["number"] for e in self.one["traceEvents"] if e["cat"] == "box")

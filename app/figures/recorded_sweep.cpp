@@ -13,6 +13,7 @@ class Recorder : public morskin::Observer {
           record.events.push_back({operation, before, triangles});
         }) {}
 
+  void sized(const certify::Sizing&) override { record_.events.clear(); }
   bool wants_births() override { return true; }
   void guided(const morse::Guide& guide) override { record_.guide = guide; }
   std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_}; }
