@@ -86,8 +86,8 @@ double wanted_vertices(const SizeGoal& goal, double area) {
 /// infinite if it always has more.
 double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& sizing,
                        const SizeGoal& goal) {
-  // Over the largest circumradius of [U], that of equilateral triangles as many as the static method
-  // makes. Sweeps are coarsened to nearly as many.
+  // Over the largest circumradius of [U], that of equilateral triangles as many as the static
+  // method makes. Sweeps are coarsened to nearly as many.
   constexpr double usual_share = 0.75;
   const double radius = usual_share * sizing.C * sizing.Q;  // over the length scale
   const double vertices_per_demand = 2 / (3 * std::sqrt(3.0) * radius * radius);

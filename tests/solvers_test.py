@@ -75,7 +75,7 @@ class Solvers(CommandTest):
         points, corners, normals, gradients = random_panels(50)
         inside = corners.mean(axis=1)
         single, double = panel_integrals(inside, corners, normals, gradients)
-        self.assertLess(np.abs(double).max(), 2 * math.pi * (1 + 1e-12))
+        self.assertLess(np.abs(double).max(), 1e-12)
         self.assertTrue((single > 0).all())
         on_an_edge = corners[:, :2].mean(axis=1)
         self.assertTrue(np.isfinite(panel_integrals(on_an_edge, corners, normals,
@@ -86,6 +86,13 @@ class Solvers(CommandTest):
         points = np.array([[0, 0, 0], [1.2, -1, 0.5], [0, 9, 0]])
         _, double, _, _ = equations.layers(points)
         np.testing.assert_allclose(double.sum(axis=0), [-1, -1, 0], atol=1e-3)
+
+    def test_on_the_surface_itself_it_has_half_of_that(self):
+        """The double layer's principal value: rounding puts points above their own triangle's plane
+        or below it, where the solid angle jumps by all of a sphere."""
+        equations = self.ball(2.5)
+        _, double, _, _ = equations.layers(equations.tests.positions)
+        np.testing.assert_allclose(double.sum(axis=0), -0.5, atol=1e-3)
 
     def test_energies_are_born_s_and_kirkwood_s_and_come_nearer_with_the_square_of_the_size(self):
         errors = []
@@ -112,7 +119,7 @@ class Solvers(CommandTest):
     def test_without_a_difference_between_inside_and_outside_hardly_any_energy_is_found(self):
         equations = self.ball(2.5, outer=INNER, kappa=0)
         water = self.energy(self.ball(2.5), ASIDE)
-        self.assertLess(abs(self.energy(equations, ASIDE)), 0.05 * abs(water))
+        self.assertLess(abs(self.energy(equations, ASIDE)), 0.002 * abs(water))
 
     def test_the_energy_grows_with_the_square_of_the_charges(self):
         equations = self.ball(2.5)

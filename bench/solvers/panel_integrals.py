@@ -13,6 +13,8 @@ hat function is its value at x' plus its gradient times y - x'.
 
 import numpy as np
 
+FLAT = 2.0**-40  # of the distance to the corners: far above the rounding of coordinates
+
 
 def dot(a, b):
     return np.einsum("...i,...i", a, b)
@@ -45,7 +47,8 @@ def panel_integrals(points, corners, normals, gradients):
     arms = corners - points[:, None]
     r = np.linalg.norm(arms, axis=2)
     height = -dot(arms[:, 0], normals)
-    angle = solid_angle(arms, r)
+    # In the plane, but for rounding, there is none: the principal value of the double layer.
+    angle = np.where(np.abs(height) > FLAT * r.max(axis=1), solid_angle(arms, r), 0)
     total = -height * angle
     first, slope = np.zeros_like(points), np.zeros_like(points)
     for k in range(3):
