@@ -166,6 +166,8 @@ def table(rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for r in rows:
         cells = [ROWS[r["as_printed"]][1], f"{r['certified']} of {r['runs']}"]
+        if int(r["out_of_time"]) > 0:
+            cells[-1] += f", {r['out_of_time']} not measured"
         if int(r["certified"]) > 0:
             cells += [f"{float(r['triangles_ratio']):.3f}",
                       f"{float(r['min_angle']):.2f}°, {float(r['max_angle']):.1f}°",

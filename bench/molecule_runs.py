@@ -84,11 +84,14 @@ def cpu_seconds_of_children():
 
 
 def run_command(words, timeout):
-    """Runs morskin with these words; what it prints on standard output is JSON."""
+    """Runs morskin with these words; what it prints on standard output is JSON.
+
+    timeout: seconds, or math.inf.
+    """
     start, before = time.monotonic(), cpu_seconds_of_children()
     try:
-        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, timeout=timeout,
-                              check=False)
+        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, check=False,
+                              timeout=None if timeout == math.inf else timeout)
         code, output, complaint = done.returncode, done.stdout, done.stderr
     except subprocess.TimeoutExpired:
         code, output, complaint = -1, "", f"still running after {timeout:g} s"
