@@ -117,6 +117,8 @@ class Installed(unittest.TestCase):
                                                              re.MULTILINE)[1], "+%Y-%m-%d")
         self.assertEqual(day, date)
         self.assertIn(f'version = "{version}"', (ROOT / "packaging/conda/meta.yaml").read_text())
+        citation = (ROOT / "CITATION.cff").read_text()
+        self.assertIn(f'\nversion: {version}\ndate-released: "{date}"\n', citation)
         package = self.prefix / "lib/cmake/morskin/morskinConfigVersion.cmake"
         self.assertIn(f'set(PACKAGE_VERSION "{version}")', package.read_text())
 
