@@ -17,7 +17,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, ROOT, Rows, argument_parser, end, molecule_files
+from molecule_runs import BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_files
 
 PROGRAM = ROOT / "build" / "bench" / "morskin_ablation"
 NONE = "nothing"
@@ -150,20 +150,12 @@ def measure(results, timeout=60, repetitions=2, only="", is_quick=False):
         return rows.rows
 
 
-def read(results):
-    """The rows of an earlier run, as text; none without the file."""
-    if not results.exists():
-        return []
-    head, *lines = results.read_text(encoding="utf-8").splitlines()
-    return [dict(zip(head.split("\t"), line.split("\t"))) for line in lines]
-
-
 def table(rows):
     """The rows in Markdown, as papers/5-results.md shows them."""
     head = ["as printed", "certified", "triangles", "smallest, largest angle",
             "angles below 25°, 30° in a million", "edges below [L], triangles above [U] as swept",
             "time", "1GRM: triangles, smallest angle"]
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    body = []
     for r in rows:
         cells = [ROWS[r["as_printed"]][1], f"{r['certified']} of {r['runs']}"]
         if int(r["out_of_time"]) > 0:
@@ -180,8 +172,8 @@ def table(rows):
         is_meshed = r["triangles_1grm"] != "-"
         cells.append(f"{int(r['triangles_1grm']):,}, {float(r['min_angle_1grm']):.2f}°"
                      if is_meshed else "-")
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+        body.append(cells)
+    return markdown(head, body)
 
 
 def failures(rows):

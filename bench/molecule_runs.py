@@ -154,6 +154,13 @@ def read_rows(path):
     return [dict(zip(lines[0].split("\t"), line.split("\t"))) for line in lines[1:]]
 
 
+def markdown(head, rows):
+    """A table of cells, each a text or what str makes one."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    lines += ["| " + " | ".join(map(str, cells)) + " |" for cells in rows]
+    return "\n".join(lines) + "\n"
+
+
 def end(failures, runs):
     """Ends the script: well if there were runs and no failures."""
     if not runs:

@@ -7,6 +7,8 @@ import statistics
 import struct
 
 import ablation
+import molecule_runs
+from molecule_runs import markdown
 
 STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "voids", "critical_points",
           "sweep", "refine", "smooth", "certify", "describe", "write"]
@@ -17,12 +19,6 @@ PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),
          "1GRM": ("GramicidinA", 305186, 24.37, 202, 5723)}
 ASKED_EXPONENT = (0.95, 1.05)
 LEFT_OUT, NOT_MEASURED = "left out: ", "not measured"
-
-
-def markdown(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
 
 
 def read_rows(path):
@@ -43,9 +39,8 @@ def read_rows(path):
 
 def earlier_rows(results, name):
     """The rows of a part that was run earlier."""
-    if name == "ablation":
-        return ablation.read(results / "ablation.tsv")
-    return read_rows(results / f"{name}.csv")
+    table = results / f"{name}.tsv"
+    return molecule_runs.read_rows(table) if table.exists() else read_rows(results / f"{name}.csv")
 
 
 def measured(rows, **fixed):
