@@ -31,8 +31,8 @@ from pathlib import Path
 import ablation
 import reproduce_tables as tables
 from machine import environment
-from molecule_runs import (BUNDLED, argument_parser, end, molecule_files, molecule_folder,
-                           run_command, sized_files)
+from molecule_runs import (BUNDLED, argument_parser, atom_count, end, molecule_files,
+                           molecule_folder, run_command, sized_files)
 from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
 
@@ -77,6 +77,7 @@ def arguments():
     if options.quick:
         options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
         options.finest = max(options.finest, 0.02)
+        options.scaling_timeout = min(options.scaling_timeout, 5)
     return options
 
 
@@ -106,7 +107,7 @@ def turns(methods, repetition):
 def table1(options, methods, notes, meshes):
     """The first repetition knows no limit if it is quick."""
     part = Part("table1", TABLE1_COLUMNS, options, notes)
-    hopeless = set()
+    hopeless, seconds = set(), {}
     for repetition in range(1, options.repetitions + 1):
         if repetition == 2:
             print("\n" + tables.ratios_text(part.rows, methods), flush=True)
@@ -116,11 +117,12 @@ def table1(options, methods, notes, meshes):
                 if (molecule, method) in hopeless:
                     continue
                 fixed = {"molecule": molecule, "repetition": repetition}
-                if part.is_late():
+                if part.is_late(seconds.get((molecule, method), 0)):
                     part.leave_out(method, fixed)
                     continue
                 keep = meshes / f"{molecule}.{method}.ply" if repetition == 1 else None
                 row = part.run(BUNDLED / file, "paper", method, fixed, keep=keep)
+                seconds[molecule, method] = float(row["seconds"])
                 if row["code"] not in (0, 5):
                     hopeless.add((molecule, method))
     part.end()
@@ -190,29 +192,26 @@ def made_up_balls(model, folder):
 
 
 def agreement(options, methods, notes, folder, temporary):
+    """Small things first."""
     part = Part("agreement", AGREEMENT_COLUMNS, options, notes)
     part.limit(QUICK_SECONDS["agreement"])
     files = {p.name: p for p in molecule_files(BUNDLED) + molecule_files(folder)}
+    for name in SMALL_MOLECULES:
+        if name not in files:
+            notes.add(f"agreement: {name} is not in {folder}")
+    molecules = [(name, files[name]) for name in SMALL_MOLECULES if name in files]
+    cases = [(name, path, model) for model in options.models.split(",")
+             for name, path in [*made_up_balls(model, temporary), *molecules]]
     late = set()
-    for model in options.models.split(","):
-        cases = list(made_up_balls(model, temporary))
-        for name in SMALL_MOLECULES:
-            if name in files:
-                cases.append((name, files[name]))
-            else:
-                notes.add(f"agreement: {name} is not in {folder}")
-        for name, path in cases:
-            for method in methods:
-                fixed = {"molecule": name, "model": model}
-                if (name, method) in late:
-                    part.leave_out(method, fixed, "it was out of time in another model")
-                    continue
-                if part.is_late():
-                    part.leave_out(method, fixed)
-                    continue
-                row = part.run(path, model, method, fixed)
-                if row["code"] == -1:
-                    late.add((name, method))
+    for name, path, model in sorted(cases, key=lambda case: atom_count(case[1])):
+        for method in methods:
+            fixed = {"molecule": name, "model": model}
+            if (name, method) in late:
+                part.leave_out(method, fixed, "it was out of time in another model")
+            elif part.is_late():
+                part.leave_out(method, fixed)
+            elif part.run(path, model, method, fixed)["code"] == -1:
+                late.add((name, method))
     part.end()
     return part
 

@@ -224,6 +224,13 @@ def agreement_text(rows, methods):
     return markdown(head, body)
 
 
+def verdict(value, error, low, high):
+    """What was found, and whether it is in a range, as far as its error tells."""
+    is_open = low <= value + error and value - error <= high
+    met = "yes" if low <= value <= high else "perhaps" if is_open else "no"
+    return [f"{value:.3f} ± {error:.3f}", met]
+
+
 def asked_text(rows):
     """The requirements on the sweep, and whether they are met."""
     body = []
@@ -237,8 +244,7 @@ def asked_text(rows):
         found, _ = fit(rows.get("scaling", []), "seconds", series=series, method="sweep")
         low, high = ASKED_EXPONENT
         body.append([f"exponent of the sweep's time, {series}", f"{low} to {high}",
-                     *([f"{found[0]:.3f}", "yes" if low <= found[0] <= high else "no"] if found
-                       else [NOT_MEASURED, ""])])
+                     *(verdict(*found[:2], low, high) if found else [NOT_MEASURED, ""])])
     return markdown(["asked of the sweep", "asked", "found", "met"], body)
 
 
