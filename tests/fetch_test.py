@@ -5,11 +5,12 @@ on this machine that lies, cuts transfers and is not there."""
 import gzip
 import subprocess
 import sys
-import tempfile
 import threading
 import unittest
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+
+from support.programs import temporary_folder
 
 ROOT = Path(__file__).resolve().parent.parent
 MOLECULES = ROOT / "bench" / "molecules"
@@ -46,9 +47,7 @@ class Fetch(unittest.TestCase):
         self.server.files = {"/1CRN.pdb.gz": gzip.compress(CRAMBIN)}
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
         self.url = f"http://127.0.0.1:{self.server.server_port}/"
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.into = Path(folder.name)
+        self.into = temporary_folder(self)
 
     def tearDown(self):
         self.server.shutdown()
