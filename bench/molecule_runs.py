@@ -118,21 +118,24 @@ def brief(value, digits=4):
 
 
 class Rows:
-    """Rows of results, each printed at once and written to a file of tabs."""
+    """Rows of results, each printed at once; a file of tabs that is there when all are."""
 
     def __init__(self, path, columns, widths, left):
         """widths: by column, for the eye; the first `left` columns stand to the left."""
         self.columns, self.widths, self.left, self.rows = columns, widths, left, []
         path.parent.mkdir(parents=True, exist_ok=True)
-        self.file = open(path, "w", encoding="utf-8")
+        self.path, self.part = path, path.with_name(path.name + ".part")
+        self.file = open(self.part, "w", encoding="utf-8")
         self.file.write("\t".join(columns) + "\n")
         self.show(columns)
 
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, error, *_):
         self.file.close()
+        if error in (None, SystemExit):  # end() may be called inside
+            self.part.replace(self.path)
 
     def show(self, values):
         cells = [brief(v) for v in values]

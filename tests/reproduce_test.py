@@ -71,6 +71,26 @@ class Tables(unittest.TestCase):
         self.assertIn("| 0 of 5, 2 not measured |", ablation.table([row]))
 
 
+class Files(unittest.TestCase):
+    def test_rows_are_there_when_all_are_and_an_interrupted_run_leaves_the_earlier_ones(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "rows.tsv"
+
+            def write(*values, error=None):
+                with molecule_runs.Rows(path, ["n"], [4], 1) as rows:
+                    for n in values:
+                        rows.add({"n": n})
+                    if error:
+                        raise error
+            write(1, 2)
+            with self.assertRaises(KeyboardInterrupt):
+                write(3, error=KeyboardInterrupt())
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
+            with self.assertRaises(SystemExit):
+                write(4, error=SystemExit(0))
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "4"}])
+
+
 class Order(unittest.TestCase):
     """Table 1 with a clock that each run moves by ten seconds."""
 
