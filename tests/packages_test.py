@@ -20,6 +20,7 @@ apt-get install --yes --no-install-recommends /packages/*.deb > /dev/null
 morskin --version
 dpkg --listfiles morskin | grep --quiet /usr/share/man/man1/morskin-mesh.1.gz
 dpkg --listfiles morskin | grep --quiet /usr/share/zsh/vendor-completions/_morskin
+dpkg --listfiles morskin | grep --quiet /usr/share/morskin/engines/Snakefile
 morskin mesh /usr/share/doc/morskin/examples/molecules/caffeine.xyz -o caffeine.ply | tail --lines 1
 apt-get install --yes --no-install-recommends g++ make pkg-config > /dev/null
 make -s -C /usr/share/doc/morskin/examples/cpp
