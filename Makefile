@@ -6,13 +6,13 @@ PREFIX ?= /usr/local
 PYTHON ?= /usr/bin/python3
 SETS ?= 2000
 SECONDS ?= 60
-RESULTS ?= papers/results
+RESULTS ?= build/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction reproduce papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -107,12 +107,20 @@ morse-corpus: command  ## trace Morse-Smale complexes of MOLECULES (see bench/mo
 prediction: command  ## count which touches of the front theory predicts (see bench/prediction.py --help)
 	python3 bench/prediction.py --molecules $(MOLECULES) $(PREDICTION)
 
+fetch:  ## get the corpus's PDB entries into build/corpus, and check them (see bench/fetch.py --help)
+	python3 bench/fetch.py $(FETCH)
+
 # The plots take matplotlib, which Debian installs for its own Python.
-reproduce: command  ## the paper's Table 1, all methods in one run, into RESULTS (QUICK=1: under 5 minutes)
+reproduce: command  ## the paper's Table 1, all methods in one run, into build/results (QUICK=1: some 5 minutes)
 	@cmake/install_packages.sh cmake/plot_packages.txt
 	@cmake --build build --parallel $(JOBS) --target morskin_ablation
 	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
 	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
+
+# An hour on a quiet machine. Afterwards: make papers-update.
+reproduce-reference:  ## the same into papers/results, the committed run that the pages show
+	@test "$(QUICK)" != 1 || { echo "the committed run is a whole one: no QUICK=1"; exit 2; }
+	$(MAKE) reproduce RESULTS=papers/results
 
 papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
 	@cmake/install_packages.sh cmake/pages_packages.txt

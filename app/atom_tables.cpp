@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
-#include "skin/hydropathy.h"
+#include "morskin/feature_data.h"
 
 namespace morskin::app {
 namespace {
@@ -46,57 +46,22 @@ std::vector<morskin::AtomProperty> residue_properties(std::span<const skin::Atom
   return {residue, chain};
 }
 
-std::vector<double> hydropathies(std::span<const skin::Atom> atoms) {
-  std::vector<double> of_atom;
-  for (const skin::Atom& atom : atoms) {
-    of_atom.push_back(skin::kyte_doolittle(atom.residue).value_or(0));
-  }
-  return of_atom;
-}
-
 }  // namespace
 
 std::vector<morskin::AtomProperty> atom_properties(const skin::Molecule& molecule,
                                                    const VertexData& asked) {
   std::vector<morskin::AtomProperty> properties;
   if (asked.residues) properties = residue_properties(molecule.atoms);
-  if (asked.features) {
-    properties.push_back({"hphob", hydropathies(molecule.atoms), false, true});
-  }
+  if (asked.features) properties.push_back(hydropathy_property(molecule));
   if (!asked.charges) return properties;
   if (!molecule.charges.empty()) {
-    properties.push_back({"partial_charge", molecule.charges, true});
+    properties.push_back(charge_property(molecule));
   } else if (!asked.is_all) {
     throw geometry::RefusedInput(molecule.source +
                                  ": gives no charges, which --vertex-data charge asks for; name a "
                                  "PQR file");
   }
   return properties;
-}
-
-std::vector<geometry::NamedArray> atom_arrays(const skin::Molecule& molecule) {
-  std::vector<double> positions, radii;
-  for (const skin::Atom& atom : molecule.atoms) {
-    positions.insert(positions.end(), atom.position.data(), atom.position.data() + 3);
-    radii.push_back(atom.radius);
-  }
-  const auto texts = [&](skin::Label skin::Atom::*label) {
-    std::vector<std::string> result;
-    for (const skin::Atom& atom : molecule.atoms) result.emplace_back((atom.*label).view());
-    return result;
-  };
-  std::vector<geometry::NamedArray> arrays{
-      {"atom_name", texts(&skin::Atom::name)},
-      {"atom_element", texts(&skin::Atom::element)},
-      {"atom_residue", texts(&skin::Atom::residue)},
-      {"atom_residue_number", texts(&skin::Atom::residue_number)},
-      {"atom_chain", texts(&skin::Atom::chain)},
-      {"atom_position", std::move(positions), 3},
-      {"atom_radius", std::move(radii)},
-      {"atom_hphob", hydropathies(molecule.atoms)},
-  };
-  if (!molecule.charges.empty()) arrays.push_back({"atom_charge", molecule.charges});
-  return arrays;
 }
 
 std::string areas_text(std::span<const skin::Atom> atoms, std::span<const double> areas) {

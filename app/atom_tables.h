@@ -21,11 +21,6 @@ namespace morskin::app {
 std::vector<morskin::AtomProperty> atom_properties(const skin::Molecule& molecule,
                                                    const VertexData& asked);
 
-/// For surface learning: "atom_name", "atom_element", "atom_residue", "atom_residue_number" and
-/// "atom_chain", texts; "atom_position" (atoms x 3) and "atom_radius", Angstrom; "atom_hphob", 0
-/// where the residue is no amino acid; "atom_charge" where the file gives charges.
-std::vector<geometry::NamedArray> atom_arrays(const skin::Molecule& molecule);
-
 /// CSV: a row for each atom, then one for each residue, then the total. The columns are of, atom
 /// (from 1, the line of `balls`), line (of the molecule's file), chain, residue_number, residue,
 /// name, element, radius, area (Angstrom^2). What does not apply is empty.

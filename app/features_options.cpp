@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <iterator>
 
 #include "app/output_names.h"
 #include "app/shared_options.h"
+#include "morskin/feature_data.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
@@ -58,7 +60,7 @@ void finish_features(FeaturesArguments& features) {
     }
   }
   mesh.is_brief = true;
-  mesh.vertex_data.data = {morskin::Datum::Normal, morskin::Datum::Curvature, morskin::Datum::Atom};
+  mesh.vertex_data.data.assign(std::begin(morskin::feature_data), std::end(morskin::feature_data));
   mesh.vertex_data.charges = true;
   mesh.vertex_data.is_all = true;
   mesh.vertex_data.features = true;

@@ -9,7 +9,7 @@
 namespace morskin::app {
 
 /// What `mesh` lets choose and `features` sets.
-inline constexpr std::array features_lack{"--vertex-data", "--decimals"};
+inline constexpr std::array features_lack{"--vertex-data", "--decimals", "--order"};
 
 void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed);
 

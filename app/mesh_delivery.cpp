@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "app/output_names.h"
 #include "app/snapshots.h"
-#include "geometry/cotangent_laplacian.h"
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
+#include "morskin/feature_data.h"
 
 namespace morskin::app {
 namespace {
@@ -33,19 +33,6 @@ bool keeps_coordinates(MeshFormat format, const MeshArguments& arguments) {
     default:
       return false;
   }
-}
-
-/// Adds the lumped mass of each vertex and, among arrays of their own, the Laplacian as SciPy's
-/// csr_array takes it.
-void add_operators(geometry::MeshAttributes& to, const IndexedMesh& mesh, bool has_arrays) {
-  to.vertices.push_back({"mass", {"mass"}, geometry::lumped_mass(mesh)});
-  if (!has_arrays) return;
-  geometry::SparseMatrix laplacian = geometry::cotangent_laplacian(mesh);
-  const auto size = static_cast<std::int64_t>(mesh.positions.size());
-  to.arrays.push_back({"laplacian_data", std::move(laplacian.values)});
-  to.arrays.push_back({"laplacian_indices", std::move(laplacian.columns)});
-  to.arrays.push_back({"laplacian_indptr", std::move(laplacian.offsets)});
-  to.arrays.push_back({"laplacian_shape", std::vector<std::int64_t>{size, size}});
 }
 
 }  // namespace
@@ -78,7 +65,12 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
     result = mesh_attributes(*skin_, mesh, cells, arguments_.vertex_data.data, properties_);
   }
   result.arrays = arrays_;
-  if (arguments_.vertex_data.features) add_operators(result, mesh, is_any(MeshFormat::Npz));
+  if (arguments_.vertex_data.features) {
+    result.vertices.push_back(mass_attribute(mesh));
+    if (is_any(MeshFormat::Npz)) {
+      std::ranges::move(laplacian_arrays(mesh), std::back_inserter(result.arrays));
+    }
+  }
   if (is_any(MeshFormat::MsmsVertices, MeshFormat::Glb, MeshFormat::Npz)) {
     result.normals = skin_normals(*skin_, mesh, cells);
   }

@@ -5,22 +5,15 @@
 #include <string_view>
 
 #include "app/skin_arguments.h"
+#include "app/typed_values.h"
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {
 
-/// Digits alone.
-std::optional<std::int64_t> number(std::string_view text) {
-  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) {
-    return std::nullopt;
-  }
-  return geometry::parse_integer(text);
-}
-
 std::int64_t required_number(std::string_view text) {
-  const std::optional<std::int64_t> value = number(text);
+  const std::optional<std::int64_t> value = parse_digits(text);
   if (!value) {
     throw UsageError("--model-number takes whole numbers from 0, as in 3 or 1,3-5, or all; not " +
                      geometry::quoted(text));

@@ -28,13 +28,6 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->allow_extra_args(false);
   add_meshing_options(command, mesh, typed);
   command
-      .add_option("--order", mesh.order,
-                  "2: curved triangles into .vtu and .msh\n"
-                  "with a node on the skin in the middle of each edge; the certificate is of the\n"
-                  "corners' mesh")
-      ->check(CLI::Range(1, 2))
-      ->default_str("1");
-  command
       .add_option("--areas", mesh.areas,
                   "Also write the areas of atoms and residues to this file, as CSV")
       ->default_str("none");

@@ -8,6 +8,7 @@
 #include "app/arguments.h"
 #include "app/figures/figures.h"
 #include "app/output_names.h"
+#include "app/shared_options.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
@@ -81,8 +82,8 @@ void add_render(CLI::App& app, RenderArguments& render, TypedPicture& typed) {
   CLI::App& command = *app.add_subcommand("render", "Draw meshes as a PNG");
   command
       .add_option("MESH", render.meshes,
-                  "PLY, OFF, OBJ, STL or MSMS, of any tool; several get a panel each, all seen\n"
-                  "by the same camera")
+                  "PLY, OFF, OBJ, STL, VTU, MSH or MSMS, of any tool; several get a panel each,\n"
+                  "all seen by the same camera")
       ->required();
   command.add_option("-o,--output", render.output, "The PNG; - for standard output")->required();
   command.add_option("--size", typed.size, "Of a panel, pixels: 800 or 1200x800 (default: 800)");
@@ -94,16 +95,10 @@ void add_render(CLI::App& app, RenderArguments& render, TypedPicture& typed) {
                      "x,y,factor: a point of the first panel, 0 to 1 from its top left, to be\n"
                      "shown so many times larger in a last panel");
   command.add_option("--colour", typed.colour, "Of the surface (default: #a9c3d9)");
-  command
-      .add_option("--by", typed.by,
-                  "Colour triangles by nothing, angle (the smallest) or component")
-      ->check(CLI::IsMember({"nothing", "angle", "component"}))
-      ->capture_default_str();
-  command
-      .add_option("--edges", typed.edges,
-                  "Draw edges: always, never, or auto, where triangles are large enough")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_choice(command, "--by", typed.by, {"nothing", "angle", "component"},
+             "Colour triangles by nothing, angle (the smallest) or component");
+  add_choice(command, "--edges", typed.edges, {"auto", "always", "never"},
+             "Draw edges: always, never, or auto, where triangles are large enough");
   command.add_flag("--flat", render.flat, "Show triangles flat, not as a smooth surface");
   command.add_flag("--no-shadows", typed.no_shadows, "Draw no shadows; faster");
   command.add_option("--columns", render.columns, "Panels in a row")

@@ -3,8 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace morskin::app {
+
+void add_choice(CLI::App& command, const char* name, std::string& value,
+                std::vector<std::string> words, const char* description) {
+  command.add_option(name, value, description)
+      ->check(CLI::IsMember(std::move(words)))
+      ->capture_default_str();
+}
 
 void add_molecule_options(CLI::App& command, Typed& typed) {
   command
@@ -57,10 +65,8 @@ void add_function_option(CLI::App& command, Typed& typed) {
 }
 
 void add_progress_option(CLI::App& command, Typed& typed) {
-  command
-      .add_option("--progress", typed.progress, "Show it: auto (on a terminal), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_choice(command, "--progress", typed.progress, {"auto", "always", "never"},
+             "Show it: auto (on a terminal), always or never");
 }
 
 void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
@@ -109,6 +115,13 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
                   "Write .vert and .face in columns, with so many decimals, 3 as MSMS does")
       ->default_str("all, so that no bit is lost")
       ->check(CLI::Range(1, 9));
+  command
+      .add_option("--order", mesh.order,
+                  "2: curved triangles into .vtu and .msh\n"
+                  "with a node on the skin in the middle of each edge; the certificate is of the\n"
+                  "corners' mesh")
+      ->check(CLI::Range(1, 2))
+      ->default_str("1");
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
@@ -136,16 +149,14 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   add_function_option(command, typed);
   command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z")
       ->default_str("as --function");
-  command
-      .add_option("--method", typed.method,
-                  "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
-                  "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
-                  "static with C above 0.25 where no length limits most edges, up to 50,000\n"
-                  "balls: it takes less time there; dynamic, growth from nothing;\n"
-                  "marching-cubes, for comparison: without quality, so as a rule not\n"
-                  "certified")
-      ->check(CLI::IsMember({"auto", "sweep", "static", "dynamic", "marching-cubes"}))
-      ->capture_default_str();
+  add_choice(command, "--method", typed.method,
+             {"auto", "sweep", "static", "dynamic", "marching-cubes"},
+             "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
+             "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
+             "static with C above 0.25 where no length limits most edges, up to 50,000\n"
+             "balls: it takes less time there; dynamic, growth from nothing;\n"
+             "marching-cubes, for comparison: without quality, so as a rule not\n"
+             "certified");
   command.add_option("--grid", mesh.grid_step, "Step of the grid of marching-cubes, Angstrom")
       ->default_str("for as many triangles as the sweep makes");
   command
@@ -159,12 +170,9 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
                   "Sweep so many subdomains, each for itself, a power of two; 1 sweeps from\n"
                   "below with one front, as the paper's Algorithm 1 does")
       ->default_str("as many as the size of the mesh is worth");
-  command
-      .add_option("--guard", typed.guard,
-                  "Where the front looks for collisions: everywhere; adjacent or\n"
-                  "spheres are experiments that fail on most molecules")
-      ->check(CLI::IsMember({"everywhere", "adjacent", "spheres"}))
-      ->capture_default_str();
+  add_choice(command, "--guard", typed.guard, {"everywhere", "adjacent", "spheres"},
+             "Where the front looks for collisions: everywhere; adjacent or\n"
+             "spheres are experiments that fail on most molecules");
 }
 
 }  // namespace morskin::app

@@ -6,11 +6,15 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/options.h"
 
 namespace morskin::app {
 
+/// An option that takes one of these words. Its default is the value that there is.
+void add_choice(CLI::App& command, const char* name, std::string& value,
+                std::vector<std::string> words, const char* description);
 /// --model, --probe, --radii and the options that choose atoms.
 void add_molecule_options(CLI::App& command, Typed& typed);
 void add_voids_option(CLI::App& command, Typed& typed);

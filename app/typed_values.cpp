@@ -33,6 +33,11 @@ std::string_view name_of(MeshMethod method) {
   return methods[static_cast<std::size_t>(method)].first;
 }
 
+std::optional<std::int64_t> parse_digits(std::string_view text) {
+  const bool has_others = text.find_first_not_of("0123456789") != std::string_view::npos;
+  return has_others ? std::nullopt : geometry::parse_integer(text);
+}
+
 std::uint64_t parsed_bytes(std::string_view text) {
   constexpr std::string_view units = "KMGT";
   constexpr double most = 0x1p62;  // far beyond any machine, far from overflow

@@ -13,6 +13,8 @@ namespace morskin::app {
 
 /// Of --max-memory: "1500000", "200K", "1.5G"; K, M, G and T are powers of 1024.
 /// @throws UsageError
+/// The number that digits alone spell.
+std::optional<std::int64_t> parse_digits(std::string_view text);
 std::uint64_t parsed_bytes(std::string_view text);
 
 /// Of --voids: keep, drop or a volume, Angstrom^3. Voids below the result are dropped.

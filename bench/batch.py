@@ -20,8 +20,8 @@ import sys
 import time
 from pathlib import Path
 
-from molecule_runs import MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, \
-    molecule_folder
+from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, markdown,
+                           molecule_folder)
 
 RECIPES = ROOT / "bench" / "batch_inputs.txt"
 FILES = ["1aon.pdb.gz", "1bmf.pdb.gz", "1r03_24mer.pdb.gz", "2buk_capsid.pdb.gz", "1dps.pdb",
@@ -148,16 +148,16 @@ def row_of(model, options, target):
 
 def table(rows):
     """The rows of the page."""
-    lines = ["| model | inputs | certified | heavy atoms, median | vertices per Å², median | "
-             "smallest angle | processor s each, median | most | processor s in all | "
-             "by the clock | MiB a worker, most |", "|" + "---|" * 11]
+    body = []
     for r in rows:
         of = {k: v if k == "model" else float(v) for k, v in r.items()}
-        lines.append(f"| {r['model']} | {r['inputs']} | {r['ok']} | {of['median_atoms']:.0f} | "
-                     f"{of['median_density']:.2f} | {of['least_angle']:.2f}° | "
-                     f"{of['median_cpu_seconds']:.2f} | {of['most_cpu_seconds']:.1f} | "
-                     f"{of['cpu_seconds']:.0f} | {of['seconds']:.0f} | {of['most_mib']:.0f} |")
-    return "\n".join(lines)
+        body.append([r["model"], r["inputs"], r["ok"], f"{of['median_atoms']:.0f}",
+                     f"{of['median_density']:.2f}", f"{of['least_angle']:.2f}°",
+                     f"{of['median_cpu_seconds']:.2f}", f"{of['most_cpu_seconds']:.1f}",
+                     f"{of['cpu_seconds']:.0f}", f"{of['seconds']:.0f}", f"{of['most_mib']:.0f}"])
+    return markdown(["model", "inputs", "certified", "heavy atoms, median",
+                     "vertices per Å², median", "smallest angle", "processor s each, median",
+                     "most", "processor s in all", "by the clock", "MiB a worker, most"], body)
 
 
 def sentence(rows):

@@ -8,7 +8,7 @@ clock. A run is good when it is certified.
 
 from math import asin, degrees
 
-from molecule_runs import BUNDLED, Rows, argument_parser, end, mesh
+from molecule_runs import BUNDLED, Rows, argument_parser, end, markdown, mesh
 
 # By molecule here: the file and the paper's triangles.
 MOLECULES = {"5TMN inhibitor": ("5tmn_ligand.pdb", 24336),
@@ -43,12 +43,10 @@ def weights_table(rows):
              "1GRM, model 1": "({:,})"}
     head = ["model", "w", "patch radius",
             *(f"{name} {names[name].format(MOLECULES[name][1])}" for name in MOLECULES)]
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    for model, (weight, radius) in MODELS.items():
-        counts = [f"{int(count(rows, file, model)['triangles']):,}"
-                  for file, _ in MOLECULES.values()]
-        lines.append("| " + " | ".join([model, weight, radius, *counts]) + " |")
-    return "\n".join(lines)
+    return markdown(head, (
+        [model, weight, radius, *(f"{int(count(rows, file, model)['triangles']):,}"
+                                  for file, _ in MOLECULES.values())]
+        for model, (weight, radius) in MODELS.items()))
 
 
 def weights_sentence(rows):
@@ -63,16 +61,16 @@ def weights_sentence(rows):
 
 def coarse_table(rows):
     """4.3: gramicidin, model paper, with growing C."""
-    lines = ["| C | Q | method | R below | angles above | angles measured | triangles of 1GRM, "
-             "model paper | one in |", "|---|---|---|---|---|---|---|---|"]
+    body = []
     most = int(count(rows, GRAMICIDIN, "paper")["triangles"])
     for c in COARSE:
         r = count(rows, GRAMICIDIN, "paper", c)
         q, triangles = float(r["Q"]), int(r["triangles"])
-        lines.append(f"| {c:g} | {q:.3g} | {r['method']} | {c * q:.3f} ρ | "
-                     f"{degrees(asin(1 / q ** 2)):.1f}° | {float(r['min_angle']):.1f}° | "
-                     f"{triangles:,} | {most / triangles:.1f} |")
-    return "\n".join(lines)
+        body.append([f"{c:g}", f"{q:.3g}", r["method"], f"{c * q:.3f} ρ",
+                     f"{degrees(asin(1 / q ** 2)):.1f}°", f"{float(r['min_angle']):.1f}°",
+                     f"{triangles:,}", f"{most / triangles:.1f}"])
+    return markdown(["C", "Q", "method", "R below", "angles above", "angles measured",
+                     "triangles of 1GRM, model paper", "one in"], body)
 
 
 def coarse_sentence(rows):

@@ -13,7 +13,7 @@ import statistics
 import sys
 from pathlib import Path
 
-from molecule_runs import ROOT, Rows, argument_parser, end, mesh, molecule_folder
+from molecule_runs import ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder
 
 MOLECULES = ["1crn.pdb", "1ejg.pdb", "5pti.pdb", "1ubq.pdb", "1l2y.cif", "1aki.pdb", "1stp.cif",
              "1hpv.pdb", "2buk.pdb", "1brs.pdb", "1j4n.pdb", "2por.pdb", "1atp.pdb",
@@ -55,8 +55,7 @@ def row_of(path, asked, run):
 
 def table(rows):
     """The rows of the page: by density, medians over the molecules that have it."""
-    lines = ["| asked, per Å² | have it | certified | made | 5 % of edges below | 95 % below | "
-             "seconds |", "|---|---|---|---|---|---|---|"]
+    body = []
     for density in DENSITIES:
         of_it = [r for r in rows if float(r["asked"]) == density]
         made = [r for r in of_it if r["verdict"] == "made"]
@@ -71,8 +70,9 @@ def table(rows):
                       f"{min(of('cpu_seconds')):.1f} to {max(of('cpu_seconds')):.1f}"]
         else:
             cells += ["", "", "", ""]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+        body.append(cells)
+    return markdown(["asked, per Å²", "have it", "certified", "made", "5 % of edges below",
+                     "95 % below", "seconds"], body)
 
 
 MOST_OVER_FORCED = 1.3

@@ -13,7 +13,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from molecule_runs import MORSKIN, Rows, argument_parser, end, molecule_folder
+from molecule_runs import MORSKIN, Rows, argument_parser, end, markdown, molecule_folder
 
 MOLECULES = ["atp.pdb", "amprenavir.pdb", "heme.pdb", "1grm_model1.pdb", "9dna_duplex.pdb",
              "1l2y.cif", "1crn.pdb", "1bna.pdb", "1ubq.pdb", "1rna.cif", "1ejg.pdb", "2koc.pdb",
@@ -62,13 +62,11 @@ def row_of(path, timeout):
 
 
 def table(rows):
-    lines = ["| molecule | atoms | vertices | per Å² | processor seconds | prepare | mesh | "
-             "angles | certify | write |", "|---|---|---|---|---|---|---|---|---|---|"]
-    for r in rows:
-        shares = " | ".join(f"{100 * float(r[stage]):.0f} %" for stage in STAGES)
-        lines.append(f"| {r['molecule']} | {int(r['atoms']):,} | {int(r['vertices']):,} | "
-                     f"{float(r['density']):.2f} | {float(r['cpu_seconds']):.2f} | {shares} |")
-    return "\n".join(lines)
+    return markdown(
+        ["molecule", "atoms", "vertices", "per Å²", "processor seconds", *STAGES],
+        ([r["molecule"], f"{int(r['atoms']):,}", f"{int(r['vertices']):,}",
+          f"{float(r['density']):.2f}", f"{float(r['cpu_seconds']):.2f}",
+          *(f"{100 * float(r[stage]):.0f} %" for stage in STAGES)] for r in rows))
 
 
 def sentence(rows):

@@ -84,11 +84,14 @@ def cpu_seconds_of_children():
 
 
 def run_command(words, timeout):
-    """Runs morskin with these words; what it prints on standard output is JSON."""
+    """Runs morskin with these words; what it prints on standard output is JSON.
+
+    timeout: seconds, or math.inf.
+    """
     start, before = time.monotonic(), cpu_seconds_of_children()
     try:
-        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, timeout=timeout,
-                              check=False)
+        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, check=False,
+                              timeout=None if timeout == math.inf else timeout)
         code, output, complaint = done.returncode, done.stdout, done.stderr
     except subprocess.TimeoutExpired:
         code, output, complaint = -1, "", f"still running after {timeout:g} s"
@@ -115,21 +118,24 @@ def brief(value, digits=4):
 
 
 class Rows:
-    """Rows of results, each printed at once and written to a file of tabs."""
+    """Rows of results, each printed at once; a file of tabs that is there when all are."""
 
     def __init__(self, path, columns, widths, left):
         """widths: by column, for the eye; the first `left` columns stand to the left."""
         self.columns, self.widths, self.left, self.rows = columns, widths, left, []
         path.parent.mkdir(parents=True, exist_ok=True)
-        self.file = open(path, "w", encoding="utf-8")
+        self.path, self.part = path, path.with_name(path.name + ".part")
+        self.file = open(self.part, "w", encoding="utf-8")
         self.file.write("\t".join(columns) + "\n")
         self.show(columns)
 
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, error, *_):
         self.file.close()
+        if error in (None, SystemExit):  # end() may be called inside
+            self.part.replace(self.path)
 
     def show(self, values):
         cells = [brief(v) for v in values]
@@ -149,6 +155,13 @@ def read_rows(path):
     """The rows of such a file, all values as text."""
     lines = path.read_text(encoding="utf-8").splitlines()
     return [dict(zip(lines[0].split("\t"), line.split("\t"))) for line in lines[1:]]
+
+
+def markdown(head, rows):
+    """A table of cells, each a text or what str makes one."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    lines += ["| " + " | ".join(map(str, cells)) + " |" for cells in rows]
+    return "\n".join(lines) + "\n"
 
 
 def end(failures, runs):

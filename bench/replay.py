@@ -21,8 +21,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from molecule_runs import (Rows, argument_parser, end, mesh, molecule_files, molecule_folder,
-                           read_rows)
+from molecule_runs import (Rows, argument_parser, end, markdown, mesh, molecule_files,
+                           molecule_folder, read_rows)
 
 SURFACES = [("1grm_model1.pdb", "paper"), ("1ubq.pdb", "paper"), ("1kx5.pdb", "sas"),
             ("1aon.pdb.gz", "sas")]
@@ -202,17 +202,15 @@ def rows_of(path, model, options, copied):
 
 def table(rows):
     """The rows of the page: by molecule, the speed-up of each number of workers."""
-    lines = ["| | " + " | ".join(f"{w}" for w in WORKERS) + " | two threads, measured |",
-             "|---|" + "---|" * (len(WORKERS) + 1)]
+    body = []
     for name, model in SURFACES:
         of_it = [r for r in rows if (r["molecule"], r["model"]) == (name, model)]
         label = f"{name.split('.')[0].split('_')[0].upper()}, {model}"
         measured = float(of_it[0]["measured"]) / float(of_it[1]["measured"])
         for what, column in (("", "speed_up"), (", the kernel serial", "with_serial_kernel")):
-            lines.append(f"| {label}{what} | "
-                         + " | ".join(f"{float(r[column]):.2f}" for r in of_it)
-                         + f" | {measured:.2f} |")
-    return "\n".join(lines)
+            body.append([label + what, *(f"{float(r[column]):.2f}" for r in of_it),
+                         f"{measured:.2f}"])
+    return markdown(["", *map(str, WORKERS), "two threads, measured"], body)
 
 
 def draw(rows, path):

@@ -13,38 +13,31 @@ Into the results folder go
   inputs.sha256     the inputs, so that it can be seen what was measured
 
 and bench/reproduce_plots.py draws scaling and angles from there. The methods take turns within each
-repetition, so that noise hits all alike. Methods that are not built in, runs out of time and runs
-left out are reported in a line and in table1.md.
+repetition, so that noise hits all alike. What was out of time or left out for lack of it is "not
+measured" in table1.md, and a method that is not built in is named there.
 
 With --parts only some are run; the others' rows are taken from the folder, and table1.md says so.
-With --quick (QUICK=1) the whole takes under five minutes: smaller molecules, and each part stops
-when its share of the time is used.
+With --quick (QUICK=1) Table 1 comes first, every method once and without a limit of time, so that
+the ratios to the sweep are measured whatever the machine is. Then each part has a share of the
+time, with smaller molecules.
 """
 
-import csv
 import hashlib
 import math
 import os
 import tempfile
-import time
 from pathlib import Path
 
 import ablation
 import reproduce_tables as tables
 from machine import environment
-from molecule_runs import (BUNDLED, argument_parser, brief, end, mesh, molecule_files,
+from molecule_runs import (BUNDLED, argument_parser, atom_count, end, molecule_files,
                            molecule_folder, run_command, sized_files)
+from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
 
-METHODS = {
-    "sweep": ["--method", "sweep"],
-    "one-front-unsmoothed": ["--method", "sweep", "--fronts", "1", "--angle-goal", "0"],
-    "static": ["--method", "static"],
-    "dynamic": ["--method", "dynamic"],
-    "marching-cubes": ["--method", "marching-cubes"],
-}
 PARTS = ["table1", "scaling", "agreement", "ablation"]
-UNCERTIFIED_AS_A_RULE = {"marching-cubes"}
+QUICK_SECONDS = {"table1": 20, "scaling": 60, "agreement": 40}  # of table1 after the first of each
 NOT_SCALED = {"one-front-unsmoothed"}  # the sweep's time but for a few per cent
 
 TABLE1 = {"5TMN": "5tmn_ligand.pdb", "9DNA": "9dna.pdb", "1GRM": "1grm_model1.pdb"}
@@ -65,10 +58,10 @@ SMALL_MOLECULES = ["benzene.pdb", "c60.xyz", "caffeine.xyz", "cube8.xyzr", "ring
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=1800, results="papers/results", largest=8000)
+    parser = argument_parser(__doc__, timeout=1800, results="build/results", largest=8000)
     parser.add_argument("--repetitions", type=int, default=5, help="of every run (%(default)s)")
     parser.add_argument("--quick", action="store_true", default=os.environ.get("QUICK") == "1",
-                        help="under five minutes; also with QUICK=1 in the environment")
+                        help="some five minutes; also with QUICK=1 in the environment")
     parser.add_argument("--finest", type=float, default=0.004, metavar="C",
                         help="of the series of finer and finer meshes (%(default)s)")
     parser.add_argument("--scaling-timeout", type=float, default=30, metavar="SECONDS",
@@ -84,70 +77,8 @@ def arguments():
     if options.quick:
         options.timeout, options.largest = min(options.timeout, 20), min(options.largest, 700)
         options.finest = max(options.finest, 0.02)
+        options.scaling_timeout = min(options.scaling_timeout, 5)
     return options
-
-
-class Notes:
-    """Remarks for table1.md."""
-
-    def __init__(self):
-        self.lines = []
-
-    def add(self, text):
-        if text not in self.lines:
-            self.lines.append(text)
-            print("note: " + text, flush=True)
-
-
-class Part:
-    """One part of the whole: its rows, its file, its share of the time."""
-
-    def __init__(self, name, columns, options, notes, quick_seconds):
-        self.name, self.notes, self.timeout = name, notes, options.timeout
-        self.deadline = time.monotonic() + (quick_seconds if options.quick else math.inf)
-        self.left_out = 0
-        self.may_run_out = options.quick  # whether a run out of time is no failure
-        self.failures = []
-        self.file = open(options.results / f"{name}.csv", "w", encoding="utf-8", newline="")
-        self.writer = csv.DictWriter(self.file, columns, restval="", extrasaction="ignore",
-                                     lineterminator="\n")
-        self.writer.writeheader()
-        self.rows = []
-
-    def is_late(self):
-        late = time.monotonic() > self.deadline
-        self.left_out += late
-        return late
-
-    def run(self, path, model, method, fixed, *options, keep=None):
-        """Meshes once; the row has the measured values beside the fixed ones."""
-        timeout = max(1, min(self.timeout, self.deadline - time.monotonic()))
-        done = mesh(path, model, timeout, *METHODS[method], *options, keep=keep)
-        report = done.report
-        row = {**report, **fixed, "method": method, "cpu_seconds": brief(done.cpu_seconds),
-               "seconds": report.get("seconds", {}).get("total", brief(done.seconds)),
-               "certified": report.get("certified", False)}
-        row |= {"seconds_" + k: v for k, v in report.get("seconds", {}).items()}
-        row["reason"] = report.get("reason") or done.complaint
-        row["code"] = done.code
-        self.writer.writerow(row)
-        self.file.flush()
-        self.rows.append(row)
-        if done.code not in (0, 5):
-            self.notes.add(f"{self.name}: {method} on {fixed['molecule']}: {row['reason']}")
-        is_excused = method in UNCERTIFIED_AS_A_RULE or (self.may_run_out and done.code == -1)
-        if not row["certified"] and not is_excused:
-            self.failures.append(f"{self.name}: {method} on {fixed['molecule']}: {row['reason']}")
-        print(f"{self.name:10} {fixed['molecule']:24} {method:16} {row.get('triangles', '-'):>10} "
-              f"{row['seconds']:>10} s  {'certified' if row['certified'] else row['reason'][:60]}",
-              flush=True)
-        return row
-
-    def end(self):
-        if self.left_out:
-            self.notes.add(f"{self.name}: {self.left_out} runs were left out for lack of time "
-                           "(QUICK=1)")
-        self.file.close()
 
 
 def methods_there_are(options, notes):
@@ -174,16 +105,24 @@ def turns(methods, repetition):
 
 
 def table1(options, methods, notes, meshes):
-    part = Part("table1", TABLE1_COLUMNS, options, notes, 110)
-    hopeless = set()
+    """The first repetition knows no limit if it is quick."""
+    part = Part("table1", TABLE1_COLUMNS, options, notes)
+    hopeless, seconds = set(), {}
     for repetition in range(1, options.repetitions + 1):
+        if repetition == 2:
+            print("\n" + tables.ratios_text(part.rows, methods), flush=True)
+            part.limit(QUICK_SECONDS["table1"])
         for molecule, file in TABLE1.items():
             for method in turns(methods, repetition):
-                if (molecule, method) in hopeless or part.is_late():
+                if (molecule, method) in hopeless:
+                    continue
+                fixed = {"molecule": molecule, "repetition": repetition}
+                if part.is_late(seconds.get((molecule, method), 0)):
+                    part.leave_out(method, fixed)
                     continue
                 keep = meshes / f"{molecule}.{method}.ply" if repetition == 1 else None
-                row = part.run(BUNDLED / file, "paper", method,
-                               {"molecule": molecule, "repetition": repetition}, keep=keep)
+                row = part.run(BUNDLED / file, "paper", method, fixed, keep=keep)
+                seconds[molecule, method] = float(row["seconds"])
                 if row["code"] not in (0, 5):
                     hopeless.add((molecule, method))
     part.end()
@@ -204,7 +143,8 @@ def evenly_spaced(files, least, most, count):
 def scaling(options, methods, notes, folder):
     """Small things first within a repetition; a method out of time is not tried on larger ones."""
     files, unreadable = sized_files(folder, options.only)
-    part = Part("scaling", SCALING_COLUMNS, options, notes, 70)
+    part = Part("scaling", SCALING_COLUMNS, options, notes)
+    part.limit(QUICK_SECONDS["scaling"])
     part.timeout, part.may_run_out = min(part.timeout, options.scaling_timeout), True
     methods = [m for m in methods if m not in NOT_SCALED]
     for path in unreadable:
@@ -223,10 +163,13 @@ def scaling(options, methods, notes, folder):
     for repetition in range(1, options.repetitions + 1):
         for index, (path, fixed) in enumerate(cases):
             for method in turns(methods, repetition):
-                if index >= limit.get((fixed["series"], method), math.inf) or part.is_late():
+                if index >= limit.get((fixed["series"], method), math.inf):
                     continue
-                row = part.run(path, "paper", method, {**fixed, "repetition": repetition},
-                               "-C", str(fixed["C"]))
+                fixed = {**fixed, "repetition": repetition}
+                if part.is_late():
+                    part.leave_out(method, fixed)
+                    continue
+                row = part.run(path, "paper", method, fixed, "-C", str(fixed["C"]))
                 if row["code"] not in (0, 5):
                     limit[fixed["series"], method] = index
     part.end()
@@ -249,26 +192,26 @@ def made_up_balls(model, folder):
 
 
 def agreement(options, methods, notes, folder, temporary):
-    part = Part("agreement", AGREEMENT_COLUMNS, options, notes, 60)
+    """Small things first."""
+    part = Part("agreement", AGREEMENT_COLUMNS, options, notes)
+    part.limit(QUICK_SECONDS["agreement"])
     files = {p.name: p for p in molecule_files(BUNDLED) + molecule_files(folder)}
+    for name in SMALL_MOLECULES:
+        if name not in files:
+            notes.add(f"agreement: {name} is not in {folder}")
+    molecules = [(name, files[name]) for name in SMALL_MOLECULES if name in files]
+    cases = [(name, path, model) for model in options.models.split(",")
+             for name, path in [*made_up_balls(model, temporary), *molecules]]
     late = set()
-    for model in options.models.split(","):
-        cases = list(made_up_balls(model, temporary))
-        for name in SMALL_MOLECULES:
-            if name in files:
-                cases.append((name, files[name]))
-            else:
-                notes.add(f"agreement: {name} is not in {folder}")
-        for name, path in cases:
-            for method in methods:
-                if (name, method) in late:
-                    notes.add(f"agreement: {method} on {name} was not tried in every model")
-                    continue
-                if part.is_late():
-                    continue
-                row = part.run(path, model, method, {"molecule": name, "model": model})
-                if row["code"] == -1:
-                    late.add((name, method))
+    for name, path, model in sorted(cases, key=lambda case: atom_count(case[1])):
+        for method in methods:
+            fixed = {"molecule": name, "model": model}
+            if (name, method) in late:
+                part.leave_out(method, fixed, "it was out of time in another model")
+            elif part.is_late():
+                part.leave_out(method, fixed)
+            elif part.run(path, model, method, fixed)["code"] == -1:
+                late.add((name, method))
     part.end()
     return part
 
@@ -321,7 +264,7 @@ def main():
     text = tables.table1_text(rows, methods, notes.lines,
                               known.get("table1", known[wanted[0]]))
     (options.results / "table1.md").write_text(text, encoding="utf-8")
-    print("\n" + text)
+    print("\n" + text + f"\nAll of this is in {options.results}.\n")
     failures = [f for part in parts.values() for f in part.failures]
     if "ablation" in wanted:
         failures += ablation.failures(rows["ablation"])

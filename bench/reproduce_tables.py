@@ -7,6 +7,8 @@ import statistics
 import struct
 
 import ablation
+import molecule_runs
+from molecule_runs import markdown
 
 STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "voids", "critical_points",
           "sweep", "refine", "smooth", "certify", "describe", "write"]
@@ -16,12 +18,7 @@ PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),
          "9DNA": ("A-DNA", 114316, 24.12, 51, 2112),
          "1GRM": ("GramicidinA", 305186, 24.37, 202, 5723)}
 ASKED_EXPONENT = (0.95, 1.05)
-
-
-def markdown(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
+LEFT_OUT, NOT_MEASURED = "left out: ", "not measured"
 
 
 def read_rows(path):
@@ -42,15 +39,19 @@ def read_rows(path):
 
 def earlier_rows(results, name):
     """The rows of a part that was run earlier."""
-    if name == "ablation":
-        return ablation.read(results / "ablation.tsv")
-    return read_rows(results / f"{name}.csv")
+    table = results / f"{name}.tsv"
+    return molecule_runs.read_rows(table) if table.exists() else read_rows(results / f"{name}.csv")
 
 
 def measured(rows, **fixed):
     """The rows of runs that made a mesh and agree with what is fixed."""
     return [r for r in rows if r.get("triangles")
             and all(r[key] == value for key, value in fixed.items())]
+
+
+def is_unmeasured(row):
+    """Whether a run was out of time, or left out for lack of it."""
+    return str(row["reason"]).startswith((LEFT_OUT, "still running"))
 
 
 def numbers(rows, column):
@@ -165,7 +166,10 @@ def molecules_text(rows, methods):
         for method in methods:
             runs = measured(rows, molecule=molecule, method=method)
             if not runs:
-                body.append([molecule, method, "no mesh", "", "", "", "", ""])
+                has_failed = any(not is_unmeasured(r) for r in rows
+                                 if (r["molecule"], r["method"]) == (molecule, method))
+                body.append([molecule, method, "no mesh" if has_failed else NOT_MEASURED,
+                             "", "", "", "", ""])
                 continue
             body.append([molecule, method, f"{int(runs[0]['triangles']):,}",
                          f"{float(runs[0]['min_angle_deg']):.2f}",
@@ -184,7 +188,7 @@ def ratios_text(rows, methods):
         found = [ratio(rows, molecule, m, column) for m in others
                  for column in ("seconds", "cpu_seconds")]
         body.append([molecule, f"{dynamic / sweep:.0f}",
-                     *("-" if value is None else f"{value:.2f}" for value in found)])
+                     *(NOT_MEASURED if value is None else f"{value:.2f}" for value in found)])
     return markdown(head, body)
 
 
@@ -193,29 +197,38 @@ def scaling_text(rows, methods):
     body = []
     for series in ("corpus", "finer"):
         for method in methods:
+            if not any((r["series"], r["method"]) == (series, method) for r in rows):
+                continue
             found, points = fit(rows, "seconds", series=series, method=method)
             cpu, _ = fit(rows, "cpu_seconds", series=series, method=method)
-            if found:
-                body.append([series, method, len(points),
-                             f"{points[0][0]:,} to {points[-1][0]:,}",
-                             f"{found[0]:.3f} ± {found[1]:.3f}", f"{cpu[0]:.3f} ± {cpu[1]:.3f}"])
+            body.append([series, method, len(points),
+                         f"{points[0][0]:,} to {points[-1][0]:,}" if points else "",
+                         *(f"{f[0]:.3f} ± {f[1]:.3f}" if f else NOT_MEASURED
+                           for f in (found, cpu))])
     return markdown(head, body)
 
 
 def agreement_text(rows, methods):
     """How many sets and models each method has certified, and on how many its topology is right."""
-    head = ["method", "runs", "out of time", "certified", "right χ, components, genus",
-            "wrong ones"]
+    head = ["method", "runs", "certified", "right χ, components, genus", "wrong ones",
+            NOT_MEASURED]
     body = []
     for method in methods:
         runs = [r for r in rows if r["method"] == method]
         right = [r for r in measured(runs)
                  if all(r[key] == r["expected_" + key]
                         for key in ("euler_characteristic", "components", "genus"))]
-        late = sum(str(r["reason"]).startswith("still running") for r in runs)
-        body.append([method, len(runs), late, sum(bool(r["certified"]) for r in runs), len(right),
-                     len(runs) - late - len(right)])
+        unmeasured = sum(map(is_unmeasured, runs))
+        body.append([method, len(runs), sum(bool(r["certified"]) for r in runs), len(right),
+                     len(runs) - unmeasured - len(right), unmeasured])
     return markdown(head, body)
+
+
+def verdict(value, error, low, high):
+    """What was found, and whether it is in a range, as far as its error tells."""
+    is_open = low <= value + error and value - error <= high
+    met = "yes" if low <= value <= high else "perhaps" if is_open else "no"
+    return [f"{value:.3f} ± {error:.3f}", met]
 
 
 def asked_text(rows):
@@ -229,10 +242,9 @@ def asked_text(rows):
                          f"{found:.2f}", "yes" if found >= angle else "no"])
     for series in ("corpus", "finer"):
         found, _ = fit(rows.get("scaling", []), "seconds", series=series, method="sweep")
-        if found:
-            low, high = ASKED_EXPONENT
-            body.append([f"exponent of the sweep's time, {series}", f"{low} to {high}",
-                         f"{found[0]:.3f}", "yes" if low <= found[0] <= high else "no"])
+        low, high = ASKED_EXPONENT
+        body.append([f"exponent of the sweep's time, {series}", f"{low} to {high}",
+                     *(verdict(*found[:2], low, high) if found else [NOT_MEASURED, ""])])
     return markdown(["asked of the sweep", "asked", "found", "met"], body)
 
 

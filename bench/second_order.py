@@ -10,7 +10,7 @@ certified, which means that every Jacobian was proved positive, or refused since
 import tempfile
 from pathlib import Path
 
-from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder
+from molecule_runs import Rows, argument_parser, end, markdown, mesh, molecule_folder
 
 MOLECULES = ["benzene.pdb", "caffeine.xyz", "5tmn_ligand.pdb", "1crn.pdb"]
 SIZES = [0.4, 0.35, 0.2, 0.08]
@@ -45,17 +45,16 @@ def row_of(path, C, run, exact):
 
 
 def table(rows):
-    lines = ["| molecule | C | triangles | flat lacks | curved lacks | least Jacobian |",
-             "|---|---|---|---|---|---|"]
+    body = []
     for r in rows:
-        if r["verdict"] == "refused":
-            lines.append(f"| {r['molecule']} | {r['C']} | refused | | | not proved positive |")
-            continue
-        lines.append(f"| {r['molecule']} | {r['C']} | {int(r['triangles']):,} | "
-                     f"{100 * float(r['flat_lacks']):.3f} % | "
-                     f"{100 * float(r['curved_lacks']):.4f} % | "
-                     f"{float(r['least_jacobian']):.2f} |")
-    return "\n".join(lines)
+        values = ["refused", "", "", "not proved positive"]
+        if r["verdict"] != "refused":
+            values = [f"{int(r['triangles']):,}", f"{100 * float(r['flat_lacks']):.3f} %",
+                      f"{100 * float(r['curved_lacks']):.4f} %",
+                      f"{float(r['least_jacobian']):.2f}"]
+        body.append([r["molecule"], r["C"], *values])
+    return markdown(["molecule", "C", "triangles", "flat lacks", "curved lacks", "least Jacobian"],
+                    body)
 
 
 def sentence(rows):

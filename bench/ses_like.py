@@ -16,7 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from molecule_runs import ROOT, Rows, argument_parser, end, mesh, molecule_folder
+from molecule_runs import ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder
 
 CHAINS = ["1crn A", "1ejg A", "5pti A", "1ubq A", "1hpv A", "1aki A", "1brs A", "1brs B", "1kx5 A",
           "1kx5 B", "1kx5 C", "1dps A", "1r03 A", "1ake A", "1k4c C", "4hhb A", "4hhb B", "2por A",
@@ -78,20 +78,19 @@ def run_chain(rows, folder, chain, timeout):
 
 def table(rows):
     """The rows of the page: by offset, medians over the chains."""
-    lines = ["| patches larger by | skin to SES, mean, 95 % | SES to skin, mean, 95 % | "
-             "95 % above 1 Å | area | volume | energy | genus |",
-             "|---|---|---|---|---|---|---|---|"]
+    body = []
     for offset in OFFSETS:
         these = [r for r in rows if float(r["offset"]) == offset]
         far = sum(float(r["to_ses_95"]) > 1 or float(r["from_ses_95"]) > 1 for r in these)
 
         def of(column):
             return statistics.median(float(r[column]) for r in these)
-        lines.append(f"| {offset} Å | {of('to_ses_mean'):.3f}, {of('to_ses_95'):.2f} Å | "
-                     f"{of('from_ses_mean'):.3f}, {of('from_ses_95'):.2f} Å | "
-                     f"{far} of {len(these)} | {of('area'):.2f} | "
-                     f"{of('volume'):.3f} | {of('energy'):.3f} | {of('genus'):.0f} |")
-    return "\n".join(lines)
+        body.append([f"{offset} Å", f"{of('to_ses_mean'):.3f}, {of('to_ses_95'):.2f} Å",
+                     f"{of('from_ses_mean'):.3f}, {of('from_ses_95'):.2f} Å",
+                     f"{far} of {len(these)}", f"{of('area'):.2f}", f"{of('volume'):.3f}",
+                     f"{of('energy'):.3f}", f"{of('genus'):.0f}"])
+    return markdown(["patches larger by", "skin to SES, mean, 95 %", "SES to skin, mean, 95 %",
+                     "95 % above 1 Å", "area", "volume", "energy", "genus"], body)
 
 
 def main():

@@ -9,7 +9,7 @@ without the safety net.
 import sys
 from pathlib import Path
 
-from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder
+from molecule_runs import Rows, argument_parser, end, markdown, mesh, molecule_folder
 
 SURFACES = [("1grm_model1.pdb", "paper", []), ("1ubq.pdb", "sas", []),
             ("1ubq.pdb", "vdw", ["-C", "0.2"]), ("1kx5.pdb", "sas", [])]
@@ -41,8 +41,7 @@ def row_of(path, model, options, count, run):
 
 def table(rows):
     """The rows of the page: by surface, the share of triangles between subdomains."""
-    lines = ["| subdomains | " + " | ".join(str(c) for c in COUNTS) + " |",
-             "|---|" + "---|" * len(COUNTS)]
+    body = []
     for name, model, options in SURFACES:
         of_it = [r for r in rows if (r["molecule"], r["model"], r["options"])
                  == (name, model, " ".join(options))]
@@ -50,9 +49,8 @@ def table(rows):
         for what, column, form in (("triangles to each", "triangles_to_each", "{:,.0f}"),
                                    ("of all, between them", "seam_share", "{:.1%}"),
                                    ("triangles in the end", "triangles", "{:,.0f}")):
-            lines.append(f"| {label}: {what} | "
-                         + " | ".join(form.format(float(r[column])) for r in of_it) + " |")
-    return "\n".join(lines)
+            body.append([f"{label}: {what}", *(form.format(float(r[column])) for r in of_it)])
+    return markdown(["subdomains", *map(str, COUNTS)], body)
 
 
 def main():

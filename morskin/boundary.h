@@ -5,16 +5,21 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "certify/certificate.h"
 #include "geometry/error.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/point.h"
 #include "geometry/run.h"
 #include "morse/choose_function.h"
+#include "morskin/method.h"
 #include "morskin/morskin.h"
 #include "morskin/prepared_skin.h"
+#include "skin/molecule.h"
 #include "skin/singular_skin.h"
 
 namespace morskin {
@@ -56,5 +61,15 @@ inline Run inside(const RunOptions& run) { return Run(run.threads, run.progress,
 
 /// @throws geometry::RefusedInput  for a corner that does not exist
 geometry::IndexedMesh inside(const TriangleMesh& mesh);
+/// @throws geometry::RefusedInput  for more than one limit of the sizes of triangles
+MeshingOptions inside(const MeshOptions& options);
+Certificate outside(const certify::Certificate& certificate);
+
+/// The molecule in a file. @throws geometry::RefusedInput  also where it gives weights, not radii
+skin::Molecule read_with_radii(const std::filesystem::path& file, const ReadOptions& options);
+std::vector<Atom> atoms_of(const skin::Molecule& molecule);
+/// The skin, and how many coordinates were rounded for it.
+std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
+                                              const SkinOptions& options, const Run& run);
 
 }  // namespace morskin

@@ -89,12 +89,13 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
                         const Run& run) {
-  if (options.mesher) return options.mesher(skin, options, observer, run);
   const bool is_sweep = method_of(skin, options) == Method::Sweep;
-  MethodResult made = is_sweep ? sweep_method(skin, options, observer, run)
-                               : static_method(skin, options, observer, run);
+  MethodResult made = options.mesher ? options.mesher(skin, options, observer, run)
+                      : is_sweep     ? sweep_method(skin, options, observer, run)
+                                     : static_method(skin, options, observer, run);
   if (made.open_edges > 0) return made;
   drop_components(skin, made.mesh, run);
+  if (options.mesher) return made;
   if (is_thinned(options)) {
     thin_and_raise_angles(skin, options, made, run);
   } else if (options.goal_deg() > 0) {

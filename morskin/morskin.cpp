@@ -81,35 +81,6 @@ void require_one_size(const MeshOptions& options) {
   }
 }
 
-MeshingOptions inside(const MeshOptions& options) {
-  require_one_size(options);
-  MeshingOptions result;
-  result.sizing = sizing_of(options);
-  result.size_goal = {options.density, options.triangles};
-  result.grading = options.grading;
-  result.angle_goal_deg = options.angle_goal_deg;
-  result.method = options.method;
-  result.fronts = options.fronts;
-  if (options.direction) {
-    result.function = morse::MorseFunction::height(inside(*options.direction));
-  }
-  return result;
-}
-
-Certificate outside(const certify::Certificate& c) {
-  return {c.certified,
-          c.is_homeomorphic,
-          c.reason,
-          c.components,
-          c.genus,
-          c.min_angle_deg,
-          c.max_angle_deg,
-          c.area,
-          c.volume,
-          c.max_distance_to_skin,
-          c.violations_L + c.violations_U};
-}
-
 std::string in_words(const Fallback& fallback) {
   const std::string part = "component " + std::to_string(fallback.component) + ": ";
   if (!fallback.replacement) return part + "nothing helped: " + fallback.reason;
@@ -153,18 +124,64 @@ geometry::IndexedMesh inside(const TriangleMesh& mesh) {
   return result;
 }
 
+MeshingOptions inside(const MeshOptions& options) {
+  require_one_size(options);
+  MeshingOptions result;
+  result.sizing = sizing_of(options);
+  result.size_goal = {options.density, options.triangles};
+  result.grading = options.grading;
+  result.angle_goal_deg = options.angle_goal_deg;
+  result.method = options.method;
+  result.fronts = options.fronts;
+  if (options.direction) {
+    result.function = morse::MorseFunction::height(inside(*options.direction));
+  }
+  return result;
+}
+
+Certificate outside(const certify::Certificate& c) {
+  return {c.certified,
+          c.is_homeomorphic,
+          c.reason,
+          c.components,
+          c.genus,
+          c.min_angle_deg,
+          c.max_angle_deg,
+          c.area,
+          c.volume,
+          c.max_distance_to_skin,
+          c.violations_L + c.violations_U};
+}
+
+skin::Molecule read_with_radii(const std::filesystem::path& file, const ReadOptions& options) {
+  skin::Molecule molecule = skin::read_molecule(file, inside(options));
+  if (!molecule.weights.empty()) {
+    throw geometry::RefusedInput(molecule.source + ": gives weights; Skin is made of radii");
+  }
+  return molecule;
+}
+
+std::vector<Atom> atoms_of(const skin::Molecule& molecule) {
+  std::vector<Atom> atoms;
+  for (const skin::Atom& atom : molecule.atoms) {
+    atoms.push_back({outside(atom.position), atom.radius});
+  }
+  return atoms;
+}
+
+std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
+                                              const SkinOptions& options, const Run& run) {
+  std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
+  const std::size_t rounded = geometry::move_to_exact_grid(points);
+  PreparedSkin skin = prepare_skin(std::move(points), run);
+  drop_voids(skin, options.drop_voids_below, run);
+  return {std::move(skin), rounded};
+}
+
 Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options) {
   return with_errors([&] {
-    skin::Molecule molecule = skin::read_molecule(file, inside(options));
-    if (!molecule.weights.empty()) {
-      throw geometry::RefusedInput(molecule.source + ": gives weights; Skin is made of radii");
-    }
-    Molecule result;
-    for (const skin::Atom& atom : molecule.atoms) {
-      result.atoms.push_back({outside(atom.position), atom.radius});
-    }
-    result.charges = std::move(molecule.charges);
-    return result;
+    skin::Molecule molecule = read_with_radii(file, options);
+    return Molecule{atoms_of(molecule), std::move(molecule.charges)};
   });
 }
 
@@ -186,10 +203,7 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
 
 Skin::Skin(std::span<const Atom> atoms, const SkinOptions& options, const RunOptions& run)
     : prepared_(with_errors([&] {
-        std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
-        const std::size_t rounded = geometry::move_to_exact_grid(points);
-        PreparedSkin skin = prepare_skin(std::move(points), inside(run));
-        drop_voids(skin, options.drop_voids_below, inside(run));
+        auto [skin, rounded] = prepared(atoms, options, inside(run));
         return std::make_shared<const Prepared>(Prepared{std::move(skin), rounded});
       })) {}
 

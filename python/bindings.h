@@ -45,6 +45,11 @@ void bind_mesh(py::module_& module);
 void bind_morse(py::module_& module);
 /// Skin, and what makes one. @pre the others are bound
 void bind_skin(py::module_& module);
+/// What reads a molecule's file: its atoms, and its features.
+void bind_molecule(py::module_& module);
+
+/// @throws py::value_error  for a name that is no model's
+Model model_of(const std::string& word);
 
 /// @throws py::error_already_set  NotCertified, with the mesh
 [[noreturn]] void raise_not_certified(const std::string& reason, const py::object& mesh);

@@ -11,4 +11,5 @@ PYBIND11_MODULE(_morskin, module) {
   morskin::python::bind_mesh(module);
   morskin::python::bind_morse(module);
   morskin::python::bind_skin(module);
+  morskin::python::bind_molecule(module);
 }

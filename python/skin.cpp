@@ -35,15 +35,6 @@ Value named(const std::string& word, const Names<Value>& names, const std::strin
   throw py::value_error(what + " must be one of " + all + ", not " + word);
 }
 
-Model model_of(const std::string& word) {
-  return named<Model>(word,
-                      {{"paper", Model::Paper},
-                       {"sas", Model::Sas},
-                       {"vdw", Model::Vdw},
-                       {"ses-like", Model::SesLike}},
-                      "model");
-}
-
 std::optional<Method> method_of(const std::optional<std::string>& word) {
   if (!word) return std::nullopt;
   return named<Method>(*word, {{"sweep", Method::Sweep}, {"static", Method::Static}}, "method");
@@ -112,33 +103,8 @@ std::vector<CriticalPoint> critical_points(const Skin& skin,
 MorseSmaleComplex morse_smale(const Skin& skin, const std::optional<Point>& direction,
                               bool simplify, const py::object& progress) {
   const Simplify how = simplify ? Simplify::ShortArcs : Simplify::Not;
-  return interruptible({1, progress}, [&](const RunOptions& run) {
-    return skin.morse_smale(direction, run, how);
-  });
-}
-
-py::tuple read_molecule(const std::filesystem::path& file, std::vector<std::string> chains,
-                        bool waters, std::optional<std::vector<std::string>> hetatms,
-                        std::string altloc, bool hydrogens, std::optional<std::int64_t> model,
-                        std::optional<std::string> assembly, std::optional<std::string> radii) {
-  auto* const molecule = new Molecule();
-  const py::capsule owner(molecule, [](void* p) { delete static_cast<Molecule*>(p); });
-  const ReadOptions options{.chains = std::move(chains),
-                            .waters = waters,
-                            .hetatms = std::move(hetatms),
-                            .locations = std::move(altloc),
-                            .hydrogens = hydrogens,
-                            .model = model,
-                            .assembly = std::move(assembly),
-                            .radii = std::move(radii)};
-  {
-    const py::gil_scoped_release unlocked;
-    *molecule = read_molecule_file(file, options);
-  }
-  const std::vector<double>& charges = molecule->charges;
-  return py::make_tuple(view(molecule->atoms, &Atom::position, owner),
-                        view(molecule->atoms, &Atom::radius, owner),
-                        charges.empty() ? py::object(py::none()) : view(charges, owner));
+  return interruptible(
+      {1, progress}, [&](const RunOptions& run) { return skin.morse_smale(direction, run, how); });
 }
 
 py::tuple read_mesh(const std::filesystem::path& file) {
@@ -176,6 +142,15 @@ progress           called now and then with the stage's name and the share of it
 Raises NotCertified, with the mesh; RefusedInput, a ValueError, for values that make no sense.)";
 
 }  // namespace
+
+Model model_of(const std::string& word) {
+  return named<Model>(word,
+                      {{"paper", Model::Paper},
+                       {"sas", Model::Sas},
+                       {"vdw", Model::Vdw},
+                       {"ses-like", Model::SesLike}},
+                      "model");
+}
 
 void bind_skin(py::module_& module) {
   using py::arg;
@@ -227,11 +202,6 @@ void bind_skin(py::module_& module) {
              "vertices  (n, 3): Angstrom\n"
              "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
              "The others are what the mesh was made with: **mesh.sizing for one of this library.");
-  module.def("read_molecule", &read_molecule, arg("file"), py::kw_only(), arg("chains"),
-             arg("waters"), arg("hetatms"), arg("altloc"), arg("hydrogens"), arg("model_number"),
-             arg("biological_assembly"), arg("radii"),
-             "read_molecule(file, *, ...) -> positions (n, 3), radii (n,), Angstrom; charges (n,) "
-             "or None\n\nread() has the options.");
   module.def("read_mesh", &read_mesh, arg("file"),
              "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
              "A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.\n\n"

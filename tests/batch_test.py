@@ -33,6 +33,15 @@ class Rows(Batch):
                          [triangles[0], triangles[2], triangles[4]])
         self.assertEqual(summary["triangles"]["sum"], sum(triangles))
 
+    def test_curved_triangles_are_those_of_mesh(self):
+        name, = self.chains(1)
+        self.batch("in", "-o", "out", *COARSE, "--format", "vtu,msh", "--order", "2")
+        self.mesh_json(f"in/{name}", "-o", "one.vtu", "-o", "one.msh", *COARSE, "--order", "2")
+        for ending in ("vtu", "msh"):
+            self.assertEqual(self.made()[f"{name}.{ending}"],
+                             (self.folder / f"one.{ending}").read_bytes())
+        self.batch("in", "-o", "x", *COARSE, "--order", "2", code=2)  # of PLY
+
     def test_with_features_it_makes_what_features_makes_with_the_same_options(self):
         names = self.chains(3)
         options = ("--density", "3", "--model", "vdw", "--max-memory", "2G", "--timeout", "100")
@@ -44,7 +53,7 @@ class Rows(Batch):
             self.assertEqual(made[f"{name}.npz"], (self.folder / "one.npz").read_bytes())
             self.assertGreater(rows[name]["triangles"], 100)
         self.assertEqual(self.batch("in", "-o", "out", "--features", *options)["made"], 0)
-        for option in (["--vertex-data", "all"], ["--decimals", "3"]):
+        for option in (["--vertex-data", "all"], ["--decimals", "3"], ["--order", "2"]):
             self.assertIn(option[0], self.batch("in", "-o", "x", "--features", *option, code=2))
         self.assertFalse((self.folder / "x").exists())
 

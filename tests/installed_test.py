@@ -6,12 +6,12 @@ Usage: installed_test.py BUILD CONFIG CXX [FLAGS]"""
 import os
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from fnmatch import fnmatch
 from pathlib import Path
+
+from support.programs import output_of, temporary_folder
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
@@ -22,20 +22,10 @@ BUILD, CONFIG, CXX, FLAGS = [*sys.argv[1:], ""][:4]
 PAGE = Page(ROOT / "papers" / "install.md")
 
 
-def output_of(*words, **options):
-    done = subprocess.run([*map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-5000:]}")
-    return done.stdout.strip()
-
-
 class Installed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(temporary.cleanup)
-        cls.folder = Path(temporary.name)
+        cls.folder = temporary_folder(cls)
         cls.stage = cls.folder / "stage"
         output_of("cmake", "--install", BUILD, "--prefix", "/opt/skins", "--config", CONFIG,
                   env={**os.environ, "DESTDIR": str(cls.stage)})
@@ -117,6 +107,8 @@ class Installed(unittest.TestCase):
                                                              re.MULTILINE)[1], "+%Y-%m-%d")
         self.assertEqual(day, date)
         self.assertIn(f'version = "{version}"', (ROOT / "packaging/conda/meta.yaml").read_text())
+        citation = (ROOT / "CITATION.cff").read_text()
+        self.assertIn(f'\nversion: {version}\ndate-released: "{date}"\n', citation)
         package = self.prefix / "lib/cmake/morskin/morskinConfigVersion.cmake"
         self.assertIn(f'set(PACKAGE_VERSION "{version}")', package.read_text())
 
@@ -125,11 +117,9 @@ class Commit(unittest.TestCase):
     """cmake/commit.cmake on made-up trees."""
 
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.tree = Path(temporary.name) / "tree"
+        folder = temporary_folder(self)
+        self.tree, self.file = folder / "tree", folder / "commit.cpp"
         self.tree.mkdir()
-        self.file = Path(temporary.name) / "commit.cpp"
 
     def git(self, *words):
         return output_of("git", "-C", self.tree, "-c", "user.name=a", "-c", "user.email=a@b.c",

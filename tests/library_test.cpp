@@ -1,4 +1,4 @@
-// The library's face, as its users see it: only morskin/morskin.h and the standard library.
+// The library's face, as its users see it: only what is installed and the standard library.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -7,7 +7,10 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
+#include <variant>
 
+#include "morskin/features.h"
 #include "morskin/morskin.h"
 #include "tests/support/temporary_folder.h"
 
@@ -249,10 +252,10 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   const Skin skin(three_atoms, balls);
   const double nan = std::nan("");
   for (const MeshOptions& options :
-       {MeshOptions{.fronts = 0}, MeshOptions{.C = 0},
-        MeshOptions{.C = nan}, MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1},
-        MeshOptions{.max_length_scale = 0}, MeshOptions{.angle_goal_deg = 61},
-        MeshOptions{.edge_length = 1, .density = 1}, MeshOptions{.density = 1, .triangles = 100},
+       {MeshOptions{.fronts = 0}, MeshOptions{.C = 0}, MeshOptions{.C = nan},
+        MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1}, MeshOptions{.max_length_scale = 0},
+        MeshOptions{.angle_goal_deg = 61}, MeshOptions{.edge_length = 1, .density = 1},
+        MeshOptions{.density = 1, .triangles = 100},
         MeshOptions{.max_length_scale = 1, .edge_length = 1}, MeshOptions{.angle_goal_deg = nan},
         MeshOptions{.direction = Point{0, 0, 0}}, MeshOptions{.direction = Point{0, nan, 0}}}) {
     CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
@@ -286,6 +289,25 @@ TEST_CASE("two balls that just touch are singular, and the error knows them") {
     CHECK(error.kind() == Error::Kind::Singular);
     CHECK(error.atoms() == std::vector<std::uint32_t>{1, 2});
   }
+}
+
+TEST_CASE("features are arrays by vertex, by atom and of the Laplacian, of a certified mesh") {
+  const auto [certificate, arrays] = morskin::features("bench/molecules/benzene.pdb");
+  CHECK(certificate.certified);
+  std::map<std::string, std::size_t> rows;
+  for (const morskin::FeatureArray& array : arrays) {
+    const std::size_t size = std::visit([](const auto& all) { return all.size(); }, array.values);
+    CHECK(size % array.columns == 0);
+    CHECK(rows.emplace(array.name, size / array.columns).second);
+  }
+  const std::size_t vertices = rows.at("vertices"), faces = rows.at("faces");
+  CHECK(faces == 2 * vertices - 4);
+  for (const char* name : {"normals", "k1", "shape_index", "atom", "hphob", "mass"}) {
+    CHECK(rows.at(name) == vertices);
+  }
+  CHECK(rows.at("laplacian_data") == vertices + 3 * faces);
+  CHECK(rows.at("atom_name") == 12);
+  CHECK_FALSE(rows.contains("partial_charge"));
 }
 
 TEST_CASE("a run stops at whatever report it is asked to") {

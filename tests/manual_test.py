@@ -6,10 +6,9 @@ import filecmp
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
+from support.programs import temporary_folder
 from support.shell import Shell
 
 MORSKIN, MANUAL, SHELL = sys.argv[1:4]
@@ -32,9 +31,7 @@ def options_of(command):
 class ManualTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(temporary.cleanup)
-        cls.folder = Path(temporary.name)
+        cls.folder = temporary_folder(cls)
         cls.manual = cls.folder / "manual"
         subprocess.run([MANUAL, cls.manual], check=True)
 
@@ -82,9 +79,7 @@ class Pages(ManualTest):
 
 class Completion(ManualTest):
     def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        folder = Path(place.name)
+        folder = temporary_folder(self)
         for name in ("my molecule.pdb", "other.xyz", "7"):
             (folder / name).touch()
         (folder / "models").mkdir()

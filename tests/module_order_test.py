@@ -2,9 +2,10 @@
 """What cmake/lint.py finds by the closure of the includes, on a made-up project."""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
+
+from support.programs import temporary_folder
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "cmake"))
@@ -13,9 +14,7 @@ import lint  # noqa: E402  (from cmake)
 
 class Closure(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root, lint.ROOT = Path(folder.name), Path(folder.name)
+        self.root = lint.ROOT = temporary_folder(self)
         self.addCleanup(setattr, lint, "ROOT", ROOT)
         for cached in (lint.included, lint.reached):
             cached.cache_clear()

@@ -5,9 +5,10 @@ Usage: packages_test.py BUILD, the folder that `make static deb` has filled"""
 
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
+
+from support.programs import output_of, temporary_folder
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = Path(sys.argv[1]).resolve()
@@ -19,6 +20,7 @@ apt-get install --yes --no-install-recommends /packages/*.deb > /dev/null
 morskin --version
 dpkg --listfiles morskin | grep --quiet /usr/share/man/man1/morskin-mesh.1.gz
 dpkg --listfiles morskin | grep --quiet /usr/share/zsh/vendor-completions/_morskin
+dpkg --listfiles morskin | grep --quiet /usr/share/morskin/engines/Snakefile
 morskin mesh /usr/share/doc/morskin/examples/molecules/caffeine.xyz -o caffeine.ply | tail --lines 1
 apt-get install --yes --no-install-recommends g++ make pkg-config > /dev/null
 make -s -C /usr/share/doc/morskin/examples/cpp
@@ -29,34 +31,24 @@ test ! -e /usr/bin/morskin
 """
 
 
-def run(*words, **options):
-    done = subprocess.run([*map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-5000:]}")
-    return done.stdout
-
-
 class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        run("make", "static", "deb", cwd=ROOT)
+        output_of("make", "static", "deb", cwd=ROOT)
 
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
+        self.folder = temporary_folder(self)
 
     def test_the_static_binary_runs_where_there_is_nothing_and_writes_the_same_bytes(self):
         self.assertIn("not a dynamic executable", subprocess.run(
             ["ldd", BUILD / "static" / "morskin"], capture_output=True, text=True).stderr)
         for file in (BUILD / "static" / "morskin", CAFFEINE):
-            run("cp", file, self.folder)
+            output_of("cp", file, self.folder)
         for name in ("c.ply", "c.npz", "c.png"):
             words = ["render", "/c.ply"] if name == "c.png" else ["mesh", "/caffeine.xyz", "-q"]
-            run("chroot", self.folder, "/morskin", *words, "-o", f"/{name}")
+            output_of("chroot", self.folder, "/morskin", *words, "-o", f"/{name}")
         words = ["mesh", "caffeine.xyz", "-q", "-o", "shared.ply", "-o", "shared.npz"]
-        run(BUILD / "morskin", *words, cwd=self.folder)
+        output_of(BUILD / "morskin", *words, cwd=self.folder)
         for ending in ("ply", "npz"):
             self.assertEqual((self.folder / f"c.{ending}").read_bytes(),
                              (self.folder / f"shared.{ending}").read_bytes())
@@ -65,17 +57,16 @@ class Packages(unittest.TestCase):
         packages = sorted((BUILD / "deb").glob("*.deb"))
         self.assertEqual(len(packages), 2)
         first = [package.read_bytes() for package in packages]
-        run("make", "deb", cwd=ROOT)
+        output_of("make", "deb", cwd=ROOT)
         self.assertTrue(first == [package.read_bytes() for package in packages])
 
     def test_the_debian_packages_install_run_and_go_again(self):
-        said = run("mmdebstrap", "--variant=apt", "--quiet",
-                   '--customize-hook=mkdir "$1/packages"',
-                   *(f"--customize-hook=copy-in {package} /packages"
-                     for package in sorted((BUILD / "deb").glob("*.deb"))),
-                   '--customize-hook=chroot "$1" sh -euc "$IN_DEBIAN"',
-                   "bookworm", "/dev/null", env={"IN_DEBIAN": IN_DEBIAN, "PATH": "/usr/sbin:"
-                                                 "/usr/bin:/sbin:/bin"})
+        said = output_of(
+            "mmdebstrap", "--variant=apt", "--quiet", '--customize-hook=mkdir "$1/packages"',
+            *(f"--customize-hook=copy-in {package} /packages"
+              for package in sorted((BUILD / "deb").glob("*.deb"))),
+            '--customize-hook=chroot "$1" sh -euc "$IN_DEBIAN"', "bookworm", "/dev/null",
+            env={"IN_DEBIAN": IN_DEBIAN, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
         self.assertIn("certified: homeomorphic", said)
         self.assertIn("triangles, certified, genus 0", said)
 

@@ -4,19 +4,7 @@
 import json
 
 from support.command import CommandTest, main
-
-# Chains A and B; a ligand, water, hydrogen, two places of one atom; a second model.
-ATOMS = """\
-ATOM      1  N   ALA A   1       0.000   0.000   0.000  1.00  0.00           N
-ATOM      2  H   ALA A   1       1.000   0.100   0.000  1.00  0.00           H
-ATOM      3  OG ASER A   2       2.500   0.000   0.200  0.40  0.00           O
-ATOM      4  OG BSER A   2       2.500   0.600   0.200  0.60  0.00           O
-ATOM      5  CA  GLY B   1       9.000   0.000   0.000  1.00  0.00           C
-HETATM    6  S   SO4 B   9      10.500   0.000   0.300  1.00  0.00           S
-HETATM    7  O   HOH B  10      14.000   0.000   0.000  1.00  0.00           O
-"""
-MODELS = "MODEL        1\n" + ATOMS + "ENDMDL\nMODEL        4\n" + ATOMS[:ATOMS.index(
-    "ATOM      5")] + "ENDMDL\n"
+from support.pdb_texts import ATOMS, MODELS
 
 
 class Selections(CommandTest):

@@ -31,6 +31,13 @@ class Voids(CommandTest):
                 if not is_dropped:  # what the mesh's wall encloses
                     self.assertTrue(840 < void["volume"][0] == void["volume"][1] < 900)
 
+    def test_dynamic_and_marching_cubes_leave_out_the_void_that_is_dropped(self):
+        report = self.meshed("--voids", "drop", "--method", "dynamic")
+        self.assertTrue(report["certified"])
+        report = self.mesh_json(SHELL, "-o", "cubes.ply", "-C", "0.2", "--voids", "drop",
+                                "--method", "marching-cubes", code=5)
+        self.assertEqual((report["components"], report["euler_characteristic"]), (1, 2))
+
     def test_check_compares_with_the_components_that_are_kept(self):
         name = "every component once"
         self.meshed("--voids", "drop")

@@ -3,32 +3,26 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <thread>
 
 #include "app/features_options.h"
 #include "app/output_names.h"
 #include "app/shared_options.h"
+#include "app/typed_values.h"
 
 namespace morskin::app {
 namespace {
 
 /// "I/N".
 Shard parsed_shard(std::string_view text) {
-  Shard shard;
-  const auto read = [](std::string_view digits, std::size_t& number) {
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return error == std::errc() && end == digits.data() + digits.size();
-  };
-  const std::size_t slash = text.find('/');
-  const bool is_read = slash != std::string_view::npos &&
-                       read(text.substr(0, slash), shard.number) &&
-                       read(text.substr(slash + 1), shard.count);
-  if (!is_read || shard.number < 1 || shard.number > shard.count) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto number = parse_digits(text.substr(0, slash));
+  const auto count = parse_digits(text.substr(std::min(slash + 1, text.size())));
+  if (!number || !count || *number < 1 || *number > *count) {
     throw UsageError("--shard takes I/N, with I from 1 to N, as in 3/16");
   }
-  return shard;
+  return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
 }
 
 /// An option as it was typed, in one word for each of its values.

@@ -5,6 +5,7 @@ from math import log
 from pathlib import Path
 
 from measure import MESH_COLUMNS, SYSTEM_COLUMNS, is_marching_cubes, made, solved
+from molecule_runs import markdown
 
 RADIUS = 2.0
 BORN = [[0.0, 0.0, 0.0]], [1.0]
@@ -37,14 +38,12 @@ def rows():
 
 def table(rows):
     """The rows of the page."""
-    lines = ["| mesh | triangles | Born, off by | Kirkwood, off by | condition number | "
-             "blocks solved | steps |", "|---|---|---|---|---|---|---|"]
-    for r in rows:
-        lines.append(f"| `{r['options']}` | {int(r['triangles']):,} | "
-                     f"{float(r['born_error']):+.2%} | "
-                     f"{float(r['kirkwood_error']):+.2%} | {float(r['condition']):,.0f} | "
-                     f"{float(r['scaled_condition']):,.0f} | {r['kirkwood_steps']} |")
-    return "\n".join(lines)
+    return markdown(
+        ["mesh", "triangles", "Born, off by", "Kirkwood, off by", "condition number",
+         "blocks solved", "steps"],
+        ([f"`{r['options']}`", f"{int(r['triangles']):,}", f"{float(r['born_error']):+.2%}",
+          f"{float(r['kirkwood_error']):+.2%}", f"{float(r['condition']):,.0f}",
+          f"{float(r['scaled_condition']):,.0f}", r["kirkwood_steps"]] for r in rows))
 
 
 def own_and_cubes(rows):

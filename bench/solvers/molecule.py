@@ -1,6 +1,7 @@
 """The solvation energy of 1L2Y, a protein of 20 residues, on its skins."""
 
 from measure import BENCH, MESH_COLUMNS, SYSTEM_COLUMNS, made, model_of, solved
+from molecule_runs import markdown
 
 PQR = BENCH / "molecules" / "1l2y.pqr"
 UNIFORM = (1, 1.5, 2)  # vertices per square Angstrom
@@ -46,16 +47,16 @@ def limit(rows, model):
 
 def table(rows):
     """The rows of the page. Energies are compared with the limit of their model without voids."""
-    lines = ["| mesh | vertices | longest edge over shortest | smallest angle | condition number "
-             "| blocks solved | steps | energy, kJ/mol | off by |",
-             "|---|---|---|---|---|---|---|---|---|"]
+    body = []
     for r in rows:
         off = float(r["energy"]) / limit(rows, model_of(r["options"])) - 1
-        lines.append(f"| `{r['options']}` | {int(r['vertices']):,} | {float(r['edges']):,.0f} | "
-                     f"{float(r['min_angle']):.2f}° | {float(r['condition']):.1e} | "
-                     f"{float(r['scaled_condition']):.1e} | {r['steps']} | "
-                     f"{float(r['energy']):,.0f} | {off:+.1%} |")
-    return "\n".join(lines)
+        body.append([f"`{r['options']}`", f"{int(r['vertices']):,}", f"{float(r['edges']):,.0f}",
+                     f"{float(r['min_angle']):.2f}°", f"{float(r['condition']):.1e}",
+                     f"{float(r['scaled_condition']):.1e}", r["steps"],
+                     f"{float(r['energy']):,.0f}", f"{off:+.1%}"])
+    return markdown(["mesh", "vertices", "longest edge over shortest", "smallest angle",
+                     "condition number", "blocks solved", "steps", "energy, kJ/mol", "off by"],
+                    body)
 
 
 def sentence(rows):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from measure import MESH_COLUMNS, is_marching_cubes, made
 from molecule import PQR
+from molecule_runs import markdown
 
 TETGEN = "tetgen -pqAQ"  # with points added where it wants them, the surface split where it must
 BALL = "0 0 0 30\n"
@@ -74,14 +75,12 @@ def rows():
 
 def table(rows):
     """The rows of the page."""
-    lines = ["| mesh | triangles | smallest angle | tetrahedra inside | smallest dihedral angle | "
-             "outside | smallest dihedral angle |", "|---|---|---|---|---|---|---|"]
-    for r in rows:
-        lines.append(f"| `{r['options']}` | {int(r['triangles']):,} | "
-                     f"{float(r['min_angle']):.2f}° | {int(r['inside']):,} | "
-                     f"{float(r['inside_angle']):.2f}° | {int(r['outside']):,} | "
-                     f"{float(r['outside_angle']):.2f}° |")
-    return "\n".join(lines)
+    return markdown(
+        ["mesh", "triangles", "smallest angle", "tetrahedra inside", "smallest dihedral angle",
+         "outside", "smallest dihedral angle"],
+        ([f"`{r['options']}`", f"{int(r['triangles']):,}", f"{float(r['min_angle']):.2f}°",
+          f"{int(r['inside']):,}", f"{float(r['inside_angle']):.2f}°", f"{int(r['outside']):,}",
+          f"{float(r['outside_angle']):.2f}°"] for r in rows))
 
 
 def sentence(rows):

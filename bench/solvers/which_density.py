@@ -4,7 +4,7 @@ an error is 1 % and where a tenth of that."""
 import balls
 from measure import is_marching_cubes
 from molecule import limit, uniform_meshes
-from molecule_runs import ROOT, read_rows
+from molecule_runs import ROOT, markdown, read_rows
 
 SHARES = (0.01, 0.001)
 
@@ -24,9 +24,8 @@ def densities(molecule_rows, ball_rows):
 def table(rows):
     """The rows of the page. @param rows  of the molecule"""
     ball_rows = read_rows(ROOT / "papers" / "results" / "solvers-balls.tsv")
-    lines = ["| | finest mesh, vertices per Å² | off by | 1 % needs | a tenth of it needs |",
-             "|---|---|---|---|---|"]
-    for case, density, error in densities(rows, ball_rows):
-        needed = " | ".join(f"{density * abs(error) / share:.0f}" for share in SHARES)
-        lines.append(f"| {case} | {density:.1f} | {error:+.2%} | {needed} |")
-    return "\n".join(lines)
+    return markdown(
+        ["", "finest mesh, vertices per Å²", "off by", "1 % needs", "a tenth of it needs"],
+        ([case, f"{density:.1f}", f"{error:+.2%}",
+          *(f"{density * abs(error) / share:.0f}" for share in SHARES)]
+         for case, density, error in densities(rows, ball_rows)))

@@ -1,5 +1,6 @@
 #include "geometry/files/mesh_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -60,15 +61,23 @@ namespace {
 
 constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> endings = {{
-    {".ply", MeshFormat::PlyBinary},
-    {".off", MeshFormat::Off},
-    {".obj", MeshFormat::Obj},
-    {".stl", MeshFormat::Stl},
-    {".vtu", MeshFormat::Vtu},
+/// A format by the ending of its files. One that cannot be read by itself has no parser.
+struct KnownFormat {
+  std::string_view ending;
+  MeshFormat format;
+  IndexedMesh (*parse)(std::string_view bytes, const std::string& source) = nullptr;
+  Provenance (*provenance)(std::string_view bytes) = nullptr;
+};
+
+constexpr std::array<KnownFormat, 10> known_formats = {{
+    {".ply", MeshFormat::PlyBinary, mesh_formats::parse_ply, mesh_formats::ply_provenance},
+    {".off", MeshFormat::Off, mesh_formats::parse_off, mesh_formats::off_provenance},
+    {".obj", MeshFormat::Obj, mesh_formats::parse_obj, mesh_formats::obj_provenance},
+    {".stl", MeshFormat::Stl, mesh_formats::parse_stl, mesh_formats::stl_provenance},
+    {".vtu", MeshFormat::Vtu, mesh_formats::parse_vtu, mesh_formats::vtu_provenance},
+    {".msh", MeshFormat::Msh, mesh_formats::parse_msh, mesh_formats::msh_provenance},
     {".glb", MeshFormat::Glb},
     {".npz", MeshFormat::Npz},
-    {".msh", MeshFormat::Msh},
     {".vert", MeshFormat::MsmsVertices},
     {".face", MeshFormat::MsmsFaces},
 }};
@@ -100,8 +109,8 @@ std::optional<MeshFormat> format_by_content(std::string_view bytes) {
 
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
   const std::string ending = lower_case(path.extension().string());
-  for (const auto& [known, format] : endings) {
-    if (ending == known) return format;
+  for (const KnownFormat& known : known_formats) {
+    if (ending == known.ending) return known.format;
   }
   return std::nullopt;
 }
@@ -183,8 +192,8 @@ MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
           mesh_formats::msms_provenance(vertices.bytes)};
 }
 
-// The format of a mesh that is one file. @throws UnreadableInput
-MeshFormat readable_format(std::string_view bytes, const std::string& source) {
+// The format of a mesh that is one file and can be read. @throws UnreadableInput
+const KnownFormat& readable_format(std::string_view bytes, const std::string& source) {
   if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
   std::optional<MeshFormat> format = format_by_content(bytes);
   if (!format) format = mesh_format_of(unpacked_name(source));
@@ -194,53 +203,17 @@ MeshFormat readable_format(std::string_view bytes, const std::string& source) {
         ": is no mesh that can be recognised; use PLY, OFF, OBJ, STL, VTU, MSH or "
         "MSMS");
   }
-  return *format;
-}
-
-// The mesh in bytes that are not gzipped.
-IndexedMesh parse_format(MeshFormat format, std::string_view bytes, const std::string& source) {
-  switch (format) {
-    case MeshFormat::PlyBinary:
-    case MeshFormat::PlyAscii:
-      return mesh_formats::parse_ply(bytes, source);
-    case MeshFormat::MsmsVertices:
-    case MeshFormat::MsmsFaces:
-      throw UnreadableInput(source +
-                            ": is one of the two files of MSMS; name a file, so that the "
-                            "other can be found beside it");
-    case MeshFormat::Off:
-      return mesh_formats::parse_off(bytes, source);
-    case MeshFormat::Obj:
-      return mesh_formats::parse_obj(bytes, source);
-    case MeshFormat::Stl:
-      return mesh_formats::parse_stl(bytes, source);
-    case MeshFormat::Vtu:
-      return mesh_formats::parse_vtu(bytes, source);
-    case MeshFormat::Msh:
-      return mesh_formats::parse_msh(bytes, source);
-    case MeshFormat::Glb:
-    case MeshFormat::Npz:
-      break;
+  if (format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces) {
+    throw UnreadableInput(source +
+                          ": is one of the two files of MSMS; name a file, so that the "
+                          "other can be found beside it");
   }
-  throw UnreadableInput(source +
-                        ": GLB and NPZ files are only written; use the PLY, OFF or OBJ file");
-}
-
-Provenance provenance_of(MeshFormat format, std::string_view bytes) {
-  switch (format) {
-    case MeshFormat::Off:
-      return mesh_formats::off_provenance(bytes);
-    case MeshFormat::Obj:
-      return mesh_formats::obj_provenance(bytes);
-    case MeshFormat::Stl:
-      return mesh_formats::stl_provenance(bytes);
-    case MeshFormat::Vtu:
-      return mesh_formats::vtu_provenance(bytes);
-    case MeshFormat::Msh:
-      return mesh_formats::msh_provenance(bytes);
-    default:
-      return mesh_formats::ply_provenance(bytes);
+  const KnownFormat& known = *std::ranges::find(known_formats, *format, &KnownFormat::format);
+  if (known.parse == nullptr) {
+    throw UnreadableInput(source +
+                          ": GLB and NPZ files are only written; use the PLY, OFF or OBJ file");
   }
+  return known;
 }
 
 }  // namespace
@@ -250,9 +223,9 @@ MeshFile read_mesh_file(const std::filesystem::path& path) {
   std::string buffer;
   const std::string_view bytes = unpacked(file.view(), path.string(), buffer);
   if (is_msms(path, ".vert") || is_msms(path, ".face")) return read_msms(path, bytes);
-  const MeshFormat format = readable_format(bytes, path.string());
-  MeshFile result{parse_format(format, bytes, path.string()), provenance_of(format, bytes)};
-  result.is_single_precision = format == MeshFormat::Stl;
+  const KnownFormat& known = readable_format(bytes, path.string());
+  MeshFile result{known.parse(bytes, path.string()), known.provenance(bytes)};
+  result.is_single_precision = known.format == MeshFormat::Stl;
   return result;
 }
 
@@ -261,7 +234,7 @@ IndexedMesh read_mesh(const std::filesystem::path& path) { return read_mesh_file
 IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
   std::string buffer;
   bytes = unpacked(bytes, source, buffer);
-  return parse_format(readable_format(bytes, source), bytes, source);
+  return readable_format(bytes, source).parse(bytes, source);
 }
 
 IndexedMesh parse_msms(std::string_view vertices, const std::string& vertices_source,

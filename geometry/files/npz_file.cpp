@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include "geometry/error.h"
+#include "geometry/files/attribute_arrays.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/provenance_json.h"
 #include "geometry/files/text_lines.h"
@@ -116,21 +117,6 @@ class Archive {
   zip_t* archive_ = nullptr;
 };
 
-void add_columns(Archive& archive, const Attribute& attribute, const std::string& prefix) {
-  const std::size_t width = attribute.columns.size();
-  for (std::size_t k = 0; k < width; ++k) {
-    std::vector<double> numbers;
-    for (std::size_t i = k; i < attribute.numbers.size(); i += width) {
-      numbers.push_back(attribute.numbers[i]);
-    }
-    const std::string shape = shape_of(numbers.size());
-    const std::vector<std::int32_t> whole(attribute.is_whole ? numbers.begin() : numbers.end(),
-                                          numbers.end());
-    archive.add(prefix + attribute.columns[k],
-                attribute.is_whole ? npy("<i4", shape, whole) : npy("<f8", shape, numbers));
-  }
-}
-
 /// Texts as NumPy's, each as wide as the longest, padded with zeros.
 std::string npy_texts(const std::string& shape, const std::vector<std::string>& texts) {
   std::size_t width = 1;
@@ -178,12 +164,7 @@ std::string npz(const IndexedMesh& mesh, const MeshAttributes& attributes) {
   if (!attributes.normals.empty()) {
     archive.add("normals", npy("<f8", shape_of(mesh.positions.size(), 3), attributes.normals));
   }
-  for (const Attribute& attribute : attributes.vertices) {
-    if (!is_normal(attribute, attributes)) add_columns(archive, attribute, "");
-  }
-  for (const Attribute& attribute : attributes.triangles) {
-    add_columns(archive, attribute, "face_");
-  }
+  for (const NamedArray& array : attribute_arrays(attributes)) add_array(archive, array);
   for (const NamedArray& array : attributes.arrays) add_array(archive, array);
   add_provenance(archive, attributes.provenance);
   return archive.close();

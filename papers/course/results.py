@@ -17,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "bench" / "solvers")]
 import ablation  # noqa: E402
+import artifact  # noqa: E402
 import balls  # noqa: E402
 import batch  # noqa: E402
 import counts  # noqa: E402
@@ -182,6 +183,8 @@ def table1_texts():
     yield from ((page, text) for text in (
         reproduced_table(rows), scaling_table(scaling), count_sentence(rows), *sentences,
         *agreement_sentence(agreement)))
+    slower = [p[3] / median(rows, m, "sweep", "cpu_seconds") for m, p in tables.PAPER.items()]
+    yield page, f"processor time here is {span(slower)} times less than the paper's seconds"
     yield "papers/lessons/10-results.md", reproduced_table(rows, LESSON_ROWS)
     yield ("papers/lessons/10-results.md",
            f"\\qquad {grown[0]:.0f} \\approx {products[0].replace('×', chr(92) + 'times')} .$$")
@@ -260,6 +263,9 @@ def texts():
     yield ("papers/second-order.md",
            second_order.sentence(read_rows(RESULTS / "second-order.tsv")))
     yield "papers/features.md", features.sentence(read_rows(RESULTS / "features.tsv"))
+    yield "papers/artifact.md", artifact.table(
+        *(tables.read_rows(RESULTS / f"{name}.csv") for name in ("table1", "scaling", "agreement")),
+        *(read_rows(RESULTS / f"{name}.tsv") for name in ("ablation", "solvers-balls")))
     for script in (balls, molecule, tetrahedra):
         rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")
         yield "papers/solvers.md", script.table(rows)

@@ -12,11 +12,11 @@ from ._morskin import (Certificate, CriticalPoints, Mesh, MorseSmaleComplex, Ski
                        check, read_mesh, van_der_waals_radius)
 from .errors import (Error, InternalError, LimitReached, NotCertified, RefusedInput,
                      UnreadableInput, UnwritableOutput)
-from .molecule import Molecule, read
+from .molecule import Molecule, features, read
 
 __all__ = [
     "Certificate", "CriticalPoints", "Error", "InternalError", "LimitReached", "Mesh", "Molecule",
     "MorseSmaleComplex", "NotCertified", "RefusedInput", "Skin", "UnreadableInput",
-    "UnwritableOutput", "__version__", "adapters", "check", "read", "read_mesh",
+    "UnwritableOutput", "__version__", "adapters", "check", "features", "read", "read_mesh",
     "van_der_waals_radius",
 ]

@@ -121,10 +121,16 @@ class Skin:
 def check(vertices: ArrayLike, faces: ArrayLike, skin: Skin, *, C: float = 0.08,
           Q: float | None = None, max_length_scale: float = ..., threads: int | None = None,
           progress: _Progress = None) -> Certificate: ...
+class ReadOptions:
+    def __init__(self, *, chains: Sequence[str], waters: bool, hetatms: Sequence[str] | None,
+                 altloc: str, hydrogens: bool, model_number: int | None,
+                 biological_assembly: str | None, radii: str | None) -> None: ...
+
+def features(file: _File, options: ReadOptions, *, density: float, model: Model, probe: float,
+             drop_voids_below: float, threads: int | None = None,
+             progress: _Progress = None) -> dict[str, NDArray[Any]]: ...
 def read_molecule(
-    file: _File, *, chains: Sequence[str], waters: bool, hetatms: Sequence[str] | None,
-    altloc: str, hydrogens: bool, model_number: int | None, biological_assembly: str | None,
-    radii: str | None
+    file: _File, options: ReadOptions
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], Optional[NDArray[np.float64]]]: ...
 def read_mesh(file: _File) -> tuple[NDArray[np.float64], NDArray[np.uint32]]: ...
 def van_der_waals_radius(element: str) -> float | None: ...

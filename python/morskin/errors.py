@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Optional
 
 if TYPE_CHECKING:
     from ._morskin import Mesh
@@ -29,10 +29,10 @@ class RefusedInput(Error, ValueError):
 class NotCertified(Error):
     """The mesh was made, but the certificate does not cover it.
 
-    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it
+    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it. None from `features`
     """
 
-    mesh: Mesh
+    mesh: Optional[Mesh]
 
 
 class LimitReached(Error, MemoryError):

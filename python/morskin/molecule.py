@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, Literal, Optional, Union
@@ -11,7 +12,8 @@ from typing import Any, Literal, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._morskin import Mesh, Skin, read_molecule
+from . import _morskin
+from ._morskin import Mesh, ReadOptions, Skin, read_molecule
 
 Model = Literal["vdw", "sas", "ses-like", "paper"]
 Radii = Union[str, "PathLike[str]", Mapping[str, float], None]
@@ -53,6 +55,20 @@ def _radii_text(radii: Radii) -> str | None:
     return None if radii is None else os.fspath(radii)
 
 
+def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
+                  hetatms: Sequence[str] | None = None, altloc: str = "likeliest",
+                  hydrogens: bool = True, model_number: int | None = None,
+                  biological_assembly: str | int | None = None,
+                  radii: Radii = None) -> ReadOptions:
+    if isinstance(chains, str) or isinstance(hetatms, str):
+        raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
+    assembly = None if biological_assembly is None else str(biological_assembly)
+    return ReadOptions(
+        chains=list(chains), waters=waters, hetatms=None if hetatms is None else list(hetatms),
+        altloc=altloc, hydrogens=hydrogens, model_number=model_number,
+        biological_assembly=assembly, radii=_radii_text(radii))
+
+
 def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool = False,
          hetatms: Sequence[str] | None = None, altloc: str = "likeliest", hydrogens: bool = True,
          model_number: int | None = None, biological_assembly: str | int | None = None,
@@ -71,10 +87,29 @@ def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool 
 
     Raises UnreadableInput or RefusedInput.
     """
-    if isinstance(chains, str) or isinstance(hetatms, str):
-        raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
-    assembly = None if biological_assembly is None else str(biological_assembly)
-    return Molecule(*read_molecule(
-        file, chains=list(chains), waters=waters,
-        hetatms=None if hetatms is None else list(hetatms), altloc=altloc, hydrogens=hydrogens,
-        model_number=model_number, biological_assembly=assembly, radii=_radii_text(radii)))
+    return Molecule(*read_molecule(file, _read_options(
+        chains=chains, waters=waters, hetatms=hetatms, altloc=altloc, hydrogens=hydrogens,
+        model_number=model_number, biological_assembly=biological_assembly, radii=radii)))
+
+
+def features(file: str | PathLike[str], *, density: float = 2, model: Model = "ses-like",
+             probe: float = 1.4, drop_voids_below: float = math.inf, threads: int | None = None,
+             progress: Optional[Callable[[str, Optional[float]], Any]] = None,
+             **options: Any) -> dict[str, NDArray[Any]]:
+    """What learning on surfaces takes of a molecule: the arrays of the command `features`, of the
+    same mesh, by their names there (papers/features.md). "vertices" (n, 3) and "faces" (m, 3) are
+    the mesh; curvatures, nearest atoms, hydropathy and more are by vertex, (n,), "atom_..." by
+    atom, "laplacian_..." the parts of a scipy.sparse.csr_array. Lengths are in Angstrom. Not there
+    is the origin of a file: C, Q, size, probe, metadata.
+
+    density           vertices per square Angstrom
+    model, probe      as of `Skin`
+    drop_voids_below  of voids, Angstrom^3; all are left out unless told otherwise
+    threads, progress as of `Skin.mesh`
+    options           those of `read`
+
+    Raises what `read` raises, and NotCertified, without a mesh.
+    """
+    return _morskin.features(file, _read_options(**options), density=density, model=model,
+                             probe=probe, drop_voids_below=drop_voids_below, threads=threads,
+                             progress=progress)

@@ -5,14 +5,15 @@ Usage: install_test.py folder-of-the-package [--sdist]: --sdist packs and config
 
 import os
 import shutil
-import subprocess
 import sys
 import tarfile
-import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+from programs import output_of, temporary_folder  # noqa: E402  (from tests/support)
+
 PROGRAM = """
 import sys, morskin
 mesh = morskin.read(sys.argv[1]).mesh(density=5)
@@ -21,24 +22,14 @@ print(morskin.__file__)
 """
 
 
-def run(*words, **options):
-    done = subprocess.run([*map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-5000:]}")
-    return done.stdout
-
-
 class Install(unittest.TestCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
+        self.folder = temporary_folder(self)
 
     def checkout(self):
         """A copy of the files that the repository has, for pip builds in the source folder."""
-        names = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard",
-                    cwd=ROOT).split("\0")
+        names = output_of("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard",
+                          cwd=ROOT).split("\0")
         for name in filter(None, names):
             target = self.folder / "checkout" / name
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -48,27 +39,28 @@ class Install(unittest.TestCase):
 
     def sdist(self):
         source = self.checkout()
-        run(sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", self.folder, cwd=source)
+        output_of(sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", self.folder,
+                  cwd=source)
         (archive,) = self.folder.glob("morskin-*.tar.gz")
         return archive
 
     def install(self, source):
         """Installs with pip and meshes with what is installed."""
         environment = self.folder / "environment"
-        run(sys.executable, "-m", "venv", "--system-site-packages", environment)
+        output_of(sys.executable, "-m", "venv", "--system-site-packages", environment)
         python = environment / "bin" / "python"
         # With the assertions of the library and of Eigen.
-        run(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source,
-            cwd=self.folder, env={**os.environ, "CMAKE_ARGS": "-DCMAKE_BUILD_TYPE=Debug"})
-        said = run(python, "-c", PROGRAM, ROOT / "bench" / "molecules" / "caffeine.xyz",
-                   cwd=self.folder)
+        output_of(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source,
+                  cwd=self.folder, env={**os.environ, "CMAKE_ARGS": "-DCMAKE_BUILD_TYPE=Debug"})
+        said = output_of(python, "-c", PROGRAM, ROOT / "bench" / "molecules" / "caffeine.xyz",
+                         cwd=self.folder)
         self.assertTrue(said.startswith(str(environment)), said)
-        found = run(python, "-m", "pip", "show", "--files", "morskin")
+        found = output_of(python, "-m", "pip", "show", "--files", "morskin")
         for name in ("py.typed", "_morskin.pyi", "adapters.py"):
             self.assertIn(f"morskin/{name}", found)
         for name in ("mesh_test.py", "morse_test.py"):
-            run(python, ROOT / "python" / "tests" / name, Path(said.strip()).parent.parent)
-        run(python, "-m", "pip", "uninstall", "--yes", "morskin")
+            output_of(python, ROOT / "python" / "tests" / name, Path(said.strip()).parent.parent)
+        output_of(python, "-m", "pip", "uninstall", "--yes", "morskin")
 
     def test_pip_installs_the_checkout(self):
         self.install(self.checkout())
@@ -91,8 +83,8 @@ class Sdist(Install):
                      if p.suffix in (".h", ".cpp")}
             self.assertEqual(here, there)
         self.assertEqual([p for p in source.rglob("*") if p.suffix in (".so", ".pyc", ".a")], [])
-        run("cmake", "-S", source, "-B", self.folder / "build", "-DMORSKIN_BUILD_PYTHON=ON",
-            "-DMORSKIN_BUILD_COMMAND=OFF", "-DMORSKIN_BUILD_TESTS=OFF")
+        output_of("cmake", "-S", source, "-B", self.folder / "build", "-DMORSKIN_BUILD_PYTHON=ON",
+                  "-DMORSKIN_BUILD_COMMAND=OFF", "-DMORSKIN_BUILD_TESTS=OFF")
 
 
 if __name__ == "__main__":

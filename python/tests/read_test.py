@@ -6,42 +6,21 @@ from support import MOLECULES, ModuleTest, main
 import morskin
 import numpy as np
 
-PDB = """\
-REMARK 350 BIOMOLECULE: 1
-REMARK 350 APPLY THE FOLLOWING TO CHAINS: A
-REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000
-REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000
-REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000
-REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000        0.00000
-REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000
-REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000       20.00000
-MODEL        1
-ATOM      1  N   ALA A   1       1.000   2.000   3.000  1.00  0.00           N
-ATOM      2  H   ALA A   1       1.000   0.100   0.000  1.00  0.00           H
-ATOM      3  OG ASER A   2       2.500   0.000   0.200  0.40  0.00           O
-ATOM      4  OG BSER A   2       2.500   0.600   0.200  0.60  0.00           O
-ATOM      5  CA  GLY B   1       9.000   0.000   0.000  1.00  0.00           C
-HETATM    6  S   SO4 B   9      10.500   0.000   0.300  1.00  0.00           S
-HETATM    7  O   HOH B  10      14.000   0.000   0.000  1.00  0.00           O
-ENDMDL
-MODEL        4
-ATOM      1  N   ALA A   1       7.000   0.000   0.000  1.00  0.00           N
-ENDMDL
-"""
+from pdb_texts import ASSEMBLY, MODELS  # from tests/support
 
 
 class Reading(ModuleTest):
     def setUp(self) -> None:
         super().setUp()
         self.file = self.folder / "two.pdb"
-        self.file.write_text(PDB)
+        self.file.write_text(ASSEMBLY + MODELS)
 
     def test_each_option_keeps_the_atoms_that_it_says(self) -> None:
         for options, count in (({}, 5), ({"chains": ["A"]}, 3), ({"chains": ("A", "B")}, 5),
                                ({"hydrogens": False}, 4), ({"hetatms": []}, 4),
                                ({"hetatms": ["SO4"]}, 5), ({"waters": True}, 6),
                                ({"altloc": "all"}, 6), ({"altloc": "A"}, 5),
-                               ({"model_number": 4}, 1), ({"biological_assembly": 1}, 6),
+                               ({"model_number": 4}, 3), ({"biological_assembly": 1}, 6),
                                ({"biological_assembly": "1", "hydrogens": False}, 4)):
             with self.subTest(options):
                 self.assertEqual(len(morskin.read(self.file, **options)), count)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 MOLECULES = ROOT / "bench" / "molecules"
+sys.path.append(str(ROOT / "tests" / "support"))
+from programs import temporary_folder  # noqa: E402  (from tests/support)
 
 BALLS = ([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2])  # two that overlap, in one piece
 COARSE = {"C": 0.3, "threads": 1}
@@ -18,9 +19,7 @@ COARSE = {"C": 0.3, "threads": 1}
 
 class ModuleTest(unittest.TestCase):
     def setUp(self) -> None:
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
+        self.folder = temporary_folder(self)
 
     def python(self, code: str, *words: str, timeout: float = 120, **environment: str) -> str:
         """What another Python prints, which must end well."""

@@ -4,9 +4,10 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
+
+from support.programs import temporary_folder
 
 MOLECULES = Path(__file__).resolve().parent.parent.parent / "bench" / "molecules"
 PROGRAM = ["build/morskin"]
@@ -24,9 +25,7 @@ def main():
 
 class CommandTest(unittest.TestCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
+        self.folder = temporary_folder(self)
         self.ring = self.input("ring.xyzr", (MOLECULES / "ring12.xyzr").read_bytes())
 
     def input(self, name, content):

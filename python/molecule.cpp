@@ -1,0 +1,104 @@
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "morskin/features.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/interruptible.h"
+
+namespace morskin::python {
+
+namespace {
+
+ReadOptions read_options(std::vector<std::string> chains, bool waters,
+                         std::optional<std::vector<std::string>> hetatms, std::string altloc,
+                         bool hydrogens, std::optional<std::int64_t> model,
+                         std::optional<std::string> assembly, std::optional<std::string> radii) {
+  return {.chains = std::move(chains),
+          .waters = waters,
+          .hetatms = std::move(hetatms),
+          .locations = std::move(altloc),
+          .hydrogens = hydrogens,
+          .model = model,
+          .assembly = std::move(assembly),
+          .radii = std::move(radii)};
+}
+
+py::tuple read_molecule(const std::filesystem::path& file, const ReadOptions& options) {
+  auto* const molecule = new Molecule();
+  const py::capsule owner(molecule, [](void* p) { delete static_cast<Molecule*>(p); });
+  {
+    const py::gil_scoped_release unlocked;
+    *molecule = read_molecule_file(file, options);
+  }
+  const std::vector<double>& charges = molecule->charges;
+  return py::make_tuple(view(molecule->atoms, &Atom::position, owner),
+                        view(molecule->atoms, &Atom::radius, owner),
+                        charges.empty() ? py::object(py::none()) : view(charges, owner));
+}
+
+/// An array of NumPy's that has these values and keeps them.
+py::object array_of(FeatureArray array) {
+  return std::visit(
+      [&]<class Value>(std::vector<Value>& values) -> py::object {
+        if constexpr (std::is_same_v<Value, std::string>) {
+          return py::module_::import("numpy").attr("array")(values, py::arg("dtype") = "U");
+        } else {
+          auto* const kept = new std::vector<Value>(std::move(values));
+          const py::capsule owner(kept,
+                                  [](void* p) { delete static_cast<std::vector<Value>*>(p); });
+          std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(kept->size() / array.columns)};
+          if (array.columns > 1) shape.push_back(static_cast<py::ssize_t>(array.columns));
+          return py::array_t<Value>(shape, kept->data(), owner);
+        }
+      },
+      array.values);
+}
+
+py::dict features(const std::filesystem::path& file, const ReadOptions& reading, double density,
+                  const std::string& model, double probe, double drop_voids_below,
+                  std::optional<int> threads, const py::object& progress) {
+  FeatureOptions options{.reading = reading, .skin = {model_of(model), probe, drop_voids_below}};
+  options.mesh.density = density;
+  Features found = interruptible({threads, progress}, [&](const RunOptions& run) {
+    return morskin::features(file, options, run);
+  });
+  if (!found.certificate.certified) raise_not_certified(found.certificate.reason, py::none());
+  py::dict arrays;
+  for (FeatureArray& array : found.arrays) {
+    const py::str name(array.name);
+    arrays[name] = array_of(std::move(array));
+  }
+  return arrays;
+}
+
+}  // namespace
+
+void bind_molecule(py::module_& module) {
+  using py::arg;
+  const py::none none;
+  py::class_<ReadOptions>(module, "ReadOptions", "What read() is asked for.")
+      .def(py::init(&read_options), py::kw_only(), arg("chains"), arg("waters"), arg("hetatms"),
+           arg("altloc"), arg("hydrogens"), arg("model_number"), arg("biological_assembly"),
+           arg("radii"));
+  module.def("read_molecule", &read_molecule, arg("file"), arg("options"),
+             "read_molecule(file, options) -> positions (n, 3), radii (n,), Angstrom; charges (n,) "
+             "or None");
+  module.def("features", &features, arg("file"), arg("options"), py::kw_only(), arg("density"),
+             arg("model"), arg("probe"), arg("drop_voids_below"), arg("threads") = none,
+             arg("progress") = none,
+             "features(file, options, *, ...) -> dict of arrays\n\nmorskin.features has them.");
+}
+
+}  // namespace morskin::python

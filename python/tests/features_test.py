@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Features are what the command writes. Usage: features_test.py folder-of-the-package morskin"""
+
+from support import MOLECULES, ModuleTest, main
+
+import os
+import subprocess
+import sys
+
+import morskin
+import numpy as np
+
+COMMAND = os.path.abspath(sys.argv.pop(2))
+ORIGIN = {"C", "Q", "size", "probe", "metadata"}
+
+
+class Features(ModuleTest):
+    def of_command(self, file, *words):
+        """The arrays of the file that the command writes, but those of its origin."""
+        subprocess.run([COMMAND, "features", file, "-o", "m.npz", "-q", *words], check=True,
+                       cwd=self.folder)
+        with np.load(self.folder / "m.npz", allow_pickle=False) as archive:
+            return {name: archive[name] for name in archive if name not in ORIGIN}
+
+    def expect_equal(self, features, expected):
+        self.assertEqual(list(features), list(expected))
+        for name, array in expected.items():
+            with self.subTest(name):
+                self.assertEqual(features[name].dtype, array.dtype)
+                np.testing.assert_array_equal(features[name], array)
+
+    def test_every_array_is_the_commands_to_the_last_bit(self):
+        file = MOLECULES / "1crn.pdb"
+        self.expect_equal(morskin.features(file), self.of_command(file))
+        self.expect_equal(morskin.features(file, density=1.5, model="vdw", drop_voids_below=0,
+                                           threads=2),
+                          self.of_command(file, "--density", "1.5", "--model", "vdw", "--voids",
+                                          "keep"))
+
+    def test_charges_of_a_pqr_file_and_the_options_of_read_are_there_too(self):
+        file = MOLECULES / "1l2y.pqr"
+        features = morskin.features(file, hydrogens=False)
+        self.assertIn("partial_charge", features)
+        self.expect_equal(features, self.of_command(file, "--hydrogens", "drop"))
+        self.assertEqual(len(features["atom_charge"]), len(morskin.read(file, hydrogens=False)))
+
+    def test_names_of_a_file_without_any_are_empty_texts(self):
+        features = morskin.features(MOLECULES / "ring12.xyzr")
+        self.assertEqual(features["atom_chain"].tolist(), [""] * 12)
+        self.expect_equal(features, self.of_command(MOLECULES / "ring12.xyzr"))
+
+    def test_arrays_outlive_each_other_and_may_be_written_to(self):
+        vertices = morskin.features(MOLECULES / "caffeine.xyz")["vertices"]
+        first = vertices.copy()
+        morskin.features(MOLECULES / "benzene.pdb")
+        np.testing.assert_array_equal(vertices, first)
+        vertices += 1
+        np.testing.assert_array_equal(vertices, first + 1)
+
+    def test_a_progress_function_ends_the_run_and_wrong_values_are_named(self):
+        def end(stage, share):
+            raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            morskin.features(MOLECULES / "1crn.pdb", progress=end)
+        for error, options in ((ValueError, {"density": 0}), (ValueError, {"model": "ses"}),
+                               (ValueError, {"probe": -1}), (TypeError, {"chains": "A"}),
+                               (TypeError, {"chain": ["A"]}),
+                               (morskin.RefusedInput, {"chains": ["Z"]}),
+                               (morskin.RefusedInput, {"drop_voids_below": float("nan")})):
+            with self.subTest(options), self.assertRaises(error):
+                morskin.features(MOLECULES / "1crn.pdb", **options)
+        with self.assertRaises(morskin.UnreadableInput):
+            morskin.features(self.folder / "missing.pdb")
+        with self.assertRaises(morskin.RefusedInput):
+            morskin.features(MOLECULES / "dumbbell.xyzw")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""What bench/reproduce.py says of runs that were out of time, and when it lets them be."""
+
+import argparse
+import math
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "bench"))
+import ablation  # noqa: E402
+import molecule_runs  # noqa: E402
+import reproduce  # noqa: E402
+import reproduce_part  # noqa: E402
+import reproduce_tables as tables  # noqa: E402
+
+METHODS = ["sweep", "dynamic"]
+
+
+def run(molecule, method, seconds, **more):
+    return {"molecule": molecule, "method": method, "triangles": 10, "min_angle_deg": 30,
+            "seconds": seconds, "cpu_seconds": seconds, "peak_memory_bytes": 2**20,
+            "certified": True, "reason": ""} | more
+
+
+def late(molecule, method, reason="still running after 20 s", **more):
+    return {"molecule": molecule, "method": method, "certified": False, "reason": reason} | more
+
+
+class Tables(unittest.TestCase):
+    def line(self, text, *cells):
+        """The one line of a table that begins with these cells."""
+        found = [li for li in text.splitlines() if li.startswith("| " + " | ".join(cells) + " |")]
+        self.assertEqual(len(found), 1, text)
+        return found[0]
+
+    def test_what_was_out_of_time_is_not_measured_and_what_failed_has_no_mesh(self):
+        rows = [run("5TMN", "sweep", 2), late("5TMN", "dynamic"),
+                run("9DNA", "sweep", 2), late("9DNA", "dynamic", "left out: no time was left"),
+                run("1GRM", "sweep", 2), late("1GRM", "dynamic", "cannot be meshed")]
+        text = tables.molecules_text(rows, METHODS)
+        self.assertIn("not measured", self.line(text, "5TMN", "dynamic"))
+        self.assertIn("not measured", self.line(text, "9DNA", "dynamic"))
+        self.assertIn("no mesh", self.line(text, "1GRM", "dynamic"))
+        self.assertIn("not measured", self.line(tables.ratios_text(rows, METHODS), "5TMN", "120"))
+
+    def test_a_run_left_out_takes_nothing_from_those_that_were_measured(self):
+        rows = [run("5TMN", "sweep", 2), run("5TMN", "dynamic", 80),
+                late("5TMN", "dynamic", "left out: no time was left")]
+        self.assertIn("| 40.00 | 40.00 |", tables.ratios_text(rows, METHODS))
+
+    def test_too_few_meshes_for_an_exponent_are_not_measured(self):
+        rows = [run("a", "sweep", 2, series="corpus", C=0.08, triangles=20000)]
+        line = self.line(tables.scaling_text(rows, METHODS), "corpus", "sweep")
+        self.assertEqual(line.count("not measured"), 2)
+        self.assertIn("not measured", tables.asked_text({"scaling": rows}))
+
+    def test_a_topology_that_was_not_measured_is_not_counted_as_wrong(self):
+        right = {"euler_characteristic": 2, "components": 1, "genus": 0}
+        right |= {"expected_" + name: value for name, value in right.items()}
+        rows = [run("a", "sweep", 2, **right), late("b", "sweep"),
+                run("c", "sweep", 2, **right | {"genus": 1})]
+        self.assertIn("| sweep | 3 | 2 | 1 | 1 | 1 |", tables.agreement_text(rows, METHODS))
+
+    def test_the_ablation_names_what_was_not_measured(self):
+        row = dict.fromkeys(ablation.COLUMNS, "0") | {
+            "as_printed": "guard", "runs": 5, "certified": 0, "out_of_time": 2,
+            "triangles_1grm": "-"}
+        self.assertIn("| 0 of 5, 2 not measured |", ablation.table([row]))
+
+
+class Files(unittest.TestCase):
+    def test_rows_are_there_when_all_are_and_an_interrupted_run_leaves_the_earlier_ones(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "rows.tsv"
+
+            def write(*values, error=None):
+                with molecule_runs.Rows(path, ["n"], [4], 1) as rows:
+                    for n in values:
+                        rows.add({"n": n})
+                    if error:
+                        raise error
+            write(1, 2)
+            with self.assertRaises(KeyboardInterrupt):
+                write(3, error=KeyboardInterrupt())
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
+            with self.assertRaises(SystemExit):
+                write(4, error=SystemExit(0))
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "4"}])
+
+
+class Order(unittest.TestCase):
+    """Table 1 with a clock that each run moves by ten seconds."""
+
+    def table1(self, is_quick):
+        clock, limits = [0.0], []
+
+        def mesh(path, model, timeout, *words, keep=None):
+            limits.append(timeout)
+            clock[0] += 10
+            report = {"triangles": 10, "certified": True, "seconds": {"total": 10.0}}
+            return molecule_runs.Run(0, report, "", 10.0, 10.0)
+        with (tempfile.TemporaryDirectory() as folder,
+              mock.patch.object(reproduce_part, "mesh", mesh),
+              mock.patch.object(reproduce_part.time, "monotonic", lambda: clock[0])):
+            options = argparse.Namespace(quick=is_quick, results=Path(folder), timeout=20,
+                                         repetitions=5)
+            part = reproduce.table1(options, METHODS, reproduce_part.Notes(), Path(folder))
+        return limits, part.rows
+
+    def test_a_quick_run_measures_every_method_once_without_limit_then_as_time_allows(self):
+        limits, rows = self.table1(is_quick=True)
+        first = len(METHODS) * len(reproduce.TABLE1)
+        self.assertEqual(limits[:first], [math.inf] * first)
+        self.assertEqual({(r["molecule"], r["method"]) for r in rows[:first]},
+                         {(molecule, m) for molecule in reproduce.TABLE1 for m in METHODS})
+        self.assertTrue(all(limit <= 20 for limit in limits[first:]), limits)
+        self.assertTrue(all(tables.is_unmeasured(r) for r in rows[len(limits):]))
+        self.assertEqual(len(rows), 5 * first)
+
+    def test_a_whole_run_leaves_nothing_out(self):
+        limits, rows = self.table1(is_quick=False)
+        self.assertEqual((len(limits), set(limits)), (len(rows), {20}))
+
+
+if __name__ == "__main__":
+    unittest.main()
