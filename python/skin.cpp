@@ -2,7 +2,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
