@@ -16,16 +16,19 @@ namespace {
 constexpr int max_depth = 22;
 /// Of one level. A smooth surface needs a few for each square of its radius of curvature.
 constexpr std::size_t max_boxes = 1'000'000;
+/// A settled box at the cube's boundary that has a smaller share of the cube's side is taken for a
+/// zero there. Bounds over larger ones are wide, so these are halved.
+constexpr double least_share_at_boundary = 1.0 / 64;
 
 /// A box's place in the cover: none, settled, or to be halved.
 enum class Place { Empty, Settled, Open };
 
-/// Settles a box where the gradient's ends differ by less than half its length.
+/// Settles a box where the gradient's length and direction are known within a factor.
 Place place(const Function& f, const Box& box, CoverBox& settled) {
   const Jet<Interval, 2> bounds = f.bounds(box);
   if (!bounds.value.contains(0)) return Place::Empty;
   const double least = min_norm(bounds.gradient), most = max_norm(bounds.gradient);
-  constexpr double max_ratio = 1.6;
+  constexpr double max_ratio = 2;
   if (!(least > 0 && most < max_ratio * least)) return Place::Open;
   int axis = 0;
   double part = 0;
@@ -39,6 +42,8 @@ Place place(const Function& f, const Box& box, CoverBox& settled) {
   const double slant = Interval::up(most / part);
   constexpr double max_slant = 4;  // sqrt 3 on a small enough box
   if (!(slant < max_slant)) return Place::Open;
+  const double distance = f.enclose(box.centre).value.min_abs() / most;  // of a zero, at least
+  if (distance > box.radius() * (1 + 1e-12)) return Place::Empty;
   settled = {box, least, most, axis, slant};
   return Place::Settled;
 }
@@ -160,9 +165,14 @@ std::optional<Cover> cover(const Function& f, const Box& cube, const std::option
   for (int depth = 0; !boxes.empty(); ++depth) {
     Sorted sorted = sort(f, boxes, run);
     for (const CoverBox& b : sorted.settled) {
-      if (is_outermost(b.box, cube)) return std::nullopt;
+      const bool is_at_boundary = is_outermost(b.box, cube);
+      if (is_at_boundary && b.box.half < least_share_at_boundary * cube.half) return std::nullopt;
+      if (is_at_boundary) {
+        sorted.open.push_back(b.box);
+      } else {
+        result.boxes.push_back(b);
+      }
     }
-    result.boxes.insert(result.boxes.end(), sorted.settled.begin(), sorted.settled.end());
     if (sorted.open.empty()) break;
     if (depth == max_depth || 8 * sorted.open.size() > max_boxes) {
       for (const Box& b : sorted.open) {
