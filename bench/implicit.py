@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Gaussian surfaces beside skins: meshes ten bundled molecules both ways, and checks the files.
+"""Gaussian surfaces beside skins: meshes ten molecules both ways, and checks the files.
 
-One line for each run, also in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian
+Those that are not bundled come from the folder corpus of --molecules. One line for each run, also in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian
 surfaces of decay 0.5 per square Angstrom and level 1, both with C = 0.2. A run is good when `mesh`
 certifies and `check`, from the file, does too.
 """
@@ -9,10 +9,10 @@ certifies and `check`, from the file, does too.
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, Rows, argument_parser, end, run_command
+from molecule_runs import BUNDLED, Rows, argument_parser, end, molecule_folder, run_command
 
-MOLECULES = ["two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "benzene.pdb",
-             "caffeine.xyz", "c60.xyz", "5tmn_ligand.pdb", "1grm_model1.pdb", "1crn.pdb"]
+MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz", "atp.pdb",
+             "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
 SURFACES = ["skin", "gaussian"]
 COLUMNS = ["molecule", "surface", "triangles", "min_angle", "max_angle", "components", "genus",
            "critical", "cpu_seconds", "check_seconds", "verdict"]
@@ -27,8 +27,14 @@ def words_of(path, surface):
     return ["--surface", f"gaussian:{path}"], []
 
 
-def row_of(name, surface, timeout):
-    source, against = words_of(str(BUNDLED / name), surface)
+def path_of(name, folder):
+    bundled = BUNDLED / name
+    return bundled if bundled.exists() else folder / "corpus" / name
+
+
+def row_of(path, surface, timeout):
+    name = path.name
+    source, against = words_of(str(path), surface)
     with tempfile.TemporaryDirectory() as temporary:
         mesh = Path(temporary) / "mesh.ply"
         made = run_command(["mesh", *source, "-o", mesh, "-C", C, "--json", "--progress", "never",
@@ -64,12 +70,14 @@ def table(rows):
 def main():
     options = argument_parser(__doc__, timeout=600,
                               results="papers/results/implicit.tsv").parse_args()
+    folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 2) as rows:
         for name in MOLECULES:
-            if options.only not in name:
+            path = path_of(name, folder)
+            if options.only not in name or not path.exists():
                 continue
             for surface in SURFACES:
-                rows.add(row_of(name, surface, options.timeout))
+                rows.add(row_of(path, surface, options.timeout))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows
                  if r["verdict"] == "certified"]))
     end([r["verdict"] for r in rows.rows if r["verdict"] != "certified"], rows.rows)

@@ -42,8 +42,10 @@ Place place(const Function& f, const Box& box, CoverBox& settled) {
   const double slant = Interval::up(most / part);
   constexpr double max_slant = 4;  // sqrt 3 on a small enough box
   if (!(slant < max_slant)) return Place::Open;
-  const double distance = f.enclose(box.centre).value.min_abs() / most;  // of a zero, at least
-  if (distance > box.radius() * (1 + 1e-12)) return Place::Empty;
+  // Halving excludes most of a large box that the zero set meets near a corner only, or not at all.
+  constexpr double small_ratio = 1.2;
+  const double distance = f.enclose(box.centre).value.min_abs() / most;
+  if (distance > box.half && most > small_ratio * least) return Place::Open;
   settled = {box, least, most, axis, slant};
   return Place::Settled;
 }

@@ -175,8 +175,10 @@ Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
 /// mean of exp(t) by the shares at c, t = -2 decay (b - a) . v. That mean is at least the
 /// exponential of the mean of t, which is small as b - mean is, and no more than that of exp |t|.
 Jet<Interval, 2> Gaussians::over(const Box& box) const {
-  const double tail = coarse_tail;
-  const Ids ids = near(box, coarse_);
+  constexpr double small = 0x1p-8;  // Angstrom: bounds over such a box are meant to be narrow
+  const Grid& grid = box.half < small ? fine_ : coarse_;
+  const double tail = grid.tail;
+  const Ids ids = near(box, grid);
   const auto [shift, reference, weights, sum, mean] = terms(box.centre, ids, tail);
   const double decay = options_.decay;
   const Interval reach = Interval(2 * decay) * Interval(box.half);

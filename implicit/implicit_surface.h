@@ -59,6 +59,7 @@ class ImplicitSurface final : public surface::Surface {
   const Function& function() const { return *f_; }
   const Cover& cover() const { return cover_; }
   double hessian_bound() const { return M_; }
+  const Room& room() const { return room_; }
 
  private:
   static constexpr double relative_residual = 1e-11;

@@ -17,6 +17,22 @@ struct BoundedRoom {
   double M;
 };
 
+/// The largest norm of the Hessian at some points of the room, along normals of the surface. A
+/// search that cannot succeed is mostly known by it.
+double sampled_norm(const Function& f, const Levelling& levelling, const Cover& cover, double M) {
+  constexpr std::size_t most_samples = 1000;
+  const std::size_t stride = cover.boxes.size() / most_samples + 1;
+  double most = 0;
+  for (std::size_t i = 0; i < cover.boxes.size(); i += stride) {
+    const Point& x = cover.boxes[i].box.centre;
+    const Vector N = f.at(x).gradient / M;
+    for (const double along : {-Room::reach, -1.5, 0.0, 0.75, 1.5, Room::reach}) {
+      most = std::max(most, hessian_norm(f, levelling, x + along * N));
+    }
+  }
+  return most;
+}
+
 /// A room for the length scale that M gives, where M bounds the Hessian in it, with or without
 /// levelling. @param gradient  the largest on the surface, nearly
 std::optional<BoundedRoom> room_for(const Function& f, const Cover& cover, double gradient,
@@ -26,6 +42,8 @@ std::optional<BoundedRoom> room_for(const Function& f, const Cover& cover, doubl
   // makes no sense.
   for (const double share : {0.75, 0.0}) {
     const Levelling levelling{share * M / (gradient * gradient)};
+    constexpr double margin = 1.2;  // with less there would be too many boxes
+    if (!(margin * sampled_norm(f, levelling, cover, M) <= M)) continue;
     if (is_hessian_bounded(f, levelling, room, M, run)) {
       return BoundedRoom{levelling, std::move(room), M};
     }
@@ -44,7 +62,7 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
     if (std::isfinite(norm)) least = std::max(least, norm);
     gradient = std::max(gradient, at.gradient.norm());
   }
-  constexpr double step = 1.3, largest = 1e6;
+  constexpr double step = 1.25, largest = 1e6;
   for (double M = step * least; M <= largest * least; M *= step) {
     if (auto found = room_for(f, cover, gradient, M, run)) return std::move(*found);
   }
