@@ -77,10 +77,22 @@ Point nearby_critical_point(const Function& f, const Point& from) {
   return x;
 }
 
-[[noreturn]] void refuse(const Function& f, const Box& box) {
+/// @param is_tiny  the box, which is next to a singular point then; else the boxes became too many
+[[noreturn]] void refuse(const Function& f, const Box& box, bool is_tiny) {
+  const Interval bounds = f.bounds(box).value;
+  if (!bounds.is_finite()) {
+    throw geometry::RefusedInput("near " + in_words(box.centre) +
+                                 " the function or its derivatives have no bounds; write it "
+                                 "without roots and quotients that vanish there");
+  }
   const Point x = nearby_critical_point(f, box.centre);
   const bool is_near = (x - box.centre).norm() < 64 * box.radius();
   const Point at = is_near ? x : box.centre;
+  if (!is_tiny && std::abs(f.at(at).value) > bounds.width() / 4) {
+    throw geometry::RefusedInput("near " + in_words(box.centre) +
+                                 " the bounds of the function are too wide to tell its zeros; "
+                                 "write it less steep, or with each variable fewer times");
+  }
   char value[32];
   std::snprintf(value, sizeof value, "%.9g", f.at(at).value);
   throw SingularLevel("the surface is singular, or nearly so, at " + in_words(at) +
@@ -180,7 +192,7 @@ std::optional<Cover> cover(const Function& f, const Box& cube, const std::option
       for (const Box& b : sorted.open) {
         if (is_outermost(b, cube)) return std::nullopt;
       }
-      refuse(f, sorted.open.front());
+      refuse(f, sorted.open.front(), depth == max_depth);
     }
     boxes.clear();
     for (const Box& b : sorted.open) {

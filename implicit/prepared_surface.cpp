@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -102,7 +103,9 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
       if (contains(cube, bounded->room.cube())) break;
     }
     if (!space.is_fixed && cube.half < largest) continue;
-    const std::string where = "within " + std::to_string(static_cast<long>(cube.half));
+    char half[32];
+    std::snprintf(half, sizeof half, "%.6g", cube.half);
+    const std::string where = std::string("within ") + half;
     throw geometry::RefusedInput(
         !found ? where +
                      " of the centre the surface is not closed, or the function is not above "
