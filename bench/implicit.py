@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Gaussian surfaces beside skins: meshes ten molecules both ways, and checks the files.
 
-Those that are not bundled come from the folder corpus of --molecules. One line for each run, also in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian
-surfaces of decay 0.5 per square Angstrom and level 1, both with C = 0.2. A run is good when `mesh`
-certifies and `check`, from the file, does too.
+Those that are not bundled come from the folder corpus of --molecules. One line for each run, also
+in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian surfaces of decay 0.5 per
+square Angstrom and level 1, both with C = 0.2. A run is good when `mesh` certifies and `check`,
+from the file, does too.
 """
 
 import tempfile
@@ -11,8 +12,8 @@ from pathlib import Path
 
 from molecule_runs import BUNDLED, Rows, argument_parser, end, molecule_folder, run_command
 
-MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz", "atp.pdb",
-             "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
+MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz",
+             "atp.pdb", "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
 SURFACES = ["skin", "gaussian"]
 COLUMNS = ["molecule", "surface", "triangles", "min_angle", "max_angle", "components", "genus",
            "critical", "cpu_seconds", "check_seconds", "verdict"]
@@ -61,10 +62,25 @@ def table(rows):
         cells = [r["molecule"], r["surface"], f"{int(r['triangles']):,}",
                  f"{float(r['min_angle']):.1f} to {float(r['max_angle']):.1f}",
                  f"{r['components']}, {r['genus']}", r["critical"].replace("-", " − ", 1)
-                 .replace("+", " + "), f"{float(r['cpu_seconds']):.1f}",
-                 f"{float(r['check_seconds']):.1f}"]
+                 .replace("+", " + "), f"{float(r['cpu_seconds']):.2f}",
+                 f"{float(r['check_seconds']):.2f}"]
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def sentence(rows):
+    """How the Gaussian surfaces compare with the skins."""
+    gaussians = [r for r in rows if r["surface"] == "gaussian"]
+    skins = {r["molecule"]: r for r in rows if r["surface"] == "skin"}
+    certified = sum(r["verdict"] == "certified" for r in gaussians)
+    ratios = sorted(int(r["triangles"]) / int(skins[r["molecule"]]["triangles"])
+                    for r in gaussians)
+    seconds = [float(r["cpu_seconds"]) for r in gaussians]
+    angles = min(float(r["min_angle"]) for r in gaussians)
+    return (f"Of {len(gaussians)} Gaussian surfaces {certified} are certified, with angles from "
+            f"{angles:.1f} degrees, in {min(seconds):.1f} to {max(seconds):.1f} seconds of "
+            f"processor time. They have {ratios[0]:.1f} to {ratios[-1]:.1f} times the triangles "
+            f"of the skins.")
 
 
 def main():

@@ -22,6 +22,7 @@ import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
+import implicit  # noqa: E402
 import molecule  # noqa: E402
 import replay  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
@@ -255,10 +256,13 @@ def texts():
                                (batch, "batch", "batch"),
                                (replay, "replay", "4.3-large-molecules"),
                                (features, "features", "features"),
-                               (second_order, "second-order", "second-order")):
+                               (second_order, "second-order", "second-order"),
+                               (implicit, "implicit", "6-implicit-surfaces")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
     yield ("papers/second-order.md",
            second_order.sentence(read_rows(RESULTS / "second-order.tsv")))
+    for page in ("papers/6-implicit-surfaces.md", "papers/lessons/10-results.md"):
+        yield page, implicit.sentence(read_rows(RESULTS / "implicit.tsv"))
     yield "papers/features.md", features.sentence(read_rows(RESULTS / "features.tsv"))
     for script in (balls, molecule, tetrahedra):
         rows = read_rows(RESULTS / f"solvers-{script.__name__}.tsv")
