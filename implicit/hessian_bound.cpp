@@ -68,6 +68,13 @@ struct Part {
   Room::Ids balls;
 };
 
+/// A cube about another that is halved without rounding, so that its parts leave no gaps.
+Box dyadic_cube_about(const Box& cube) {
+  const double half = std::exp2(std::ceil(std::log2(1.125 * cube.half)));
+  const double grid = half / 16;
+  return {cube.centre.unaryExpr([&](double x) { return std::round(x / grid) * grid; }), half};
+}
+
 /// The parts of a box that is to be halved which meet the room.
 std::vector<Part> octants(const Part& whole, const Room& room) {
   std::vector<Part> result;
@@ -91,7 +98,7 @@ bool is_hessian_bounded(const Function& f, const Levelling& levelling, const Roo
   const std::size_t max_parts = 100'000 + 5 * room.all().size();
   std::size_t count = 0;
   constexpr std::size_t block_size = 16;
-  std::vector<Part> parts{{room.cube(), room.all()}};
+  std::vector<Part> parts{{dyadic_cube_about(room.cube()), room.all()}};
   while (!parts.empty()) {
     const std::size_t blocks = geometry::block_count(parts.size(), block_size);
     std::vector<std::vector<Part>> open(blocks);
