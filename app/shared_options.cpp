@@ -97,7 +97,7 @@ void add_certificate_option(CLI::App& command, std::optional<std::filesystem::pa
 void add_surface_option(CLI::App& command, std::optional<std::string>& surface) {
   command
       .add_option("--surface", surface,
-                  "No molecule: sphere:R torus:R,r formula:... gaussian:...\n"
+                  "No molecule: sphere:R torus:R,r genus2 formula:... gaussian:...\n"
                   "formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
                   "|x|, |y|, |z| <= W; gaussian:MOLECULE[,decay=D][,level=L]")
       ->default_str("none");

@@ -106,6 +106,9 @@ SurfaceInput read_surface(const std::string& text) {
     input = of_formula(
         implicit::torus_formula(number(text, words.first), number(text, words.others[0])), {},
         text);
+  } else if (words.name == "genus2") {
+    if (text != words.name) refuse(text, "genus2 takes no values");
+    input = of_formula(implicit::genus2_formula(), {}, text);
   } else if (words.name == "formula") {
     require_count(words, text, 0);
     const std::optional<double> within = take(words, text, "within");
@@ -119,7 +122,7 @@ SurfaceInput read_surface(const std::string& text) {
     input = of_gaussians(words, text);
   } else {
     refuse(text,
-           "it must be sphere:R, torus:R,r, formula:EXPRESSION[,within=W] or "
+           "it must be sphere:R, torus:R,r, genus2, formula:EXPRESSION[,within=W] or "
            "gaussian:MOLECULE[,decay=D][,level=L]");
   }
   if (!words.options.empty()) refuse(text, "unknown option " + words.options.begin()->first + "=");

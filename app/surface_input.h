@@ -2,7 +2,7 @@
 
 /// Surfaces that are no skins, as --surface names them:
 ///
-///     sphere:R   torus:R,r
+///     sphere:R   torus:R,r   genus2
 ///     formula:EXPRESSION[,within=W]                 where the expression is 0; below it inside
 ///     gaussian:MOLECULE[,decay=D][,level=L]         Gaussians of a molecule's atoms
 ///

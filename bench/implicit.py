@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
-"""Gaussian surfaces beside skins: meshes ten bundled molecules both ways, and checks the files.
+"""Gaussian surfaces beside skins: meshes ten molecules both ways, and checks the files.
 
-One line for each run, also in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian
-surfaces of decay 0.5 per square Angstrom and level 1, both with C = 0.2. A run is good when `mesh`
-certifies and `check`, from the file, does too.
+Those that are not bundled come from the folder corpus of --molecules. One line for each run, also
+in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian surfaces of decay 0.5 per
+square Angstrom and level 1, both with C = 0.2. A run is good when `mesh` certifies and `check`,
+from the file, does too.
 """
 
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, Rows, argument_parser, end, run_command
+from molecule_runs import BUNDLED, Rows, argument_parser, end, molecule_folder, run_command
 
-MOLECULES = ["two_balls.xyzr", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "benzene.pdb",
-             "caffeine.xyz", "c60.xyz", "5tmn_ligand.pdb", "1grm_model1.pdb", "1crn.pdb"]
+MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz",
+             "atp.pdb", "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
 SURFACES = ["skin", "gaussian"]
 COLUMNS = ["molecule", "surface", "triangles", "min_angle", "max_angle", "components", "genus",
            "critical", "cpu_seconds", "check_seconds", "verdict"]
@@ -27,8 +28,14 @@ def words_of(path, surface):
     return ["--surface", f"gaussian:{path}"], []
 
 
-def row_of(name, surface, timeout):
-    source, against = words_of(str(BUNDLED / name), surface)
+def path_of(name, folder):
+    bundled = BUNDLED / name
+    return bundled if bundled.exists() else folder / "corpus" / name
+
+
+def row_of(path, surface, timeout):
+    name = path.name
+    source, against = words_of(str(path), surface)
     with tempfile.TemporaryDirectory() as temporary:
         mesh = Path(temporary) / "mesh.ply"
         made = run_command(["mesh", *source, "-o", mesh, "-C", C, "--json", "--progress", "never",
@@ -55,21 +62,38 @@ def table(rows):
         cells = [r["molecule"], r["surface"], f"{int(r['triangles']):,}",
                  f"{float(r['min_angle']):.1f} to {float(r['max_angle']):.1f}",
                  f"{r['components']}, {r['genus']}", r["critical"].replace("-", " − ", 1)
-                 .replace("+", " + "), f"{float(r['cpu_seconds']):.1f}",
-                 f"{float(r['check_seconds']):.1f}"]
+                 .replace("+", " + "), f"{float(r['cpu_seconds']):.2f}",
+                 f"{float(r['check_seconds']):.2f}"]
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def sentence(rows):
+    """How the Gaussian surfaces compare with the skins."""
+    gaussians = [r for r in rows if r["surface"] == "gaussian"]
+    skins = {r["molecule"]: r for r in rows if r["surface"] == "skin"}
+    certified = sum(r["verdict"] == "certified" for r in gaussians)
+    ratios = sorted(int(r["triangles"]) / int(skins[r["molecule"]]["triangles"])
+                    for r in gaussians)
+    seconds = [float(r["cpu_seconds"]) for r in gaussians]
+    angles = min(float(r["min_angle"]) for r in gaussians)
+    return (f"Of {len(gaussians)} Gaussian surfaces {certified} are certified, with angles from "
+            f"{angles:.1f} degrees, in {min(seconds):.1f} to {max(seconds):.1f} seconds of "
+            f"processor time. They have {ratios[0]:.1f} to {ratios[-1]:.1f} times the triangles "
+            f"of the skins.")
 
 
 def main():
     options = argument_parser(__doc__, timeout=600,
                               results="papers/results/implicit.tsv").parse_args()
+    folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 2) as rows:
         for name in MOLECULES:
-            if options.only not in name:
+            path = path_of(name, folder)
+            if options.only not in name or not path.exists():
                 continue
             for surface in SURFACES:
-                rows.add(row_of(name, surface, options.timeout))
+                rows.add(row_of(path, surface, options.timeout))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows
                  if r["verdict"] == "certified"]))
     end([r["verdict"] for r in rows.rows if r["verdict"] != "certified"], rows.rows)

@@ -16,16 +16,19 @@ namespace {
 constexpr int max_depth = 22;
 /// Of one level. A smooth surface needs a few for each square of its radius of curvature.
 constexpr std::size_t max_boxes = 1'000'000;
+/// A settled box at the cube's boundary that has a smaller share of the cube's side is taken for a
+/// zero there. Bounds over larger ones are wide, so these are halved.
+constexpr double least_share_at_boundary = 1.0 / 64;
 
 /// A box's place in the cover: none, settled, or to be halved.
 enum class Place { Empty, Settled, Open };
 
-/// Settles a box where the gradient's ends differ by less than half its length.
+/// Settles a box where the gradient's length and direction are known within a factor.
 Place place(const Function& f, const Box& box, CoverBox& settled) {
   const Jet<Interval, 2> bounds = f.bounds(box);
   if (!bounds.value.contains(0)) return Place::Empty;
   const double least = min_norm(bounds.gradient), most = max_norm(bounds.gradient);
-  constexpr double max_ratio = 1.6;
+  constexpr double max_ratio = 2;
   if (!(least > 0 && most < max_ratio * least)) return Place::Open;
   int axis = 0;
   double part = 0;
@@ -39,6 +42,10 @@ Place place(const Function& f, const Box& box, CoverBox& settled) {
   const double slant = Interval::up(most / part);
   constexpr double max_slant = 4;  // sqrt 3 on a small enough box
   if (!(slant < max_slant)) return Place::Open;
+  // Halving excludes most of a large box that the zero set meets near a corner only, or not at all.
+  constexpr double small_ratio = 1.2;
+  const double distance = f.enclose(box.centre).value.min_abs() / most;
+  if (distance > box.half && most > small_ratio * least) return Place::Open;
   settled = {box, least, most, axis, slant};
   return Place::Settled;
 }
@@ -70,10 +77,22 @@ Point nearby_critical_point(const Function& f, const Point& from) {
   return x;
 }
 
-[[noreturn]] void refuse(const Function& f, const Box& box) {
+/// @param is_tiny  the box, which is next to a singular point then; else the boxes became too many
+[[noreturn]] void refuse(const Function& f, const Box& box, bool is_tiny) {
+  const Interval bounds = f.bounds(box).value;
+  if (!bounds.is_finite()) {
+    throw geometry::RefusedInput("near " + in_words(box.centre) +
+                                 " the function or its derivatives have no bounds; write it "
+                                 "without roots and quotients that vanish there");
+  }
   const Point x = nearby_critical_point(f, box.centre);
   const bool is_near = (x - box.centre).norm() < 64 * box.radius();
   const Point at = is_near ? x : box.centre;
+  if (!is_tiny && std::abs(f.at(at).value) > bounds.width() / 4) {
+    throw geometry::RefusedInput("near " + in_words(box.centre) +
+                                 " the bounds of the function are too wide to tell its zeros; "
+                                 "write it less steep, or with each variable fewer times");
+  }
   char value[32];
   std::snprintf(value, sizeof value, "%.9g", f.at(at).value);
   throw SingularLevel("the surface is singular, or nearly so, at " + in_words(at) +
@@ -160,15 +179,20 @@ std::optional<Cover> cover(const Function& f, const Box& cube, const std::option
   for (int depth = 0; !boxes.empty(); ++depth) {
     Sorted sorted = sort(f, boxes, run);
     for (const CoverBox& b : sorted.settled) {
-      if (is_outermost(b.box, cube)) return std::nullopt;
+      const bool is_at_boundary = is_outermost(b.box, cube);
+      if (is_at_boundary && b.box.half < least_share_at_boundary * cube.half) return std::nullopt;
+      if (is_at_boundary) {
+        sorted.open.push_back(b.box);
+      } else {
+        result.boxes.push_back(b);
+      }
     }
-    result.boxes.insert(result.boxes.end(), sorted.settled.begin(), sorted.settled.end());
     if (sorted.open.empty()) break;
     if (depth == max_depth || 8 * sorted.open.size() > max_boxes) {
       for (const Box& b : sorted.open) {
         if (is_outermost(b, cube)) return std::nullopt;
       }
-      refuse(f, sorted.open.front());
+      refuse(f, sorted.open.front(), depth == max_depth);
     }
     boxes.clear();
     for (const Box& b : sorted.open) {

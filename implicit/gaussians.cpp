@@ -10,8 +10,7 @@ namespace morskin::implicit {
 
 namespace {
 
-/// The balls left out of a sum have less than this share of it, together.
-constexpr double tail = 0x1p-60;
+constexpr double fine_tail = 0x1p-60, coarse_tail = 0x1p-24;
 
 Interval square_norm(const Triple<Interval>& v) {
   return square(v[0]) + square(v[1]) + square(v[2]);
@@ -46,18 +45,20 @@ Gaussians::Gaussians(std::vector<Ball> balls, const GaussianOptions& options)
   extent_ = {((low + high) / 2).unaryExpr(on_grid), std::exp2(std::ceil(std::log2(half + 0.1)))};
   farthest_ = 4 * extent_.half;
   for (std::uint32_t i = 0; i < balls_.size(); ++i) all_.push_back(i);
-  fill_grid();
+  constexpr double usual_side = 1;  // Angstrom
+  constexpr int most = 48;
+  voxels_ = std::clamp(static_cast<int>(2 * extent_.half / usual_side), 1, most);
+  voxel_side_ = 2 * extent_.half / voxels_;
+  fine_ = grid(fine_tail);
+  coarse_ = grid(coarse_tail);
 }
 
 double Gaussians::sum_at(double f) const { return options_.level * std::exp(-options_.decay * f); }
 
 /// A ball may be left out of a voxel where its power distance exceeds another's so much, all over
 /// it, that n of its kind have no more than the tail.
-void Gaussians::fill_grid() {
-  constexpr double usual_side = 2;  // Angstrom
-  constexpr int most = 48;
-  voxels_ = std::clamp(static_cast<int>(2 * extent_.half / usual_side), 1, most);
-  voxel_side_ = 2 * extent_.half / voxels_;
+Gaussians::Grid Gaussians::grid(double tail) const {
+  Grid result{tail, {}, {}};
   const double gap = std::log(static_cast<double>(balls_.size()) / tail) / options_.decay;
   const double radius = voxel_side_ * 0.87;  // of a voxel's circumscribed ball, rounding included
   const Point corner = extent_.centre - Vector::Constant(extent_.half);
@@ -70,16 +71,17 @@ void Gaussians::fill_grid() {
           const double far = (middle - ball.centre).norm() + radius;
           least = std::min(least, far * far - ball.radius * ball.radius);
         }
-        first_.push_back(static_cast<std::uint32_t>(ids_.size()));
+        result.first.push_back(static_cast<std::uint32_t>(result.ids.size()));
         for (const std::uint32_t id : all_) {
           const Ball& ball = balls_[id];
           const double near = std::max(0.0, (middle - ball.centre).norm() - radius);
-          if (near * near - ball.radius * ball.radius < least + gap) ids_.push_back(id);
+          if (near * near - ball.radius * ball.radius < least + gap) result.ids.push_back(id);
         }
       }
     }
   }
-  first_.push_back(static_cast<std::uint32_t>(ids_.size()));
+  result.first.push_back(static_cast<std::uint32_t>(result.ids.size()));
+  return result;
 }
 
 std::size_t Gaussians::voxel(const Point& x) const {
@@ -87,22 +89,18 @@ std::size_t Gaussians::voxel(const Point& x) const {
   std::size_t result = 0;
   for (int axis = 2; axis >= 0; --axis) {
     const double i = std::floor(at[axis] / voxel_side_);
-    if (!(i >= 0 && i < voxels_)) return first_.size();
+    if (!(i >= 0 && i < voxels_)) return voxel_count();
     result = result * static_cast<std::size_t>(voxels_) + static_cast<std::size_t>(i);
   }
   return result;
 }
 
-Gaussians::Ids Gaussians::near(const Point& x) const {
-  const std::size_t v = voxel(x);
-  if (v >= first_.size()) return all_;
-  return Ids(ids_).subspan(first_[v], first_[v + 1] - first_[v]);
-}
-
-Gaussians::Ids Gaussians::near(const Box& box) const {
+Gaussians::Ids Gaussians::near(const Box& box, const Grid& grid) const {
   const Vector to_corner = Vector::Constant(box.half);
   const std::size_t v = voxel(box.centre - to_corner);
-  return v == voxel(box.centre + to_corner) ? near(box.centre) : Ids(all_);
+  const bool is_in_one = v < voxel_count() && v == voxel(box.centre + to_corner);
+  if (!is_in_one) return all_;
+  return Ids(grid.ids).subspan(grid.first[v], grid.first[v + 1] - grid.first[v]);
 }
 
 double Gaussians::least_power(const Point& x, Ids ids) const {
@@ -115,7 +113,7 @@ double Gaussians::least_power(const Point& x, Ids ids) const {
 }
 
 Function::Value Gaussians::at(const Point& x) const {
-  const Ids ids = near(x);
+  const Ids ids = near({x, 0}, fine_);
   const auto& [decay, level] = options_;
   const double least = least_power(x, ids);
   double sum = 0;
@@ -140,7 +138,7 @@ struct Gaussians::Terms {
   Triple<Interval> mean;  ///< less the reference
 };
 
-Gaussians::Terms Gaussians::terms(const Point& x, Ids ids) const {
+Gaussians::Terms Gaussians::terms(const Point& x, Ids ids, double tail) const {
   Terms result{least_power(x, ids), x - at(x).gradient / 2, {}, 0.0, {}};
   result.weights.reserve(ids.size());
   for (const std::uint32_t id : ids) {
@@ -161,9 +159,9 @@ Gaussians::Terms Gaussians::terms(const Point& x, Ids ids) const {
 }
 
 Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
-  const auto [shift, reference, weights, sum, mean] = terms(x, near(x));
+  const auto [shift, reference, weights, sum, mean] = terms(x, near({x, 0}, fine_), fine_tail);
   Jet<Interval, 1> result;
-  const Interval whole_sum{sum.low, Interval::up(sum.high * (1 + 2 * tail))};
+  const Interval whole_sum{sum.low, Interval::up(sum.high * (1 + 2 * fine_tail))};
   result.value =
       Interval(shift) - log(whole_sum / Interval(options_.level)) / Interval(options_.decay);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -177,8 +175,11 @@ Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
 /// mean of exp(t) by the shares at c, t = -2 decay (b - a) . v. That mean is at least the
 /// exponential of the mean of t, which is small as b - mean is, and no more than that of exp |t|.
 Jet<Interval, 2> Gaussians::over(const Box& box) const {
-  const Ids ids = near(box);
-  const auto [shift, reference, weights, sum, mean] = terms(box.centre, ids);
+  constexpr double small = 0x1p-8;  // Angstrom: bounds over such a box are meant to be narrow
+  const Grid& grid = box.half < small ? fine_ : coarse_;
+  const double tail = grid.tail;
+  const Ids ids = near(box, grid);
+  const auto [shift, reference, weights, sum, mean] = terms(box.centre, ids, tail);
   const double decay = options_.decay;
   const Interval reach = Interval(2 * decay) * Interval(box.half);
   std::vector<Interval> growth;  // exp |t| at most

@@ -46,27 +46,31 @@ class Gaussians final : public Function {
  private:
   using Ids = std::span<const std::uint32_t>;
 
-  /// The balls that count at a point, and those that do all over a box.
-  Ids near(const Point& x) const;
-  Ids near(const Box& box) const;
-  /// The voxel of a point; nothing outside of the grid.
+  /// The balls that count in each voxel of the extent.
+  struct Grid {
+    double tail;  ///< the others have less than this share of the sum, together
+    std::vector<std::uint32_t> first, ids;  ///< by voxel, into ids
+  };
+  Grid grid(double tail) const;
+  /// The balls that count all over a box.
+  Ids near(const Box& box, const Grid& grid) const;
+  /// The voxel of a point; voxel_count() outside of the grid.
   std::size_t voxel(const Point& x) const;
-  void fill_grid();
+  std::size_t voxel_count() const { return fine_.first.size() - 1; }
   double least_power(const Point& x, Ids ids) const;
 
   /// The terms at a point, as intervals.
   struct Terms;
-  Terms terms(const Point& x, Ids ids) const;
+  Terms terms(const Point& x, Ids ids, double tail) const;
 
   std::vector<Ball> balls_;
   GaussianOptions options_;
   Box extent_;
   std::vector<std::uint32_t> all_;
   double farthest_ = 0;  ///< bound on the distance of two centres, and of one from the extent
-  // A grid over the extent.
-  int voxels_ = 0;  ///< along each side
+  int voxels_ = 0;       ///< along each side of the extent
   double voxel_side_ = 0;
-  std::vector<std::uint32_t> first_, ids_;  ///< by voxel, into ids_
+  Grid fine_, coarse_;  ///< for points, and for boxes, over which bounds are wider anyway
 };
 
 }  // namespace morskin::implicit

@@ -3,7 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "geometry/parallel.h"
@@ -14,11 +16,6 @@ namespace {
 
 /// The eigenvalues are off by a few units in the last place of the matrix.
 constexpr double up = 1 + 1e-12;
-
-struct Candidate {
-  Box box;
-  double bound;
-};
 
 /// Bounds the norm over a box. With H = A + R, A its middle and |R| <= r, and grad f = g + e,
 /// |e| <= delta, the levelled f has the Hessian s (H - rate grad f grad f^T) outside, s <= 1 the
@@ -65,52 +62,64 @@ double norm_over(const Function& f, const Levelling& levelling, const Box& box) 
   return up * scale * std::max(top, -bottom);
 }
 
-bool meets(const Box& box, const surface::BoundingBall& ball) {
-  const Vector off = (box.centre - ball.centre).cwiseAbs() - Vector::Constant(box.half);
-  return off.cwiseMax(0).norm() <= ball.radius * up;
+/// A box with the balls of the room that it meets.
+struct Part {
+  Box box;
+  Room::Ids balls;
+};
+
+/// A cube about another that is halved without rounding, so that its parts leave no gaps.
+Box dyadic_cube_about(const Box& cube) {
+  const double half = std::exp2(std::ceil(std::log2(1.125 * cube.half)));
+  const double grid = half / 16;
+  return {cube.centre.unaryExpr([&](double x) { return std::round(x / grid) * grid; }), half};
+}
+
+/// The parts of a box that is to be halved which meet the room.
+std::vector<Part> octants(const Part& whole, const Room& room) {
+  std::vector<Part> result;
+  for (int k = 0; k < 8; ++k) {
+    Part part{whole.box.octant(k), {}};
+    part.balls = room.meeting(part.box, whole.balls);
+    if (!part.balls.empty()) result.push_back(std::move(part));
+  }
+  return result;
 }
 
 }  // namespace
 
-double hessian_bound(const Function& f, const Levelling& levelling,
-                     const surface::BoundingBall& ball, double useless, const geometry::Run& run) {
-  constexpr double good_enough = 1.2;
-  constexpr std::size_t max_rounds = 40, per_round = 64;
-  std::vector<Candidate> heap{{{ball.centre, ball.radius * up}, Interval::infinity}};
-  double reached = 0;  // by some point
-  for (std::size_t round = 0; round < max_rounds && reached < useless; ++round) {
-    // Always so many at once, so that the answer does not depend on the number of threads.
-    std::vector<Box> boxes;
-    while (!heap.empty() && boxes.size() < per_round &&
-           heap.front().bound > good_enough * reached) {
-      std::ranges::pop_heap(heap, {}, &Candidate::bound);
-      for (int k = 0; k < 8; ++k) {
-        const Box part = heap.back().box.octant(k);
-        if (meets(part, ball)) boxes.push_back(part);
-      }
-      heap.pop_back();
-    }
-    if (boxes.empty()) break;
-    constexpr std::size_t samples = 4;  // one centre in so many tells what is reached
-    std::vector<double> bound(boxes.size()), at_centre(boxes.size(), 0);
-    const auto bound_block = [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = begin; i < end; ++i) {
-        bound[i] = norm_over(f, levelling, boxes[i]);
-        if (i % samples == 0) at_centre[i] = norm_over(f, levelling, {boxes[i].centre, 0});
+double hessian_norm(const Function& f, const Levelling& levelling, const Point& x) {
+  return norm_over(f, levelling, {x, 0});
+}
+
+bool is_hessian_bounded(const Function& f, const Levelling& levelling, const Room& room, double M,
+                        const geometry::Run& run) {
+  // The more balls, the larger the room.
+  const std::size_t max_parts = 100'000 + 5 * room.all().size();
+  std::size_t count = 0;
+  constexpr std::size_t block_size = 16;
+  std::vector<Part> parts{{dyadic_cube_about(room.cube()), room.all()}};
+  while (!parts.empty()) {
+    const std::size_t blocks = geometry::block_count(parts.size(), block_size);
+    std::vector<std::vector<Part>> open(blocks);
+    std::vector<char> is_exceeded(blocks, 0);
+    const auto bound_block = [&](std::size_t begin, std::size_t end, std::size_t block) {
+      for (std::size_t i = begin; i < end && !is_exceeded[block]; ++i) {
+        if (norm_over(f, levelling, parts[i].box) <= M) continue;
+        const Point& middle = parts[i].box.centre;
+        is_exceeded[block] = !(hessian_norm(f, levelling, middle) <= M) && room.contains(middle, 0);
+        std::vector<Part> halves = octants(parts[i], room);
+        std::ranges::move(halves, std::back_inserter(open[block]));
       }
     };
-    geometry::for_each_block(run.threads(), boxes.size(), bound_block, 16);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (std::isfinite(at_centre[i]) && meets({boxes[i].centre, 0}, ball)) {
-        reached = std::max(reached, at_centre[i]);
-      }
-      heap.push_back({boxes[i], bound[i]});
-      std::ranges::push_heap(heap, {}, &Candidate::bound);
-    }
+    geometry::for_each_block(run.threads(), parts.size(), bound_block, block_size);
+    if (std::ranges::find(is_exceeded, 1) != is_exceeded.end()) return false;
+    parts.clear();
+    for (std::vector<Part>& some : open) std::ranges::move(some, std::back_inserter(parts));
+    count += parts.size();
+    if (count > max_parts) return false;
   }
-  double most = reached;
-  for (const Candidate& c : heap) most = std::max(most, c.bound);
-  return most;
+  return true;
 }
 
 }  // namespace morskin::implicit

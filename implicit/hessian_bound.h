@@ -1,10 +1,10 @@
 #pragma once
 
-/// A bound on the second derivatives of a function over a ball, by branch and bound.
+/// A bound on the second derivatives of a function round its zero set, by branch and bound.
 
 #include "geometry/run.h"
 #include "implicit/function.h"
-#include "surface/bounding_ball.h"
+#include "implicit/room.h"
 
 namespace morskin::implicit {
 
@@ -18,11 +18,12 @@ struct Levelling {
   double value(double f) const { return f > 0 && rate > 0 ? -std::expm1(-rate * f) / rate : f; }
 };
 
-/// Upper bound on the spectral norm of the Hessian of the levelled f in a ball, where it has one:
-/// proved, and within a fifth of the largest, as far as the number of boxes allows.
-/// @param useless  so large a bound is of no use: the search ends where there can be no smaller one
-/// @return  infinity where no bound is found
-double hessian_bound(const Function& f, const Levelling& levelling,
-                     const surface::BoundingBall& ball, double useless, const geometry::Run& run);
+/// Whether the Hessian of the levelled f, where it has one, has a spectral norm of at most M in the
+/// room: a yes is proved. It is no where a point has more or where the boxes become too many.
+bool is_hessian_bounded(const Function& f, const Levelling& levelling, const Room& room, double M,
+                        const geometry::Run& run);
+
+/// The norm at a point, or a bound close above it.
+double hessian_norm(const Function& f, const Levelling& levelling, const Point& x);
 
 }  // namespace morskin::implicit

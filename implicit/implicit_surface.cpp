@@ -27,12 +27,11 @@ double area_estimate(const Function& f, const CoverBox& b) {
 }  // namespace
 
 ImplicitSurface::ImplicitSurface(std::shared_ptr<const Function> f, Cover cover,
-                                 const Levelling& levelling, const surface::BoundingBall& room,
-                                 double M)
+                                 const Levelling& levelling, Room room, double M)
     : f_(std::move(f)),
       cover_(std::move(cover)),
       levelling_(levelling),
-      room_(room),
+      room_(std::move(room)),
       body_(cover_.bounding_ball()),
       M_(M),
       max_length_scale_(up * cover_.max_gradient() / M) {
@@ -67,8 +66,8 @@ surface::Enclosure ImplicitSurface::enclose(const Point& x, CellId) const {
   result.error = max_norm(radii);
   // A conclusion about x reaches no farther than a triangle's circumradius and a path of the flow,
   // each shorter than |N|.
-  const double reach = (x - room_.centre).norm() + 2 * (result.half_gradient.norm() + result.error);
-  if (!(up * reach <= room_.radius)) {
+  const double reach = 2 * up * (result.half_gradient.norm() + result.error);
+  if (!room_.contains(x, reach)) {
     return {-Interval::infinity, Interval::infinity, result.half_gradient, Interval::infinity};
   }
   return result;
@@ -104,12 +103,20 @@ surface::LineCrossings ImplicitSurface::crossings(const Point& p, const Point& q
   return result;
 }
 
-/// A piece is settled once its ends tell that it stays on one side, or once G is monotone on it: N
-/// is 1-Lipschitz, so along the piece its part keeps its sign where it is longer than the piece.
+/// A piece is settled once it is far from the cover. In the room it is settled once its ends tell
+/// that it stays on one side, or once G is monotone on it: N is 1-Lipschitz, so along the piece its
+/// part keeps its sign where it is longer than the piece.
 void ImplicitSurface::halve(const Point& p, const Point& q, double low, double high,
                             surface::LineCrossings& found) const {
   const Point a = p + low * (q - p), b = p + high * (q - p);
   const double length = (b - a).norm();
+  if (!room_.may_meet_cover((a + b) / 2, length / 2)) return;
+  const double middle = (low + high) / 2;
+  constexpr double min_share = 1e-12;
+  if (high - low > min_share && !room_.contains((a + b) / 2, length / 2)) {
+    halve(p, q, low, middle, found);
+    return halve(p, q, middle, high, found);
+  }
   const surface::Jet at_a = jet(a, CellId{0U}), at_b = jet(b, CellId{0U});
   const bool is_one_side = (at_a.value > 0) == (at_b.value > 0);
   if (is_one_side && surface::is_certainly_clear(length, std::sqrt(std::abs(at_a.value)),
@@ -121,13 +128,11 @@ void ImplicitSurface::halve(const Point& p, const Point& q, double low, double h
     if (!is_one_side) found.all.push_back(zero(p, q, low, high, at_a.value > 0));
     return;
   }
-  constexpr double min_share = 1e-12;
   if (high - low < min_share) {
     found.is_complete = found.is_complete && is_one_side;
     if (!is_one_side) found.all.push_back(zero(p, q, low, high, at_a.value > 0));
     return;
   }
-  const double middle = (low + high) / 2;
   halve(p, q, low, middle, found);
   halve(p, q, middle, high, found);
 }

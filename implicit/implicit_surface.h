@@ -3,19 +3,22 @@
 /// The zero set of a function as a surface for front, refinement and certificate.
 ///
 /// Let g be the levelled function (hessian_bound.h), which has the same zeros and the same gradient
-/// there, and M a proved bound on the norm of its Hessian over a ball D that holds the zero set
-/// with room. With
+/// there, and M a proved bound on the norm of its Hessian in a room about the zero set (room.h).
+/// With
 ///
 ///     G = 2 g / M,   N = grad G / 2 = grad g / M
 ///
-/// the laws of surface.h hold in D: N is 1-Lipschitz, so |N| is too, and by Taylor's theorem
-/// |G(x + d) - 2 N(x) . d| <= |d|^2 at a zero x, so that G keeps its sign in the open balls of
-/// radius |N(x)| that touch the surface at x. All is one cell.
+/// the laws of surface.h hold. The room holds a ball of radius 3 |N(x)| about each zero x. In it N
+/// is 1-Lipschitz, so |N| is too, and by Taylor's theorem |G(x + d) - 2 N(x) . d| <= |d|^2, so that
+/// G keeps its sign in the open balls of radius |N(x)| that touch the surface at x. Of two zeros
+/// farther apart than 3 |N| of either no law speaks but that |N| is 1-Lipschitz, which is plain
+/// then. All is one cell.
 
 #include <memory>
 
 #include "implicit/critical_heights.h"
 #include "implicit/hessian_bound.h"
+#include "implicit/room.h"
 #include "surface/surface.h"
 
 namespace morskin::implicit {
@@ -24,11 +27,11 @@ using surface::CellId;
 
 class ImplicitSurface final : public surface::Surface {
  public:
-  /// @param room  of the ball D; outside of it nothing is known of the surface
-  /// @param M     the bound in it
+  /// @param room  Room(cover, M); outside of it nothing is known of the surface
+  /// @param M     bounds the Hessian of the levelled f in it
   /// @pre the zero set in `room` is what `cover` covers
   ImplicitSurface(std::shared_ptr<const Function> f, Cover cover, const Levelling& levelling,
-                  const surface::BoundingBall& room, double M);
+                  Room room, double M);
 
   CellId locate(const Point&, CellId) const override { return CellId{0U}; }
   bool is_in(const Point&, CellId cell) const override { return cell == CellId{0U}; }
@@ -36,7 +39,7 @@ class ImplicitSurface final : public surface::Surface {
   double length_scale(const Point& x, CellId cell) const override {
     return jet(x, cell).half_gradient.norm();
   }
-  /// Infinite where x and what the certificate concludes from it are not all in D.
+  /// Infinite where x and what the certificate concludes from it are not all in the room.
   surface::Enclosure enclose(const Point& x, CellId hint) const override;
   /// By steps that never pass the surface. Where |G| < |N|^2 at x, the tube of the certificate, it
   /// is proved to arrive: see project().
@@ -56,6 +59,7 @@ class ImplicitSurface final : public surface::Surface {
   const Function& function() const { return *f_; }
   const Cover& cover() const { return cover_; }
   double hessian_bound() const { return M_; }
+  const Room& room() const { return room_; }
 
  private:
   static constexpr double relative_residual = 1e-11;
@@ -68,7 +72,8 @@ class ImplicitSurface final : public surface::Surface {
   std::shared_ptr<const Function> f_;
   Cover cover_;
   Levelling levelling_;
-  surface::BoundingBall room_, body_;
+  Room room_;
+  surface::BoundingBall body_;
   double M_;
   double max_length_scale_;
   double max_integral_ = 0;  ///< bound on that of rho^-2

@@ -41,15 +41,17 @@ struct Interval {
   double max_abs() const { return std::max(-low, high); }
   double min_abs() const { return std::max({0.0, low, -high}); }
 
-  /// The next number below, or the one after it. The step is at least one unit in the last place
-  /// and rounds to no less.
+  /// A number below by at least one unit in the last place, and at most two and `tiny`.
   static double down(double x) {
     if (x == infinity) return std::numeric_limits<double>::max();
-    return x - (std::abs(x) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
+    return x - (std::abs(x) * 0x1p-52 + tiny);
   }
   static double up(double x) { return -down(-x); }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// What is added to each step. It is above the rounding of results that underflow, and so large
+  /// that the product of two such does not: many processors are slow there.
+  static constexpr double tiny = 0x1p-500;
 };
 
 inline Interval outward(double low, double high) {
@@ -93,7 +95,7 @@ namespace internal {
 /// Four units in the last place outward, for functions of the C library.
 inline Interval around(double low, double high) {
   const auto margin = [](double x) {
-    return std::isinf(x) ? 0 : std::abs(x) * 0x1p-50 + std::numeric_limits<double>::denorm_min();
+    return std::isinf(x) ? 0 : std::abs(x) * 0x1p-50 + Interval::tiny;
   };
   return {Interval::down(low - margin(low)), Interval::up(high + margin(high))};
 }

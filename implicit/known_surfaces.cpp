@@ -36,4 +36,8 @@ std::string torus_formula(double R, double r) {
   return A + "/2-" + number(2 * R * R) + "+" + number(2 * R * R) + "*(z^2+" + c + ")/" + A;
 }
 
+std::string genus2_formula() {
+  return "((x^2+y^2)^2-8*(x^2-y^2))^2/(256*(x^2+y^2+0.25))+z^2-0.2025";
+}
+
 }  // namespace morskin::implicit

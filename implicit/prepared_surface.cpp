@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -10,40 +11,65 @@ namespace morskin::implicit {
 
 namespace {
 
-/// A levelling, the ball in which the Hessian is bounded, and the bound.
-struct Room {
+/// A levelling, the room in which the Hessian is bounded, and the bound.
+struct BoundedRoom {
   Levelling levelling;
-  surface::BoundingBall ball;
+  Room room;
   double M;
 };
 
-/// The ball goes beyond the body by three times the largest length scale. A bound in the body's
-/// ball comes first: M is no smaller than that, and the length scale no larger.
-Room room_about(const Function& f, const Cover& cover, const Levelling& levelling, double useless,
-                const geometry::Run& run) {
-  constexpr double length_scales = 3.01;
-  Room result{levelling, cover.bounding_ball(), 0};
-  const double first = hessian_bound(f, levelling, result.ball, useless, run);
-  result.ball.radius += length_scales * cover.max_gradient() / first;
-  // Rounding may leave the larger ball with the smaller bound.
-  result.M = std::max(first, hessian_bound(f, levelling, result.ball, useless, run));
-  return result;
+/// The largest norm of the Hessian at some points of the room, along normals of the surface. A
+/// search that cannot succeed is mostly known by it.
+double sampled_norm(const Function& f, const Levelling& levelling, const Cover& cover, double M) {
+  constexpr std::size_t most_samples = 1000;
+  const std::size_t stride = cover.boxes.size() / most_samples + 1;
+  double most = 0;
+  for (std::size_t i = 0; i < cover.boxes.size(); i += stride) {
+    const Point& x = cover.boxes[i].box.centre;
+    const Vector N = f.at(x).gradient / M;
+    for (const double along : {-Room::reach, -1.5, 0.0, 0.75, 1.5, Room::reach}) {
+      most = std::max(most, hessian_norm(f, levelling, x + along * N));
+    }
+  }
+  return most;
 }
 
-/// With or without levelling, by M.
-Room best_room(const Function& f, const Cover& cover, const geometry::Run& run) {
-  Room best = room_about(f, cover, {}, Interval::infinity, run);
-  if (!std::isfinite(best.M)) {
-    throw geometry::RefusedInput(
-        "no bound on the function's second derivatives is found round the surface; write it "
-        "without roots and quotients that vanish there");
+/// A room for the length scale that M gives, where M bounds the Hessian in it, with or without
+/// levelling. @param gradient  the largest on the surface, nearly
+std::optional<BoundedRoom> room_for(const Function& f, const Cover& cover, double gradient,
+                                    double M, const geometry::Run& run) {
+  Room room(cover, M);
+  // The levelling takes rate |grad f|^2 off the second derivative across the surface: more than M
+  // makes no sense.
+  for (const double share : {0.75, 0.0}) {
+    const Levelling levelling{share * M / (gradient * gradient)};
+    constexpr double margin = 1.2;  // with less there would be too many boxes
+    if (!(margin * sampled_norm(f, levelling, cover, M) <= M)) continue;
+    if (is_hessian_bounded(f, levelling, room, M, run)) {
+      return BoundedRoom{levelling, std::move(room), M};
+    }
   }
-  // The levelling takes rate |grad f|^2 off the second derivative across the surface: no more than
-  // what is there makes sense.
-  const double most = best.M / (cover.max_gradient() * cover.max_gradient());
-  constexpr double share = 0.5;
-  const Room other = room_about(f, cover, {share * most}, best.M, run);
-  return other.M < best.M ? other : best;
+  return std::nullopt;
+}
+
+/// With the least M of a geometric sequence. The larger M, the smaller the length scale and with it
+/// the room.
+BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run& run) {
+  double least = 0, gradient = 0;  // by the middles of boxes that the surface seems to meet
+  for (const CoverBox& b : cover.boxes) {
+    const Function::Value at = f.at(b.box.centre);
+    if (!(std::abs(at.value) <= b.box.half * at.gradient.norm())) continue;
+    const double norm = hessian_norm(f, {}, b.box.centre);
+    if (std::isfinite(norm)) least = std::max(least, norm);
+    gradient = std::max(gradient, at.gradient.norm());
+  }
+  constexpr double step = 1.25, largest = 1e6;
+  for (double M = step * least; M <= largest * least; M *= step) {
+    if (auto found = room_for(f, cover, gradient, M, run)) return std::move(*found);
+  }
+  throw geometry::RefusedInput(
+      "no bound on the function's second derivatives is found round the surface; write it without "
+      "roots and quotients that vanish there");
 }
 
 /// Off the axes, off the default and off each other.
@@ -52,8 +78,8 @@ std::vector<Vector> default_heights() {
           Vector(0.5711, 0.6133, 0.5453)};
 }
 
-bool contains(const Box& cube, const surface::BoundingBall& ball) {
-  return (ball.centre - cube.centre).cwiseAbs().maxCoeff() + ball.radius < cube.half;
+bool contains(const Box& cube, const Box& part) {
+  return (part.centre - cube.centre).cwiseAbs().maxCoeff() + part.half < cube.half;
 }
 
 }  // namespace
@@ -63,21 +89,23 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   constexpr double largest = 0x1p12;
   Box cube = space.cube;
   std::optional<Cover> found;
-  std::optional<Room> room;
-  double radius = 0;  // of the body that the room is about
+  std::optional<BoundedRoom> bounded;
+  double radius = 0;  // of the body that it is about
   for (;; cube.half *= 2) {
     found = run.stage("cover", [&] { return cover(*f, cube, found, run); });
     if (found && !found->boxes.empty()) {
       // Cubes about one point have the same boxes, so that a larger one mostly finds the same body.
-      const bool is_same_body = room && found->bounding_ball().radius == radius;
+      const bool is_same_body = bounded && found->bounding_ball().radius == radius;
       if (!is_same_body) {
-        room = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
+        bounded = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
         radius = found->bounding_ball().radius;
       }
-      if (contains(cube, room->ball)) break;
+      if (contains(cube, bounded->room.cube())) break;
     }
     if (!space.is_fixed && cube.half < largest) continue;
-    const std::string where = "within " + std::to_string(static_cast<long>(cube.half));
+    char half[32];
+    std::snprintf(half, sizeof half, "%.6g", cube.half);
+    const std::string where = std::string("within ") + half;
     throw geometry::RefusedInput(
         !found ? where +
                      " of the centre the surface is not closed, or the function is not above "
@@ -96,7 +124,8 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
     if (is_complete || !critical) critical = std::move(next);
     if (is_complete) break;
   }
-  return {ImplicitSurface(std::move(f), std::move(*found), room->levelling, room->ball, room->M),
+  return {ImplicitSurface(std::move(f), std::move(*found), bounded->levelling,
+                          std::move(bounded->room), bounded->M),
           std::move(*critical)};
 }
 

@@ -74,10 +74,11 @@ std::vector<std::uint32_t> components_of(const geometry::IndexedMesh& mesh) {
 
 /// Whether a vertex flows to the component of the surface that a critical point lies on.
 ///
-/// Two points p and q of the surface with |p - q| = l <= rho(p) / 2 lie on one component. For on
-/// the segment |G| <= l^2 / 4, and from each of its points a path along the normal at p, on which G
-/// has no smaller slope than 2 (rho - distance from p), leads to the surface within 0.14 l; where
-/// it ends depends continuously on where it begins.
+/// Two points p and q of the surface with |p - q| = l <= 0.8 rho(p) lie on one component. For at a
+/// distance s from p on the segment |G| <= s (l - s), and after a length t along the normal at p G
+/// has changed by 2 (rho - s) t - t^2 at least, which reaches s (l - s) where s + t < rho still, as
+/// l < (sqrt 8 - 2) rho. So there is one crossing, which depends continuously on s.
+constexpr double max_share = 0.8;
 bool leads_to_component(const Point& vertex, const implicit::CriticalHeight& minimum,
                         const surface::Surface& surface) {
   constexpr double up = 1 + 1e-9;
@@ -87,7 +88,7 @@ bool leads_to_component(const Point& vertex, const implicit::CriticalHeight& min
   const double path = certify::max_flow_path(at_vertex.half_gradient.norm() - at_vertex.error,
                                              at_vertex.max_value());
   const double distance = (vertex - minimum.position).norm() + minimum.doubt + path;
-  return up * distance < rho / 2;
+  return up * distance < max_share * rho;
 }
 
 /// What the critical points and the mesh tell together.
@@ -167,7 +168,7 @@ std::vector<std::optional<std::uint32_t>> components_at_minima(
     if (p.index != 0) continue;
     result.emplace_back();
     const double rho = prepared.surface.length_scale(p.position, only_cell);
-    const auto nearest = tree.nearest(p.position, rho / 2, [](geometry::VertexId) { return true; });
+    const auto nearest = tree.nearest(p.position, max_share * rho);
     if (!nearest) continue;
     const std::uint32_t v = vertex[nearest->id.index()];
     if (leads_to_component(mesh.positions[v], p, prepared.surface)) result.back() = component[v];

@@ -6,7 +6,7 @@
 /// into cells with one formula for G in each; a cell's id serves as a hint where a search begins.
 /// With N = grad G / 2, the laws that front, refinement and certificate rest on:
 ///
-///   1. N is continuous and 1-Lipschitz.
+///   1. N is continuous, and 1-Lipschitz within 2 |N(x)| of each x where enclose() is finite.
 ///   2. On F, |N| is the length scale rho. It is 1-Lipschitz, and the two open balls of radius rho
 ///      that touch F at a point, one on each side, do not meet F.
 ///   3. project() is deterministic and returns points on F to residual_bound().

@@ -70,19 +70,20 @@ std::string refusal(const std::function<void()>& work) {
 }  // namespace
 
 TEST_CASE("surfaces given by formulas obey the laws of a surface") {
-  for (const std::string& text :
-       {implicit::sphere_formula(1.3), two_spheres, std::string("x^4+y^4+z^4-1")}) {
+  for (const std::string& text : {implicit::sphere_formula(1.3), two_spheres,
+                                  implicit::genus2_formula(), std::string("x^4+y^4+z^4-1")}) {
     CAPTURE(text);
     const implicit::PreparedSurface prepared = of_formula(text);
     for (unsigned seed = 0; seed < 3; ++seed) {
-      support::check_surface_laws(prepared.surface, seed, 1e-9);
+      support::check_surface_laws(prepared.surface, seed, 1e-9, support::Enclosed::NearTheSurface);
     }
   }
 }
 
 TEST_CASE("Gaussian surfaces obey the laws of a surface") {
   support::for_seeds(8, [&](unsigned seed) {
-    support::check_surface_laws(of_gaussians(some_balls(seed)).surface, seed, 1e-9);
+    support::check_surface_laws(of_gaussians(some_balls(seed)).surface, seed, 1e-9,
+                                support::Enclosed::NearTheSurface);
   });
 }
 
@@ -110,6 +111,22 @@ TEST_CASE("bounds of Gaussians over a box hold at points of the box") {
         CHECK(there.hessian[i].width() < 1e-9);
         CHECK(there.hessian[i].low <= bounds.hessian[i].high);
         CHECK(there.hessian[i].high >= bounds.hessian[i].low);
+      }
+    }
+  });
+}
+
+TEST_CASE("bounds of Gaussians hold over boxes larger than the molecule") {
+  support::for_seeds(20, [&](unsigned seed) {
+    const implicit::Gaussians f(some_balls(seed), {});
+    support::Random random(seed);
+    for (const double share : {0.5, 1.0, 2.0, 8.0}) {
+      const implicit::Box box{f.extent().centre, share * f.extent().half};
+      const auto bounds = f.bounds(box);
+      CHECK(bounds.value.contains(f.at(some_balls(seed).front().centre).value));
+      for (int k = 0; k < 20; ++k) {
+        const Point x = box.centre + box.half * random.uniform() * random.direction();
+        CHECK(bounds.value.contains(f.at(x).value));
       }
     }
   });
@@ -197,9 +214,36 @@ TEST_CASE("a surface that is open, missing or without room is refused") {
   CHECK(refused("x^2+y^2+z^2-1", 8) == "");
 }
 
-TEST_CASE("sphere, torus, two spheres and a user's formula are certified") {
+TEST_CASE("in the room of a surface its half gradient is 1-Lipschitz") {
+  const implicit::PreparedSurface prepared = of_formula(implicit::genus2_formula());
+  const implicit::ImplicitSurface& of_genus2 = prepared.surface;
+  const surface::CellId cell{0U};
+  support::Random random(1);
+  std::size_t count = 0;
+  double largest = 0;
+  for (const implicit::CoverBox& b : of_genus2.cover().boxes) {
+    const auto p = of_genus2.project(b.box.centre, cell);
+    if (!p) continue;
+    const auto near = [&] {
+      return Point(p->position + 2 * p->length_scale * random.uniform() * random.direction());
+    };
+    const Point x = near(), y = near();
+    const surface::Jet at_x = of_genus2.jet(x, cell);
+    const Vector change = at_x.half_gradient - of_genus2.jet(y, cell).half_gradient;
+    CHECK(change.norm() <= (x - y).norm() * (1 + 1e-9));
+    largest = std::max(largest, change.norm() / (x - y).norm());
+    CHECK(std::isfinite(of_genus2.enclose(x, cell).error) ==
+          of_genus2.room().contains(x, 2 * at_x.half_gradient.norm()));
+    ++count;
+  }
+  CHECK(count > 1000);
+  CHECK(largest > 0.3);  // else the bound is of little use
+}
+
+TEST_CASE("sphere, torus, genus 2, two spheres and a user's formula are certified") {
   check_certified(of_formula(implicit::sphere_formula(2)), 1, 0);
   check_certified(of_formula(implicit::torus_formula(2.5, 1)), 1, 1);
+  check_certified(of_formula(implicit::genus2_formula()), 1, 2);
   check_certified(of_formula(two_spheres), 2, 0);
   check_certified(of_formula("x^4+y^4+z^4-1-sin(2*x)*cos(y)/4"), 1, 0);
 }

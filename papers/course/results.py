@@ -23,6 +23,7 @@ import batch  # noqa: E402
 import counts  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
+import implicit  # noqa: E402
 import molecule  # noqa: E402
 import replay  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
@@ -258,10 +259,13 @@ def texts():
                                (batch, "batch", "batch"),
                                (replay, "replay", "4.3-large-molecules"),
                                (features, "features", "features"),
-                               (second_order, "second-order", "second-order")):
+                               (second_order, "second-order", "second-order"),
+                               (implicit, "implicit", "6-implicit-surfaces")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
     yield ("papers/second-order.md",
            second_order.sentence(read_rows(RESULTS / "second-order.tsv")))
+    for page in ("papers/6-implicit-surfaces.md", "papers/lessons/10-results.md"):
+        yield page, implicit.sentence(read_rows(RESULTS / "implicit.tsv"))
     yield "papers/features.md", features.sentence(read_rows(RESULTS / "features.tsv"))
     yield "papers/artifact.md", artifact.table(
         *(tables.read_rows(RESULTS / f"{name}.csv") for name in ("table1", "scaling", "agreement")),

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""`mesh --surface` and `check` of what it writes. Usage: surface_command_test.py path/to/morskin"""
+
+import json
+import shutil
+
+from support.command import MOLECULES, CommandTest, main
+
+USERS = "formula:x^4+y^4+z^4-1-sin(2*x)*cos(y)/4"
+COARSE = ("-C", "0.2")
+#           surface, components, genus
+KNOWN = [("sphere:2", 1, 0), ("torus:2.5,1", 1, 1), ("genus2", 1, 2), (USERS, 1, 0)]
+
+
+class Surfaces(CommandTest):
+    def meshed(self, surface, *words):
+        """Writes mesh.ply, which says of which surface it is, and mesh.off, which does not."""
+        return self.mesh_json("--surface", surface, "-o", "mesh.ply", "-o", "mesh.off", *COARSE,
+                              *words)
+
+    def check_mutant(self, surface, vertices, triangles):
+        self.write_off(vertices, triangles)
+        return self.check("mutant.off", "--surface", surface, *COARSE, code=5)
+
+    def refused(self, surface, code, *words):
+        before = self.names()
+        done = self.run_morskin("mesh", "--surface", surface, "-o", "mesh.ply", *words, code=code)
+        self.assertEqual(self.names(), before)
+        return done.stderr.decode()
+
+    def write_off(self, vertices, triangles):
+        lines = ["OFF", f"{len(vertices)} {len(triangles)} 0"]
+        lines += [" ".join(map(repr, v)) for v in vertices]
+        lines += ["3 " + " ".join(map(str, t)) for t in triangles]
+        (self.folder / "mutant.off").write_text("\n".join(lines) + "\n")
+
+    def test_known_surfaces_are_certified_from_their_files_and_mutants_are_not(self):
+        for surface, components, genus in KNOWN:
+            with self.subTest(surface=surface):
+                report = self.meshed(surface)
+                self.assertTrue(report["certified"])
+                self.assertEqual((report["components"], report["genus"]), (components, genus))
+                checked = self.check("mesh.ply")
+                self.assertEqual(checked["surface"], surface)
+                self.assertTrue(checked["homeomorphic"] and checked["certified"])
+                vertices, triangles = self.read_off("mesh.off")
+                dented = [v if k else [1.02 * x for x in v] for k, v in enumerate(vertices)]
+                self.assertFalse(self.check_mutant(surface, dented, triangles)["certified"])
+
+    def test_wrong_meshes_are_not_homeomorphic(self):
+        self.meshed("torus:2.5,1")
+        vertices, triangles = self.read_off("mesh.off")
+        count = len(vertices)
+        wrong = {"open": (vertices, triangles[1:]),
+                 "inside out": (vertices, [(a, c, b) for a, b, c in triangles]),
+                 "twice": (vertices + vertices,
+                           triangles + [tuple(v + count for v in t) for t in triangles]),
+                 "far": ([[1.1 * x for x in v] for v in vertices], triangles)}
+        for name, mesh in wrong.items():
+            with self.subTest(mutant=name):
+                self.assertFalse(self.check_mutant("torus:2.5,1", *mesh)["homeomorphic"])
+
+    def test_a_mesh_is_not_that_of_another_surface(self):
+        self.meshed("torus:2.5,1")
+        near = self.check("mesh.ply", "--surface", "torus:2.6,1", *COARSE, code=5)
+        self.assertTrue(near["homeomorphic"])  # so it is, but its vertices lie off that torus
+        self.assertFalse(near["certified"])
+        for other in ("sphere:2", "genus2"):
+            with self.subTest(surface=other):
+                self.assertFalse(self.check("mesh.ply", "--surface", other, *COARSE,
+                                            code=5)["homeomorphic"])
+
+    def test_gaussian_surfaces_of_molecules_are_certified(self):
+        for name in ("benzene.pdb", "two_balls.xyzr"):
+            with self.subTest(molecule=name):
+                shutil.copy(MOLECULES / name, self.folder)
+                report = self.meshed(f"gaussian:{name},decay=0.5,level=1")
+                self.assertTrue(report["certified"])
+                self.assertTrue(self.check("mesh.ply")["certified"])
+                vertices, triangles = self.read_off("mesh.off")
+                moved = [v if k else [x + 0.01 for x in v] for k, v in enumerate(vertices)]
+                self.assertFalse(
+                    self.check_mutant(f"gaussian:{name}", moved, triangles)["certified"])
+                (self.folder / name).unlink()
+                alone = self.check("mesh.ply")  # the molecule is gone: checked as a mesh alone
+                self.assertNotIn("certified", alone)
+                self.assertIn(name, "".join(alone["origin"]["not_taken"]))
+
+    def test_singular_levels_are_refused_with_the_critical_value(self):
+        text = self.refused("formula:x^2+y^2-z^2*(1-z^2)", 4)
+        self.assertIn("critical value", text)
+        # Two unit balls at distance 4: in the middle the sum is 2 exp(-decay (4 - 1)).
+        self.input("pair.xyzr", "0 0 0 1\n4 0 0 1\n")
+        level = 2 * 2.718281828459045 ** (-0.5 * 3)
+        text = self.refused(f"gaussian:pair.xyzr,level={level!r}", 4)
+        self.assertIn(f"{level:.9g}"[:10], text)
+
+    def test_bad_surfaces_are_refused_in_words(self):
+        for surface, code, says in (("cube:1", 2, "--surface"), ("torus:1", 2, "2 values"),
+                                    ("torus:1,2", 4, "R > r > 0"), ("sphere:x", 2, "no number"),
+                                    ("sphere:-1", 4, "radius"), ("genus2:1", 2, "no values"),
+                                    ("formula:x+", 3, "column 3"), ("formula:", 3, "column 1"),
+                                    ("formula:z,within=4", 4, "not closed"),
+                                    ("formula:1/x", 4, "not closed"),
+                                    ("formula:sqrt(x)-1", 4, "not closed"),
+                                    ("formula:log(-1)", 4, "not closed"),
+                                    ("formula:1e308*x^2*1e308-1", 4, "not closed"),
+                                    ("formula:nan", 3, "nan"),
+                                    ("formula:x^2+y^2+z^2-1,within=0.5", 4, "within 0.5"),
+                                    ("formula:sqrt(x^2+y^2+z^2)-1", 4, "roots"),
+                                    ("formula:z,within=3", 2, "power of two"),
+                                    ("formula:z,size=3", 2, "unknown option"),
+                                    ("gaussian:none.pdb", 3, "none.pdb"),
+                                    ("gaussian:ring.xyzr,decay=0", 4, "decay"),
+                                    ("gaussian:ring.xyzr,level=nan", 4, "level")):
+            with self.subTest(surface=surface):
+                self.assertIn(says, self.refused(surface, code))
+
+    def test_what_only_skins_have_is_a_usage_error(self):
+        for words in (("--model", "sas"), ("--chain", "A"), ("--areas", "a.csv"),
+                      ("--method", "static"), ("--grading", "0.2"), ("--density", "3"),
+                      ("--function", "distance:0,0,0"), ("--vertex-data", "normal")):
+            with self.subTest(words=words):
+                self.assertIn("--surface", self.refused("sphere:1", 2, *words))
+        self.run_morskin("mesh", self.ring, "--surface", "sphere:1", "-o", "mesh.ply", code=2)
+        self.run_morskin("mesh", "-o", "mesh.ply", code=2)
+
+    def test_the_same_surface_gives_the_same_bytes(self):
+        for threads in ("1", "3"):
+            self.run_morskin("mesh", "--surface", "sphere:2", "-o", f"{threads}.ply", *COARSE, "-q",
+                             "--threads", threads)
+        self.assertEqual((self.folder / "1.ply").read_bytes(),
+                         (self.folder / "3.ply").read_bytes())
+
+    def test_the_report_tells_what_was_proved(self):
+        report = self.meshed("torus:2.5,1", "--report", "report.json")
+        self.assertEqual(json.loads((self.folder / "report.json").read_text())["surface"],
+                         "torus:2.5,1")
+        self.assertEqual([report[k] for k in ("minima", "saddles", "maxima")], [1, 2, 1])
+        self.assertEqual(report["undecided_boxes"], 0)
+        self.assertGreater(report["second_derivative_bound"], 2)
+
+
+if __name__ == "__main__":
+    main()
