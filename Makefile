@@ -116,6 +116,7 @@ reproduce: command  ## the paper's Table 1, all methods in one run, into RESULTS
 
 papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
 	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/interactive/build.py build/papers/interactive
 	@python3 papers/course/build.py --jobs $(JOBS)
 
 papers-update: command  ## count triangles anew, and put all that papers/results says into the pages

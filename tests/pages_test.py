@@ -119,6 +119,8 @@ def check_link(checks, page, where, target):
         return
     path, _, anchor = target.partition("#")
     file = (page.parent / path).resolve() if path else page
+    if file.parent == ROOT / "papers" / "interactive":  # pages that `make papers` bundles
+        file = file.with_suffix(".js") if file.suffix == ".html" else file
     checks.expect(file.exists(), where, f"the link {target} leads nowhere")
     if anchor and file.suffix == ".md" and file.exists():
         checks.expect(anchor in slugs(file), where, f"{target}: no such heading")

@@ -1,0 +1,103 @@
+// The interactive parts of the course: each opens from a file, loads nothing, fits a phone, and does
+// by keyboard, mouse and touch what it says. Their mathematics is tested beside their sources.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, settle } from './browser.mjs';
+import { morskin, root } from './pages.mjs';
+
+const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
+const parts = JSON.parse(execFileSync('python3', [join(root, 'papers/interactive/build.py'), folder,
+  '--command', morskin, '--list'], { encoding: 'utf8' }));
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+async function withPart(name, options, work) {
+  const opened = await open(browser, join(folder, `${name}.html`), options);
+  try {
+    await work(opened.page);
+    await settle(opened.page);
+    assert.deepEqual(opened.complaints, []);
+  } finally {
+    await opened.close();
+  }
+}
+
+const desk = { width: 940, height: 900 };
+const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
+const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+
+for (const name of parts) {
+  test(`${name} opens with a question, fits a phone and is worked without a pointer`, async () => {
+    await withPart(name, phone, async (page) => {
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+      const answers = page.locator('.question button');
+      const replies = new Set();
+      for (let k = 0; k < await answers.count(); ++k) {
+        await answers.nth(k).tap();
+        replies.add(await page.locator('.reply').textContent());
+      }
+      assert.ok(replies.size === await answers.count() && replies.size >= 2);
+      assert.equal([...replies].filter((reply) => reply.startsWith('Right')).length, 1);
+      const heights = await page.locator('button, select, input[type=range]').evaluateAll((list) =>
+        list.filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().height));
+      assert.ok(Math.min(...heights) >= 30, `${heights}`);
+      // Everything that can be taken hold of is reached with the tabulator.
+      const count = await page.evaluate(() => [...document.querySelectorAll(
+        'button:not(:disabled), select, input, [tabindex="0"]')].filter((e) => e.getClientRects().length).length);
+      const reached = new Set();
+      for (let k = 0; k < count + 2; ++k) {
+        await page.keyboard.press('Tab');
+        reached.add(await page.evaluate(() => [...document.querySelectorAll('*')].indexOf(document.activeElement)));
+      }
+      assert.ok(reached.size >= count, `${reached.size} of ${count}`);
+    });
+  });
+}
+
+test('the reader finds where two discs part, with the arrow keys alone', async () => {
+  await withPart('skin2d', desk, async (page) => {
+    const disc = page.locator('[aria-label^="Disc 2"]');
+    await disc.focus();
+    const curves = () => page.evaluate(() => window.part.parts().loops.length);
+    while (await curves() === 1) await page.keyboard.press('ArrowRight');
+    while (await curves() === 2) await page.keyboard.press('Shift+ArrowLeft');
+    assert.match(await page.locator('main').textContent(), /Found: √w₁ \+ √w₂ = 2\.828/);
+  });
+});
+
+test('a disc follows the mouse and a finger', async () => {
+  await withPart('skin2d', desk, async (page) => {
+    const box = await page.locator('[aria-label^="Disc 1"] circle').last().boundingBox();
+    await page.mouse.move(box.x + 5, box.y + 5);
+    await page.mouse.down();
+    await page.mouse.move(box.x - 60, box.y + 40, { steps: 3 });
+    await page.mouse.up();
+    const [x, y] = (await state(page)).discs[0].z;
+    assert.ok(x < -1.5 && y < -0.3, `${x}, ${y}`);
+  });
+});
+
+test('an edge and a triangle redden where [L] and [U] break', async () => {
+  await withPart('sizes', desk, async (page) => {
+    const verdict = () => page.locator('table').last().textContent();
+    assert.match(await verdict(), /kept.*kept/);
+    await page.locator('[aria-label^="Corner 3"]').focus();
+    for (let k = 0; k < 12; ++k) await page.keyboard.press('ArrowUp');
+    assert.match(await verdict(), /too large/);
+    for (let k = 0; k < 44; ++k) await page.keyboard.press('ArrowDown');
+    await page.locator('[aria-label^="Corner 2"]').focus();
+    for (let k = 0; k < 26; ++k) await page.keyboard.press('ArrowLeft');
+    assert.match(await verdict(), /too short/);
+    await page.locator('input[aria-label=Q]').fill('1.5');
+    assert.match(await page.locator('table').first().textContent(), /may not end: needs Q > 1\.583/);
+  });
+});
