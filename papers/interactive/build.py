@@ -11,12 +11,14 @@ import argparse
 import json
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TITLES = {
     "skin2d": "The skin of discs",
+    "certificate": "Break the certificate",
     "sizes": "C, Q and the tangent disk",
 }
 
@@ -33,7 +35,29 @@ def bundled(name):
 
 def data_of(name, command):
     """What a part shows of the real program, made by it."""
-    return {}
+    return certificate_data(command) if name == "certificate" else {}
+
+
+BALLS = [([-1, 0, 0], 2), ([1, 0, 0], 2), ([0, 3.2, 0], 1.2)]
+
+
+def certificate_data(command):
+    """A coarse mesh of three balls, and what the program expects of their skin."""
+    with tempfile.TemporaryDirectory() as folder:
+        balls, mesh = Path(folder, "balls.xyzw"), Path(folder, "mesh.off")
+        balls.write_text("".join(f"{x} {y} {z} {w}\n" for (x, y, z), w in BALLS), encoding="utf-8")
+        done = subprocess.run([command, "mesh", balls, "-o", mesh, "-C", "0.3", "--json"],
+                              capture_output=True, text=True, check=True)
+        report = json.loads(done.stdout)
+        rows = [line.split() for line in mesh.read_text(encoding="utf-8").splitlines()
+                if line and not line.startswith("#")]
+    vertices, triangles = int(rows[1][0]), int(rows[1][1])
+    return {"balls": [{"z": z, "w": w} for z, w in BALLS],
+            "positions": [list(map(float, row)) for row in rows[2:2 + vertices]],
+            "triangles": [list(map(int, row[1:4]))
+                          for row in rows[2 + vertices:2 + vertices + triangles]],
+            "expected": {"components": report["expected_components"],
+                         "euler": report["expected_euler_characteristic"]}}
 
 
 def page(name, data):

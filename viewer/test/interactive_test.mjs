@@ -101,3 +101,23 @@ test('an edge and a triangle redden where [L] and [U] break', async () => {
     assert.match(await page.locator('table').first().textContent(), /may not end: needs Q > 1\.583/);
   });
 });
+
+test('the mesh is proved until it is spoiled, and each spoil names its condition', async () => {
+  await withPart('certificate', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const said = () => page.locator('main').textContent();
+    assert.match(await said(), /Proved homeomorphic to the skin, with its vertices on it/);
+    for (const [name, words] of [['turn it round', /run along it the same way/], ['drop it', /is open/],
+      ['cover twice', /\(c3\) covers the skin oncebroken/], ['all inside out', /\(c1\)[^(]*broken/],
+      ['drop its component', /1 components, the skin has 2/], ['move the vertex out', /off the skin/]]) {
+      await press(name);
+      assert.match(await said(), words, name);
+      await press('undo');
+      assert.match(await said(), /with its vertices on it/);
+    }
+    await page.locator('canvas').click({ position: { x: 250, y: 220 } });
+    await page.locator('canvas').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.emulateMedia({ colorScheme: 'dark' });
+  });
+});
