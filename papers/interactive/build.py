@@ -9,6 +9,7 @@ A part is NAME.js here, with what it imports; parts with recorded data have it m
 
 import argparse
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ ROOT = HERE.parent.parent
 TITLES = {
     "skin2d": "The skin of discs",
     "certificate": "Break the certificate",
+    "front": "The front, step by step",
     "sizes": "C, Q and the tangent disk",
 }
 
@@ -35,7 +37,21 @@ def bundled(name):
 
 def data_of(name, command):
     """What a part shows of the real program, made by it."""
-    return certificate_data(command) if name == "certificate" else {}
+    makers = {"certificate": certificate_data, "front": front_data}
+    return makers[name](command) if name in makers else {}
+
+
+def front_data(command):
+    """The dumbbell's sweep, out of the page that `view` writes of it."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder, "page.html")
+        dumbbell = ROOT / "bench" / "molecules" / "dumbbell.xyzw"
+        subprocess.run([command, "view", dumbbell, "-C", "0.16", "-o", out, "-q"], check=True,
+                       capture_output=True)
+        text = out.read_text(encoding="utf-8")
+    about = re.search(r'<script type="application/json" id="about">(.*?)</script>', text, re.S)[1]
+    packed = re.search(r'<script type="text/plain" id="data">(.*?)</script>', text, re.S)[1]
+    return {"about": json.loads(about), "packed": packed.strip()}
 
 
 BALLS = [([-1, 0, 0], 2), ([1, 0, 0], 2), ([0, 3.2, 0], 1.2)]

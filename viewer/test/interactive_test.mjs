@@ -121,3 +121,27 @@ test('the mesh is proved until it is spoiled, and each spoil names its condition
     await page.emulateMedia({ colorScheme: 'dark' });
   });
 });
+
+test('the front is followed step by step, with the line of Algorithm 1 lit', async () => {
+  await withPart('front', desk, async (page) => {
+    const lit = () => page.locator('pre .lit').allTextContents();
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const step = async () => (await state(page)).step;
+    const [bowls, , , bridges, seals] = await page.evaluate(() => window.part.done);
+    assert.deepEqual([bowls, bridges, seals], [2, 2, 2], 'as the answer to the question says');
+    assert.deepEqual(await lit(), ['   creation() at every minimum']);
+    for (const [name, words] of [['creep', /12 .*creep/], ['wing', /wing\(\)/], ['bridge', /5 .*bridge/],
+      ['seal', /seal/]]) {
+      const before = await step();
+      await press(name);
+      assert.ok(await step() > before, name);
+      assert.match((await lit()).join(), words);
+    }
+    await press('‹ step');
+    await page.locator('input[aria-label=Step]').press('End');
+    assert.match(await page.locator('main').textContent(), /no front/);
+    await press('play');
+    await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
+    await press('pause');
+  });
+});
