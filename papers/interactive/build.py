@@ -76,6 +76,12 @@ def certificate_data(command):
                          "euler": report["expected_euler_characteristic"]}}
 
 
+def write_viewer(path, command):
+    """The viewer's own page of the dumbbell; a lesson's link has its state after #."""
+    subprocess.run([command, "view", ROOT / "bench" / "molecules" / "dumbbell.xyzw", "-o", path,
+                    "-q"], check=True, capture_output=True)
+
+
 def page(name, data):
     text = (HERE / "page.html").read_text(encoding="utf-8")
     style = (HERE / "style.css").read_text(encoding="utf-8").strip()
@@ -94,7 +100,10 @@ def main():
     parser.add_argument("--list", action="store_true", help="print the parts' names as JSON")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    for name in arguments.names or TITLES:
+    for name in arguments.names or [*TITLES, "viewer"]:
+        if name == "viewer":
+            write_viewer(arguments.folder / "viewer.html", arguments.command)
+            continue
         (arguments.folder / f"{name}.html").write_text(
             page(name, data_of(name, arguments.command)), encoding="utf-8")
     if arguments.list:
