@@ -124,6 +124,7 @@ reproduce-reference:  ## the same into papers/results, the committed run that th
 
 papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
 	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/interactive/build.py build/papers/interactive
 	@python3 papers/course/build.py --jobs $(JOBS)
 
 papers-update: command  ## count triangles anew, and put all that papers/results says into the pages

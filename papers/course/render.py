@@ -117,6 +117,8 @@ def relinked(text, page, stems, listings):
         path = (page.path.parent / address).resolve()
         if path.parent in (PAPERS, LESSONS) and path.suffix == ".md" and path.stem in stems:
             return f'href="{path.stem}.html{hash_}{anchor}"'
+        if path.parent == PAPERS / "interactive" and path.suffix == ".html":
+            return f'href="interactive/{path.name}{hash_}{anchor}"'
         if path.is_file() and path.is_relative_to(ROOT) and path.suffix != ".png":
             return f'href="{listings.link(path)}"'
         if path.exists():

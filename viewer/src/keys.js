@@ -1,6 +1,7 @@
 // The keyboard. The same table makes the help.
 
 export const keys = [
+  ['Click', 'what is there: triangle, vertex, atom'],
   ['1 2 3 4', 'surface smooth, flat, wire, off'],
   ['C', 'next colour (Shift: the one before)'],
   ['E', 'triangles’ sides'],

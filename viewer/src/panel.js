@@ -26,7 +26,11 @@ function headline(about) {
 function certificateLine(about) {
   if (about.certified === undefined) return null;
   return about.certified
-    ? element('p', { class: 'certified' }, 'Certified: homeomorphic, sizes and angles as claimed')
+    ? element('details', { class: 'certified' },
+      element('summary', {}, 'Certified: homeomorphic, sizes and angles as claimed'),
+      element('p', { class: 'note' }, 'Proved from the mesh as it is written, rounding counted: it is a closed surface that a ',
+        'continuous motion of space carries onto the skin, with every component and no other; its vertices lie on the skin; ',
+        '[U] and the claimed angles hold for every triangle. “morskin check” proves it again.'))
     : element('p', { class: 'uncertified' }, `Not certified: ${about.reason}`);
 }
 
@@ -37,7 +41,10 @@ export class Panel {
     const { about } = viewer.scene.page;
     document.title = `${about.title} – morskin`;
     const body = element('div', { class: 'body' });
-    body.append(this.#surface());
+    this.told = section('Clicked', element('table', { class: 'told' }));
+    this.told.hidden = true;
+    this.told.setAttribute('aria-live', 'polite');
+    body.append(this.told, this.#surface());
     if (viewer.sweep) body.append(this.#sweep());
     if (viewer.growth) body.append(this.#growth());
     const layers = this.#layers();
@@ -55,12 +62,26 @@ export class Panel {
       element('div', { class: 'title' },
         element('h1', { title: about.title }, about.title),
         button('fit', 'Look at all of it (F)', () => viewer.stage.fit()),
+        button('picture', 'Save the picture (PNG)', () => viewer.savePicture()),
+        button('link', 'Copy a link to this view', () => viewer.copyLink()),
         button('theme', 'Dark or light (D)', () => viewer.turnTheme()),
         button('help', 'Keys and help (H)', () => viewer.toggleHelp()),
         this.fold),
       element('p', { class: 'counts' }, headline(about)), certificateLine(about) ?? '');
     root.append(header, body);
     this.root = root;
+  }
+
+  // rows: pairs of words about what was clicked, or nothing.
+  tell(rows) {
+    this.told.hidden = !rows;
+    this.told.querySelector('table').replaceChildren(...(rows ?? []).map(([name, words]) =>
+      element('tr', {}, element('th', { scope: 'row' }, name), element('td', {}, words))));
+    if (rows) this.told.scrollIntoView({ block: 'nearest' });
+  }
+
+  say(words) {
+    this.tell([['', words]]);
   }
 
   #surface() {

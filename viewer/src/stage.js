@@ -14,6 +14,7 @@ export class Stage {
   constructor(container, bounds) {
     this.container = container;
     this.bounds = bounds;
+    this.onDraw = []; // called after each drawing
     this.renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours are given as they show
     container.append(this.renderer.domElement);
@@ -146,6 +147,7 @@ export class Stage {
     cancelAnimationFrame(this.waiting);
     this.waiting = 0;
     this.renderer.render(this.world, this.camera);
+    for (const act of this.onDraw) act();
     this.lastFrame = performance.now();
     this.frames = (this.frames ?? 0) + 1;
   }

@@ -1,9 +1,13 @@
 // The viewer: the state of everything that can be switched, and what follows from a change of it.
 
+import { Address } from './address.js';
 import { colourings } from './colourings.js';
+import { element, icon } from './dom.js';
 import { Growth } from './growth.js';
 import { atomLayer, lineLayer, pointLayer, SectionLayer, sphereLayer } from './layers.js';
+import { facts, pick } from './inspector.js';
 import { Panel } from './panel.js';
+import { ScaleBar } from './scale_bar.js';
 import { Scene } from './scene.js';
 import { Stage } from './stage.js';
 import { Surface } from './surface.js';
@@ -35,6 +39,52 @@ export class Viewer {
     this.#paint();
     this.panel.update();
     this.stage.fit(); // again: on a phone the panel has just taken its share of the window
+    this.#furnish(container);
+    this.address = new Address(this);
+  }
+
+  // What lies over the canvas: the scale, and a way back to a panel that is folded away.
+  #furnish(container) {
+    new ScaleBar(this.stage);
+    container.append(element('button', { type: 'button', id: 'unfold', title: 'The panel again (P)',
+      'aria-label': 'Show the panel', onclick: () => this.set({ panel: true }) }, icon('panel')));
+    const canvas = this.stage.renderer.domElement;
+    let from;
+    canvas.addEventListener('pointerdown', (event) => { from = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointerup', (event) => {
+      const moved = from && Math.hypot(event.clientX - from[0], event.clientY - from[1]);
+      if (event.button === 0 && moved < 4) this.inspect(event.clientX, event.clientY);
+    });
+  }
+
+  // Tells of what is under a point of the window; of nothing, where the surface is not.
+  inspect(clientX, clientY) {
+    if (this.state.style === 'off') return;
+    const box = this.stage.container.getBoundingClientRect();
+    const found = pick(this, (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height);
+    this.panel.tell(found && facts(this.scene, found));
+  }
+
+  savePicture() {
+    this.stage.drawNow();
+    this.stage.renderer.domElement.toBlob((blob) => {
+      const link = element('a', { href: URL.createObjectURL(blob),
+        download: `${this.scene.page.about.title.replace(/[^\w.-]+/g, '_')}.png` });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    });
+  }
+
+  // Where a page from a file may not write to the clipboard, the address bar has the link too.
+  async copyLink() {
+    this.address.write();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.panel.say('The link is copied.');
+    } catch {
+      this.panel.say('The link is in the address bar.');
+    }
   }
 
   has(layer) {

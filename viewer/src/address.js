@@ -1,0 +1,83 @@
+// The viewer's state in the page's address, after #: what differs from how the page opens, and the
+// eye where it was moved. So a link opens the page as it was, and a lesson can embed it so.
+
+const kept = ['style', 'colouring', 'edges', 'seeThrough', 'atoms', 'points', 'lines', 'spheres',
+  'simplified', 'section', 'cut', 'axis', 'offset', 'panel', 'step', 'frame'];
+const pause = 250; // milliseconds without a change before the address is written
+
+const digits = (numbers) => numbers.map((x) => Number(x.toFixed(6))).join(',');
+
+export class Address {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.first = { ...viewer.state };
+    this.home = this.#eye();
+    this.#read();
+    window.addEventListener('hashchange', () => this.#read());
+    viewer.stage.onDraw.push(() => {
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.write(), pause);
+    });
+  }
+
+  #eye() {
+    const { camera, controls } = this.viewer.stage;
+    return digits([...camera.position.toArray(), ...controls.target.toArray()]);
+  }
+
+  text() {
+    const { state } = this.viewer, words = new URLSearchParams();
+    for (const name of kept) {
+      if (state[name] === this.first[name] || (name === 'axis' && state.axis === 'view')) continue;
+      words.set(name, typeof state[name] === 'boolean' ? Number(state[name]) : state[name]);
+    }
+    if (this.#eye() !== this.home) words.set('eye', this.#eye());
+    return words.toString().replaceAll('%2C', ',');
+  }
+
+  write() {
+    const text = this.text();
+    if (text === location.hash.slice(1)) return;
+    history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
+  }
+
+  // What makes no sense here, in an address from another page, is passed over.
+  #read() {
+    const changes = {};
+    for (const [name, word] of new URLSearchParams(location.hash.slice(1))) {
+      const was = this.first[name];
+      if (name === 'eye') this.#look(word.split(',').map(Number));
+      if (!kept.includes(name)) continue;
+      if (typeof was === 'boolean') {
+        const isThere = name === 'panel' || this.viewer.panel.rows[name];
+        if (isThere) changes[name] = word === '1';
+      } else if (typeof was === 'number') {
+        if (word !== '' && Number.isFinite(Number(word))) changes[name] = this.#within(name, Number(word));
+      } else if (this.#choices(name).includes(word)) {
+        changes[name] = word;
+      }
+    }
+    if (changes.axis) this.viewer.setAxis(changes.axis);
+    this.viewer.set(changes);
+  }
+
+  #within(name, x) {
+    if (name === 'offset') return Math.max(-1, Math.min(1, x));
+    const most = name === 'step' ? this.viewer.sweep?.steps : this.viewer.growth?.frames.length;
+    return Math.max(0, Math.min(most ?? 0, Math.round(x)));
+  }
+
+  #choices(name) {
+    if (name === 'style') return ['smooth', 'flat', 'wire', 'off'];
+    if (name === 'axis') return this.viewer.section ? ['x', 'y', 'z'] : [];
+    return this.viewer.colourings.map(({ id }) => id);
+  }
+
+  #look(numbers) {
+    if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
+    const { camera, controls } = this.viewer.stage;
+    camera.position.fromArray(numbers, 0);
+    controls.target.fromArray(numbers, 3);
+    controls.update();
+  }
+}

@@ -1,0 +1,94 @@
+// The address that keeps the state, the click that tells, the scale, the picture and the way back to
+// a folded panel.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { settle } from './browser.mjs';
+import { change, pages, small, stage, withPage } from './pages.mjs';
+import { difference } from './pictures.mjs';
+
+const hash = (page) => page.evaluate(() => { window.viewer.address.write(); return location.hash; });
+const state = (page) => page.evaluate(() => ({ ...window.viewer.state }));
+
+test('a page opened by its own address is the same page again', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    assert.equal(await hash(page), '');
+    for (const key of 'emucaxk2') await page.keyboard.press(key);
+    await page.keyboard.press('ArrowLeft');
+    await page.locator('#step').press('PageDown');
+    await settle(page);
+    const address = await hash(page), was = await state(page), seen = await stage(page);
+    assert.match(address, /edges=1.*eye=/);
+    await withPage(pages.ligand + address, small, async (again) => {
+      const { playing, ...kept } = await state(again);
+      assert.deepEqual({ ...kept, playing }, was);
+      // Thin lines fall a little differently, as in the stored pictures.
+      assert.ok(difference(seen, await stage(again)) < 0.02);
+      assert.equal(await hash(again), address);
+    });
+  });
+});
+
+test('an address that makes no sense opens the page as it is', { timeout: 900000 }, async () => {
+  const nonsense = '#style=none&colouring=7&step=NaN&offset=9&eye=1,2&edges=yes&axis=q&__proto__=1&frame=3';
+  await withPage(pages.ligand, small, async (page) => {
+    const first = await state(page);
+    await withPage(pages.ligand + nonsense, small, async (again) => {
+      assert.deepEqual(await state(again), { ...first, offset: 1 });
+    });
+  });
+});
+
+test('a click tells of triangle, vertex and ball, and beside the surface of nothing', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const told = page.locator('.told');
+    const { width, height } = await page.locator('#stage').boundingBox();
+    let words = '';
+    for (const share of [0.5, 0.42, 0.58, 0.36]) {
+      await page.mouse.click(width * share, height / 2);
+      if (await told.isVisible()) { words = await told.textContent(); break; }
+    }
+    assert.match(words, /angles [\d.]+°, [\d.]+°, [\d.]+°.*Laid by.*Vertexat.*\[L\].*\[U\].*ρ.*Cell.*Nearest ball/);
+    const [, L] = words.match(/\(above 1\)([\d.]+)/), [, U] = words.match(/\(below 1\)([\d.]+)/);
+    assert.ok(Number(L) > 1 && Number(U) < 1, words);
+    await page.mouse.click(3, 3);
+    assert.ok(!await told.isVisible());
+  });
+});
+
+test('the scale bar is as long as it says, nearer too', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const wrong = () => page.evaluate(() => {
+      const { camera, controls, container } = window.viewer.stage;
+      const bar = document.querySelector('#scale i').getBoundingClientRect().width;
+      const length = Number.parseFloat(document.querySelector('#scale span').textContent);
+      // A step of that length to the right of the middle, as the camera sees it.
+      const right = controls.target.clone().setFromMatrixColumn(camera.matrixWorld, 0);
+      const seen = controls.target.clone().addScaledVector(right, length).project(camera).x;
+      return Math.abs((seen * container.clientWidth) / 2 - bar);
+    });
+    assert.ok(await wrong() < 1.5);
+    for (let k = 0; k < 8; ++k) await page.keyboard.press('+');
+    await settle(page);
+    assert.ok(await wrong() < 1.5);
+  });
+});
+
+test('the panel comes back after P, and the picture is saved', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    assert.ok(!await page.locator('#unfold').isVisible());
+    await page.keyboard.press('p');
+    assert.ok(!await page.locator('#panel').isVisible());
+    await page.locator('#unfold').click();
+    assert.ok(await page.locator('#panel').isVisible());
+    const [download] = await Promise.all([page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save the picture (PNG)' }).click()]);
+    assert.match(download.suggestedFilename(), /ligand.*\.png$/);
+    const bytes = readFileSync(await download.path());
+    assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);
+    assert.ok(bytes.length > 5000, 'not an empty picture');
+    assert.ok(await change(page, () => page.getByRole('button', { name: 'Copy a link to this view' }).click()) < 0.01);
+    assert.match(await page.locator('.told').textContent(), /link is/);
+  });
+});

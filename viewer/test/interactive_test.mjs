@@ -1,0 +1,147 @@
+// The interactive parts of the course: each opens from a file, loads nothing, fits a phone, and does
+// by keyboard, mouse and touch what it says. Their mathematics is tested beside their sources.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, settle } from './browser.mjs';
+import { morskin, root } from './pages.mjs';
+
+const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
+const parts = JSON.parse(execFileSync('python3', [join(root, 'papers/interactive/build.py'), folder,
+  '--command', morskin, '--list'], { encoding: 'utf8' }));
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+async function withPart(name, options, work) {
+  const opened = await open(browser, join(folder, `${name}.html`), options);
+  try {
+    await work(opened.page);
+    await settle(opened.page);
+    assert.deepEqual(opened.complaints, []);
+  } finally {
+    await opened.close();
+  }
+}
+
+const desk = { width: 940, height: 900 };
+const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
+const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+
+for (const name of parts) {
+  test(`${name} opens with a question, fits a phone and is worked without a pointer`, async () => {
+    await withPart(name, phone, async (page) => {
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+      const answers = page.locator('.question button');
+      const replies = new Set();
+      for (let k = 0; k < await answers.count(); ++k) {
+        await answers.nth(k).tap();
+        replies.add(await page.locator('.reply').textContent());
+      }
+      assert.ok(replies.size === await answers.count() && replies.size >= 2);
+      assert.equal([...replies].filter((reply) => reply.startsWith('Right')).length, 1);
+      const heights = await page.locator('button, select, input[type=range]').evaluateAll((list) =>
+        list.filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().height));
+      assert.ok(Math.min(...heights) >= 30, `${heights}`);
+      // Everything that can be taken hold of is reached with the tabulator.
+      const count = await page.evaluate(() => [...document.querySelectorAll(
+        'button:not(:disabled), select, input, [tabindex="0"]')].filter((e) => e.getClientRects().length).length);
+      const reached = new Set();
+      for (let k = 0; k < count + 2; ++k) {
+        await page.keyboard.press('Tab');
+        reached.add(await page.evaluate(() => [...document.querySelectorAll('*')].indexOf(document.activeElement)));
+      }
+      assert.ok(reached.size >= count, `${reached.size} of ${count}`);
+    });
+  });
+}
+
+test('the reader finds where two discs part, with the arrow keys alone', async () => {
+  await withPart('skin2d', desk, async (page) => {
+    const disc = page.locator('[aria-label^="Disc 2"]');
+    await disc.focus();
+    const curves = () => page.evaluate(() => window.part.parts().loops.length);
+    while (await curves() === 1) await page.keyboard.press('ArrowRight');
+    while (await curves() === 2) await page.keyboard.press('Shift+ArrowLeft');
+    assert.match(await page.locator('main').textContent(), /Found: √w₁ \+ √w₂ = 2\.828/);
+  });
+});
+
+test('a disc follows the mouse and a finger', async () => {
+  await withPart('skin2d', desk, async (page) => {
+    const box = await page.locator('[aria-label^="Disc 1"] circle').last().boundingBox();
+    await page.mouse.move(box.x + 5, box.y + 5);
+    await page.mouse.down();
+    await page.mouse.move(box.x - 60, box.y + 40, { steps: 3 });
+    await page.mouse.up();
+    const [x, y] = (await state(page)).discs[0].z;
+    assert.ok(x < -1.5 && y < -0.3, `${x}, ${y}`);
+  });
+});
+
+test('an edge and a triangle redden where [L] and [U] break', async () => {
+  await withPart('sizes', desk, async (page) => {
+    const verdict = () => page.locator('table').last().textContent();
+    assert.match(await verdict(), /kept.*kept/);
+    await page.locator('[aria-label^="Corner 3"]').focus();
+    for (let k = 0; k < 12; ++k) await page.keyboard.press('ArrowUp');
+    assert.match(await verdict(), /too large/);
+    for (let k = 0; k < 44; ++k) await page.keyboard.press('ArrowDown');
+    await page.locator('[aria-label^="Corner 2"]').focus();
+    for (let k = 0; k < 26; ++k) await page.keyboard.press('ArrowLeft');
+    assert.match(await verdict(), /too short/);
+    await page.locator('input[aria-label=Q]').fill('1.5');
+    assert.match(await page.locator('table').first().textContent(), /may not end: needs Q > 1\.583/);
+  });
+});
+
+test('the mesh is proved until it is spoiled, and each spoil names its condition', async () => {
+  await withPart('certificate', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const said = () => page.locator('main').textContent();
+    assert.match(await said(), /Proved homeomorphic to the skin, with its vertices on it/);
+    for (const [name, words] of [['turn it round', /run along it the same way/], ['drop it', /is open/],
+      ['cover twice', /\(c3\) covers the skin oncebroken/], ['all inside out', /\(c1\)[^(]*broken/],
+      ['drop its component', /1 components, the skin has 2/], ['move the vertex out', /off the skin/]]) {
+      await press(name);
+      assert.match(await said(), words, name);
+      await press('undo');
+      assert.match(await said(), /with its vertices on it/);
+    }
+    await page.locator('canvas').click({ position: { x: 250, y: 220 } });
+    await page.locator('canvas').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.emulateMedia({ colorScheme: 'dark' });
+  });
+});
+
+test('the front is followed step by step, with the line of Algorithm 1 lit', async () => {
+  await withPart('front', desk, async (page) => {
+    const lit = () => page.locator('pre .lit').allTextContents();
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const step = async () => (await state(page)).step;
+    const [bowls, , , bridges, seals] = await page.evaluate(() => window.part.done);
+    assert.deepEqual([bowls, bridges, seals], [2, 2, 2], 'as the answer to the question says');
+    assert.deepEqual(await lit(), ['   creation() at every minimum']);
+    for (const [name, words] of [['creep', /12 .*creep/], ['wing', /wing\(\)/], ['bridge', /5 .*bridge/],
+      ['seal', /seal/]]) {
+      const before = await step();
+      await press(name);
+      assert.ok(await step() > before, name);
+      assert.match((await lit()).join(), words);
+    }
+    await press('‹ step');
+    await page.locator('input[aria-label=Step]').press('End');
+    assert.match(await page.locator('main').textContent(), /no front/);
+    await press('play');
+    await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
+    await press('pause');
+  });
+});
