@@ -12,7 +12,7 @@ sources = $(shell find geometry surface implicit skin morse certify refine front
 
 .DEFAULT_GOAL := build
 FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers test-papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -122,10 +122,15 @@ reproduce-reference:  ## the same into papers/results, the committed run that th
 	@test "$(QUICK)" != 1 || { echo "the committed run is a whole one: no QUICK=1"; exit 2; }
 	$(MAKE) reproduce RESULTS=papers/results
 
-papers: build  ## build the course of papers/ as HTML, run its commands and check all it says
+papers: build  ## build the course of papers/ as a site, run its commands and check all it says
 	@cmake/install_packages.sh cmake/pages_packages.txt
-	@python3 papers/interactive/build.py build/papers/interactive
 	@python3 papers/course/build.py --jobs $(JOBS)
+	@$(PYTHON) tests/site_plugins_test.py
+
+test-papers: papers  ## open every page of the course in headless Chromium, as on a phone and a desk
+	@{ command -v npm && command -v chromium; } > /dev/null || \
+	  cmake/install_packages.sh cmake/viewer_packages.txt
+	cd viewer && npm ci --no-audit --no-fund && node --test test/site_test.mjs
 
 papers-update: command  ## count triangles anew, and put all that papers/results says into the pages
 	python3 bench/counts.py

@@ -31,8 +31,9 @@ pictures::Image inhibitor_complex(double scale);  // 10a
 // operations_figures.cpp
 pictures::Image bowl(double scale);    // 5
 pictures::Image creep(double scale);   // 6
-pictures::Image wing(double scale);    // 7
 pictures::Image bridge(double scale);  // 8
+// wing_figure.cpp
+pictures::Image wing(double scale);  // 7
 // sandwich_figure.cpp
 pictures::Image sandwiching_ball(double scale);  // 9
 // results_figures.cpp

@@ -1,51 +1,96 @@
 #!/usr/bin/env python3
-"""Builds the pages of papers/ as HTML that can be read offline, and checks all that they say.
+"""Builds the pages of papers/ as a site that can be read offline, and checks all that they say.
 
-- Names become links to their lines, excerpts are taken from the sources between marks
-  (`// [excerpt: name]` ... `// [/excerpt]`), formulas become MathML, pictures are embedded.
+- Sphinx makes the site, with plug-ins of our own (papers/course/plugins): names become links to
+  their lines, excerpts are taken from the sources between marks (`// [excerpt: name]` ...
+  `// [/excerpt]`), formulas are set, interactive parts are framed.
 - Every command on a page is run, in a folder of the page's own; what it prints must be what the
   page shows. Pictures that a command makes take the place of the kept ones.
 - A link that leads nowhere, a name, test or excerpt that is not there, or an output that differs
   ends the build with exit code 1.
+- The site is a folder, and the same in one archive.
 
     make papers
 """
 
 import argparse
+import os
 import re
+import shutil
+import subprocess
 import sys
 import time
+import zipfile
 from pathlib import Path
 
 from lesson import lesson_complaints
 from page import PAPERS, Page, complaints, page_files
-from render import Listings, rendered
 from run_commands import check_pages
 from sources import ROOT
+
+SYSTEM_PYTHON = "/usr/bin/python3"  # Debian installs Sphinx for its own
+ENTRY = '<!doctype html><meta http-equiv="refresh" content="0; url=README.html">\n'
+
+
+def built(out, boxes, command):
+    """Complaints of Sphinx, which makes the site. The interactive parts are made before it."""
+    shutil.rmtree(out, ignore_errors=True)
+    parts = boxes / "interactive"
+    subprocess.run([sys.executable, PAPERS / "interactive" / "build.py", parts,
+                    "--command", command], check=True)
+    done = subprocess.run(
+        [SYSTEM_PYTHON, "-m", "sphinx", "-q", "-E", "-W", "--keep-going", "-b", "html",
+         "-d", boxes / "doctrees", "-c", PAPERS / "course", "-D", f"made_pictures={boxes}",
+         "-D", f"interactive_parts={parts}", PAPERS, out], text=True, stderr=subprocess.PIPE, check=False,
+        env={**os.environ, "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"})
+    if done.returncode:
+        return done.stderr.splitlines() or [f"Sphinx ended with exit code {done.returncode}"]
+    (out / "index.html").write_text(ENTRY, encoding="utf-8")
+    for left in (".buildinfo", "objects.inv"):
+        (out / left).unlink(missing_ok=True)
+    return []
+
+
+def archive(folder):
+    """Writes FOLDER.zip: the same bytes whenever the site is the same."""
+    target = folder.with_suffix(".zip")
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as zipped:
+        for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+            name = Path(folder.name) / file.relative_to(folder)
+            entry = zipfile.ZipInfo(name.as_posix())  # of 1980, as every entry
+            entry.external_attr = 0o644 << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            zipped.writestr(entry, file.read_bytes())
+    return target
+
+
+def pages_in(folder):
+    return [file for file in sorted(folder.rglob("*.html")) if file.parent.name != "interactive"]
 
 
 def dead_links(folder):
     """Links of the built pages that lead nowhere."""
-    ids, found = {}, []
-    files = sorted(folder.glob("*.html"))
-    for file in [*files, *sorted((folder / "src").rglob("*.html"))]:
-        ids[file.resolve()] = set(re.findall(r'\bid="([^"]+)"', file.read_text(encoding="utf-8")))
-    for file in files:
-        text = file.read_text(encoding="utf-8")
+    texts = {file: file.read_text(encoding="utf-8") for file in pages_in(folder)}
+    ids = {file: set(re.findall(r'\bid="([^"]+)"', text)) for file, text in texts.items()}
+    found = []
+    for file, text in texts.items():
         for address in re.findall(r'\b(?:href|src)="([^"]+)"', text):
-            if address.startswith("data:"):
-                continue
             if re.match(r"[a-z]+:", address):
                 continue
             path, _, anchor = address.partition("#")
-            target = (file.parent / path).resolve() if path else file.resolve()
+            target = (file.parent / path.partition("?")[0]).resolve() if path else file
             if not target.exists():
-                found.append(f"{file.name}: dead link {address}")
-            elif target.parent.name == "interactive":
-                continue  # after # is a state, no place
-            elif anchor and anchor not in ids.get(target, set()):
-                found.append(f"{file.name}: no such place: {address}")
+                found.append(f"{file.relative_to(folder)}: dead link {address}")
+            elif anchor and target in ids and anchor not in ids[target]:
+                found.append(f"{file.relative_to(folder)}: no such place: {address}")
     return found
+
+
+def online_parts(folder):
+    """Things that a built page would fetch."""
+    fetched = re.compile(r'\bsrc="(https?:[^"]+)"|<link[^>]*href="(https?:[^"]+)"')
+    return [f"{file.name}: fetches {match[1] or match[2]}" for file in pages_in(folder)
+            for match in fetched.finditer(file.read_text(encoding="utf-8"))]
 
 
 def changed_pictures(boxes):
@@ -55,50 +100,36 @@ def changed_pictures(boxes):
                    or made.read_bytes() != (PAPERS / "figures" / made.name).read_bytes()})
 
 
-def online_parts(folder):
-    """Things that a built page would fetch."""
-    return [f"{file.name}: fetches {address}" for file in sorted(folder.glob("*.html"))
-            for address in re.findall(r'\bsrc="(https?:[^"]+)"', file.read_text(encoding="utf-8"))]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "papers")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "course")
     parser.add_argument("--command", type=Path, default=ROOT / "build" / "morskin")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--no-run", action="store_true", help="leave the commands alone")
-    parser.add_argument("pages", nargs="*", type=Path, help="by default all")
+    parser.add_argument("pages", nargs="*", type=Path,
+                        help="check only these, and build no site")
     arguments = parser.parse_args()
 
-    every = [Page(path) for path in page_files()]
-    stems = {page.stem for page in every}
-    chosen = [Page(path.resolve()) for path in arguments.pages] or every
-    failures = [c for page in chosen for c in complaints(page) + lesson_complaints(page)]
+    out = arguments.out.resolve()
+    boxes = out.with_name(f"{out.name}-work")
+    pages = [Page(path.resolve()) for path in arguments.pages or page_files()]
+    failures = [c for page in pages for c in complaints(page) + lesson_complaints(page)]
     start, commands = time.monotonic(), 0
-    boxes = arguments.out / "run"
     if not arguments.no_run:
-        commands, found = check_pages(chosen, boxes, arguments.command.resolve(), arguments.jobs)
+        commands, found = check_pages(pages, boxes, arguments.command.resolve(), arguments.jobs)
         failures += found
     seconds = time.monotonic() - start
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    listings = Listings(arguments.out / "src")
-    if not failures:
-        for page in chosen:
-            folder = page.path.parent.relative_to(PAPERS.parent)
-            resources = [boxes / page.stem / folder, PAPERS.parent / folder]
-            text = rendered(page, stems, listings, resources, failures)
-            (arguments.out / f"{page.stem}.html").write_text(text, encoding="utf-8")
-        if not arguments.pages:
-            failures += dead_links(arguments.out) + online_parts(arguments.out)
+    if not failures and not arguments.pages:
+        failures += built(out, boxes, arguments.command.resolve()) or dead_links(out) + online_parts(out)
     for failure in failures:
         print(failure)
     for name in changed_pictures(boxes):
         print(f"note: papers/figures/{name} is kept otherwise than its command draws it now")
-    print(f"{len(chosen)} pages, {commands} commands run in {seconds:.0f} s, "
-          f"{len(listings.written)} listings, {len(failures)} failures")
-    if not failures:
-        print(f"The course is in {(arguments.out / 'README.html').relative_to(Path.cwd())}"
-              if arguments.out.is_relative_to(Path.cwd()) else arguments.out)
+    print(f"{len(pages)} pages, {commands} commands run in {seconds:.0f} s, "
+          f"{len(failures)} failures")
+    if not failures and not arguments.pages:
+        print(f"The course is in {os.path.relpath(out)}/index.html, "
+              f"all of it in {os.path.relpath(archive(out))}")
     return 1 if failures else 0
 
 
