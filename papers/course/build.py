@@ -41,7 +41,8 @@ def built(out, boxes, command):
     done = subprocess.run(
         [SYSTEM_PYTHON, "-m", "sphinx", "-q", "-E", "-W", "--keep-going", "-b", "html",
          "-d", boxes / "doctrees", "-c", PAPERS / "course", "-D", f"made_pictures={boxes}",
-         "-D", f"interactive_parts={parts}", PAPERS, out], text=True, stderr=subprocess.PIPE, check=False,
+         "-D", f"interactive_parts={parts}", PAPERS, out],
+        text=True, stderr=subprocess.PIPE, check=False,
         env={**os.environ, "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"})
     if done.returncode:
         return done.stderr.splitlines() or [f"Sphinx ended with exit code {done.returncode}"]
@@ -120,7 +121,8 @@ def main():
         failures += found
     seconds = time.monotonic() - start
     if not failures and not arguments.pages:
-        failures += built(out, boxes, arguments.command.resolve()) or dead_links(out) + online_parts(out)
+        complaints_of_sphinx = built(out, boxes, arguments.command.resolve())
+        failures += complaints_of_sphinx or dead_links(out) + online_parts(out)
     for failure in failures:
         print(failure)
     for name in changed_pictures(boxes):

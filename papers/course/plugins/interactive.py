@@ -2,9 +2,9 @@
 
     [![The question](../figures/play-NAME.png)](../interactive/NAME.html)
 
-becomes a frame with that page, loaded when it comes into sight. The pages that can be had are in the
-folder interactive_parts, by default interactive/ beside the Markdown. Where the Markdown itself is read,
-on paper, and without scripts there is the picture, with its link.
+becomes a frame with that page, loaded when it comes into sight. The pages that can be had are in
+the folder interactive_parts, by default interactive/ beside the Markdown. Where the Markdown itself
+is read, on paper, and without scripts there is the picture, with its link.
 """
 
 import html
