@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
 """Gaussian surfaces beside skins: meshes ten molecules both ways, and checks the files.
 
-Those that are not bundled come from the folder corpus of --molecules. One line for each run, also
-in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian surfaces of decay 0.5 per
-square Angstrom and level 1, both with C = 0.2. A run is good when `mesh` certifies and `check`,
-from the file, does too.
+One line for each run, also in papers/results/implicit.tsv. The skins are of model vdw, the Gaussian
+surfaces of decay 0.5 per square Angstrom and level 1, both with C = 0.2. A run is good when `mesh`
+certifies and `check`, from the file, does too.
 """
 
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, Rows, argument_parser, end, molecule_folder, run_command
+from molecule_runs import BUNDLED, Rows, argument_parser, end, run_command
 
 MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz",
              "atp.pdb", "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
@@ -26,11 +25,6 @@ def words_of(path, surface):
     if surface == "skin":
         return [path], ["--against", path]
     return ["--surface", f"gaussian:{path}"], []
-
-
-def path_of(name, folder):
-    bundled = BUNDLED / name
-    return bundled if bundled.exists() else folder / "corpus" / name
 
 
 def row_of(path, surface, timeout):
@@ -86,14 +80,12 @@ def sentence(rows):
 def main():
     options = argument_parser(__doc__, timeout=600,
                               results="papers/results/implicit.tsv").parse_args()
-    folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 2) as rows:
         for name in MOLECULES:
-            path = path_of(name, folder)
-            if options.only not in name or not path.exists():
+            if options.only not in name:
                 continue
             for surface in SURFACES:
-                rows.add(row_of(path, surface, options.timeout))
+                rows.add(row_of(BUNDLED / name, surface, options.timeout))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows
                  if r["verdict"] == "certified"]))
     end([r["verdict"] for r in rows.rows if r["verdict"] != "certified"], rows.rows)
