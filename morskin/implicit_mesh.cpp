@@ -189,7 +189,9 @@ certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh,
                 "whether the height has a critical point near (%.6g, %.6g, %.6g) could not be "
                 "decided; try another --height",
                 at.x(), at.y(), at.z());
-  result.fail(certify::Claim::Counts, text);
+  // In place of what was found against an incomplete count.
+  result.broken[static_cast<std::size_t>(certify::Claim::Counts)] = text;
+  result.reason.clear();
   result.conclude(sizing);
   return result;
 }

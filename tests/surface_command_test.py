@@ -132,6 +132,15 @@ class Surfaces(CommandTest):
         self.assertEqual((self.folder / "1.ply").read_bytes(),
                          (self.folder / "3.ply").read_bytes())
 
+    def test_where_critical_points_cannot_be_decided_the_mesh_is_unverified_and_says_why(self):
+        """Along its axis a torus has circles of them."""
+        words = "mesh", "--surface", "torus:2,1", "--height", "0,0,1", "-o", "t.ply", *COARSE
+        done = self.run_morskin(*words, code=5)
+        self.assertIn(b"could not be decided; try another --height", done.stdout + done.stderr)
+        self.assertFalse((self.folder / "t.ply").exists())
+        self.assertTrue((self.folder / "t.ply.unverified").exists())
+        self.assertTrue(self.check("t.ply.unverified")["certified"])  # along the usual height
+
     def test_the_report_tells_what_was_proved(self):
         report = self.meshed("torus:2.5,1", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text())["surface"],
