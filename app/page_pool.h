@@ -4,9 +4,9 @@
 ///
 /// Meshing walks over a few arrays of tens of megabytes in an order that follows the front, and
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
-/// time goes into page faults, address translation and the clearing of pages. Free memory goes back
-/// to the system when no array fits into it, when it exceeds the memory in use, or when there is so
-/// much of it that clearing new pages costs little beside the work on them.
+/// time goes into page faults, address translation and the clearing of pages. Where no free range
+/// is large enough for an array, the pages of several get addresses side by side, which leaves them
+/// as they are. So no more pages are ever cleared than are in memory at once.
 
 #include <sys/mman.h>
 
@@ -94,8 +94,6 @@ class PagePool {
     from = {from.begin + size, from.size - size};
     if (from.size == 0) free_.erase(best);
     in_use_.insert(array);
-    in_use_bytes_ += size;
-    free_bytes_ -= size;
     return array.begin;
   }
 
@@ -108,16 +106,12 @@ class PagePool {
     if (i == in_use_.size() || in_use_[i].begin != begin) return false;
     const Range array = in_use_[i];
     in_use_.erase(i);
-    in_use_bytes_ -= array.size;
     add_free(array);
-    free_bytes_ += array.size;
-    if (free_bytes_ > std::min(in_use_bytes_, max_free)) unmap_free();
     return true;
   }
 
  private:
   static constexpr std::size_t max_size = PTRDIFF_MAX / 2;  // more than any system has
-  static constexpr std::size_t max_free = std::size_t{128} << 20;
 
   std::size_t smallest_of_at_least(std::size_t size) {
     std::size_t best = free_.size();
@@ -141,13 +135,11 @@ class PagePool {
       free_.insert(range);
     } else {
       unmap(range.begin, range.end());
-      free_bytes_ -= range.size;
     }
   }
 
-  /// Gets huge pages from the system. Free memory, which was too small, goes back to it first.
+  /// Makes a free range: of the huge pages of free ranges, which were too small, and of new ones.
   bool map(std::size_t size) {
-    unmap_free();
     void* memory =
         mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return false;
@@ -158,27 +150,44 @@ class PagePool {
 #ifdef MADV_HUGEPAGE  // Linux's; without it, and where its kernel refuses, pages are ordinary ones
     madvise(pages.begin, pages.size, MADV_HUGEPAGE);
 #endif
-    add_free(pages);
-    free_bytes_ += size;
+    char* const end = move_free_to(pages);
+    if (end == pages.begin) return false;
+    add_free({pages.begin, size_between(pages.begin, end)});
     return true;
   }
 
-  void unmap_free() {
-    for (std::size_t i = free_.size(); i-- > 0;) {
+  /// Gives free huge pages the addresses of a range, as many as fit into it.
+  /// @return the end of the range, or where the system refused; it is unmapped from there on
+  char* move_free_to(Range to) {
+    for (std::size_t i = free_.size(); i-- > 0 && to.size > 0;) {
       const Range range = free_[i];
       char* const begin = rounded_up(range.begin, huge_page);
-      char* const end = range.end() - beyond(range.end(), huge_page);
-      if (begin >= end) continue;
-      unmap(begin, end);
-      free_bytes_ -= size_between(begin, end);
+      char* const last = range.end() - beyond(range.end(), huge_page);
+      if (begin >= last) continue;
+      char* const end = begin + std::min(size_between(begin, last), to.size);
+      const std::size_t size = size_between(begin, end);
+      if (!move(begin, size, to.begin)) {
+        unmap(to.begin, to.end());
+        return to.begin;
+      }
+      to = {to.begin + size, to.size - size};
       free_.erase(i);
       if (begin > range.begin) add_free({range.begin, size_between(range.begin, begin)});
       if (end < range.end()) add_free({end, size_between(end, range.end())});
     }
+    return to.end();
   }
 
   static std::size_t size_between(const char* begin, const char* end) {
     return static_cast<std::size_t>(end - begin);
+  }
+  static bool move(char* from, std::size_t size, char* to) {
+#ifdef MREMAP_FIXED  // Linux's; elsewhere the range keeps as many new ones
+    return mremap(from, size, size, MREMAP_MAYMOVE | MREMAP_FIXED, to) != MAP_FAILED;
+#else
+    unmap(from, from + size);
+    return true;
+#endif
   }
   static void unmap(char* begin, const char* end) {
     if (begin != end) munmap(begin, size_between(begin, end));
@@ -186,7 +195,6 @@ class PagePool {
 
   std::mutex mutex_;
   Ranges in_use_, free_;
-  std::size_t in_use_bytes_ = 0, free_bytes_ = 0;
 };
 
 }  // namespace morskin::app

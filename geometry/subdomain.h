@@ -70,6 +70,12 @@ class Subdomain {
   Part own_ = 0;
 };
 
+/// The part that a triangle belongs to, or no_part.
+inline Part part_of(const SurfaceMesh& mesh, const Parts& parts, TriangleId t) {
+  const auto [a, b, c] = mesh.corners(t);
+  return parts[a] == parts[b] && parts[b] == parts[c] ? parts[a] : no_part;
+}
+
 /// Cuts space into boxes with like shares of a mesh's vertices, and shares these out: each box gets
 /// those in it of which all neighbours are in it too.
 /// @param boxes     a power of two, at most max_parts
@@ -87,7 +93,7 @@ Parts parts_by_boxes(const SurfaceMesh& mesh, std::size_t boxes, Position positi
   }
   const Dissection dissection(std::move(samples), static_cast<int>(std::bit_width(boxes)) - 1);
 
-  Parts box(count, no_part), parts(count, no_part);
+  Parts box(count, no_part);
   for_each_block(threads, count, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t v = begin; v < end; ++v) {
       const Point& x = position(VertexId{v});
@@ -95,22 +101,18 @@ Parts parts_by_boxes(const SurfaceMesh& mesh, std::size_t boxes, Position positi
                                            dissection.first_leaf());
     }
   });
-  for_each_block(threads, count, [&](std::size_t begin, std::size_t end, std::size_t) {
+  Parts parts = box;
+  const auto divide = [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      const VertexId v{i};
-      if (!mesh.outgoing(v)) continue;
-      bool is_inside = true;
-      mesh.for_each_outgoing(v, [&](HalfEdgeId h) { is_inside &= box[mesh.target(h)] == box[v]; });
-      if (is_inside) parts[v] = box[v];
+      const TriangleId t{i};
+      if (mesh.is_removed(t) || part_of(mesh, box, t) != no_part) continue;
+      for (const VertexId v : mesh.corners(t)) {
+        std::atomic_ref(parts[v]).store(no_part, std::memory_order_relaxed);
+      }
     }
-  });
+  };
+  for_each_block(threads, mesh.triangle_count(), divide);
   return parts;
-}
-
-/// The part that a triangle belongs to, or no_part.
-inline Part part_of(const SurfaceMesh& mesh, const Parts& parts, TriangleId t) {
-  const auto [a, b, c] = mesh.corners(t);
-  return parts[a] == parts[b] && parts[b] == parts[c] ? parts[a] : no_part;
 }
 
 }  // namespace morskin::geometry

@@ -58,9 +58,10 @@ void raise_angles(const surface::Surface& surface, const MeshingOptions& options
       "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
   made.improvement = {};
   made.angles = {};
-  if (made.smoothing.left > 0) {
+  if (!made.smoothing.left.empty()) {
     made.improvement = run.stage("improve angles", [&] {
-      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, run);
+      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, made.smoothing.left,
+                                    run);
     });
   }
   if (made.below_goal() == 0) return;

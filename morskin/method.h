@@ -47,7 +47,7 @@ struct RunCounts {
   std::size_t seam_triangles = 0;  ///< of these, those between subdomains
 
   /// Triangles that still miss the goal, insertions for 30 degrees apart.
-  std::size_t below_goal() const { return smoothing.left > 0 ? improvement.left : 0; }
+  std::size_t below_goal() const { return smoothing.left.empty() ? 0 : improvement.left; }
 };
 
 /// What a method hands back. With open edges the mesh is unfinished and stays so.

@@ -65,7 +65,7 @@ class Missing {
 class AngleImprovement {
  public:
   AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                   const AngleGoal& goal)
+                   const AngleGoal& goal, std::span<const TriangleId> below)
       : sizing_(sizing),
         mesh_(mesh),
         goal_(goal),
@@ -74,15 +74,11 @@ class AngleImprovement {
         journal_(mesh),
         trials_left_(min_trials + mesh.surface.triangle_count() / triangles_to_a_trial) {
     operations_.record_in(journal_);
-    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
-      const TriangleId triangle{t};
-      if (mesh.surface.is_removed(triangle)) continue;
-      if (misses_goal(triangle)) missing_.insert(ordered(mesh.surface.corners(triangle)));
-    }
+    for (const TriangleId t : below) missing_.insert(ordered(mesh.surface.corners(t)));
   }
 
   AngleImprovementCounts run(const geometry::Run& run) {
-    AngleImprovementCounts counts{missing_.size(), 0, missing_.size()};
+    AngleImprovementCounts counts{0, missing_.size()};
     if (missing_.size() > mesh_.surface.triangle_count() / hopeless + 8) return counts;
     for (int depth = 1; depth <= max_depth && missing_.size() > 0; ++depth) {
       if (depth == max_depth && missing_.size() > max_hard) break;
@@ -240,8 +236,10 @@ class AngleImprovement {
 }  // namespace
 
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
-                                      Mesh& mesh, const AngleGoal& goal, const geometry::Run& run) {
-  const AngleImprovementCounts counts = AngleImprovement(surface, sizing, mesh, goal).run(run);
+                                      Mesh& mesh, const AngleGoal& goal,
+                                      std::span<const TriangleId> below, const geometry::Run& run) {
+  const AngleImprovementCounts counts =
+      AngleImprovement(surface, sizing, mesh, goal, below).run(run);
   if (counts.changed > 0) mesh.surface.compact(run.threads());
   return counts;
 }

@@ -10,6 +10,7 @@
 /// tetrahedra.
 
 #include <cstddef>
+#include <span>
 
 #include "geometry/run.h"
 #include "refine/angle_goal.h"
@@ -17,14 +18,15 @@
 namespace morskin::refine {
 
 struct AngleImprovementCounts {
-  std::size_t below = 0;    ///< triangles that miss the goal, before
   std::size_t changed = 0;  ///< vertices taken out or put in for good
   std::size_t left = 0;     ///< triangles that miss the goal, after
 };
 
+/// @param below  the triangles that miss the goal
 /// @pre the mesh is closed, its edges are Delaunay. It comes out compacted.
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
                                       Mesh& mesh, const AngleGoal& goal,
+                                      std::span<const TriangleId> below,
                                       const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine

@@ -49,7 +49,7 @@ class Smoothing {
       waiting = std::move(next);
     }
     keep_those_that_miss(seen);
-    counts.left = seen.size();
+    counts.left = std::move(seen);
     return counts;
   }
 

@@ -11,6 +11,7 @@
 /// (papers/4.3-local-refinement.md).
 
 #include <cstddef>
+#include <vector>
 
 #include "geometry/run.h"
 #include "refine/angle_goal.h"
@@ -18,9 +19,9 @@
 namespace morskin::refine {
 
 struct SmoothingCounts {
-  std::size_t below = 0;  ///< triangles that miss the goal, before
-  std::size_t moved = 0;  ///< moves of a vertex
-  std::size_t left = 0;   ///< triangles that miss the goal, after
+  std::size_t below = 0;         ///< triangles that miss the goal, before
+  std::size_t moved = 0;         ///< moves of a vertex
+  std::vector<TriangleId> left;  ///< triangles that miss the goal, after
 };
 
 /// Triangles are gone through in the order of their ids, in a large mesh box by box, several boxes

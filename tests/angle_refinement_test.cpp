@@ -121,11 +121,13 @@ TEST_CASE("improvement leaves fewer angles below the goal, and a certified mesh"
   for_cases([&](const PreparedSkin& skin, const Sizing& sizing) {
     constexpr double goal_deg = 38;
     Mesh mesh = rough_mesh(skin, sizing);
-    const std::size_t below = smooth(skin.surface, sizing, mesh, goal_deg).left;
-    const AngleImprovementCounts counts = improve_angles(skin.surface, sizing, mesh, goal_deg);
-    CHECK(counts.below == below);
-    CHECK(counts.left <= below);
-    before += below;
+    const std::vector<TriangleId> below = smooth(skin.surface, sizing, mesh, goal_deg).left;
+    const AngleImprovementCounts counts =
+        improve_angles(skin.surface, sizing, mesh, goal_deg, below);
+    CHECK(counts.left <= below.size());
+    Mesh copy = mesh;
+    CHECK(counts.left == smooth(skin.surface, sizing, copy, goal_deg).below);
+    before += below.size();
     left += counts.left;
     CHECK(certificate(skin, mesh, sizing).reason == "");
     CHECK(restricted_delaunay(indexed_mesh(mesh), skin.surface, mesh.points).violations == 0);
