@@ -21,6 +21,7 @@ TITLES = {
     "skin2d": "The skin of discs",
     "certificate": "Break the certificate",
     "front": "The front, step by step",
+    "morse": "Cancel a pair",
     "sizes": "C, Q and the tangent disk",
 }
 
