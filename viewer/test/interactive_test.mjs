@@ -145,3 +145,100 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
     await press('pause');
   });
 });
+
+test('pairs are cancelled by a click or by keys, and a refusal says why', async () => {
+  await withPart('morse', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const said = () => page.locator('.reply').last().textContent();
+    const sum = () => page.locator('p.value').textContent();
+    assert.match(await sum(), /^5 minima − 9 saddles \+ 4 maxima = 0$/);
+    // Every line is tried until each reason was met; those that may be cancelled are put back.
+    for (const reason of [/c is (higher|lower) than b/, /Another saddle of b/]) {
+      for (let k = 0; k < 36 && !reason.test(await said()); ++k) {
+        await press('next line');
+        const { chosen, history } = await state(page);
+        await page.getByRole('button', { name: 'cancel it' }).press('Enter');
+        if ((await state(page)).history.length > history.length) {
+          await press('undo');
+          for (let n = -1; n < chosen; ++n) await press('next line');
+        }
+      }
+      assert.match(await said(), reason);
+    }
+    // A click in the middle of a line tries that line.
+    const target = await page.evaluate(() => {
+      const { complex } = window.part.state, n = complex.arcs.findIndex(({ line, own }) =>
+        line[own >> 1].every((c) => c > 0.1 && c < 0.9));
+      return { n, at: complex.arcs[n].line[complex.arcs[n].own >> 1], saddle: complex.arcs[n].saddle };
+    });
+    const box = await page.locator('svg').first().boundingBox();
+    await page.mouse.click(...[target.at[0], 1 - target.at[1]].map((c, k) =>
+      [box.x, box.y][k] + ((c + 0.06) / 1.12) * box.width));
+    const after = await state(page);
+    assert.ok(after.chosen === target.n || after.complex.cancelled.at(-1)?.saddle === target.saddle);
+    await press('start again');
+    while (await page.getByRole('button', { name: 'cancel the least persistent' }).isEnabled()) {
+      await press('cancel the least persistent');
+      assert.match(await said(), /^Cancelled/);
+    }
+    assert.match(await sum(), /^1 minimum − 2 saddles \+ 1 maximum = 0$/);
+    await press('next line');
+    await press('cancel it');
+    assert.match(await said(), /Both lines of the saddle a end at this/);
+    assert.equal(await page.locator('.tasks .good').count(), 4);
+    await press('start again');
+    await page.locator('.pair').first().press('Enter');
+    assert.match(await said(), /^(Cancelled|No line joins)/);
+    await press('One hill');
+    await press('next line');
+    await press('cancel it');
+    assert.match(await said(), /Both lines/);
+  });
+});
+
+test('as printed, only loops are refused, and the page says when no function has what is left', async () => {
+  await withPart('morse', desk, async (page) => {
+    await page.getByText('as printed').click();
+    for (let k = 0; k < 7 && !/no function/.test(await page.locator('main').textContent()); ++k) {
+      for (let n = 0; n < 36; ++n) {
+        await page.getByRole('button', { name: 'next line' }).click();
+        await page.getByRole('button', { name: 'cancel it' }).click();
+        const said = await page.locator('.reply').last().textContent();
+        assert.match(said, /^(Cancelled|Refused. Both lines)/);
+        if (said.startsWith('Cancelled')) break;
+      }
+    }
+    assert.match(await page.locator('main').textContent(), /no function has this complex/);
+  });
+});
+
+test('the sweep without the guard stops where it lays a triangle over another, the other one closes', async () => {
+  await withPart('guard', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const laid = () => page.evaluate(() => window.part.laid());
+    const notes = () => page.locator('.halves p').allTextContents();
+    const { apart, first } = await state(page);
+    assert.deepEqual(await laid(), [apart, apart]);
+    assert.deepEqual((await notes()).map((text) => /None lies over/.test(text)), [true, true]);
+    await press('first overlap');
+    assert.deepEqual(await laid(), [first, first]);
+    assert.match((await notes())[1], new RegExp(`Stopped. Triangle number ${first} \\(red\\) lies over`));
+    await page.getByText('close up').click();
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('ArrowLeft');
+    await press('to the end');
+    const [whole, stopped] = await laid();
+    assert.ok(whole > first && stopped === first);
+    assert.match((await notes())[0], /no front: closed. None lies over/);
+    await page.getByText('let the second go on').click();
+    assert.ok((await laid())[1] > whole, 'it covers the skin more than once');
+    assert.match((await notes())[1], /goes on over finished triangles/);
+    await page.getByText('let the second go on').click();
+    await press('one triangle less');
+    await press('where they part');
+    await press('play');
+    await page.waitForFunction((n) => window.part.laid()[0] > n, first + 30);
+    assert.equal((await laid())[1], first);
+    await press('pause');
+  });
+});
