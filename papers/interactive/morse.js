@@ -16,7 +16,7 @@ let waves, range, allPairs, picture;
 
 const plane = new Plane('The complex on the torus', { width: square, share: 1, middle: [0.5, 0.5] });
 const diagram = new Plane('Persistence diagram', { width: 1.3, share: 0.92, middle: [0.5, 0.46] });
-const said = element('p', { class: 'reply', 'aria-live': 'polite' });
+const said = element('p', { class: 'said', 'aria-live': 'polite' });
 const facts = element('p', { class: 'value' });
 const task = element('ul', { class: 'tasks' });
 const place = element('span', { class: 'value' });
@@ -226,7 +226,7 @@ document.getElementById('part').append(
       element('div', { class: 'row' }, button('‹', () => choose(state.chosen - 1), { 'aria-label': 'line before' }),
         button('›', () => choose(state.chosen + 1), { 'aria-label': 'next line' }), cancelIt, place),
       element('div', { class: 'row' }, least, undo,
-        button('start again', () => { while (state.history.length) put(state.history.pop()); })),
+        button('start again', () => put(state.history.splice(0)[0] ?? state.complex))),
       check('as printed: refuse only loops (E11)', false, (is) => { state.byDistance = is; }),
       diagram.svg, element('p', { class: 'soft' },
         'Persistence: each dot is a pair, its height over the diagonal how long it lived. Click one to cancel it; hollow ones are gone.'))));
