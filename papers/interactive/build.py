@@ -58,8 +58,8 @@ def front_data(command):
 
 
 def guard_data(command):
-    """Two sweeps of cyclohexane by one front, of which the second looks for collisions in protecting
-    spheres only: triangles in the order they were laid, before any refinement."""
+    """Two sweeps of cyclohexane by one front, of which the second looks for collisions in
+    protecting spheres only: triangles in the order they were laid, before any refinement."""
     molecule = ROOT / "bench" / "molecules" / "cyclohexane.pdb"
     return {"C": 0.16, "sweeps": [swept(command, molecule, "-C", "0.16", "--guard", guard)
                                   for guard in ("everywhere", "spheres")]}

@@ -93,7 +93,7 @@ document.getElementById('part').append(
     { text: 'a hole stays open', reply: 'Many do, but later: a front that has passed itself does not close.' },
   ]),
   element('div', { class: 'halves' },
-    ...sweeps.map((_, i) => element('div', {}, element('h1', {}, i ? 'Without the guard' : 'With the guard'), solids[i].canvas, notes[i]))),
+    ...sweeps.map((_, i) => element('div', {}, element('h1', {}, i ? 'Without guard' : 'With guard'), solids[i].canvas, notes[i]))),
   steer,
   element('div', { class: 'row' }, button('‹', () => go(state.step - 1), { 'aria-label': 'one triangle less' }),
     button('›', () => go(state.step + 1), { 'aria-label': 'one triangle more' }), play,

@@ -174,9 +174,9 @@ function joined(line, next) {
 // The complex without the arc's saddle and extremum: arcs to the extremum go on to the saddle's other
 // one. Before: the arc is no loop.
 export function cancel(complex, arc) {
-  const { saddle, end, kind } = arc, other = twin(complex, arc);
+  const { saddle, end } = arc, other = twin(complex, arc);
   const bridge = joined([...arc.line].reverse(), other.line);
-  const arcs = complex.arcs.filter((kept) => kept.saddle !== saddle).map((kept) => (kept.end !== end || kept.kind !== kind ? kept
+  const arcs = complex.arcs.filter((kept) => kept.saddle !== saddle).map((kept) => (kept.end !== end ? kept
     : { ...kept, end: other.end, line: joined(kept.line, bridge), over: [...kept.over, ...arc.over, saddle, ...other.over] }));
   return { ...complex, arcs, cancelled: [...complex.cancelled, { saddle, extremum: end }] };
 }

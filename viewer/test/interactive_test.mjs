@@ -8,6 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch, open, settle } from './browser.mjs';
+import { embedded } from '../../papers/interactive/embedded.mjs';
 import { morskin, root } from './pages.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
@@ -34,6 +35,26 @@ async function withPart(name, options, work) {
 const desk = { width: 940, height: 900 };
 const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
 const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+
+test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
+  const shown = embedded();
+  for (const name of parts) assert.ok(shown.some(({ part }) => part === name), name);
+  const viewers = shown.filter(({ part }) => part === 'viewer');
+  assert.ok(viewers.length >= 6);
+  for (const { lesson, state: hash } of viewers) {
+    const { page, complaints, close } = await open(browser, join(folder, `viewer.html${hash}`), { width: 736, height: 640 });
+    const now = await page.evaluate(() => window.viewer.state);
+    for (const [name, word] of new URLSearchParams(hash.slice(1))) {
+      assert.equal(String(typeof now[name] === 'boolean' ? Number(now[name]) : now[name]), word, `${lesson}: ${name}`);
+    }
+    if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
+      const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
+      assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
+    }
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
 
 for (const name of parts) {
   test(`${name} opens with a question, fits a phone and is worked without a pointer`, async () => {

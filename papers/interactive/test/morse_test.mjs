@@ -5,7 +5,8 @@ import { test } from 'node:test';
 import * as morse from '../morse_math.js';
 
 const seeds = Array.from({ length: 12 }, (_, k) => k + 1);
-const landscapes = [...seeds.map((seed) => morse.waves(seed)), morse.waves(2, 3), morse.waves(5, 3)];
+// In the one of seed 23 a loop is lower than another saddle of its minimum.
+const landscapes = [...[...seeds, 23].map((seed) => morse.waves(seed)), morse.waves(2, 3), morse.waves(5, 3)];
 const complexes = landscapes.map((f) => ({ f, complex: morse.complexOf(f) }));
 const gap = (a, b) => Math.hypot(...a.map((c, k) => b[k] - c - Math.round(b[k] - c)));
 
@@ -162,16 +163,22 @@ test('by distance alone an arc is refused exactly when both lines of its saddle 
 
 test('by erratum 11 no line ever passes a saddle beyond its own; by distance alone some do', () => {
   let impossible = 0;
-  for (const { complex } of complexes) {
+  for (const { f, complex } of complexes) {
     for (const { after } of cancellations(complex)) {
       for (const arc of after.arcs) {
         assert.ok(!morse.isImpossible(after, arc));
         assert.ok((arc.kind - 1) * (after.points[arc.end].value - after.points[arc.saddle].value) > 0);
       }
     }
-    for (const { after } of cancellations(complex, true)) impossible += after.arcs.some((arc) => morse.isImpossible(after, arc));
+    for (const { after } of cancellations(complex, true)) {
+      for (const arc of after.arcs.filter((one) => morse.twin(after, one).end !== one.end)) {
+        const back = arc.line.map((x) => (arc.kind - 1) * (after.points[arc.saddle].value - morse.evaluate(f, x).value));
+        assert.equal(morse.isImpossible(after, arc), Math.max(...back) > 1e-9);
+        impossible += morse.isImpossible(after, arc);
+      }
+    }
   }
-  assert.ok(impossible > 12, `${impossible}`);
+  assert.ok(impossible > 25, `${impossible}`);
 });
 
 test('what may be cancelled is a persistence pair, and to cancel it changes no other pair', () => {
