@@ -10,6 +10,7 @@ A part is NAME.js here, with what it imports; parts with recorded data have it m
 import argparse
 import json
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,8 @@ TITLES = {
     "skin2d": "The skin of discs",
     "certificate": "Break the certificate",
     "front": "The front, step by step",
+    "guard": "With the guard and without",
+    "morse": "Cancel a pair",
     "sizes": "C, Q and the tangent disk",
 }
 
@@ -37,7 +40,7 @@ def bundled(name):
 
 def data_of(name, command):
     """What a part shows of the real program, made by it."""
-    makers = {"certificate": certificate_data, "front": front_data}
+    makers = {"certificate": certificate_data, "front": front_data, "guard": guard_data}
     return makers[name](command) if name in makers else {}
 
 
@@ -52,6 +55,36 @@ def front_data(command):
     about = re.search(r'<script type="application/json" id="about">(.*?)</script>', text, re.S)[1]
     packed = re.search(r'<script type="text/plain" id="data">(.*?)</script>', text, re.S)[1]
     return {"about": json.loads(about), "packed": packed.strip()}
+
+
+def guard_data(command):
+    """Two sweeps of cyclohexane by one front, of which the second looks for collisions in
+    protecting spheres only: triangles in the order they were laid, before any refinement."""
+    molecule = ROOT / "bench" / "molecules" / "cyclohexane.pdb"
+    return {"C": 0.16, "sweeps": [swept(command, molecule, "-C", "0.16", "--guard", guard)
+                                  for guard in ("everywhere", "spheres")]}
+
+
+def swept(command, molecule, *options):
+    """The mesh that a sweep ends with, whether it is closed or not."""
+    with tempfile.TemporaryDirectory() as folder:
+        # No height is above this one, so the snapshot is of the end.
+        done = subprocess.run([command, "mesh", molecule, "-o", Path(folder, "mesh.off"), *options,
+                               "--snapshot-at", "1e9", "--snapshot-dir", folder, "-q"],
+                              capture_output=True, text=True, check=False)
+        if done.returncode not in (0, 5):  # not certified: that is the point
+            sys.exit(f"{molecule}: {done.stderr}")
+        return triangle_mesh(Path(folder, "snapshot-1.ply").read_bytes())
+
+
+def triangle_mesh(ply):
+    """Positions, to a ten-thousandth, and triangles of a binary PLY file with nothing else."""
+    header, _, body = ply.partition(b"end_header\n")
+    vertices, triangles = (int(n) for n in re.findall(rb"element \w+ (\d+)", header))
+    places, corners = body[:24 * vertices], body[24 * vertices:]
+    assert len(corners) == 13 * triangles, "a PLY file with more than was asked for"
+    return {"positions": [[round(x, 4) for x in p] for p in struct.iter_unpack("<3d", places)],
+            "triangles": [t[1:] for t in struct.iter_unpack("<B3i", corners)]}
 
 
 BALLS = [([-1, 0, 0], 2), ([1, 0, 0], 2), ([0, 3.2, 0], 1.2)]

@@ -1,9 +1,10 @@
 // A small mesh drawn on a canvas, far triangles first: turned by dragging or the arrow keys.
 
 export class Solid {
-  // draw is asked for the scene at each drawing: {positions, triangles, colour(t), mark(t), dots}.
-  constructor(label, scene, { pick, share = 0.75 } = {}) {
-    Object.assign(this, { scene, pick, share, turn: [0.5, 0.45], zoom: 1 });
+  // draw is asked for the scene at each drawing: {positions, triangles, colour(t), mark(t), bold(t), points,
+  // middle, radius}; bold(t) are sides of a triangle to draw thick, side k from corner k to the next.
+  constructor(label, scene, { pick, turned, share = 0.75 } = {}) {
+    Object.assign(this, { scene, pick, turned, share, turn: [0.5, 0.45], zoom: 1 });
     this.canvas = document.createElement('canvas');
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute('role', 'application');
@@ -43,6 +44,12 @@ export class Solid {
   #turnBy(x, y) {
     this.turn = [this.turn[0] + x, Math.max(-1.5, Math.min(1.5, this.turn[1] + y))];
     this.draw();
+    this.turned?.();
+  }
+
+  // Turned so that what faces along a direction faces the eye.
+  face([x, y, z]) {
+    this.turn = [Math.atan2(-x, z), Math.atan2(y, Math.hypot(x, z))];
   }
 
   #pickAt(event) {
@@ -69,7 +76,7 @@ export class Solid {
     canvas.style.height = `${height}px`;
     canvas.width = width * dots;
     canvas.height = height * dots;
-    const { positions, triangles, colour, mark, points = [], middle, radius } = this.scene();
+    const { positions, triangles, colour, mark, bold, points = [], middle, radius } = this.scene();
     const [ca, sa, cb, sb] = [Math.cos(this.turn[0]), Math.sin(this.turn[0]), Math.cos(this.turn[1]), Math.sin(this.turn[1])];
     const scale = (this.zoom * Math.min(width, height) * 0.47) / radius;
     const seen = positions.map((q) => {
@@ -82,7 +89,7 @@ export class Solid {
       const area = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
       const long = Math.max(...[0, 1, 2].map((k) => Math.hypot(...positions[corners[k]].map((c, n) => c - positions[corners[(k + 1) % 3]][n]))));
       return { t, p, isFront: area < 0, light: Math.min(1, Math.abs(area) / (0.75 * (scale * long) ** 2 + 1e-9)),
-        depth: p[0][2] + p[1][2] + p[2][2] };
+        depth: p[0][2] + p[1][2] + p[2][2] + (mark?.(t) ? long : 0) }; // outlines over what lies beside
     }).sort((a, b) => a.depth - b.depth);
     const context = canvas.getContext('2d'), style = getComputedStyle(document.documentElement);
     context.scale(dots, dots);
@@ -97,6 +104,14 @@ export class Solid {
       context.lineWidth = mark?.(t) ? 3 : 0.7;
       context.strokeStyle = mark?.(t) ? style.getPropertyValue('--accent') : 'rgba(20,24,30,0.75)';
       context.stroke();
+      for (const k of bold?.(t) ?? []) {
+        context.beginPath();
+        context.moveTo(...p[k].slice(0, 2));
+        context.lineTo(...p[(k + 1) % 3].slice(0, 2));
+        context.lineWidth = 3;
+        context.strokeStyle = style.getPropertyValue('--front');
+        context.stroke();
+      }
     }
     for (const { v, colour: fill } of points) {
       context.beginPath();

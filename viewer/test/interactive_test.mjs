@@ -8,6 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch, open, settle } from './browser.mjs';
+import { embedded } from '../../papers/interactive/embedded.mjs';
 import { morskin, root } from './pages.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
@@ -34,6 +35,26 @@ async function withPart(name, options, work) {
 const desk = { width: 940, height: 900 };
 const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
 const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+
+test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
+  const shown = embedded();
+  for (const name of parts) assert.ok(shown.some(({ part }) => part === name), name);
+  const viewers = shown.filter(({ part }) => part === 'viewer');
+  assert.ok(viewers.length >= 6);
+  for (const { lesson, state: hash } of viewers) {
+    const { page, complaints, close } = await open(browser, join(folder, `viewer.html${hash}`), { width: 736, height: 640 });
+    const now = await page.evaluate(() => window.viewer.state);
+    for (const [name, word] of new URLSearchParams(hash.slice(1))) {
+      assert.equal(String(typeof now[name] === 'boolean' ? Number(now[name]) : now[name]), word, `${lesson}: ${name}`);
+    }
+    if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
+      const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
+      assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
+    }
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
 
 for (const name of parts) {
   test(`${name} opens with a question, fits a phone and is worked without a pointer`, async () => {
@@ -142,6 +163,110 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
     assert.match(await page.locator('main').textContent(), /no front/);
     await press('play');
     await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
+    await press('pause');
+  });
+});
+
+test('pairs are cancelled by a click or by keys, and a refusal says why', async () => {
+  await withPart('morse', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const said = () => page.locator('.said').textContent();
+    const sum = () => page.locator('p.value').textContent();
+    assert.match(await sum(), /^5 minima − 9 saddles \+ 4 maxima = 0$/);
+    const met = await page.evaluate(() => {
+      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
+      return window.part.state.complex.arcs.map((_, n) => {
+        for (let k = 0; k <= n; ++k) press('next line');
+        press('cancel it');
+        const said = document.querySelector('.said').textContent;
+        press('start again');
+        return said;
+      });
+    });
+    for (const reason of [/^Cancelled a saddle and a minimum/, /^Refused. c is (higher|lower) than b/, /^Refused. Another saddle of b/]) {
+      assert.ok(met.some((said) => reason.test(said)), `${reason}`);
+    }
+    await page.getByRole('button', { name: 'next line' }).press('Enter');
+    await page.getByRole('button', { name: 'cancel it' }).press('Enter');
+    assert.equal(await said(), met[0]);
+    await press('start again');
+    // A click in the middle of a line tries that line.
+    const target = await page.evaluate(() => {
+      const { complex } = window.part.state, n = complex.arcs.findIndex(({ line, own }) =>
+        line[own >> 1].every((c) => c > 0.1 && c < 0.9));
+      return { n, at: complex.arcs[n].line[complex.arcs[n].own >> 1], saddle: complex.arcs[n].saddle };
+    });
+    const box = await page.locator('svg').first().boundingBox();
+    await page.mouse.click(...[target.at[0], 1 - target.at[1]].map((c, k) =>
+      [box.x, box.y][k] + ((c + 0.06) / 1.12) * box.width));
+    const after = await state(page);
+    assert.ok(after.chosen === target.n || after.complex.cancelled.at(-1)?.saddle === target.saddle);
+    await press('start again');
+    while (await page.getByRole('button', { name: 'cancel the least persistent' }).isEnabled()) {
+      await press('cancel the least persistent');
+      assert.match(await said(), /^Cancelled/);
+    }
+    assert.match(await sum(), /^1 minimum − 2 saddles \+ 1 maximum = 0$/);
+    await press('next line');
+    await press('cancel it');
+    assert.match(await said(), /Both lines of the saddle a end at this/);
+    assert.equal(await page.locator('.tasks .good').count(), 4);
+    await press('start again');
+    await page.locator('.pair').first().press('Enter');
+    assert.match(await said(), /^(Cancelled|No line joins)/);
+    await press('One hill');
+    await press('next line');
+    await press('cancel it');
+    assert.match(await said(), /Both lines/);
+  });
+});
+
+test('as printed, only loops are refused, and the page says when no function has what is left', async () => {
+  await withPart('morse', desk, async (page) => {
+    await page.getByText('as printed').click();
+    // Whichever line may go goes, the last first.
+    const said = await page.evaluate(() => {
+      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
+      const words = [];
+      for (let k = 0; k < 40 && !document.querySelector('p.value').textContent.includes('no function'); ++k) {
+        press('line before');
+        press('cancel it');
+        words.push(document.querySelector('.said').textContent);
+      }
+      return words;
+    });
+    for (const words of said) assert.match(words, /^(Cancelled|Refused. Both lines)/);
+    assert.match(await page.locator('main').textContent(), /no function has this complex/);
+  });
+});
+
+test('the sweep without the guard stops where it lays a triangle over another, the other one closes', async () => {
+  await withPart('guard', desk, async (page) => {
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    const laid = () => page.evaluate(() => window.part.laid());
+    const notes = () => page.locator('.halves p').allTextContents();
+    const { apart, first } = await state(page);
+    assert.deepEqual(await laid(), [apart, apart]);
+    assert.deepEqual((await notes()).map((text) => /None lies over/.test(text)), [true, true]);
+    await press('first overlap');
+    assert.deepEqual(await laid(), [first, first]);
+    assert.match((await notes())[1], new RegExp(`Stopped. Triangle number ${first} \\(red\\) lies over`));
+    await page.getByText('close up').click();
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('ArrowLeft');
+    await press('to the end');
+    const [whole, stopped] = await laid();
+    assert.ok(whole > first && stopped === first);
+    assert.match((await notes())[0], /no front: closed. None lies over/);
+    await page.getByText('let the second go on').click();
+    assert.ok((await laid())[1] > whole, 'it covers the skin more than once');
+    assert.match((await notes())[1], /goes on over finished triangles/);
+    await page.getByText('let the second go on').click();
+    await press('one triangle less');
+    await press('where they part');
+    await press('play');
+    await page.waitForFunction((n) => window.part.laid()[0] > n, first + 30);
+    assert.equal((await laid())[1], first);
     await press('pause');
   });
 });

@@ -33,14 +33,29 @@ export function mesh(balls, ...words) {
 }
 
 // Runs `check` on a mesh {positions, triangles} with any coordinates; its report as JSON.
-export function checked(balls, { positions, triangles }, ...words) {
+export function checked(balls, mesh, ...words) {
+  return report(mesh, '--against', write('check', balls), ...words);
+}
+
+// The same of the mesh alone: by name, whether each verdict holds.
+export function verdicts(mesh) {
+  return Object.fromEntries(report(mesh).verdicts.map(({ name, holds }) => [name, holds]));
+}
+
+function report({ positions, triangles }, ...words) {
   const out = join(folder, 'edited.off');
   writeFileSync(out, [`OFF\n${positions.length} ${triangles.length} 0`,
     ...positions.map((x) => x.join(' ')), ...triangles.map((t) => `3 ${t.join(' ')}`), ''].join('\n'));
-  const done = spawnSync(morskin, ['check', out, '--against', write('check', balls), '--json', ...words],
-    { encoding: 'utf8' });
+  const done = spawnSync(morskin, ['check', out, '--json', ...words], { encoding: 'utf8' });
   if (!done.stdout.startsWith('{')) throw new Error(`${done.status}: ${done.stderr}`);
   return JSON.parse(done.stdout);
+}
+
+// The data of a part, as build.py has the program make them.
+export function partData(name) {
+  execFileSync('python3', [new URL('../build.py', import.meta.url).pathname, folder, name, '--command', morskin]);
+  const page = readFileSync(join(folder, `${name}.html`), 'utf8');
+  return JSON.parse(page.match(/id="data">(.*?)<\/script>/s)[1]);
 }
 
 const widths = { double: 8, float: 4, uchar: 1, int: 4, uint: 4 };
