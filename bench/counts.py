@@ -66,10 +66,10 @@ def coarse_table(rows):
     for c in COARSE:
         r = count(rows, GRAMICIDIN, "paper", c)
         q, triangles = float(r["Q"]), int(r["triangles"])
-        body.append([f"{c:g}", f"{q:.3g}", r["method"], f"{c * q:.3f} ρ",
+        body.append([f"{c:g}", f"{q:.3g}", r["method"], rf"${c * q:.3f}\, \rho$",
                      f"{degrees(asin(1 / q ** 2)):.1f}°", f"{float(r['min_angle']):.1f}°",
                      f"{triangles:,}", f"{most / triangles:.1f}"])
-    return markdown(["C", "Q", "method", "R below", "angles above", "angles measured",
+    return markdown(["$C$", "$Q$", "method", "$R$ below", "angles above", "angles measured",
                      "triangles of 1GRM, model paper", "one in"], body)
 
 
