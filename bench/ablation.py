@@ -24,9 +24,9 @@ NONE = "nothing"
 # By row the switches, and what is printed.
 ROWS = {
     NONE: ([], "nothing: one front, unsmoothed"),
-    "radius": (["radius"], "r = 0.208 ρ, not 0.87 of it"),
-    "length-scale": (["length-scale"], "ρ at the departure vertex only"),
-    "sectors": (["sectors"], "⌈angle / 60°⌉ sectors, not the nearest"),
+    "radius": (["radius"], r"$r = 0.208\, \rho$, not 0.87 of it"),
+    "length-scale": (["length-scale"], r"$\rho$ at the departure vertex only"),
+    "sectors": (["sectors"], "sectors by rounding the angle over 60° up, not to the nearest"),
     "wings": (["wings"], "wings below 90°, not 75°"),
     "edges": (["edges"], "no rule for big ears and long edges"),
     "contraction": (["contraction"], "arcs contracted by distance"),

@@ -14,8 +14,8 @@ from molecule_runs import BUNDLED, Rows, argument_parser, end, markdown, mesh
 MOLECULES = {"5TMN inhibitor": ("5tmn_ligand.pdb", 24336),
              "one strand of 9DNA": ("9dna.pdb", 114316),
              "1GRM, model 1": ("1grm_model1.pdb", 305186)}
-MODELS = {"paper": ("√2 (r + p), in Å²", "1.44 to 1.50 Å"), "vdw": ("2 r²", "r"),
-          "sas": ("2 (r + p)²", "r + p")}
+MODELS = {"paper": (r"$\sqrt{2}\,(r + p)$, in Å²", "1.44 to 1.50 Å"), "vdw": ("$2 r^2$", "$r$"),
+          "sas": (r"$2\,(r + p)^2$", "$r + p$")}
 COARSE = [0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.35, 0.4]
 GRAMICIDIN = "1grm_model1.pdb"
 COLUMNS = ["file", "model", "C", "Q", "method", "triangles", "min_angle", "verdict"]
@@ -41,7 +41,7 @@ def weights_table(rows):
     """2.1: triangles in each reading of the weight."""
     names = {"5TMN inhibitor": "(paper's 7TMN: {:,})", "one strand of 9DNA": "(A-DNA: {:,})",
              "1GRM, model 1": "({:,})"}
-    head = ["model", "w", "patch radius",
+    head = ["model", "$w$", "patch radius",
             *(f"{name} {names[name].format(MOLECULES[name][1])}" for name in MOLECULES)]
     return markdown(head, (
         [model, weight, radius, *(f"{int(count(rows, file, model)['triangles']):,}"
@@ -66,10 +66,10 @@ def coarse_table(rows):
     for c in COARSE:
         r = count(rows, GRAMICIDIN, "paper", c)
         q, triangles = float(r["Q"]), int(r["triangles"])
-        body.append([f"{c:g}", f"{q:.3g}", r["method"], f"{c * q:.3f} ρ",
+        body.append([f"{c:g}", f"{q:.3g}", r["method"], rf"${c * q:.3f}\, \rho$",
                      f"{degrees(asin(1 / q ** 2)):.1f}°", f"{float(r['min_angle']):.1f}°",
                      f"{triangles:,}", f"{most / triangles:.1f}"])
-    return markdown(["C", "Q", "method", "R below", "angles above", "angles measured",
+    return markdown(["$C$", "$Q$", "method", "$R$ below", "angles above", "angles measured",
                      "triangles of 1GRM, model paper", "one in"], body)
 
 

@@ -53,8 +53,8 @@ def table(rows):
                       f"{100 * float(r['curved_lacks']):.4f} %",
                       f"{float(r['least_jacobian']):.2f}"]
         body.append([r["molecule"], r["C"], *values])
-    return markdown(["molecule", "C", "triangles", "flat lacks", "curved lacks", "least Jacobian"],
-                    body)
+    return markdown(["molecule", "$C$", "triangles", "flat lacks", "curved lacks",
+                     "least Jacobian"], body)
 
 
 def sentence(rows):
@@ -64,7 +64,7 @@ def sentence(rows):
                 if float(r["C"]) == C and r["verdict"] == "certified"]
 
     coarse, middle, fine = (f"{min(shares(C)):.4f} to {max(shares(C)):.4f}" for C in SIZES[1:])
-    return (f"With C = {SIZES[1]} curved triangles lack {coarse} of what flat ones lack, with "
+    return (f"With $C = {SIZES[1]}$ curved triangles lack {coarse} of what flat ones lack, with "
             f"{SIZES[2]} {middle}, with {SIZES[3]} {fine}")
 
 

@@ -21,6 +21,10 @@ def all_of(kind):
 
 
 def plain(text):
+    """Without marks, and formulas as questions.py writes them."""
+    for tex, written in ((r"\cdot", "."), (r"\varphi", "phi"), (r"\lvert ", "|"),
+                         (r" \rvert", "|")):
+        text = text.replace(tex, written)
     return " ".join(re.sub(r"[`$\\]", "", text).split())
 
 

@@ -38,7 +38,7 @@ def test_lesson_1_the_dumbbell():
 def test_lesson_2_sizes():
     waist, wall = math.sqrt(0.5), math.hypot(0.5, math.sqrt(0.75))
     assert wall == 1
-    says(2, f"C/Q is {C / Q:.4f} and CQ is {C * Q:.3f}",
+    says(2, f"$C/Q$ is {C / Q:.4f} and $CQ$ is {C * Q:.3f}",
          f"| waist | {waist:.3f} | {2 * C / Q * waist:.4f} | {C * Q * waist:.4f} |",
          f"| spheres | 1 | {2 * C / Q:.4f} | {C * Q:.3f} |",
          f"\\frac{{1}}{{Q^2}} = {1 / Q ** 2:.3f}",
@@ -73,7 +73,8 @@ def test_lesson_3_critical_points():
     lying, standing = critical_points((0, 1, 0)), critical_points((1, 0, 0))
     assert sorted(kind for kind, _ in lying) == [0, 0, 1, 1, 2, 2]
     assert sorted(kind for kind, _ in standing) == [0, 2]
-    says(3, "| edge | V, for V stands across a | 1 | ±0.707 | (0, ±0.707, 0) | both |",
+    says(3, "| edge | $V$, for $V$ stands across $a$ | 1 | $\\pm 0.707$ "
+         "| $(0, \\pm 0.707, 0)$ | both |",
          "$2 - 2 + 2 = 2$", "$1 - 0 + 1 = 2$")
     heights = {kind: height for kind, height in lying if height < 0}
     says(4, f"$1 - 0.707 = {heights[1] - heights[0]:.3f}$")
@@ -107,7 +108,7 @@ def test_lessons_5_to_7_the_disk():
     rim = used / math.hypot(1, used)
     says(5, f"$r = {used:.4f}\\, \\rho$", f"\\frac{{{used:.4f}}}{{{math.hypot(1, used):.4f}}} = "
          f"{rim:.4f} .$$", f"half of it is {rim / 2:.4f}, above {C / Q:.4f}",
-         f"has the circumradius {share / math.sqrt(2):.3f} ρ")
+         f"has the circumradius ${share / math.sqrt(2):.3f}\\, \\rho$")
     says(6, f"it is {share * math.sqrt(0.5):.3f}", f"= {2 * 0.147:.2f}$ apart",
          f"edges of {used * math.sqrt(0.5):.2f}", f"= {0.18 ** 2 / 8:.3f}\\, \\rho$")
 

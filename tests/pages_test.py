@@ -17,6 +17,7 @@
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
   commands too); the lessons are short and have theirs (papers/course/lesson.py).
 - No sentence has more than 30 words, but for some pages about the program.
+- No page of papers/ has a formula as plain text (papers/course/plain_formulas.py).
 
 Prints one line and exits with 1 on any failure.
 """
@@ -231,6 +232,18 @@ def check_course(checks):
                       "an answer is given away")
 
 
+def check_formulas(checks):
+    from plain_formulas import plain_formulas
+    for plain in ("where ρ falls", "with C = 0.2", "a circle of radius √2", "10⁻⁹ of it", "d > 2"):
+        checks.expect(list(plain_formulas(plain)), "plain_formulas", f"not found: {plain}")
+    for text in ("where $\\rho$ falls", "$$\nC = 1\n$$", "`a = b`", "```\nρ\n```", "\n    C = 1",
+                 "5 Å², 30°, −4 %", "![ρ](rho.png)", "[Index](a.md) · [next](b.md)"):
+        checks.expect(not list(plain_formulas(text)), "plain_formulas", f"no formula: {text}")
+    for page in page_files():
+        for line, found in plain_formulas(page.read_text(encoding="utf-8"), page.stem):
+            checks.expect(False, f"papers/{page.name}:{line}", f"a formula as plain text: {found}")
+
+
 def check_steps(checks):
     from page import STEP, Page
     commands = {command for path in page_files()
@@ -258,6 +271,7 @@ def main():
     check_readme(checks)
     check_course(checks)
     check_steps(checks)
+    check_formulas(checks)
     for failure in checks.failures:
         print(failure)
     print(f"{checks.passed} passed, {len(checks.failures)} failed")

@@ -111,7 +111,7 @@ LESSON_ROWS = ["triangles, the paper's", "triangles, sweep", "smallest angle, th
 
 
 def scaling_table(rows):
-    series = {"corpus": "molecules of the corpus", "finer": "5TMN's inhibitor, ever smaller C"}
+    series = {"corpus": "molecules of the corpus", "finer": "5TMN's inhibitor, ever smaller $C$"}
     body = []
     for method, name in (("sweep", "corpus"), ("sweep", "finer"), ("static", "corpus"),
                          ("static", "finer"), ("dynamic", "finer")):

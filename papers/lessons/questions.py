@@ -137,8 +137,8 @@ LESSONS = {
                            2202: "A deletion takes triangles away.",
                            2494: "A flip turns an edge; it makes no triangle."}),
         "run": Run("How many flips does the refinement of `bench/molecules/c60.xyz`, model paper, "
-                   "make?",
-                   "mesh c60.xyz --model paper", ["operations", "flip"]),
+                   "with `-C` 0.05, make?",
+                   "mesh c60.xyz --model paper -C 0.05", ["operations", "flip"]),
         "explain": Formula(
             "Give the least Q for which no insertion can break [L], from C.", "C",
             lambda c: 2 * c + math.sqrt(4 * c * c + 2), [(0.08,), (0.04,), (0.2,)],
