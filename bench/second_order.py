@@ -72,10 +72,10 @@ def met_from(rows):
 
 def sentence(rows):
     """What the page says of some sizes, and of the goal."""
-    told = [f"{min(shares(rows, C)):.4f} to {max(shares(rows, C)):.4f} with C = {C}"
-            for C in (0.35, 0.2, 0.08)]
-    return ("curved triangles lack, of what flat ones lack, " + ", ".join(told) +
-            f"; a hundredth at most from C = {met_from(rows)} on")
+    coarse, middle, fine = (f"{min(shares(rows, C)):.4f} to {max(shares(rows, C)):.4f}"
+                            for C in (0.35, 0.2, 0.08))
+    return (f"With C = 0.35 curved triangles lack {coarse} of what flat ones lack, with 0.2 "
+            f"{middle}, with 0.08 {fine}. From C = {met_from(rows)} on it is a hundredth at most")
 
 
 def main():
