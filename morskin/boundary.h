@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -68,8 +67,5 @@ Certificate outside(const certify::Certificate& certificate);
 /// The molecule in a file. @throws geometry::RefusedInput  also where it gives weights, not radii
 skin::Molecule read_with_radii(const std::filesystem::path& file, const ReadOptions& options);
 std::vector<Atom> atoms_of(const skin::Molecule& molecule);
-/// The skin, and how many coordinates were rounded for it.
-std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
-                                              const SkinOptions& options, const Run& run);
 
 }  // namespace morskin

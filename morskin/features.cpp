@@ -40,25 +40,24 @@ geometry::MeshAttributes attributes_of(const PreparedSkin& skin, const MeshResul
 Features features(const std::filesystem::path& file, const FeatureOptions& options,
                   const RunOptions& run_options) {
   return with_errors([&] {
-    const Run run = inside(run_options);
     const skin::Molecule molecule = read_with_radii(file, options.reading);
-    const PreparedSkin skin = prepared(atoms_of(molecule), options.skin, run).first;
-    const MeshResult made = make_mesh(skin, inside(options.mesh), run);
-    const geometry::MeshAttributes attributes = attributes_of(skin, made, molecule);
+    const Skin skin(atoms_of(molecule), options.skin, run_options);
+    const PreparedSkin& prepared = skin.prepared_->skin;
+    MeshResult made = make_mesh(prepared, inside(options.mesh), inside(run_options));
+    const geometry::MeshAttributes attributes = attributes_of(prepared, made, molecule);
 
-    Features result{outside(made.certificate), {}};
     std::vector<std::uint32_t> corners;
     for (const geometry::TriangleCorners& t : made.mesh.triangles) {
       corners.insert(corners.end(), t.begin(), t.end());
     }
-    result.arrays = {{"vertices", coordinates(made.mesh.positions), 3},
-                     {"faces", std::move(corners), 3},
-                     {"normals", coordinates(attributes.normals), 3}};
-    for (auto&& arrays :
+    std::vector<FeatureArray> arrays{{"vertices", coordinates(made.mesh.positions), 3},
+                                     {"faces", std::move(corners), 3},
+                                     {"normals", coordinates(attributes.normals), 3}};
+    for (auto&& some :
          {attribute_arrays(attributes), atom_arrays(molecule), laplacian_arrays(made.mesh)}) {
-      for (const geometry::NamedArray& array : arrays) result.arrays.push_back(outside(array));
+      for (const geometry::NamedArray& array : some) arrays.push_back(outside(array));
     }
-    return result;
+    return Features{SkinMesh(skin, std::move(made)), std::move(arrays)};
   });
 }
 

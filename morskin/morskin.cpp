@@ -106,6 +106,15 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
   return points;
 }
 
+std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
+                                              const SkinOptions& options, const Run& run) {
+  std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
+  const std::size_t rounded = geometry::move_to_exact_grid(points);
+  PreparedSkin skin = prepare_skin(std::move(points), run);
+  drop_voids(skin, options.drop_voids_below, run);
+  return {std::move(skin), rounded};
+}
+
 }  // namespace
 
 geometry::IndexedMesh inside(const TriangleMesh& mesh) {
@@ -169,15 +178,6 @@ std::vector<Atom> atoms_of(const skin::Molecule& molecule) {
   return atoms;
 }
 
-std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
-                                              const SkinOptions& options, const Run& run) {
-  std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
-  const std::size_t rounded = geometry::move_to_exact_grid(points);
-  PreparedSkin skin = prepare_skin(std::move(points), run);
-  drop_voids(skin, options.drop_voids_below, run);
-  return {std::move(skin), rounded};
-}
-
 Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options) {
   return with_errors([&] {
     skin::Molecule molecule = read_with_radii(file, options);
@@ -212,17 +212,18 @@ std::size_t Skin::components() const { return prepared_->skin.expected().compone
 std::size_t Skin::genus() const { return prepared_->skin.expected().genus; }
 
 SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
-  return with_errors([&] {
-    MeshResult made = make_mesh(prepared_->skin, inside(options), inside(run));
-    SkinMesh result(*this);
-    result.mesh_ = outside(std::move(made.mesh));
-    result.sizing_ = {.C = made.sizing.C,
-                      .Q = made.sizing.Q,
-                      .max_length_scale = made.sizing.largest_length_scale};
-    result.certificate_ = outside(made.certificate);
-    for (const Fallback& f : made.fallbacks) result.fallbacks_.push_back(in_words(f));
-    return result;
-  });
+  return with_errors(
+      [&] { return SkinMesh(*this, make_mesh(prepared_->skin, inside(options), inside(run))); });
+}
+
+SkinMesh::SkinMesh(Skin skin, MeshResult made)
+    : skin_(std::move(skin)),
+      mesh_(outside(std::move(made.mesh))),
+      sizing_{.C = made.sizing.C,
+              .Q = made.sizing.Q,
+              .max_length_scale = made.sizing.largest_length_scale},
+      certificate_(outside(made.certificate)) {
+  for (const Fallback& f : made.fallbacks) fallbacks_.push_back(in_words(f));
 }
 
 Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,

@@ -216,6 +216,9 @@ enum class Simplify {
 };
 
 class SkinMesh;
+struct FeatureOptions;
+struct Features;
+struct MeshResult;
 
 /// A skin surface, prepared once; a handle that is cheap to copy. Safe to use from several threads.
 class Skin {
@@ -258,6 +261,7 @@ class Skin {
 
  private:
   friend class SkinMesh;
+  friend Features features(const std::filesystem::path&, const FeatureOptions&, const RunOptions&);
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
 };
@@ -287,7 +291,8 @@ class SkinMesh {
 
  private:
   friend class Skin;
-  explicit SkinMesh(Skin skin) : skin_(std::move(skin)) {}
+  friend Features features(const std::filesystem::path&, const FeatureOptions&, const RunOptions&);
+  SkinMesh(Skin skin, MeshResult made);
 
   Skin skin_;
   TriangleMesh mesh_;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "certify/curved_triangle.h"
 #include "geometry/error.h"
+#include "geometry/orthogonal.h"
 
 namespace morskin {
 
@@ -16,6 +19,8 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::Point;
 using geometry::SecondOrderTriangle;
+using geometry::Vector;
+using surface::SurfacePoint;
 
 /// An edge from its lower to its higher vertex.
 using Edge = std::array<std::uint32_t, 2>;
@@ -41,20 +46,48 @@ std::vector<Edge> edges_of(const IndexedMesh& mesh) {
   throw geometry::RefusedInput(what + "; make a finer mesh with a smaller -C, or one of order 1");
 }
 
+/// Farther from the middle the distance to the surface and the angle to its normals grow again.
+constexpr double max_shift = 1.0 / 8;
+
+/// Where the parabola over an edge has its middle that leaves both ends along the surface: seen
+/// from the middle of the edge, over half its length.
+double parabola_shift(const SurfacePoint& a, const SurfacePoint& b) {
+  const Vector half = (b.position - a.position) / 2;
+  const Vector up = geometry::unit_orthogonal_part(a.normal + b.normal, half.normalized());
+  const auto slope = [&](const Vector& normal) { return -normal.dot(half) / normal.dot(up); };
+  const double at_a = slope(a.normal), at_b = slope(b.normal);
+  const double shift = -(at_a + at_b) / (at_a - at_b) / 2;
+  return std::isfinite(shift) ? std::clamp(shift, -max_shift, max_shift) : 0;
+}
+
+/// The node of an edge from where the surface is reached from this far beside the middle.
+SurfacePoint node_of(const surface::Surface& surface, const SecondOrder& to, const Edge& edge,
+                     double shift) {
+  const auto& [a, b] = edge;
+  const Point& start = to.mesh.nodes[a];
+  const Vector half = (to.mesh.nodes[b] - start) / 2;
+  const std::optional<SurfacePoint> node = surface.project(start + (1 + shift) * half, to.cells[a]);
+  if (!node && shift != 0) return node_of(surface, to, edge, 0);
+  if (!node) {
+    refuse("the middle of the edge between the vertices " + std::to_string(a) + " and " +
+           std::to_string(b) + " does not reach the skin");
+  }
+  return *node;
+}
+
 /// Adds a node for each edge, on the surface.
 void add_nodes(SecondOrder& to, const surface::Surface& surface, std::span<const Edge> edges) {
-  std::vector<Point>& nodes = to.mesh.nodes;
-  nodes.reserve(nodes.size() + edges.size());
-  for (const auto& [a, b] : edges) {
-    const Point middle = (nodes[a] + nodes[b]) / 2;
-    const std::optional<surface::SurfacePoint> node = surface.project(middle, to.cells[a]);
-    if (!node) {
-      refuse("the middle of the edge between the vertices " + std::to_string(a) + " and " +
-             std::to_string(b) + " does not reach the skin");
-    }
-    nodes.push_back(node->position);
-    to.cells.push_back(node->cell);
-    to.ends.push_back(a);
+  std::vector<SurfacePoint> ends;
+  for (std::size_t v = 0; v < to.mesh.nodes.size(); ++v) {
+    ends.push_back(surface.at(to.mesh.nodes[v], to.cells[v]));
+  }
+  to.mesh.nodes.reserve(to.mesh.nodes.size() + edges.size());
+  for (const Edge& edge : edges) {
+    const double shift = parabola_shift(ends[edge[0]], ends[edge[1]]);
+    const SurfacePoint node = node_of(surface, to, edge, shift);
+    to.mesh.nodes.push_back(node.position);
+    to.cells.push_back(node.cell);
+    to.ends.push_back(edge[0]);
   }
 }
 
@@ -69,11 +102,37 @@ SecondOrderTriangle curved(const geometry::TriangleCorners& t, std::size_t verti
   return result;
 }
 
+certify::CurvedTriangle nodes_of(const SecondOrder& curved, const SecondOrderTriangle& triangle) {
+  certify::CurvedTriangle nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = curved.mesh.nodes[triangle[k]];
+  return nodes;
+}
+
+/// Moves the nodes of triangles that are not proved to where the middles of their edges lead; again
+/// for triangles that this leaves unproved.
+void center_unproved(SecondOrder& to, const surface::Surface& surface,
+                     std::span<const Edge> edges) {
+  const std::size_t vertices = to.mesh.nodes.size() - edges.size();
+  std::vector<char> is_centered(edges.size(), 0);
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    for (const SecondOrderTriangle& triangle : to.mesh.triangles) {
+      if (certify::least_jacobian(nodes_of(to, triangle))) continue;
+      for (const std::uint32_t node : std::span(triangle).last<3>()) {
+        if (std::exchange(is_centered[node - vertices], 1) != 0) continue;
+        const SurfacePoint moved = node_of(surface, to, edges[node - vertices], 0);
+        to.mesh.nodes[node] = moved.position;
+        to.cells[node] = moved.cell;
+        has_moved = true;
+      }
+    }
+  }
+}
+
 /// Adds a triangle's area and Jacobian. @throws geometry::RefusedInput
 void measure(SecondOrder& to, std::size_t number) {
   const SecondOrderTriangle& triangle = to.mesh.triangles[number];
-  certify::CurvedTriangle nodes;
-  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = to.mesh.nodes[triangle[k]];
+  const certify::CurvedTriangle nodes = nodes_of(to, triangle);
   const std::optional<double> jacobian = certify::least_jacobian(nodes);
   if (!jacobian) {
     refuse("the Jacobian of the second-order triangle " + std::to_string(number) +
@@ -95,8 +154,9 @@ SecondOrder second_order(const surface::Surface& surface, const IndexedMesh& mes
   add_nodes(result, surface, edges);
   for (const geometry::TriangleCorners& t : mesh.triangles) {
     result.mesh.triangles.push_back(curved(t, mesh.positions.size(), edges));
-    measure(result, result.mesh.triangles.size() - 1);
   }
+  center_unproved(result, surface, edges);
+  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) measure(result, t);
   return result;
 }
 

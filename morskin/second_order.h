@@ -1,6 +1,6 @@
 #pragma once
 
-/// A certified mesh with curved triangles: its vertices stay, and each edge gets a node in its
+/// A certified mesh with curved triangles: its vertices stay, and each edge gets a node near its
 /// middle, on the skin. papers/second-order.md.
 
 #include <cstdint>
@@ -21,7 +21,9 @@ struct SecondOrder {
   double least_jacobian = 1;            ///< over the flat triangles' (certify/curved_triangle.h)
 };
 
-/// Each middle of an edge moves along the gradient onto the surface.
+/// From the middle of each edge, or an eighth of its half beside it at most, a node goes along the
+/// gradient onto the surface: so that the parabola over the edge fits the surface at both ends.
+/// Nodes of triangles that are not proved regular then come from the middles themselves.
 /// @param cells  by vertex, the cell that it lies in
 /// @throws geometry::RefusedInput  a triangle whose Jacobian is not proved positive, or an edge
 ///         whose middle does not reach the surface; it names the first of them

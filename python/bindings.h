@@ -52,6 +52,6 @@ void bind_molecule(py::module_& module);
 Model model_of(const std::string& word);
 
 /// @throws py::error_already_set  NotCertified, with the mesh
-[[noreturn]] void raise_not_certified(const std::string& reason, const py::object& mesh);
+[[noreturn]] void raise_not_certified(SkinMesh mesh);
 
 }  // namespace morskin::python

@@ -1,7 +1,9 @@
 #include <exception>
+#include <memory>
 #include <new>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "python/bindings.h"
 
@@ -59,9 +61,9 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
-void raise_not_certified(const std::string& reason, const py::object& mesh) {
-  const py::object error = new_error("NotCertified", reason);
-  error.attr("mesh") = mesh;
+void raise_not_certified(SkinMesh mesh) {
+  const py::object error = new_error("NotCertified", mesh.certificate().reason);
+  error.attr("mesh") = std::make_unique<Mesh>(std::move(mesh));
   set_error(error);
   throw py::error_already_set();
 }

@@ -67,14 +67,17 @@ py::object array_of(FeatureArray array) {
 }
 
 py::dict features(const std::filesystem::path& file, const ReadOptions& reading, double density,
-                  const std::string& model, double probe, double drop_voids_below,
+                  const std::string& model, double probe, double drop_voids_below, double C,
+                  std::optional<double> Q, std::optional<double> angle_goal_deg,
                   std::optional<int> threads, const py::object& progress) {
-  FeatureOptions options{.reading = reading, .skin = {model_of(model), probe, drop_voids_below}};
-  options.mesh.density = density;
+  const FeatureOptions options{
+      .reading = reading,
+      .skin = {model_of(model), probe, drop_voids_below},
+      .mesh = {.C = C, .Q = Q, .density = density, .angle_goal_deg = angle_goal_deg}};
   Features found = interruptible({threads, progress}, [&](const RunOptions& run) {
     return morskin::features(file, options, run);
   });
-  if (!found.certificate.certified) raise_not_certified(found.certificate.reason, py::none());
+  if (!found.mesh.certificate().certified) raise_not_certified(std::move(found.mesh));
   py::dict arrays;
   for (FeatureArray& array : found.arrays) {
     const py::str name(array.name);
@@ -96,8 +99,8 @@ void bind_molecule(py::module_& module) {
              "read_molecule(file, options) -> positions (n, 3), radii (n,), Angstrom; charges (n,) "
              "or None");
   module.def("features", &features, arg("file"), arg("options"), py::kw_only(), arg("density"),
-             arg("model"), arg("probe"), arg("drop_voids_below"), arg("threads") = none,
-             arg("progress") = none,
+             arg("model"), arg("probe"), arg("drop_voids_below"), arg("C"), arg("Q"),
+             arg("angle_goal_deg"), arg("threads") = none, arg("progress") = none,
              "features(file, options, *, ...) -> dict of arrays\n\nmorskin.features has them.");
 }
 

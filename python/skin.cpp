@@ -54,13 +54,13 @@ std::optional<std::size_t> subdomains_of(std::optional<long> fronts) {
   return static_cast<std::size_t>(std::max(*fronts, 0L));
 }
 
-py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double> Q,
-                double max_length_scale, std::optional<double> edge_length,
-                std::optional<double> density, std::optional<double> triangles,
-                std::optional<double> grading, std::optional<double> angle_goal_deg,
-                const std::optional<std::string>& method, std::optional<long> fronts,
-                const std::optional<Point>& direction, bool allow_uncertified,
-                std::optional<int> threads, const py::object& progress) {
+std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optional<double> Q,
+                           double max_length_scale, std::optional<double> edge_length,
+                           std::optional<double> density, std::optional<double> triangles,
+                           std::optional<double> grading, std::optional<double> angle_goal_deg,
+                           const std::optional<std::string>& method, std::optional<long> fronts,
+                           const std::optional<Point>& direction, bool allow_uncertified,
+                           std::optional<int> threads, const py::object& progress) {
   const bool is_size_given = edge_length || density || triangles;
   const MeshOptions options{
       .C = C.value_or(is_size_given ? MeshOptions::coarsest_C : MeshOptions().C),
@@ -76,11 +76,8 @@ py::object mesh(const Skin& skin, std::optional<double> C, std::optional<double>
       .direction = direction};
   SkinMesh made = interruptible({threads, progress},
                                 [&](const RunOptions& run) { return skin.mesh(options, run); });
-  const bool is_good = made.certificate().certified || allow_uncertified;
-  const std::string reason = made.certificate().reason;
-  py::object result = py::cast(std::make_unique<Mesh>(std::move(made)));
-  if (!is_good) raise_not_certified(reason, result);
-  return result;
+  if (!made.certificate().certified && !allow_uncertified) raise_not_certified(std::move(made));
+  return std::make_unique<Mesh>(std::move(made));
 }
 
 Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin, double C,

@@ -292,8 +292,8 @@ TEST_CASE("two balls that just touch are singular, and the error knows them") {
 }
 
 TEST_CASE("features are arrays by vertex, by atom and of the Laplacian, of a certified mesh") {
-  const auto [certificate, arrays] = morskin::features("bench/molecules/benzene.pdb");
-  CHECK(certificate.certified);
+  const auto [mesh, arrays] = morskin::features("bench/molecules/benzene.pdb");
+  CHECK(mesh.certificate().certified);
   std::map<std::string, std::size_t> rows;
   for (const morskin::FeatureArray& array : arrays) {
     const std::size_t size = std::visit([](const auto& all) { return all.size(); }, array.values);
@@ -301,6 +301,7 @@ TEST_CASE("features are arrays by vertex, by atom and of the Laplacian, of a cer
     CHECK(rows.emplace(array.name, size / array.columns).second);
   }
   const std::size_t vertices = rows.at("vertices"), faces = rows.at("faces");
+  CHECK(vertices == mesh.triangles().vertices.size());
   CHECK(faces == 2 * vertices - 4);
   for (const char* name : {"normals", "k1", "shape_index", "atom", "hphob", "mass"}) {
     CHECK(rows.at(name) == vertices);

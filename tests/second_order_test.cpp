@@ -11,6 +11,7 @@
 #include "geometry/error.h"
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
+#include "tests/support/molecules.h"
 
 using namespace morskin;
 using namespace morskin::support;
@@ -34,23 +35,55 @@ CurvedTriangle random_triangle(std::mt19937& random, double share) {
   return nodes;
 }
 
+Point point_of(const CurvedTriangle& nodes, double u, double v) {
+  const std::array<double, 3> l{1 - u - v, u, v};
+  Point sum = Point::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum += l[i] * (2 * l[i] - 1) * nodes[i] + 4 * l[i] * l[(i + 1) % 3] * nodes[3 + i];
+  }
+  return sum;
+}
+
 /// x_u x x_v, by differences of the interpolation itself.
 Vector sampled_normal(const CurvedTriangle& nodes, double u, double v) {
-  const auto x = [&](double s, double t) -> Point {
-    const std::array<double, 3> l{1 - s - t, s, t};
-    Point sum = Point::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum += l[i] * (2 * l[i] - 1) * nodes[i] + 4 * l[i] * l[(i + 1) % 3] * nodes[3 + i];
-    }
-    return sum;
-  };
   constexpr double h = 0x1p-10;  // central differences of a quadratic are exact
-  const Vector by_u = (x(u + h, v) - x(u - h, v)) / (2 * h);
-  const Vector by_v = (x(u, v + h) - x(u, v - h)) / (2 * h);
+  const Vector by_u = (point_of(nodes, u + h, v) - point_of(nodes, u - h, v)) / (2 * h);
+  const Vector by_v = (point_of(nodes, u, v + h) - point_of(nodes, u, v - h)) / (2 * h);
   return by_u.cross(by_v);
 }
 
 PreparedSkin ball(double radius) { return prepare_skin({{Point(1, 2, 3), 2 * radius * radius}}); }
+
+/// The same with the nodes where the middles of the edges lead.
+SecondOrder centered(SecondOrder curved, const surface::Surface& skin) {
+  auto& [nodes, triangles] = curved.mesh;
+  for (const geometry::SecondOrderTriangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point middle = (nodes[t[k]] + nodes[t[(k + 1) % 3]]) / 2;
+      nodes[t[3 + k]] = skin.project(middle, curved.cells[t[k]]).value().position;
+    }
+  }
+  return curved;
+}
+
+/// From the skin, over the points of a grid on every triangle.
+double mean_distance(const SecondOrder& curved, const surface::Surface& skin) {
+  constexpr int grid = 8;
+  double sum = 0;
+  std::size_t points = 0;
+  for (const geometry::SecondOrderTriangle& t : curved.mesh.triangles) {
+    CurvedTriangle nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = curved.mesh.nodes[t[k]];
+    for (int i = 0; i <= grid; ++i) {
+      for (int j = 0; i + j <= grid; ++j, ++points) {
+        const Point x =
+            point_of(nodes, static_cast<double>(i) / grid, static_cast<double>(j) / grid);
+        sum += (skin.project(x, curved.cells[t[0]]).value().position - x).norm();
+      }
+    }
+  }
+  return sum / static_cast<double>(points);
+}
 
 MeshResult coarse(const PreparedSkin& skin, double C) {
   return make_mesh(skin, {.sizing = sizing_for(C), .has_safety_net = false});
@@ -155,6 +188,36 @@ TEST_CASE(
     const SecondOrder curved = second_order(skin.surface, made.mesh, made.cells);
     CHECK(lacking > 0);
     CHECK(std::abs(1 - curved.area / exact) < lacking * lacking);
+  }
+}
+
+TEST_CASE("on a ball the node is where the middle leads") {
+  const PreparedSkin skin = ball(2);
+  const MeshResult made = coarse(skin, 0.2);
+  const SecondOrder curved = second_order(skin.surface, made.mesh, made.cells);
+  for (const geometry::SecondOrderTriangle& t : curved.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto along = [&](std::uint32_t node) -> Vector {
+        return (curved.mesh.nodes[node] - Point(1, 2, 3)) / 2;
+      };
+      const Vector middle = (along(t[k]) + along(t[(k + 1) % 3])).normalized();
+      CHECK((along(t[3 + k]) - middle).norm() < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("nodes of the parabola bring triangles nearer to the skin than those of the middles") {
+  for (const char* file : {"benzene.pdb", "caffeine.xyz", "ring12.xyzr"}) {
+    CAPTURE(file);
+    const PreparedSkin skin = prepare_skin(molecule(file, skin::Model::Vdw));
+    for (const double C : {0.35, 0.2}) {
+      CAPTURE(C);
+      const MeshResult made = coarse(skin, C);
+      const SecondOrder curved = second_order(skin.surface, made.mesh, made.cells);
+      const SecondOrder middles = centered(curved, skin.surface);
+      CHECK(mean_distance(curved, skin.surface) < 0.95 * mean_distance(middles, skin.surface));
+      CHECK(curved.least_jacobian > 0);
+    }
   }
 }
 

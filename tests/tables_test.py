@@ -14,6 +14,7 @@ import ablation  # noqa: E402
 import balls  # noqa: E402
 import batch  # noqa: E402
 import counts  # noqa: E402
+import curved_errors  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
 import molecule  # noqa: E402
@@ -136,6 +137,25 @@ def wrong_second_order(rows):
             yield f"{r['molecule']} with {r['C']}: {r['verdict']}"
 
 
+def wrong_curved_errors(rows):
+    """Kinds of triangles add up, and the parabola's nodes are the better ones but on a ball."""
+    known = {(r["surface"], float(r["C"]), r["nodes"], r["patches"]): r for r in rows}
+    for surface in curved_errors.SURFACES:
+        for C in curved_errors.SIZES:
+            for nodes in curved_errors.CHOICES:
+                kinds = [known[surface, C, nodes, k] for k in curved_errors.KINDS
+                         if (surface, C, nodes, k) in known]
+                for column in ("triangles", "area", "flat_lacks", "curved_lacks"):
+                    *parts, whole = (float(r[column]) for r in kinds)
+                    if abs(sum(parts) - whole) > 1e-6 * float(kinds[-1]["area"]):
+                        yield f"{surface} with {C}: {column} do not add up"
+            for column in ("curved_lacks", "distance", "angle_deg"):
+                middle, parabola = (float(known[surface, C, nodes, "all"][column])
+                                    for nodes in curved_errors.CHOICES)
+                if not (parabola < middle or surface == "ball"):
+                    yield f"{surface} with {C}: nodes of the parabola do not lower {column}"
+
+
 def wrong_features(rows):
     if [r["molecule"] for r in rows] != features.MOLECULES:
         yield "not the runs of bench/features.py"
@@ -162,6 +182,7 @@ def wrong_replacement():
 FILES = [("ablation", wrong_ablation), ("densities", wrong_densities), ("ses-like", wrong_offsets),
          ("subdomains", wrong_subdomains), ("counts", wrong_counts), ("batch", wrong_batch),
          ("replay", wrong_replay), ("second-order", wrong_second_order),
+         ("curved-errors", wrong_curved_errors),
          ("features", wrong_features),
          *((f"solvers-{script.__name__}", partial(wrong_solvers, script))
            for script in (balls, molecule, tetrahedra))]

@@ -21,6 +21,7 @@ import artifact  # noqa: E402
 import balls  # noqa: E402
 import batch  # noqa: E402
 import counts  # noqa: E402
+import curved_errors  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
 import implicit  # noqa: E402
@@ -260,6 +261,7 @@ def texts():
                                (replay, "replay", "4.3-large-molecules"),
                                (features, "features", "features"),
                                (second_order, "second-order", "second-order"),
+                               (curved_errors, "curved-errors", "second-order"),
                                (implicit, "implicit", "6-implicit-surfaces")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
     yield ("papers/second-order.md",

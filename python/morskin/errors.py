@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ._morskin import Mesh
@@ -29,10 +29,10 @@ class RefusedInput(Error, ValueError):
 class NotCertified(Error):
     """The mesh was made, but the certificate does not cover it.
 
-    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it. None from `features`
+    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it
     """
 
-    mesh: Optional[Mesh]
+    mesh: Mesh
 
 
 class LimitReached(Error, MemoryError):

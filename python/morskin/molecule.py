@@ -93,7 +93,9 @@ def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool 
 
 
 def features(file: str | PathLike[str], *, density: float = 2, model: Model = "ses-like",
-             probe: float = 1.4, drop_voids_below: float = math.inf, threads: int | None = None,
+             probe: float = 1.4, drop_voids_below: float = math.inf, C: float = 0.4,
+             Q: float | None = None, angle_goal_deg: float | None = None,
+             threads: int | None = None,
              progress: Optional[Callable[[str, Optional[float]], Any]] = None,
              **options: Any) -> dict[str, NDArray[Any]]:
     """What learning on surfaces takes of a molecule: the arrays of the command `features`, of the
@@ -105,11 +107,12 @@ def features(file: str | PathLike[str], *, density: float = 2, model: Model = "s
     density           vertices per square Angstrom
     model, probe      as of `Skin`
     drop_voids_below  of voids, Angstrom^3; all are left out unless told otherwise
-    threads, progress as of `Skin.mesh`
+    C, Q, angle_goal_deg, threads, progress
+                      as of `Skin.mesh`
     options           those of `read`
 
-    Raises what `read` raises, and NotCertified, without a mesh.
+    Raises what `read` raises, and NotCertified, with the mesh.
     """
     return _morskin.features(file, _read_options(**options), density=density, model=model,
-                             probe=probe, drop_voids_below=drop_voids_below, threads=threads,
-                             progress=progress)
+                             probe=probe, drop_voids_below=drop_voids_below, C=C, Q=Q,
+                             angle_goal_deg=angle_goal_deg, threads=threads, progress=progress)

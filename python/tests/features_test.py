@@ -49,6 +49,25 @@ class Features(ModuleTest):
         self.assertEqual(features["atom_chain"].tolist(), [""] * 12)
         self.expect_equal(features, self.of_command(MOLECULES / "ring12.xyzr"))
 
+    def test_what_is_not_certified_is_raised_with_the_mesh_that_the_command_writes(self):
+        file = MOLECULES / "benzene.pdb"
+        with self.assertRaises(morskin.NotCertified) as caught:
+            morskin.features(file, C=0.3, Q=1.2, angle_goal_deg=0)
+        mesh = caught.exception.mesh
+        self.assertEqual(str(caught.exception), mesh.certificate.reason)
+        self.assertEqual(len(mesh.normals), len(mesh.vertices))
+        done = subprocess.run([COMMAND, "features", file, "-o", self.folder / "m.npz", "-C", "0.3",
+                               "-Q", "1.2", "--angle-goal", "0"], capture_output=True, check=False)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        with np.load(self.folder / "m.npz.unverified") as archive:
+            np.testing.assert_array_equal(mesh.vertices, archive["vertices"])
+            np.testing.assert_array_equal(mesh.faces, archive["faces"])
+
+    def test_a_coarser_c_and_an_angle_goal_are_those_of_the_command(self):
+        file = MOLECULES / "caffeine.xyz"
+        self.expect_equal(morskin.features(file, C=0.2, angle_goal_deg=38),
+                          self.of_command(file, "-C", "0.2", "--angle-goal", "38"))
+
     def test_arrays_outlive_each_other_and_may_be_written_to(self):
         vertices = morskin.features(MOLECULES / "caffeine.xyz")["vertices"]
         first = vertices.copy()
