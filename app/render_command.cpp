@@ -27,6 +27,7 @@ struct Subject {
 Subject subject_of(geometry::IndexedMesh mesh, const RenderArguments& arguments) {
   pictures::Scene scene;
   for (const auto& [a, b] : pictures::boundary_edges(mesh)) {
+    if (mesh.positions[a] == mesh.positions[b]) continue;
     scene.lines.push_back({{mesh.positions[a], mesh.positions[b]}, border_red, 2.2});
   }
   pictures::MeshLayer layer;
