@@ -11,7 +11,6 @@ FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-FIGURES = 1 2 4 5 6 7 8 9 10a 10b 11
 .PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers test-papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
@@ -36,9 +35,9 @@ demo: command  ## mesh the bundled gramicidin A and print the report
 	@echo "The mesh is in build/1grm.ply; MeshLab, ParaView and Blender open it."
 	@echo "To look at it, and at the sweep that made it, open build/1grm.html in a browser."
 
-figures: command  ## draw the paper's figures into papers/figures/
-	@for n in $(FIGURES); do echo "figure $$n"; \
-	  build/morskin figure $$n -o papers/figures/figure-$$n.png || exit 1; done
+figures: build  ## draw the pictures of the pages into papers/figures/, the paper's figures too
+	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/course/build.py --keep-pictures --jobs $(JOBS)
 
 test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure
@@ -126,6 +125,7 @@ papers: build  ## build the course of papers/ as a site, run its commands and ch
 	@cmake/install_packages.sh cmake/pages_packages.txt
 	@python3 papers/course/build.py --jobs $(JOBS)
 	@$(PYTHON) tests/site_plugins_test.py
+	@$(PYTHON) tests/kept_pictures_test.py
 
 test-papers: papers  ## open every page of the course in headless Chromium, as on a phone and a desk
 	@{ command -v npm && command -v chromium; } > /dev/null || \

@@ -104,7 +104,9 @@ void add_render(CLI::App& app, RenderArguments& render, TypedPicture& typed) {
   command.add_option("--columns", render.columns, "Panels in a row")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.footer("Edges with one triangle only, a front or a hole, are red.");
+  command.footer(
+      "Edges with one triangle only, a front or a hole, are red. A legend below tells\n"
+      "what the colours mean.");
 }
 
 void add_figure(CLI::App& app, FigureArguments& figure) {
@@ -114,7 +116,7 @@ void add_figure(CLI::App& app, FigureArguments& figure) {
   command.add_option("--scale", figure.scale, "Factor for its size")->capture_default_str();
   std::string list = "Figures:\n";
   for (const figures::Figure& f : figures::all_figures()) {
-    list += "  " + std::string(f.name) + std::string(5 - f.name.size(), ' ') +
+    list += "  " + std::string(f.name) + std::string(14 - f.name.size(), ' ') +
             std::string(f.caption) + "\n";
   }
   command.footer(list);

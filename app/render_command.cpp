@@ -1,80 +1,44 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/pictures/png.h"
 #include "app/pictures/render.h"
 #include "app/staged_outputs.h"
-#include "certify/triangle_geometry.h"
+#include "app/triangle_colours.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
-#include "geometry/union_find.h"
 
 namespace morskin::app {
 namespace {
 
 using pictures::Camera;
-using pictures::Colour;
 using pictures::Image;
 
 constexpr double min_side = 7;  // pixels of a mean triangle from which on its edges are drawn
-constexpr Colour front_red = Colour::of(0xe02d2d);
 
-// Red at 21 degrees, the paper's bound, and below; through yellow to blue at 60.
-std::vector<Colour> colours_by_angle(const geometry::IndexedMesh& mesh) {
-  constexpr std::array stops{Colour::of(0xb2182b), Colour::of(0xf4a45c), Colour::of(0xf7efb2),
-                             Colour::of(0x8fc3de), Colour::of(0x2d6fb0)};
-  std::vector<Colour> colours;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const certify::AngleRange angles =
-        certify::angle_range(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    const double share = std::clamp((angles.smallest_deg - 21) / (60 - 21), 0.0, 1.0);
-    const double position = share * (stops.size() - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(position), stops.size() - 2);
-    colours.push_back(mixed(stops[i], stops[i + 1], position - static_cast<double>(i)));
-  }
-  return colours;
-}
+struct Subject {
+  pictures::Scene scene;
+  std::size_t components = 0;  // as in TriangleColours
+};
 
-// Components by shared vertices, the first one in the first colour.
-std::vector<Colour> colours_by_component(const geometry::IndexedMesh& mesh) {
-  constexpr std::array palette{Colour::of(0x8db7d9), Colour::of(0xe8a87c), Colour::of(0x93c48b),
-                               Colour::of(0xc9a0d6), Colour::of(0xe6d27a), Colour::of(0xe39aa7),
-                               Colour::of(0x86cfc4), Colour::of(0xb3b0a2)};
-  geometry::UnionFind sets(mesh.positions.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
-  std::vector<std::optional<std::size_t>> number(mesh.positions.size());
-  std::size_t count = 0;
-  std::vector<Colour> colours;
-  for (const auto& t : mesh.triangles) {
-    std::optional<std::size_t>& own = number[sets.root(t[0])];
-    if (!own) own = count++;
-    colours.push_back(palette[*own % palette.size()]);
-  }
-  return colours;
-}
-
-pictures::Scene scene_of(geometry::IndexedMesh mesh, const RenderArguments& arguments) {
+Subject subject_of(geometry::IndexedMesh mesh, const RenderArguments& arguments) {
   pictures::Scene scene;
   for (const auto& [a, b] : pictures::boundary_edges(mesh)) {
-    scene.lines.push_back({{mesh.positions[a], mesh.positions[b]}, front_red, 2.2});
+    if (mesh.positions[a] == mesh.positions[b]) continue;
+    scene.lines.push_back({{mesh.positions[a], mesh.positions[b]}, border_red, 2.2});
   }
   pictures::MeshLayer layer;
   if (!arguments.flat) layer.normals = pictures::smooth_normals(mesh);
   pictures::drop_copies(mesh);
-  if (arguments.by == ColourBy::Angle) layer.triangle_colours = colours_by_angle(mesh);
-  if (arguments.by == ColourBy::Component) layer.triangle_colours = colours_by_component(mesh);
+  TriangleColours colours = triangle_colours(mesh, arguments.by);
+  layer.triangle_colours = std::move(colours.colours);
   layer.coat.colour = arguments.colour;
   layer.mesh = std::move(mesh);
   scene.meshes.push_back(std::move(layer));
-  return scene;
+  return {std::move(scene), colours.components};
 }
 
 // The typical side of a visible triangle, pixels: the root of the mean of their areas.
@@ -166,8 +130,12 @@ ExitCode render_command(const RenderArguments& arguments) {
   StagedOutputs outputs({arguments.output});
   const Camera camera = camera_for(meshes, arguments);
   std::vector<Image> panels;
+  std::size_t components = 0;
+  bool has_border = false;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    pictures::Scene scene = scene_of(std::move(meshes[i]), arguments);
+    auto [scene, own_components] = subject_of(std::move(meshes[i]), arguments);
+    components = std::max(components, own_components);
+    has_border |= !scene.lines.empty();
     panels.push_back(panel(scene, camera, arguments));
     if (i > 0 || !arguments.inset) continue;
     const Camera detail = inset_camera(camera, *arguments.inset, panels[0]);
@@ -175,7 +143,9 @@ ExitCode render_command(const RenderArguments& arguments) {
     draw_border(panels.back(), {pictures::ink, 2});
   }
   if (arguments.inset) std::rotate(panels.begin() + 1, panels.begin() + 2, panels.end());
-  const std::string picture = pictures::png(pictures::in_rows(panels, arguments.columns, gap));
+  const std::string picture =
+      pictures::png(pictures::with_legend(pictures::in_rows(panels, arguments.columns, gap),
+                                          legend_of(arguments, components, has_border)));
   time_limit.cancel();
   write_to_all(outputs, picture);
   return ExitCode::Success;

@@ -72,7 +72,9 @@ void check_against_golden(std::string_view name) {
 }  // namespace
 
 TEST_CASE("the figures of critical points and operations are as they were approved") {
-  for (const char* name : {"2", "4", "5", "6", "7", "8", "9", "10a"}) check_against_golden(name);
+  for (const char* name : {"2", "3", "4", "5", "6", "7", "8", "9", "10a", "surface-ball"}) {
+    check_against_golden(name);
+  }
 }
 
 TEST_CASE(
@@ -96,7 +98,7 @@ TEST_CASE("every figure has a name of its own, and is found by it") {
   for (const figures::Figure& figure : figures::all_figures()) {
     CHECK(figures::find_figure(figure.name) == &figure);
   }
-  CHECK(figures::find_figure("3") == nullptr);
+  CHECK(figures::find_figure("12") == nullptr);
 }
 
 TEST_CASE("a figure drawn twice has the same bytes") {

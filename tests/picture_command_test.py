@@ -41,6 +41,17 @@ class PictureCommand(CommandTest):
         words = ("render", mesh, "--size", "60x40", "--inset", "0.5,0.2,8")
         self.assertEqual(size_of(self.picture(*words)), (2 * 60 + 16, 40))
 
+    def test_a_legend_stands_below_what_is_coloured(self):
+        mesh = self.mesh()
+        size = ("--size", "300")
+        self.assertEqual(size_of(self.picture("render", mesh, *size)), (300, 300))
+        for by in ("angle", "component"):
+            width, height = size_of(self.picture("render", mesh, *size, "--by", by))
+            self.assertEqual(width, 300)
+            self.assertGreater(height, 320)
+        (self.folder / "open.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertGreater(size_of(self.picture("render", "open.off", *size))[1], 320)
+
     def test_options_change_the_picture(self):
         mesh = self.mesh()
         base = ("render", mesh, "--size", "80")

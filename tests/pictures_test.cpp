@@ -1,3 +1,4 @@
+#include "app/pictures/legend.h"
 #include "app/pictures/light.h"
 #include "app/pictures/png.h"
 #include "app/pictures/raster.h"
@@ -257,6 +258,47 @@ TEST_CASE("letters keep to their line, and all that figures use have a glyph of 
   for (const char* c : {"ρ", "θ", "Å", "°", "×"}) CHECK(lettering(c).strokes != box.strokes);
   CHECK(lettering("R_{ab}").width < lettering("Rab").width);
   CHECK(lettering("R_{ab}").strokes.size() == lettering("Rab").strokes.size());
+}
+
+TEST_CASE("a legend's bar has each colour at its value, and its ticks stand below it") {
+  const ColourScale scale{{red, white, blue}, 20, 60};
+  CHECK(scale.at(20).r == red.r);
+  CHECK(scale.at(10).r == red.r);
+  CHECK(scale.at(40).g == white.g);
+  CHECK(scale.at(99).b == blue.b);
+  CHECK(scale.at(50).b == doctest::Approx((white.b + blue.b) / 2));
+  const Image bare(400, 100);
+  const Image image = with_legend(bare, {Legend::Bar{scale, "angle", {"20", "40", "60"}}, {}});
+  CHECK(image.width() == 400);
+  REQUIRE(image.height() > 100);
+  // Along the middle of the bar the blue of the scale never falls.
+  double last = 0;
+  int coloured = 0;
+  for (int x = 0; x < image.width(); ++x) {
+    const Colour& c = image.at(x, 113);
+    const bool is_of_scale = c.r == white.r || c.b == white.b;
+    if (!is_of_scale || (c.r == c.b && c.g == c.r)) continue;
+    CHECK(c.b >= last);
+    last = c.b;
+    ++coloured;
+  }
+  CHECK(coloured > 100);
+}
+
+TEST_CASE("a legend is as wide as its entries need, and a picture without one stays as it is") {
+  const Image bare(60, 50, red);
+  CHECK(png(with_legend(bare, {})) == png(bare));
+  const std::vector<LegendEntry> entries{{Mark::Patch, red, "a patch"},
+                                         {Mark::Dot, blue, "a dot of blue"},
+                                         {Mark::Dashes, ink, "dashes"}};
+  const Image narrow = with_legend(bare, {{}, entries});
+  CHECK(narrow.width() > 60);
+  const Image wide = with_legend(Image(900, 50, red), {{}, entries});
+  CHECK(wide.width() == 900);
+  // One row of entries in the wide picture, three in the narrow one.
+  CHECK(narrow.height() - 50 == 3 * (wide.height() - 50));
+  const Image twice = with_legend(Image(1800, 100, red), {{}, entries}, 2);
+  CHECK(twice.height() == 2 * wide.height());
 }
 
 TEST_CASE("a PNG holds the picture's bytes") {

@@ -9,6 +9,7 @@ std::span<const Figure> all_figures() {
       Figure{"1", "A-DNA: balls and sticks, solvent accessible, skin, detail",
              ball_and_stick_to_skin},
       Figure{"2", "critical points and level curves of the height", level_curves},
+      Figure{"3", "the contraction of an arc of the Morse-Smale complex", contraction},
       Figure{"4", "six states of the mesh of the cube", cube_snapshots},
       Figure{"5", "creation: a bowl at a minimum", bowl},
       Figure{"6", "creep: a fan at a departure vertex", creep},
@@ -18,6 +19,7 @@ std::span<const Figure> all_figures() {
       Figure{"10a", "the Morse-Smale complex of 5TMN's inhibitor", inhibitor_complex},
       Figure{"10b", "a head as a skin of medial balls", head},
       Figure{"11", "gramicidin A and a detail", gramicidin},
+      Figure{"surface-ball", "a Delaunay facet, its dual edge, its surface ball", surface_ball},
   };
   return figures;
 }

@@ -64,11 +64,13 @@ double head_function(const Point& p) {
   f = joined(f, ellipsoid(x, {0, -1.5, -0.42}, {0.85, 0.3, 0.42}), 0.3);       // shoulders
   f = joined(f, ellipsoid(x, {0, -0.83, 0.54}, {0.2, 0.14, 0.16}), 0.16);      // chin
   f = joined(f, rod(x, {0.46, -0.28, -0.02}, {0.16, -0.84, 0.46}, 0.13, 0.12), 0.15);  // jaw
-  f = joined(f, rod(x, {0.07, 0.27, 0.76}, {0.42, 0.27, 0.52}, 0.1, 0.1), 0.1);        // brow
+  f = joined(f, rod(x, {0.07, 0.27, 0.8}, {0.44, 0.26, 0.6}, 0.1, 0.1), 0.1);          // brow
   f = joined(f, ellipsoid(x, {0.37, -0.16, 0.5}, {0.17, 0.13, 0.17}), 0.14);           // cheekbone
-  f = carved(f, ellipsoid(x, {0.25, 0.07, 0.86}, {0.2, 0.15, 0.24}), 0.07);            // socket
-  f = joined(f, ellipsoid(x, {0.25, 0.06, 0.55}, {0.15, 0.13, 0.15}), 0.02);           // eye
-  f = joined(f, rod(x, {0, 0.2, 0.74}, {0, -0.2, 1.02}, 0.06, 0.1), 0.06);             // nose
+  // The skin fills hollows; so the eyes stand out of theirs, each with its iris.
+  f = carved(f, ellipsoid(x, {0.25, 0.04, 0.95}, {0.25, 0.2, 0.38}), 0.05);         // socket
+  f = joined(f, ellipsoid(x, {0.255, 0.045, 0.735}, {0.13, 0.11, 0.13}), 0.01);     // eye
+  f = joined(f, ellipsoid(x, {0.24, 0.045, 0.835}, {0.065, 0.065, 0.055}), 0.005);  // iris
+  f = joined(f, rod(x, {0, 0.2, 0.74}, {0, -0.2, 1.02}, 0.06, 0.1), 0.06);          // nose
   f = joined(f, ellipsoid(x, {0.11, -0.23, 0.86}, {0.08, 0.075, 0.11}), 0.04);
   f = joined(f, rod(x, {0.0, -0.465, 0.8}, {0.2, -0.51, 0.66}, 0.062, 0.03), 0.03);  // lips
   f = joined(f, rod(x, {0.0, -0.6, 0.79}, {0.17, -0.56, 0.67}, 0.07, 0.03), 0.02);

@@ -13,14 +13,16 @@ namespace {
 constexpr double probe = 1.4;  // Angstrom, section 2.1
 
 struct Element {
-  std::string_view symbol;
+  std::string_view symbol, name;
   Colour colour;
   double covalent_radius;  // Angstrom; B. Cordero et al., Dalton Trans. (2008) 2832
 };
 constexpr std::array elements{
-    Element{"H", Colour::of(0xf2f2f2), 0.31}, Element{"C", Colour::of(0x8e959e), 0.76},
-    Element{"N", Colour::of(0x5b7fd9), 0.71}, Element{"O", Colour::of(0xd9534a), 0.66},
-    Element{"P", Colour::of(0xeda13c), 1.07},
+    Element{"H", "hydrogen", Colour::of(0xf2f2f2), 0.31},
+    Element{"C", "carbon", Colour::of(0x8e959e), 0.76},
+    Element{"N", "nitrogen", Colour::of(0x5b7fd9), 0.71},
+    Element{"O", "oxygen", Colour::of(0xd9534a), 0.66},
+    Element{"P", "phosphorus", Colour::of(0xeda13c), 1.07},
 };
 
 const Element& element_of(const skin::Atom& atom) {
@@ -77,10 +79,19 @@ Image ball_and_stick_to_skin(double scale) {
                     panel(edged, detail, scale)};
   frame(panels[2], camera, detail, scale);
   draw_border(panels[3], {pictures::ink, 2 * scale});
-  return captioned(panels,
-                   std::array<std::string_view, 4>{"balls and sticks", "solvent accessible",
-                                                   "molecular skin", "its mesh"},
-                   scale, 4);
+  const Image row =
+      captioned(panels,
+                std::array<std::string_view, 4>{"balls and sticks", "solvent accessible",
+                                                "molecular skin", "its mesh"},
+                scale, 4);
+  pictures::Legend legend;
+  for (const Element& e : elements) {
+    const auto is_it = [&](const skin::Atom& atom) { return &element_of(atom) == &e; };
+    if (std::ranges::any_of(molecule.atoms, is_it)) {
+      legend.entries.push_back({Mark::Dot, e.colour, std::string(e.name)});
+    }
+  }
+  return with_legend(row, legend, scale);
 }
 
 }  // namespace morskin::figures

@@ -76,7 +76,10 @@ Image level_curves(double scale) {
   }
   const Camera camera = pictures::camera_from(Vector(0.1, 0.24, 1), Vector::UnitY(), 620, 600)
                             .fitted(scene.extent(), 0.06);
-  return panel(scene, camera, scale);
+  return with_legend(panel(scene, camera, scale),
+                     critical_point_legend({{Mark::Line, strong, "level of a saddle"},
+                                            {Mark::Line, pale, "other levels"}}),
+                     scale);
 }
 
 Image cube_snapshots(double scale) {
@@ -106,6 +109,7 @@ Image cube_snapshots(double scale) {
     return created + static_cast<std::size_t>(share * static_cast<double>(unsealed - created));
   };
   const std::array states{created, between(0.2), between(0.45), between(0.75), unsealed, all};
+  const Colour inner_side = Colour::of(0xe3d3b4);
   std::vector<Image> panels;
   for (const std::size_t state : states) {
     Scene scene;
@@ -113,11 +117,16 @@ Image cube_snapshots(double scale) {
     MeshLayer& layer = scene.meshes[0];
     layer.triangle_colours = front_colours(layer.mesh);
     layer.coat.edge_width = 0.9;
-    layer.coat.back = Colour::of(0xe3d3b4);
+    layer.coat.back = inner_side;
     add_critical_points(scene, sweep.guide.points, 0.075);
     panels.push_back(panel(scene, camera, scale));
   }
-  return captioned(panels, std::array<std::string_view, 6>{"1", "2", "3", "4", "5", "6"}, scale, 3);
+  const Image sheet =
+      captioned(panels, std::array<std::string_view, 6>{"1", "2", "3", "4", "5", "6"}, scale, 3);
+  return with_legend(sheet,
+                     critical_point_legend({{Mark::Patch, front_red, "triangles on the front"},
+                                            {Mark::Patch, inner_side, "inner side"}}),
+                     scale);
 }
 
 Image inhibitor_complex(double scale) {
@@ -142,7 +151,11 @@ Image inhibitor_complex(double scale) {
   for (Point& p : level) p -= rise.dot(p) * rise;
   const Vector across = principal_camera(level, 1, 1).up.cross(rise).normalized();
   const Camera camera = pictures::camera_from(across + 0.4 * rise, rise, 1000, 560);
-  return panel(scene, camera.fitted(scene.extent()), scale);
+  return with_legend(
+      panel(scene, camera.fitted(scene.extent()), scale),
+      critical_point_legend({{Mark::Line, minimum_red, "integral line from a saddle to a minimum"},
+                             {Mark::Line, maximum_green, "to a maximum"}}),
+      scale);
 }
 
 }  // namespace morskin::figures

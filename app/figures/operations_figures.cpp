@@ -35,7 +35,7 @@ Image bowl(double scale) {
                Colour::of(0xffffff));
     add_vertex(scene, p, "p_" + number, outward(camera, p0.position, p, -24), 0.05 * r);
   }
-  return panel(scene, camera, scale);
+  return with_legend(panel(scene, camera, scale), {{}, state_legend("tangent disk")}, scale);
 }
 
 Image creep(double scale) {
@@ -73,7 +73,7 @@ Image creep(double scale) {
   const Point ahead = on_rim(p, r, stage.at(fan.rim[fan.rim.size() / 2]).position);
   before.lines.push_back({{p.position, ahead}, pictures::ink, 1.5, 0.02});
   before.labels.push_back({p.position + 0.6 * (ahead - p.position), "r_a", Vector2(16, 4), 14});
-  return before_and_after(before, after, camera, {"before", "after creep"}, scale);
+  return before_and_after(before, after, camera, {"before", "after creep"}, "tangent disk", scale);
 }
 
 namespace {
@@ -138,7 +138,8 @@ Image bridge(double scale) {
       add_vertex(*scene, x, names[i], outward(camera, s.point.position, x, 24), 0.06 * r);
     }
   }
-  return before_and_after(before, after, camera, {"before", "after bridge"}, scale);
+  return before_and_after(before, after, camera, {"before", "after bridge"}, "protecting sphere",
+                          scale);
 }
 
 }  // namespace morskin::figures

@@ -94,10 +94,20 @@ Vector2 outward(const Camera& camera, const Point& centre, const Point& p, doubl
          Vector2(0, 6);
 }
 
+std::vector<LegendEntry> state_legend(std::string dashes) {
+  return {{Mark::Patch, fresh_orange, "new triangles"},
+          {Mark::Line, front_red, "front"},
+          {Mark::Patch, bare_grey, "bare skin"},
+          {Mark::Dashes, pictures::ink, std::move(dashes)}};
+}
+
 Image before_and_after(const Scene& before, const Scene& after, const Camera& camera,
-                       std::array<std::string_view, 2> captions, double scale) {
+                       std::array<std::string_view, 2> captions, std::string dashes, double scale) {
   const std::array panels{panel(before, camera, scale), panel(after, camera, scale)};
-  return captioned(panels, captions, scale, 2);
+  std::vector<LegendEntry> legend = state_legend(std::move(dashes));
+  const LegendEntry laid_before{Mark::Patch, skin_blue, "triangles laid before"};
+  legend.insert(legend.begin() + 1, laid_before);
+  return with_legend(captioned(panels, captions, scale, 2), {{}, std::move(legend)}, scale);
 }
 
 }  // namespace morskin::figures

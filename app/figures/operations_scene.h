@@ -79,8 +79,12 @@ void add_vertex(Scene& scene, const Point& p, const std::string& text, const Vec
 /// The position of a label away from a centre in the view.
 Vector2 outward(const Camera& camera, const Point& centre, const Point& p, double pixels);
 
+/// The meaning of the colours of a state, but for skin_blue, that of the triangles laid before.
+/// @param dashes  what is dashed
+std::vector<LegendEntry> state_legend(std::string dashes);
+
 Image before_and_after(const Scene& before, const Scene& after, const Camera& camera,
-                       std::array<std::string_view, 2> captions, double scale);
+                       std::array<std::string_view, 2> captions, std::string dashes, double scale);
 
 /// Of the events of one kind that `suits`, the one at a share of their number.
 template <class Suits>

@@ -1,6 +1,7 @@
 #include "app/figures/panels.h"
 
 #include <cmath>
+#include <utility>
 
 namespace morskin::figures {
 
@@ -13,6 +14,13 @@ int pixels(double length) { return static_cast<int>(std::lround(length)); }
 Colour colour_of_index(int index) {
   if (index == 0) return minimum_red;
   return index == 1 ? saddle_blue : maximum_green;
+}
+
+pictures::Legend critical_point_legend(std::vector<LegendEntry> others) {
+  others.insert(others.begin(), {{Mark::Dot, minimum_red, "minimum"},
+                                 {Mark::Dot, saddle_blue, "saddle"},
+                                 {Mark::Dot, maximum_green, "maximum"}});
+  return {{}, std::move(others)};
 }
 
 Image panel(const Scene& scene, const Camera& camera, double scale, const pictures::Style& style) {

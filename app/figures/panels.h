@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "app/pictures/legend.h"
 #include "app/pictures/render.h"
 
 namespace morskin::figures {
@@ -13,6 +14,8 @@ using geometry::Vector;
 using pictures::Camera;
 using pictures::Colour;
 using pictures::Image;
+using pictures::LegendEntry;
+using pictures::Mark;
 using pictures::MeshLayer;
 using pictures::Scene;
 using pictures::Vector2;
@@ -24,6 +27,8 @@ inline constexpr Colour skin_blue = Colour::of(0x9fc1dc), minimum_red = Colour::
                         bare_grey = Colour::of(0xdfdbd2);
 
 Colour colour_of_index(int index);
+/// The meaning of colour_of_index, in front of other entries.
+pictures::Legend critical_point_legend(std::vector<LegendEntry> others = {});
 
 /// Renders at `scale` times the camera's size.
 Image panel(const Scene& scene, const Camera& camera, double scale,

@@ -103,7 +103,8 @@ Image wing(double scale) {
                outward(camera, stage.at(angle.d).position, x, 22), 0.05 * r);
   }
   return before_and_after(before, after, camera,
-                          {"(a) creep at d, the angle at f left", "(b) after wing"}, scale);
+                          {"(a) creep at d, the angle at f left", "(b) after wing"}, "tangent disk",
+                          scale);
 }
 
 }  // namespace morskin::figures

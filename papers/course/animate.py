@@ -16,6 +16,7 @@ from PIL import Image
 
 FRAME_MS, LAST_MS = 250, 2500
 COLOURS = 128  # of the picture's palette
+GAP = 16  # between the panels of a sheet, pixels; the legend stands below the last
 
 
 def drawn(meshes, options, *words):
@@ -23,18 +24,31 @@ def drawn(meshes, options, *words):
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "picture.png"
         subprocess.run([options.command, "render", *meshes, "-o", picture, "--view", options.view,
-                        "--size", options.size, "--columns", "1", *words], check=True,
+                        "--size", "x".join(map(str, options.size)), "--columns", "1", *words],
+                       check=True,
                        stdout=subprocess.DEVNULL)
         return Image.open(picture).convert("RGB")
 
 
 def frames(states, mesh, options):
+    """One for each state, then the mesh by its angles; all with their legends, of one size."""
     last = drawn([mesh], options, "--by", "angle")
     # The mesh is drawn with the states as well, since all share what the camera frames.
-    strip = drawn([*states, mesh], options, "--edges", "never")
-    stride = (strip.height - last.height) // len(states)
-    return [strip.crop((0, k * stride, last.width, k * stride + last.height))
-            for k in range(len(states))] + [last]
+    sheet = drawn([*states, mesh], options, "--edges", "never")
+    width, height = options.size
+    panels_end = (len(states) + 1) * (height + GAP) - GAP
+    size = (width, max(last.height, height + sheet.height - panels_end))
+
+    def frame(panel, legend):
+        picture = Image.new("RGB", size, "white")
+        picture.paste(panel, (0, 0))
+        picture.paste(legend, (0, height))
+        return picture
+
+    legend = sheet.crop((0, panels_end, width, sheet.height))
+    tops = [k * (height + GAP) for k in range(len(states))]
+    return [frame(sheet.crop((0, top, width, top + height)), legend) for top in tops] \
+        + [frame(last, last.crop((0, height, width, last.height)))]
 
 
 def main():
@@ -43,7 +57,8 @@ def main():
     parser.add_argument("mesh", type=Path, help="the finished mesh")
     parser.add_argument("-o", "--output", type=Path, required=True)
     parser.add_argument("--view", default="0.2,0.5,1")
-    parser.add_argument("--size", default="320", help="of a frame, W or WxH")
+    parser.add_argument("--size", type=int, nargs=2, default=(320, 320),
+                        metavar=("WIDTH", "HEIGHT"), help="of a frame, pixels, less its legend")
     parser.add_argument("--command", type=Path, default=Path("build/morskin"))
     options = parser.parse_args()
 

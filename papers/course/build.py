@@ -94,11 +94,33 @@ def online_parts(folder):
             for match in fetched.finditer(file.read_text(encoding="utf-8"))]
 
 
-def changed_pictures(boxes):
-    """Pictures made by commands that are not those kept in papers/figures."""
-    return sorted({made.name for made in boxes.glob("*/papers/figures/*.*")
-                   if not (PAPERS / "figures" / made.name).exists()
-                   or made.read_bytes() != (PAPERS / "figures" / made.name).read_bytes()})
+def made_pictures(boxes, pages):
+    """(kept, made) of each picture that the pages' commands have made."""
+    return [(PAPERS / "figures" / made.name, made) for page in pages
+            for made in sorted((boxes / page.stem / "papers" / "figures").glob("*.*"))]
+
+
+def stale_pictures(pictures):
+    """Complaints about pictures that look otherwise than their commands draw them now."""
+    files = [str(file) for kept, made in pictures if kept.exists() for file in (kept, made)]
+    stale = subprocess.run([SYSTEM_PYTHON, PAPERS / "course" / "pictures.py", *files], text=True,
+                           stdout=subprocess.PIPE, check=True).stdout.split()
+    stale += [str(kept) for kept, _ in pictures if not kept.exists()]
+    return [f"{os.path.relpath(kept, ROOT)}: kept otherwise than its command draws it now; "
+            "make figures" for kept in sorted(set(stale))]
+
+
+def keep_pictures(pages, boxes, arguments):
+    pages = [page for page in pages
+             if any("papers/figures/" in command for _, command, _ in page.commands())]
+    _, failures = check_pages(pages, boxes, arguments.command.resolve(), arguments.jobs)
+    for kept, made in made_pictures(boxes, pages):
+        if not kept.exists() or kept.read_bytes() != made.read_bytes():
+            shutil.copyfile(made, kept)
+            print(f"drawn anew: {os.path.relpath(kept, ROOT)}")
+    for failure in failures:
+        print(failure)
+    return 1 if failures else 0
 
 
 def main():
@@ -107,6 +129,8 @@ def main():
     parser.add_argument("--command", type=Path, default=ROOT / "build" / "morskin")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--no-run", action="store_true", help="leave the commands alone")
+    parser.add_argument("--keep-pictures", action="store_true",
+                        help="run the commands of the pages with pictures, and keep what they draw")
     parser.add_argument("pages", nargs="*", type=Path,
                         help="check only these, and build no site")
     arguments = parser.parse_args()
@@ -114,19 +138,20 @@ def main():
     out = arguments.out.resolve()
     boxes = out.with_name(f"{out.name}-work")
     pages = [Page(path.resolve()) for path in arguments.pages or page_files()]
+    if arguments.keep_pictures:
+        return keep_pictures(pages, boxes, arguments)
     failures = [c for page in pages for c in complaints(page) + lesson_complaints(page)]
     start, commands = time.monotonic(), 0
     if not arguments.no_run:
         commands, found = check_pages(pages, boxes, arguments.command.resolve(), arguments.jobs)
         failures += found
+        failures += stale_pictures(made_pictures(boxes, pages))
     seconds = time.monotonic() - start
     if not failures and not arguments.pages:
         complaints_of_sphinx = built(out, boxes, arguments.command.resolve())
         failures += complaints_of_sphinx or dead_links(out) + online_parts(out)
     for failure in failures:
         print(failure)
-    for name in changed_pictures(boxes):
-        print(f"note: papers/figures/{name} is kept otherwise than its command draws it now")
     print(f"{len(pages)} pages, {commands} commands run in {seconds:.0f} s, "
           f"{len(failures)} failures")
     if not failures and not arguments.pages:

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""papers/course/pictures.py, which tells stale pictures. Takes Debian's Pillow
+(cmake/pages_packages.txt)."""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from PIL import Image, ImageDraw
+
+ROOT = Path(__file__).resolve().parent.parent
+FIGURES = ROOT / "papers" / "figures"
+
+
+def told(kept, made):
+    """Whether the kept one of two pictures is called stale. Lists of frames make a GIF."""
+    with tempfile.TemporaryDirectory() as folder:
+        paths = []
+        for name, frames in (("kept", kept), ("made", made)):
+            path = Path(folder) / f"{name}.{'gif' if len(frames) > 1 else 'png'}"
+            frames[0].save(path, **({"save_all": True, "append_images": frames[1:]}
+                                    if len(frames) > 1 else {}))
+            paths.append(path)
+        out = subprocess.run([sys.executable, ROOT / "papers" / "course" / "pictures.py", *paths],
+                             text=True, stdout=subprocess.PIPE, check=True).stdout
+        return out.split() == [str(paths[0])]
+
+
+def figure():
+    return Image.open(FIGURES / "figure-2.png").convert("RGB")
+
+
+def with_line(picture):
+    changed = picture.copy()
+    ImageDraw.Draw(changed).line([(40, 40), (560, 540)], fill=(160, 20, 20), width=3)
+    return changed
+
+
+def test_a_picture_is_not_stale_beside_itself():
+    assert not told([figure()], [figure()])
+
+
+def test_a_line_more_or_another_size_is_told():
+    assert told([figure()], [with_line(figure())])
+    assert told([figure()], [figure().resize((600, 600))])
+
+
+def test_a_level_here_and_there_is_not():
+    rounded = figure().point(lambda value: value - (value % 5 == 0 and value > 0))
+    assert not told([figure()], [rounded])
+
+
+def test_one_frame_of_many_is_told():
+    frames = [figure().rotate(k) for k in (0, 20, 40)]
+    assert not told(frames, frames)
+    assert told(frames, [frames[0], with_line(frames[1]), frames[2]])
+    assert told(frames, frames[:2])
+
+
+def main():
+    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
+    failed = 0
+    for name, test in tests.items():
+        try:
+            test()
+        except AssertionError as error:
+            failed += 1
+            print(f"{name}: {error or 'failed'}")
+    print(f"{len(tests) - failed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
