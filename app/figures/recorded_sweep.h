@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/figures/seams.h"
 #include "morse/guide.h"
 #include "morskin/pipeline.h"
 
@@ -21,6 +22,7 @@ struct RecordedSweep {
   morse::Guide guide;
   std::vector<Event> events;
   surface::Mesh mesh;          ///< as it was swept
+  std::vector<Seam> seams;     ///< by birth; those beyond the end lie on none
   std::uint32_t laid = 0;      ///< triangles, those counted that coarsening took out again
   morskin::MeshResult result;  ///< refined and certified
   /// By triangle of the result, how many had been laid before it (geometry::TriangleBirths).

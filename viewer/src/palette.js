@@ -15,6 +15,9 @@ export const kinds = [[236, 190, 92], [78, 158, 196], [120, 180, 110], [205, 104
 export const operations = [[214, 64, 58], [178, 190, 206], [242, 178, 62], [124, 88, 190],
   [44, 152, 84]];
 
+// By what met there: nothing, two fronts, a front and itself.
+export const seams = [[206, 210, 216], [214, 64, 58], [56, 112, 214]];
+
 export const elements = {
   H: [236, 236, 236], C: [150, 152, 158], N: [66, 110, 220], O: [220, 60, 52], S: [232, 196, 60],
   P: [240, 140, 50], F: [120, 205, 120], CL: [70, 190, 80], BR: [160, 70, 50], I: [130, 60, 160],
@@ -24,13 +27,13 @@ export const elements = {
 export const otherElement = [216, 130, 190];
 
 // Six places of viridis (Smith and van der Walt, CC0), straight in between.
-const viridis = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81],
-  [253, 231, 37]];
+export const scaleColours = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132],
+  [122, 209, 81], [253, 231, 37]];
 
 export function gradient(x) {
-  const at = Math.min(Math.max(x, 0), 1) * (viridis.length - 1);
-  const i = Math.min(Math.floor(at), viridis.length - 2), share = at - i;
-  return viridis[i].map((a, k) => a + share * (viridis[i + 1][k] - a));
+  const at = Math.min(Math.max(x, 0), 1) * (scaleColours.length - 1);
+  const i = Math.min(Math.floor(at), scaleColours.length - 2), share = at - i;
+  return scaleColours[i].map((a, k) => a + share * (scaleColours[i + 1][k] - a));
 }
 
 // A colour for the n-th of many things, far from those of its neighbours in number: hues a golden
