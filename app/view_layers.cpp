@@ -176,9 +176,8 @@ void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSwe
   std::vector<std::uint8_t> operations, seams;
   for (const std::uint32_t t : code.triangles) {
     const std::uint32_t birth = recorded.birth[t];
-    const bool is_on_seam = birth < recorded.seams.size();
     operations.push_back(operation[birth]);
-    seams.push_back(is_on_seam ? static_cast<std::uint8_t>(recorded.seams[birth]) : 0);
+    seams.push_back(birth < recorded.is_on_seam.size() && recorded.is_on_seam[birth]);
   }
   page.add("mesh.operation", operations);
   page.add("mesh.seam", seams);

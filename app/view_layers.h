@@ -22,8 +22,8 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
 void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,
                const std::vector<geometry::CellId>& cells);
 
-/// By triangle the step of its birth, the operation that laid it and the seam it lies on; by step
-/// what was done.
+/// By triangle the step of its birth, the operation that laid it and whether it lies on a seam; by
+/// step what was done.
 void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSweep& recorded);
 
 /// By triangle its region.

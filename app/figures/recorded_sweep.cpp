@@ -23,7 +23,7 @@ class Recorder : public morskin::Observer {
   std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_, &seams_}; }
   void swept(const surface::Mesh& mesh) override {
     record_.mesh = mesh;
-    record_.seams = seams_.by_birth();
+    record_.is_on_seam = seams_.by_birth();
     refined(mesh);
     // Coarsening behind the front lays triangles of its own.
     const std::uint32_t last = *std::ranges::max_element(record_.birth);

@@ -1,68 +1,65 @@
 #include "app/figures/seams.h"
 
-#include <algorithm>
-
 namespace morskin::figures {
 namespace {
 
 using front::Front;
 using front::FrontEdgeId;
 
-// Whether a touch split a polygon in two, rather than join two. From both edges on at once: it did
-// if one comes round without meeting the other.
-bool is_split(const Front& front, FrontEdgeId one, FrontEdgeId other) {
+// Whether a touch joined two polygons, rather than split one. From both edges on at once: it split
+// one if one comes round without meeting the other.
+bool has_joined(const Front& front, FrontEdgeId one, FrontEdgeId other) {
   FrontEdgeId a = one, b = other;
   do {
     a = front[a].next;
     b = front[b].next;
-    if (a == other || b == one) return false;
+    if (a == other || b == one) return true;
   } while (a != one && b != other);
-  return true;
+  return false;
+}
+
+void set(std::vector<bool>& flags, std::size_t i, bool value) {
+  if (flags.size() <= i) flags.resize(i + 1, false);
+  flags[i] = value;
 }
 
 }  // namespace
 
-Seam& SeamObserver::across(FrontEdgeId e) {
-  if (across_.size() <= e.index()) across_.resize(e.index() + 1, Seam::None);
-  return across_[e];
+void SeamObserver::set_across(FrontEdgeId e, bool is_across) {
+  set(is_across_, e.index(), is_across);
 }
 
-// Of the triangle laid last.
-void SeamObserver::note(const Front& front, Seam seam) {
-  if (seam == Seam::None) return;
+void SeamObserver::note_last_triangle(const Front& front) {
   const surface::Mesh& mesh = front.mesh();
-  const std::uint32_t birth =
-      (*mesh.births)[geometry::TriangleId{mesh.surface.triangle_count() - 1}];
-  if (by_birth_.size() <= birth) by_birth_.resize(birth + 1, Seam::None);
-  by_birth_[birth] = seam;
+  set(by_birth_, (*mesh.births)[geometry::TriangleId{mesh.surface.triangle_count() - 1}], true);
 }
 
 void SeamObserver::follow(const front::FrontChange& change) {
   using Kind = front::FrontChange::Kind;
   switch (change.kind) {
     case Kind::OpenedPolygon:
-      for (const FrontEdgeId e : change.opened) across(e) = Seam::None;
+      for (const FrontEdgeId e : change.opened) set_across(e, false);
       break;
     case Kind::NewVertex:
-      note(change.front, across(change.moved[0]));
-      for (const FrontEdgeId e : {change.moved[0], change.opened[0]}) across(e) = Seam::None;
+      if (is_across(change.moved[0])) note_last_triangle(change.front);
+      for (const FrontEdgeId e : {change.moved[0], change.opened[0]}) set_across(e, false);
       break;
     case Kind::Touch: {
-      const FrontEdgeId to = change.moved[0], from = change.opened[0];
-      const Seam seam = is_split(change.front, to, from) ? Seam::OneFront : Seam::TwoFronts;
-      note(change.front, seam);
-      for (const FrontEdgeId e : {to, from}) across(e) = seam;
+      const bool is_seam = has_joined(change.front, change.moved[0], change.opened[0]);
+      if (is_seam || is_across(change.moved[0])) note_last_triangle(change.front);
+      for (const FrontEdgeId e : {change.moved[0], change.opened[0]}) set_across(e, is_seam);
       break;
     }
     case Kind::ClosedCorner: {
-      const Seam left = across(change.moved[0]), gone = across(change.closed[0]);
-      note(change.front, std::max(left, gone));
-      const bool both = left != Seam::None && gone != Seam::None;
-      across(change.moved[0]) = both ? Seam::None : std::max(left, gone);
+      const bool before = is_across(change.moved[0]), after = is_across(change.closed[0]);
+      if (before || after) note_last_triangle(change.front);
+      set_across(change.moved[0], before != after);
       break;
     }
     case Kind::ClosedPolygon:
-      note(change.front, std::max(across(change.closed[0]), across(change.closed[1])));
+      if (is_across(change.closed[0]) || is_across(change.closed[1])) {
+        note_last_triangle(change.front);
+      }
       break;
   }
 }

@@ -167,11 +167,7 @@ function operation(scene) {
 
 function seam(scene) {
   return { id: 'seam', label: 'Seams of fronts',
-    colours: () => byTriangle((t) => palette.seams[scene.seam[t]]),
-    legend: () => {
-      const counts = tally(scene.seam, 3);
-      return { swatches: scene.seamNames.slice(1).map((name, i) =>
-        ({ name, colour: palette.seams[i + 1], count: counts[i + 1] })),
-      more: 'triangles from one side of the front to another' };
-    } };
+    colours: () => byTriangle((t) => (scene.seam[t] ? palette.red : palette.plain)),
+    legend: () => ({ swatches: [{ name: 'where two fronts met', colour: palette.red,
+      count: tally(scene.seam, 2)[1] }] }) };
 }

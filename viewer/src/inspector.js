@@ -35,8 +35,8 @@ export function facts(scene, { triangle, vertex }) {
     .angleTo(p[(k + 2) % 3].clone().sub(p[k])) * degrees);
   const rows = [['Triangle', `angles ${angles.map((a) => a.toFixed(1)).join('°, ')}°`]];
   if (scene.operation) {
-    const where = scene.seamNames[scene.seam[triangle]];
-    rows.push(['Laid by', scene.operationNames[scene.operation[triangle]] + (where && `, ${where}`)]);
+    const where = scene.seam[triangle] ? ', where two fronts met' : '';
+    rows.push(['Laid by', scene.operationNames[scene.operation[triangle]] + where]);
   }
   const at = place(scene, vertex), file = at.toArray().map((x, k) => x + scene.centre[k]);
   rows.push(['Vertex', `at ${file.map((x) => x.toFixed(3)).join(', ').replaceAll('-', '−')}`]);

@@ -6,7 +6,6 @@ import { MixedComplex } from './mixed_complex.js';
 import * as palette from './palette.js';
 
 export const operationNames = ['creation', 'creep', 'wing', 'bridge', 'seal'];
-export const seamNames = ['', 'where two fronts met', 'where a front met itself'];
 
 function runningSums(numbers) {
   const sums = new Int32Array(numbers.length);
@@ -20,7 +19,6 @@ export class Scene {
     this.page = page;
     const { about } = page;
     this.operationNames = operationNames;
-    this.seamNames = seamNames;
     this.centre = about.mesh.grid.origin;
     this.mesh = new Mesh(page, 'mesh', this.centre);
     this.bounds = this.mesh.bounds();
