@@ -47,7 +47,7 @@ export function colourings(scene) {
     component(scene), ...(scene.cells ? [nearestAtom(scene)] : []),
     ...(page.has('mesh.region') ? [region(scene)] : []),
     ...(page.about.function ? [functionValue(scene)] : []),
-    ...(scene.operation ? [operation(scene), seam(scene)] : []),
+    ...(scene.operation ? [seam(scene), operation(scene)] : []),
     { id: 'plain', label: 'Plain', colours: () => byTriangle(() => palette.plain),
       legend: () => ({ swatches: [] }) }];
 }
