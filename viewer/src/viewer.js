@@ -128,7 +128,6 @@ export class Viewer {
 
   #paint() {
     this.surface.paint(this.colouring);
-    this.growth?.paint(this.colouring);
   }
 
   #dress() {
