@@ -103,6 +103,10 @@ void finish(ViewArguments& view, const Typed& typed) {
   if (!is_special(view.output) && lower_extension(view.output) != ".html") {
     throw UsageError(view.output.string() + ": the ending must be .html");
   }
+  finish(view.size_goal, typed);
+  if (view.size_goal.is_set() && names_a_mesh(view.molecule.input)) {
+    throw UsageError("--density and --triangles are for a molecule, which is meshed first");
+  }
   view.typed = typed.skin;
   view.function = parsed(typed);
   view.progress = parsed_progress(typed.progress);

@@ -140,7 +140,8 @@ struct ViewArguments {
   std::optional<std::filesystem::path> against;  ///< the molecule of a mesh
   std::vector<std::filesystem::path> growth;     ///< meshes to show one after the other
   certify::Sizing sizing;
-  TypedSkin typed;  ///< what was given; the rest a mesh file may state
+  morskin::SizeGoal size_goal;  ///< of a molecule
+  TypedSkin typed;              ///< what was given; the rest a mesh file may state
   std::optional<morse::MorseFunction> function;
   bool quiet = false;
   ShowProgress progress = ShowProgress::Auto;

@@ -162,6 +162,7 @@ void add_view(CLI::App& app, ViewArguments& view, Typed& typed) {
                      "stands for its snapshot-1.ply, snapshot-2.ply ...");
   add_molecule_options(command, typed);
   add_sizing_options(command, typed);
+  add_size_goal_options(command, typed);
   add_function_option(command, typed);
   add_threads_option(command, view.threads);
   add_limit_options(command, view.limits, typed);

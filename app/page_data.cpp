@@ -156,6 +156,11 @@ void PageData::add(const std::string& name, const std::vector<float>& numbers) {
   bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]);
 }
 
+void PageData::add(const std::string& name, const std::string& text) {
+  add_entry(name, "text", text.size(), 1);
+  bytes_.append(text);
+}
+
 std::string PageData::page() const {
   nlohmann::ordered_json json = about;
   json["arrays"] = entries_;

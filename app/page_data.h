@@ -38,6 +38,8 @@ class PageData {
   void add(const std::string& name, const std::vector<std::uint8_t>& bytes);
   void add(const std::string& name, const std::vector<double>& numbers);
   void add(const std::string& name, const std::vector<float>& numbers);
+  /// UTF-8; what is not is shown as replacement characters.
+  void add(const std::string& name, const std::string& text);
 
   nlohmann::ordered_json about;  ///< for people and for the page: names, counts, options
 

@@ -56,6 +56,17 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
       ->default_str("no limit");
 }
 
+void add_size_goal_options(CLI::App& command, Typed& typed) {
+  command
+      .add_option("--density", typed.density,
+                  "In place of --size: so many vertices per square Angstrom")
+      ->default_str("as -C makes");
+  command
+      .add_option("--triangles", typed.triangles,
+                  "In place of --size: about so many triangles in all")
+      ->default_str("as -C makes");
+}
+
 void add_function_option(CLI::App& command, Typed& typed) {
   command
       .add_option("--function", typed.function,
@@ -125,14 +136,7 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
-  command
-      .add_option("--density", typed.density,
-                  "In place of --size: so many vertices per square Angstrom")
-      ->default_str("as -C makes");
-  command
-      .add_option("--triangles", typed.triangles,
-                  "In place of --size: about so many triangles in all")
-      ->default_str("as -C makes");
+  add_size_goal_options(command, typed);
   command
       .add_option("--grading", typed.grading,
                   "By how much edges may grow for each Angstrom, 0.2 for instance\n"

@@ -20,6 +20,8 @@ void add_molecule_options(CLI::App& command, Typed& typed);
 void add_voids_option(CLI::App& command, Typed& typed);
 /// -C, -Q and --size.
 void add_sizing_options(CLI::App& command, Typed& typed);
+/// --density and --triangles.
+void add_size_goal_options(CLI::App& command, Typed& typed);
 void add_function_option(CLI::App& command, Typed& typed);
 /// A surface in place of a molecule's skin.
 void add_surface_option(CLI::App& command, std::optional<std::string>& surface);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -47,10 +48,9 @@ morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double rad
 }
 
 Context context(MoleculeInput input, const MoleculeArguments& molecule,
-                const certify::Sizing& sizing, const ViewArguments& arguments,
-                const morskin::Run& run) {
+                const ViewArguments& arguments, const morskin::Run& run) {
   morskin::PreparedSkin skin = prepare_skin(input, molecule, run);
-  Context result{std::move(input), sizing, std::move(skin), {}, {}, {}};
+  Context result{std::move(input), {}, std::move(skin), {}, {}, {}};
   const morse::ChosenFunction chosen = along_function(arguments.function, [&] {
     return run.stage("critical points", [&] {
       return morse::choose_function(result.skin.surface,
@@ -63,11 +63,16 @@ Context context(MoleculeInput input, const MoleculeArguments& molecule,
     return morse::morse_smale_complex(result.skin.surface, chosen.function, chosen.critical,
                                       morse::Polylines::Keep, run);
   });
-  const double share = morskin::sphere_share(result.skin.surface, sizing);
-  const bool is_decided = result.complex.degeneracies.empty() && !morse::validate(result.complex);
-  result.simplified = is_decided ? morse::contract_short_arcs(result.complex, share)
-                                 : unsimplified(result.complex, share);
   return result;
+}
+
+// The sizing of the mesh, and the simplification by the protecting spheres that go with it.
+void set_sizing(Context& context, const certify::Sizing& sizing) {
+  context.sizing = sizing;
+  const double share = morskin::sphere_share(context.skin.surface, sizing.laid());
+  const bool is_decided = context.complex.degeneracies.empty() && !morse::validate(context.complex);
+  context.simplified = is_decided ? morse::contract_short_arcs(context.complex, share)
+                                  : unsimplified(context.complex, share);
 }
 
 void describe(PageData& page, const Context& context, const MoleculeArguments& molecule) {
@@ -76,6 +81,9 @@ void describe(PageData& page, const Context& context, const MoleculeArguments& m
   page.about["probe"] = molecule.probe;
   page.about["C"] = context.sizing.C;
   page.about["Q"] = context.sizing.Q;
+  if (std::isfinite(context.sizing.largest_length_scale)) {
+    page.about["largest_length_scale"] = context.sizing.largest_length_scale;
+  }
   page.about["radii"] = context.input.molecule.radii;
   add_selection(page.about, molecule.selection);
   page.about["function"] = function_json(context.function);
@@ -83,10 +91,15 @@ void describe(PageData& page, const Context& context, const MoleculeArguments& m
   page.about["function"]["unit"] = unit_of(context.function);
 }
 
+bool is_closed(const geometry::IndexedMesh& mesh) {
+  return !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect;
+}
+
 void describe(PageData& page, const geometry::IndexedMesh& mesh) {
   const geometry::MeshShape shape = geometry::measure_shape(mesh);
   page.about["min_angle_deg"] = rounded(shape.min_angle_deg, 4);
   page.about["max_angle_deg"] = rounded(shape.max_angle_deg, 4);
+  page.about["closed"] = is_closed(mesh);
 }
 
 void add_context(PageData& page, const Context& context) {
@@ -107,13 +120,15 @@ struct Viewed {
 };
 
 Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
-  const Context context = app::context(read_input(arguments.molecule), arguments.molecule,
-                                       arguments.sizing, arguments, run);
+  Context context =
+      app::context(read_input(arguments.molecule), arguments.molecule, arguments, run);
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
+  options.size_goal = arguments.size_goal;
   options.function = context.function;
   figures::RecordedSweep recorded = figures::recorded_sweep(context.skin, options, run);
   morskin::MeshResult& result = recorded.result;
+  set_sizing(context, result.sizing);
 
   page.about["kind"] = "molecule";
   describe(page, context, arguments.molecule);
@@ -146,8 +161,8 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   StatedMolecule stated =
       read_stated(std::move(asked), arguments.sizing, arguments.typed, file.provenance);
   const MoleculeArguments& molecule = stated.molecule;
-  const Context context =
-      app::context(std::move(stated.input), molecule, stated.sizing, arguments, run);
+  Context context = app::context(std::move(stated.input), molecule, arguments, run);
+  set_sizing(context, stated.sizing);
   describe(page, context, molecule);
   if (!stated.taken.empty()) page.about["taken"] = stated.taken;
   if (!stated.not_taken.empty()) page.about["not_taken"] = stated.not_taken;
@@ -158,8 +173,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
                                         context.skin.expected(), context.sizing, run);
   const FrontCode code = add_mesh(page, "mesh", mesh);
   add_cells(page, code, context.skin.surface.complex(), cells);
-  if (has_both_extrema(context.complex.points) &&
-      !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect) {
+  if (has_both_extrema(context.complex.points) && page.about["closed"]) {
     add_regions(page, code, flow_regions(mesh, context.function, context.complex, run));
   }
   add_context(page, context);

@@ -97,6 +97,19 @@ void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleC
   add_path(page, name, grid, points);
 }
 
+// By atom chain, residue, its number and the atom's name, each ended by a zero, which no label has.
+void add_labels(PageData& page, const skin::Molecule& molecule) {
+  std::string text;
+  bool has_any = false;
+  for (const skin::Atom& atom : molecule.atoms) {
+    for (const skin::Label& label : {atom.chain, atom.residue, atom.residue_number, atom.name}) {
+      has_any = has_any || !label.is_empty();
+      text.append(label.view()).push_back('\0');
+    }
+  }
+  if (has_any) page.add("atoms.labels", text);
+}
+
 }  // namespace
 
 FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh) {
@@ -160,9 +173,14 @@ void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSwe
   }
   page.add("mesh.birth",
            against_parents(code, [&](std::uint32_t t) { return recorded.birth[t] / each; }));
-  std::vector<std::uint8_t> of_triangle;
-  for (const std::uint32_t t : code.triangles) of_triangle.push_back(operation[recorded.birth[t]]);
-  page.add("mesh.operation", of_triangle);
+  std::vector<std::uint8_t> operations, seams;
+  for (const std::uint32_t t : code.triangles) {
+    const std::uint32_t birth = recorded.birth[t];
+    operations.push_back(operation[birth]);
+    seams.push_back(birth < recorded.is_on_seam.size() && recorded.is_on_seam[birth]);
+  }
+  page.add("mesh.operation", operations);
+  page.add("mesh.seam", seams);
 }
 
 void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regions) {
@@ -201,6 +219,7 @@ void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::Sk
   page.add("atoms.balls", balls);
   page.add("atoms.radius", radii);
   page.add("atoms.element", element_of);
+  add_labels(page, molecule);
 
   const geometry::RegularTriangulation& triangulation = skin.triangulation();
   page.about["complex"] = {{"cells", skin.complex().size()}};

@@ -22,13 +22,15 @@ FrontCode add_mesh(PageData& page, const std::string& name, const geometry::Inde
 void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,
                const std::vector<geometry::CellId>& cells);
 
-/// By triangle the step of its birth and the operation that laid it; by step what was done.
+/// By triangle the step of its birth, the operation that laid it and whether it lies on a seam; by
+/// step what was done.
 void add_sweep(PageData& page, const FrontCode& code, const figures::RecordedSweep& recorded);
 
 /// By triangle its region.
 void add_regions(PageData& page, const FrontCode& code, const FlowRegions& regions);
 
-/// Atoms, their weights, and the mixed complex by the simplices of its cells.
+/// Atoms, their weights and what the file calls them, and the mixed complex by the simplices of its
+/// cells.
 void add_molecule(PageData& page, const skin::Molecule& molecule, const skin::SkinSurface& skin);
 
 /// Critical points with their protecting spheres, and integral lines, of the complex as it was

@@ -8,43 +8,9 @@ import itertools
 import json
 import math
 import random
-from collections import Counter
 
-from support.command import MOLECULES, CommandTest, main
-from support.viewer_page import Page, from_smallest
-
-OPERATIONS = ["creation", "creep", "wing", "bridge", "seal"]
-
-
-class ViewTest(CommandTest):
-    def view(self, *words, code=0):
-        self.run_morskin("view", *words, "-o", "page.html", "-q", code=code)
-        return Page(self.folder / "page.html")
-
-    def write_off(self, name, places, triangles):
-        lines = ["OFF", f"{len(places)} {len(triangles)} 0"]
-        lines += [" ".join(map(repr, place)) for place in places]
-        lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
-        path = self.folder / name
-        path.write_text("\n".join(lines) + "\n")
-        return path
-
-    def check_same_mesh(self, page, places, triangles, name="mesh"):
-        """The page's triangles are these, each corner within half a step of its place."""
-        grid = page.about[name]["grid"]
-        found, corners, _ = page.mesh(name)
-
-        def on_grid(place):
-            return tuple((x - o) / grid["step"] for x, o in zip(place, grid["origin"]))
-
-        def rounded(place):  # half steps are decided by the command alone; none falls on one
-            return tuple(round(x) for x in on_grid(place))
-
-        expected = Counter(from_smallest(tuple(rounded(places[v]) for v in t)) for t in triangles)
-        shown = Counter(from_smallest(tuple(tuple(found[v]) for v in t)) for t in corners)
-        self.assertEqual(shown, expected)
-        used = {v for t in triangles for v in t}
-        self.assertEqual(len(found), len(used))
+from support.command import MOLECULES, main
+from support.viewer_case import ViewTest
 
 
 class Pages(ViewTest):
@@ -139,37 +105,15 @@ class Meshes(ViewTest):
 
 
 class Layers(ViewTest):
-    def test_the_sweep_of_the_page_is_the_sweep_of_the_run(self):
-        page = self.view(MOLECULES / "caffeine.xyz")
-        report = json.loads(self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "c.ply",
-                                             "--fronts", "1", "--json").stdout)
-        done = {name: sum(page.array(f"sweep.done.{kind}"))
-                for kind, name in enumerate(OPERATIONS)}
-        self.assertEqual(done, {name: report["operations"][name] for name in OPERATIONS})
-        _, corners, parents = page.mesh()
-        birth = page.by_triangle("mesh.birth", parents)
-        self.assertEqual(len(birth), len(corners))
-        self.assertGreaterEqual(min(birth), 0)
-        self.assertLess(max(birth), page.about["sweep"]["steps"])
-        # Six triangles to a bowl; refinement may have turned or broken a few.
-        bowls = Counter(page.array("mesh.operation"))[0]
-        self.assertAlmostEqual(bowls / (6 * done["creation"]), 1, delta=0.25)
-
-    def test_the_mesh_grows_from_bowls_and_stays_a_surface_with_a_front(self):
-        """At every step each edge has one triangle or two, and few edges have one."""
-        page = self.view(self.ring)
-        _, corners, parents = page.mesh()
-        birth = page.by_triangle("mesh.birth", parents)
-        triangles = len(corners)
-        for share in (0.1, 0.3, 0.5, 0.7, 0.9):
-            step = share * page.about["sweep"]["steps"]
-            there = [t for t, b in zip(corners, birth) if b < step]
-            self.assertAlmostEqual(len(there) / triangles, share, delta=0.1)
-            edges = Counter(frozenset((t[k], t[k - 1])) for t in there for k in range(3))
-            self.assertLessEqual(max(edges.values()), 2)
-            border = sum(1 for n in edges.values() if n == 1)
-            self.assertGreater(border, 0)
-            self.assertLess(border, 12 * triangles ** 0.5)
+    def test_a_page_names_residue_and_atom_as_the_file_does(self):
+        crambin = MOLECULES / "1crn.pdb"
+        page = self.view(crambin, "-C", "0.3")
+        labels = page.array("atoms.labels").split("\0")
+        self.assertEqual(labels.pop(), "")
+        told = [(row[21].strip(), row[17:20].strip(), row[22:27].strip(), row[12:16].strip())
+                for row in crambin.read_text().splitlines() if row.startswith("ATOM")]
+        self.assertEqual(list(zip(*[iter(labels)] * 4)), told)
+        self.assertNotIn("atoms.labels", self.view(self.ring).entries)
 
     def test_critical_points_and_lines_are_those_of_the_morse_command(self):
         page = self.view(self.ring)
@@ -282,6 +226,9 @@ class Failures(ViewTest):
         self.failure(self.ring, "-o", self.ring, code=2)
         self.failure(self.ring, "-o", "page.html", "--against", self.ring, code=2)
         self.failure(self.ring, "-o", "page.html", "--function", "height:0,0,0", code=2)
+        self.failure(self.ring, "-o", "page.html", "--density", "2", "--size", "1", code=2)
+        self.failure(self.ring, "-o", "page.html", "--density", "0", code=2)
+        self.failure("broken.ply", "-o", "page.html", "--triangles", "99", code=2)
         self.failure("missing.pdb", "-o", "page.html", code=3)
         self.failure(self.ring, "-o", "page.html", "--frames", ".", code=3)
         self.failure(self.ring, "-o", "page.html", "--frames", "missing.ply", code=3)

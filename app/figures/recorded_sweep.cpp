@@ -13,12 +13,17 @@ class Recorder : public morskin::Observer {
           record.events.push_back({operation, before, triangles});
         }) {}
 
-  void sized(const certify::Sizing&) override { record_.events.clear(); }
+  // A size goal sweeps again: what is recorded is the last sweep.
+  void sized(const certify::Sizing&) override {
+    record_.events.clear();
+    seams_.clear();
+  }
   bool wants_births() override { return true; }
   void guided(const morse::Guide& guide) override { record_.guide = guide; }
-  std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_}; }
+  std::vector<front::SweepObserver*> sweep_observers() override { return {&operations_, &seams_}; }
   void swept(const surface::Mesh& mesh) override {
     record_.mesh = mesh;
+    record_.is_on_seam = seams_.by_birth();
     refined(mesh);
     // Coarsening behind the front lays triangles of its own.
     const std::uint32_t last = *std::ranges::max_element(record_.birth);
@@ -31,6 +36,7 @@ class Recorder : public morskin::Observer {
  private:
   RecordedSweep& record_;
   front::OperationObserver operations_;
+  SeamObserver seams_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/figures/seams.h"
 #include "morse/guide.h"
 #include "morskin/pipeline.h"
 
@@ -20,9 +21,10 @@ struct Event {
 struct RecordedSweep {
   morse::Guide guide;
   std::vector<Event> events;
-  surface::Mesh mesh;          ///< as it was swept
-  std::uint32_t laid = 0;      ///< triangles, those counted that coarsening took out again
-  morskin::MeshResult result;  ///< refined and certified
+  surface::Mesh mesh;            ///< as it was swept
+  std::vector<bool> is_on_seam;  ///< by birth; those beyond the end are not
+  std::uint32_t laid = 0;        ///< triangles, those counted that coarsening took out again
+  morskin::MeshResult result;    ///< refined and certified
   /// By triangle of the result, how many had been laid before it (geometry::TriangleBirths).
   std::vector<std::uint32_t> birth;
 };

@@ -1,22 +1,8 @@
 // What all interactive parts share: a question to predict, sliders, buttons, a plane to draw in.
 
-export function element(tag, attributes = {}, ...children) {
-  return filled(document.createElement(tag), attributes, children);
-}
+import { element, shape } from '../../viewer/src/dom.js';
 
-export function shape(tag, attributes = {}, ...children) {
-  return filled(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
-}
-
-function filled(made, attributes, children) {
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
-    else if (value === true) made.setAttribute(name, '');
-    else if (value !== false && value != null) made.setAttribute(name, value);
-  }
-  made.append(...children.filter((child) => child != null));
-  return made;
-}
+export { element, shape };
 
 export const data = () => JSON.parse(document.getElementById('data').textContent);
 

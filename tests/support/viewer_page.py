@@ -49,6 +49,8 @@ class Page:
         entry = self.entries[name]
         kind, at, count, planes = (entry[key] for key in ("kind", "at", "count", "planes"))
         data = self.bytes[at:at + count * planes]
+        if kind == "text":
+            return data.decode(errors="replace")
         if kind in ("float", "double"):
             return struct.unpack(f"<{count}{kind[0]}", data)
         numbers = [sum(data[k * count + i] << 8 * k for k in range(planes)) for i in range(count)]

@@ -2,7 +2,8 @@
 // eye where it was moved. So a link opens the page as it was, and a lesson can embed it so.
 
 const kept = ['style', 'colouring', 'edges', 'seeThrough', 'atoms', 'points', 'lines', 'spheres',
-  'simplified', 'section', 'cut', 'axis', 'offset', 'panel', 'step', 'frame'];
+  'simplified', 'section', 'cut', 'axis', 'offset', 'level', 'share', 'hidden', 'panel', 'step',
+  'frame'];
 const pause = 250; // milliseconds without a change before the address is written
 
 const digits = (numbers) => numbers.map((x) => Number(x.toFixed(6))).join(',');
@@ -53,6 +54,8 @@ export class Address {
         if (isThere) changes[name] = word === '1';
       } else if (typeof was === 'number') {
         if (word !== '' && Number.isFinite(Number(word))) changes[name] = this.#within(name, Number(word));
+      } else if (name === 'hidden') {
+        if (this.#areComponents(word)) changes[name] = word;
       } else if (this.#choices(name).includes(word)) {
         changes[name] = word;
       }
@@ -63,8 +66,17 @@ export class Address {
 
   #within(name, x) {
     if (name === 'offset') return Math.max(-1, Math.min(1, x));
+    if (name === 'share') return Math.max(0, Math.min(1, x));
     const most = name === 'step' ? this.viewer.sweep?.steps : this.viewer.growth?.frames.length;
     return Math.max(0, Math.min(most ?? 0, Math.round(x)));
+  }
+
+  // Numbers of components, ascending, or nothing.
+  #areComponents(word) {
+    if (word === '') return true;
+    const count = this.viewer.scene.components().list.length;
+    return word.split(',').every((part, i, all) => /^\d{1,9}$/.test(part) && part < count &&
+      (i === 0 || Number(all[i - 1]) < Number(part)));
   }
 
   #choices(name) {

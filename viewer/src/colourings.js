@@ -1,31 +1,27 @@
-// What the surface can be coloured by. Each colouring paints three corners of every triangle and
-// tells its legend: swatches, or a scale.
+// What the surface can be coloured by. Each tells its legend, swatches or a scale, and how to colour:
+// `values`, by vertex from 0 to 1, for the scale; or `colours`, what Surface.paint takes of triangles.
 
+import { AtomParts, CellParts } from './corner_parts.js';
+import { extent } from './mesh.js';
 import * as palette from './palette.js';
 
-// Each gives a function that paints the corners of triangles in the order they lie in.
-// colourOf(t, k): colour of corner k of triangle t.
-const byCorner = (colourOf) => (colours, order) => {
-  for (let i = 0, at = 0; i < order.length; ++i) {
-    for (let k = 0; k < 3; ++k, at += 3) {
-      const colour = colourOf(order[i], k);
-      colours[at] = colour[0];
-      colours[at + 1] = colour[1];
-      colours[at + 2] = colour[2];
-    }
-  }
+const lazily = (make) => {
+  let made;
+  return () => (made ??= make());
 };
-// colourOf(t): one colour for the triangle.
-const byTriangle = (colourOf) => (colours, order) => {
-  for (let i = 0, at = 0; i < order.length; ++i) {
-    const colour = colourOf(order[i]);
-    for (let k = 0; k < 3; ++k, at += 3) {
-      colours[at] = colour[0];
-      colours[at + 1] = colour[1];
-      colours[at + 2] = colour[2];
-    }
-  }
-};
+
+// One colour for all of a triangle.
+const byTriangle = (colourOf) => (t, three) => { three.fill(colourOf(t)); };
+
+// parts: of corners; colourOf(part). Between the corners' parts each fragment has its own.
+function byPart(parts, colourOf) {
+  const three = [0, 0, 0];
+  return (t, colours, between) => {
+    const isParted = parts.write(t, three, between);
+    for (let k = 0; k < 3; ++k) colours[k] = colourOf(three[k]);
+    return isParted;
+  };
+}
 
 function tally(numbers, size) {
   const counts = new Array(size).fill(0);
@@ -39,172 +35,95 @@ const short = (x) => Number(x.toPrecision(3)).toString();
 const steps = Array.from({ length: 256 }, (_, i) => palette.gradient(i / 255));
 const onScale = (x) => steps[Math.min(255, Math.max(0, Math.round(255 * x)))];
 
+// Numbers by vertex on the scale, from their least to their greatest.
+function spread(numbers) {
+  const { low, high } = extent(numbers), span = high - low || 1;
+  return { low, span, values: numbers.map((x) => (x - low) / span) };
+}
+
 export function colourings(scene) {
-  const { mesh, page, complex } = scene;
-  const list = [];
-  const lazily = (make) => {
-    let made;
-    return () => (made ??= make());
+  const { page } = scene;
+  return [...(scene.cells ? [patchKind(scene), lengthScale(scene)] : []), quality(scene),
+    component(scene), ...(scene.cells ? [nearestAtom(scene)] : []),
+    ...(page.has('mesh.region') ? [region(scene)] : []),
+    ...(page.about.function ? [functionValue(scene)] : []),
+    ...(scene.operation ? [seam(scene), operation(scene)] : []),
+    { id: 'plain', label: 'Plain', colours: () => byTriangle(() => palette.plain),
+      legend: () => ({ swatches: [] }) }];
+}
+
+function patchKind(scene) {
+  const { mesh, complex, cells } = scene;
+  // Counted is the kind that most corners have; the first corner's if all differ.
+  const kindOf = (t) => {
+    const kind = (k) => complex.dimension(cells[mesh.corners[3 * t + k]]);
+    const second = kind(1);
+    return second === kind(2) ? second : kind(0);
   };
+  const counts = lazily(() =>
+    tally(Uint8Array.from({ length: mesh.triangleCount }, (_, t) => kindOf(t)), 4));
+  return { id: 'kind', label: 'Patch kind',
+    colours: () => byPart(new CellParts(scene), (cell) => palette.kinds[complex.dimension(cell)]),
+    legend: () => ({ swatches: ['sphere, convex', 'hyperboloid, edge', 'hyperboloid, triangle',
+      'sphere, hollow'].map((name, i) => ({ name, colour: palette.kinds[i], count: counts()[i] })) }),
+  };
+}
 
-  if (scene.cells) {
-    const kindOf = (t) => {
-      // The kind that most corners have; the first corner's if all differ.
-      const kind = (k) => complex.dimension(scene.cells[mesh.corners[3 * t + k]]);
-      const second = kind(1);
-      return second === kind(2) ? second : kind(0);
-    };
-    const kindsOf = lazily(() => Uint8Array.from({ length: mesh.triangleCount }, (_, t) => kindOf(t)));
-    list.push({
-      id: 'kind', label: 'Patch kind',
-      paint: (...to) => {
-        const kinds = kindsOf();
-        byTriangle((t) => palette.kinds[kinds[t]])(...to);
-      },
-      legend: () => {
-        const counts = tally(kindsOf(), 4);
-        return { swatches: ['sphere, convex', 'hyperboloid, edge', 'hyperboloid, triangle',
-          'sphere, hollow'].map((name, i) => ({ name, colour: palette.kinds[i], count: counts[i] })) };
-      },
-    });
-    const scales = lazily(() => {
-      const p = mesh.positions;
-      const scale = Float32Array.from({ length: mesh.vertexCount }, (_, v) =>
-        Math.log(complex.lengthScale(scene.cells[v], p[3 * v], p[3 * v + 1], p[3 * v + 2]) || 1e-9));
-      let low = Infinity, high = -Infinity;
-      for (const x of scale) {
-        low = Math.min(low, x);
-        high = Math.max(high, x);
-      }
-      return { scale, low, span: high - low || 1 };
-    });
-    list.push({
-      id: 'scale', label: 'Length scale',
-      paint: (...to) => {
-        const { scale, low, span } = scales();
-        byCorner((t, k) => onScale((scale[mesh.corners[3 * t + k]] - low) / span))(...to);
-      },
-      legend: () => {
-        const { low, span } = scales();
-        const at = (x) => short(Math.exp(low + x * span));
-        return { scale: [at(0), at(0.5), at(1)], unit: 'Å, logarithmic' };
-      },
-    });
-  }
+function lengthScale(scene) {
+  const { complex, cells, mesh: { positions: p } } = scene;
+  const scale = lazily(() => spread(Float32Array.from(cells, (cell, v) =>
+    Math.log(complex.lengthScale(cell, p[3 * v], p[3 * v + 1], p[3 * v + 2]) || 1e-9))));
+  return { id: 'scale', label: 'Length scale', values: () => scale().values,
+    legend: () => {
+      const at = (x) => short(Math.exp(scale().low + x * scale().span));
+      return { scale: [at(0), at(0.5), at(1)], unit: 'Å, logarithmic' };
+    } };
+}
 
-  const angles = lazily(() => mesh.smallestAngles(page.about.min_angle_deg));
-  const shares = lazily(() => [30, 35, 40].map((degrees) => {
-    const below = angles().reduce((count, angle) => count + (angle < degrees), 0);
-    return [degrees, `${short(100 * below / mesh.triangleCount)} %`];
-  }));
+function quality({ mesh, page: { about } }) {
+  const angles = lazily(() => mesh.smallestAngles(about.min_angle_deg));
+  const share = (count) => `${short(100 * count / mesh.triangleCount)} %`;
+  const shares = lazily(() => [30, 35, 40].map((degrees) =>
+    [degrees, share(angles().reduce((count, angle) => count + (angle < degrees), 0))]));
+  const obtuse = lazily(() => share(mesh.obtuseTriangles()));
   // By whole degrees of the scale; what lies beyond its ends is in the outer two.
   const bars = lazily(() => tally(angles().map((angle) =>
     Math.min(Math.max(Math.floor(angle - 20), 0), 39)), 40));
-  list.push({
-    id: 'quality', label: 'Triangle quality',
-    paint: (...to) => {
-      const least = angles();
-      byTriangle((t) => onScale((least[t] - 20) / 40))(...to);
-    },
+  return { id: 'quality', label: 'Triangle quality',
+    colours: () => byTriangle((t) => onScale((angles()[t] - 20) / 40)),
     legend: () => ({ scale: ['20°', '40°', '60°'], bars: bars(),
-      barsInWords: 'Histogram of the smallest angles: ' + shares().map(([degrees, share]) =>
-        `${share} of the triangles below ${degrees} degrees`).join(', '),
-      unit: 'smallest angle' + (page.about.min_angle_deg
-        ? `; least ${page.about.min_angle_deg.toFixed(1)}°` : ''),
-      more: 'below ' + shares().map(([degrees, share]) => `${degrees}°: ${share}`).join(', ') }),
-  });
-
-  const components = lazily(() => mesh.components());
-  list.push({
-    id: 'component', label: 'Component',
-    paint: (...to) => {
-      const number = components();
-      const colours = tallyAll(number).map((_, i) => palette.categorical(i));
-      byTriangle((t) => colours[number[t]])(...to);
-    },
-    legend: () => {
-      const counts = tallyAll(components());
-      return { swatches: counts.slice(0, 6).map((count, i) =>
-        ({ name: `component ${i + 1}`, colour: palette.categorical(i), count })),
-      more: counts.length > 6 ? `and ${counts.length - 6} more` : '' };
-    },
-  });
-
-  if (scene.cells) {
-    const atoms = lazily(() => {
-      const p = mesh.positions;
-      return Uint32Array.from({ length: mesh.triangleCount }, (_, t) => {
-        const v = mesh.corners[3 * t];
-        return complex.nearestAtom(scene.cells[v], p[3 * v], p[3 * v + 1], p[3 * v + 2]);
-      });
-    });
-    list.push({
-      id: 'atom', label: 'Atom',
-      paint: (...to) => {
-        const nearest = atoms();
-        const shades = complex.atoms.map((_, atom) => atomShade(scene, atom));
-        byTriangle((t) => shades[nearest[t]])(...to);
-      },
-      legend: () => ({ swatches: scene.elementsPresent().map(({ name, colour, count }) =>
-        ({ name, colour, count })) , more: 'of the nearest atom, each in a shade of its own' }),
-    });
-  }
-
-  if (page.has('mesh.region')) {
-    const region = lazily(() => mesh.addParents(page.array('mesh.region')));
-    list.push({
-      id: 'region', label: 'Morse–Smale region',
-      paint: (...to) => {
-        const colours = scene.regionColours();
-        const number = region();
-        byTriangle((t) => colours[number[t]])(...to);
-      },
-      legend: () => ({ swatches: [], more: `${scene.regionCount().toLocaleString('en')} pairs of a ` +
-        'minimum and a maximum, a colour each' }),
-    });
-  }
-
-  if (page.about.function) {
-    const values = lazily(() => scene.functionValues());
-    list.push({
-      id: 'value', label: 'Morse function',
-      paint: (...to) => {
-        const { value, low, span } = values();
-        byCorner((t, k) => onScale((value[mesh.corners[3 * t + k]] - low) / span))(...to);
-      },
-      legend: () => {
-        const { low, span } = values();
-        return { scale: [short(low), short(low + span / 2), short(low + span)],
-          unit: page.about.function.words.replace(/ along.*| from.*/, '') +
-            ', ' + page.about.function.unit.replace('A', 'Å') };
-      },
-    });
-  }
-
-  if (scene.operation) {
-    list.push({
-      id: 'operation', label: 'Operation',
-      paint: byTriangle((t) => palette.operations[scene.operation[t]]),
-      legend: () => {
-        const counts = tally(scene.operation, 5);
-        return { swatches: scene.operationNames.map((name, i) =>
-          ({ name, colour: palette.operations[i], count: counts[i] })), more: 'triangles each laid' };
-      },
-    });
-  }
-
-  list.push({
-    id: 'plain', label: 'Plain',
-    paint: byTriangle(() => palette.plain),
-    legend: () => ({ swatches: [] }),
-  });
-  return list;
+      barsInWords: 'Histogram of the smallest angles: ' + shares().map(([degrees, part]) =>
+        `${part} of the triangles below ${degrees} degrees`).join(', ') +
+        `; largest: ${obtuse()} above 90`,
+      unit: 'smallest angle' + (about.min_angle_deg
+        ? `; least ${about.min_angle_deg.toFixed(1)}°` : ''),
+      more: 'below ' + shares().map(([degrees, part]) => `${degrees}°: ${part}`).join(', ') +
+        `; above 90°: ${obtuse()}` }) };
 }
 
-function tallyAll(numbers) {
-  let most = -1;
-  for (const n of numbers) most = Math.max(most, n);
-  return tally(numbers, most + 1);
+function component(scene) {
+  return { id: 'component', label: 'Component',
+    colours: () => {
+      const { ofTriangle, list } = scene.components();
+      const colours = list.map((_, i) => palette.categorical(i));
+      return byTriangle((t) => colours[ofTriangle[t]]);
+    },
+    legend: () => {
+      const { list } = scene.components();
+      return { swatches: list.slice(0, 6).map(({ name, triangles }, i) =>
+        ({ name, colour: palette.categorical(i), count: triangles })),
+      more: list.length > 6 ? `and ${list.length - 6} more` : '' };
+    } };
+}
+
+function nearestAtom(scene) {
+  return { id: 'atom', label: 'Atom',
+    colours: () => {
+      const shades = scene.complex.atoms.map((_, atom) => atomShade(scene, atom));
+      return byPart(new AtomParts(scene), (atom) => shades[atom]);
+    },
+    legend: () => ({ swatches: scene.elementsPresent().map(({ name, colour, count }) =>
+      ({ name, colour, count })), more: 'of the nearest atom, each in a shade of its own' }) };
 }
 
 // The element's colour, a little lighter or darker for each atom.
@@ -212,4 +131,43 @@ function atomShade(scene, atom) {
   const colour = scene.elementColour(atom);
   const shade = 0.86 + 0.28 * ((atom * 0.618034) % 1);
   return colour.map((x) => Math.min(255, x * shade));
+}
+
+function region(scene) {
+  const numbers = lazily(() => scene.mesh.addParents(scene.page.array('mesh.region')));
+  return { id: 'region', label: 'Morse–Smale region',
+    colours: () => {
+      const colours = scene.regionColours();
+      return byTriangle((t) => colours[numbers()[t]]);
+    },
+    legend: () => ({ swatches: [], more: `${scene.regionCount().toLocaleString('en')} pairs of a ` +
+      'minimum and a maximum, a colour each' }) };
+}
+
+function functionValue(scene) {
+  const scale = lazily(() => spread(scene.functionValues()));
+  const { words, unit } = scene.page.about.function;
+  return { id: 'value', label: 'Morse function', values: () => scale().values,
+    legend: () => {
+      const { low, span } = scale();
+      return { scale: [short(low), short(low + span / 2), short(low + span)],
+        unit: words.replace(/ along.*| from.*/, '') + ', ' + unit.replace('A', 'Å') };
+    } };
+}
+
+function operation(scene) {
+  return { id: 'operation', label: 'Operation',
+    colours: () => byTriangle((t) => palette.operations[scene.operation[t]]),
+    legend: () => {
+      const counts = tally(scene.operation, 5);
+      return { swatches: scene.operationNames.map((name, i) =>
+        ({ name, colour: palette.operations[i], count: counts[i] })), more: 'triangles each laid' };
+    } };
+}
+
+function seam(scene) {
+  return { id: 'seam', label: 'Seams of fronts',
+    colours: () => byTriangle((t) => (scene.seam[t] ? palette.red : palette.plain)),
+    legend: () => ({ swatches: [{ name: 'where two fronts met', colour: palette.red,
+      count: tally(scene.seam, 2)[1] }] }) };
 }

@@ -1,7 +1,15 @@
-// Small helpers to build the panel.
+// Small helpers to build the panel, and the interactive parts of the course.
 
 export function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
+  return filled(document.createElement(tag), attributes, children);
+}
+
+// Of SVG.
+export function shape(tag, attributes = {}, ...children) {
+  return filled(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
+}
+
+function filled(made, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
     else if (value === true) made.setAttribute(name, '');
@@ -24,17 +32,8 @@ const shapes = {
   pause: 'M5.5 3.5v9M10.5 3.5v9',
 };
 
-export function icon(name) {
-  const space = 'http://www.w3.org/2000/svg';
-  const svg = document.createElementNS(space, 'svg');
-  svg.setAttribute('viewBox', '0 0 16 16');
-  svg.setAttribute('class', `shape shape-${name}`);
-  svg.setAttribute('aria-hidden', 'true');
-  const path = document.createElementNS(space, 'path');
-  path.setAttribute('d', shapes[name]);
-  svg.append(path);
-  return svg;
-}
+export const icon = (name) => shape('svg', { viewBox: '0 0 16 16', class: `shape shape-${name}`,
+  'aria-hidden': 'true' }, shape('path', { d: shapes[name] }));
 
 export const number = (n) => n.toLocaleString('en');
 

@@ -3,6 +3,9 @@
 import { Mesh } from './mesh.js';
 import { Surface } from './surface.js';
 
+// A frame's triangles are not those of the mesh: what colours these does not fit them.
+const grey = [200, 200, 200];
+
 export class Growth {
   constructor(scene) {
     this.scene = scene;
@@ -15,7 +18,7 @@ export class Growth {
     if (!this.made.has(i)) {
       const mesh = new Mesh(this.scene.page, this.frames[i].name, this.scene.centre);
       const surface = new Surface(mesh, mesh.vertexNormals(), null);
-      surface.paint({ paint: (colours) => colours.fill(200) });
+      surface.paint({ colours: () => (t, three) => { three.fill(grey); } });
       this.made.set(i, surface);
     }
     return this.made.get(i);
@@ -24,9 +27,6 @@ export class Growth {
   surfaces() {
     return [...this.made.values()];
   }
-
-  // A frame's triangles are not those of the mesh: what colours these does not fit them.
-  paint() {}
 
   show(frame, world, state) {
     if (frame < this.frames.length) {

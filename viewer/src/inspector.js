@@ -1,4 +1,4 @@
-// What a click on the surface tells: the triangle, its corner nearest to the click, and the atom.
+// What a click on the surface tells: the triangle, its corner nearest to the click, atom and residue.
 
 import * as THREE from 'three';
 import { patchKinds } from './mixed_complex.js';
@@ -12,8 +12,9 @@ export function pick(viewer, x, y) {
   const ray = new THREE.Raycaster();
   ray.setFromCamera(new THREE.Vector2(x, y), stage.camera);
   const plane = surface.uniforms.plane.value;
-  const hit = ray.intersectObject(surface.body, false).find(({ point }) => !viewer.state.cut ||
-    point.x * plane.x + point.y * plane.y + point.z * plane.z <= plane.w);
+  const isSeen = ({ point, faceIndex }) => !scene.isHidden(surface.order[faceIndex]) &&
+    (!viewer.state.cut || point.x * plane.x + point.y * plane.y + point.z * plane.z <= plane.w);
+  const hit = ray.intersectObject(surface.body, false).find(isSeen);
   if (!hit) return null;
   const triangle = surface.order[hit.faceIndex];
   const corners = [...scene.mesh.corners.subarray(3 * triangle, 3 * triangle + 3)];
@@ -33,24 +34,33 @@ export function facts(scene, { triangle, vertex }) {
   const angles = [0, 1, 2].map((k) => p[(k + 1) % 3].clone().sub(p[k])
     .angleTo(p[(k + 2) % 3].clone().sub(p[k])) * degrees);
   const rows = [['Triangle', `angles ${angles.map((a) => a.toFixed(1)).join('°, ')}°`]];
-  if (scene.operation) rows.push(['Laid by', scene.operationNames[scene.operation[triangle]]]);
+  if (scene.operation) {
+    const where = scene.seam[triangle] ? ', where two fronts met' : '';
+    rows.push(['Laid by', scene.operationNames[scene.operation[triangle]] + where]);
+  }
   const at = place(scene, vertex), file = at.toArray().map((x, k) => x + scene.centre[k]);
   rows.push(['Vertex', `at ${file.map((x) => x.toFixed(3)).join(', ').replaceAll('-', '−')}`]);
   if (!scene.cells) return rows;
   const { complex, cells } = scene;
   const rho = corners.map((v, k) => complex.lengthScale(cells[v], ...p[k].toArray()));
-  const { C, Q } = scene.page.about;
+  const { C, Q, largest_length_scale: largest = Infinity } = scene.page.about;
   if (C) {
+    const scale = (...scales) => Math.min(Math.max(...scales), largest);
     const circumradius = sides[0] / (2 * Math.sin(angles[0] / degrees));
     const least = Math.min(...sides.map((side, k) =>
-      (Q * side) / (2 * C * Math.max(rho[(k + 1) % 3], rho[(k + 2) % 3]))));
+      (Q * side) / (2 * C * scale(rho[(k + 1) % 3], rho[(k + 2) % 3]))));
     rows.push(['[L] (above 1)', short(least)],
-      ['[U] (below 1)', short(circumradius / (C * Q * Math.min(...rho)))]);
+      ['[U] (below 1)', short(circumradius / (C * Q * scale(Math.min(...rho))))]);
   }
   rows.push(['ρ', `${short(rho[corners.indexOf(vertex)])} Å`],
     ['Cell', `${patchKinds[complex.dimension(cells[vertex])]}; balls ${
       [...complex.corners(cells[vertex])].map((atom) => atom + 1).join(', ')}`]);
   const atom = complex.nearestAtom(cells[vertex], ...at.toArray());
   rows.push(['Nearest ball', `${atom + 1} ${scene.elementName(atom)}`.trim()]);
-  return rows;
+  const label = scene.label(atom);
+  if (label) {
+    rows.push(['Its atom', label.name], ['Residue', `${label.residue} ${label.number}`.trim() +
+      (label.chain && `, chain ${label.chain}`)]);
+  }
+  return rows.filter(([, words]) => words !== '');
 }

@@ -14,6 +14,7 @@ export const keys = [
   ['M', 'mixed cells, cut by the plane'],
   ['U', 'cut the surface'],
   ['[ ]', 'move the plane'],
+  ['V', 'the Morse function: direction or centre, and level'],
   ['Space', 'run the sweep'],
   [', .', 'one step back, on (Shift: a hundredth)'],
   ['G', 'let it grow'],
@@ -26,7 +27,7 @@ export const keys = [
 ];
 
 const switches = { e: 'edges', x: 'seeThrough', a: 'atoms', k: 'points', l: 'lines', s: 'spheres',
-  i: 'simplified', m: 'section', u: 'cut', p: 'panel' };
+  i: 'simplified', m: 'section', u: 'cut', v: 'level', p: 'panel' };
 const styles = { 1: 'smooth', 2: 'flat', 3: 'wire', 4: 'off' };
 
 export function listen(viewer) {

@@ -2,6 +2,16 @@
 
 import { readFrontCode } from './front_code.js';
 
+// The least and the greatest of many numbers.
+export function extent(numbers) {
+  let low = Infinity, high = -Infinity;
+  for (const x of numbers) {
+    low = Math.min(low, x);
+    high = Math.max(high, x);
+  }
+  return { low, high };
+}
+
 export class Mesh {
   // centre: what to take off all positions, so that single precision is enough for them.
   constructor(page, name, centre) {
@@ -89,17 +99,32 @@ export class Mesh {
   // The smallest angle of each triangle, degrees; where rounding to the grid brings one below the
   // mesh's own least, that.
   smallestAngles(least = 0) {
-    const { positions: p, corners } = this;
     const angles = new Float32Array(this.triangleCount);
-    const side = (a, b) => (p[a] - p[b]) ** 2 + (p[a + 1] - p[b + 1]) ** 2 + (p[a + 2] - p[b + 2]) ** 2;
     for (let t = 0; t < angles.length; ++t) {
-      const [a, b, c] = [3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2]];
-      const sides = [side(a, b), side(b, c), side(c, a)].sort((x, y) => x - y);
+      const sides = this.#squaredSides(t);
       const cosine = (sides[1] + sides[2] - sides[0]) / (2 * Math.sqrt(sides[1] * sides[2]));
       const angle = Number.isFinite(cosine) ? Math.acos(Math.min(1, cosine)) * 180 / Math.PI : 0;
       angles[t] = Math.max(least, angle);
     }
     return angles;
+  }
+
+  // How many triangles have an angle above 90 degrees.
+  obtuseTriangles() {
+    let count = 0;
+    for (let t = 0; t < this.triangleCount; ++t) {
+      const [short, middle, long] = this.#squaredSides(t);
+      count += long > short + middle;
+    }
+    return count;
+  }
+
+  // Ascending.
+  #squaredSides(t) {
+    const { positions: p, corners } = this;
+    const [a, b, c] = [3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2]];
+    const side = (u, v) => (p[u] - p[v]) ** 2 + (p[u + 1] - p[v + 1]) ** 2 + (p[u + 2] - p[v + 2]) ** 2;
+    return [side(a, b), side(b, c), side(c, a)].sort((x, y) => x - y);
   }
 
   // The connected component of each triangle, numbered as they come.
@@ -120,6 +145,23 @@ export class Mesh {
       if (!number.has(r)) number.set(r, number.size);
       return number.get(r);
     });
+  }
+
+  // By component its triangles and the volume on their inner side, below 0 for the walls of a void.
+  enclosed(components) {
+    const list = [], { corners, positions: p } = this;
+    for (let t = 0; t < components.length; ++t) {
+      const [a, b, c] = [3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2]];
+      // From a corner of the component, so that a small one far away is not lost in rounding.
+      const of = (list[components[t]] ??= { triangles: 0, volume: 0, from: a });
+      const x = (v, k) => p[v + k] - p[of.from + k];
+      const det = x(a, 0) * (x(b, 1) * x(c, 2) - x(b, 2) * x(c, 1)) +
+        x(a, 1) * (x(b, 2) * x(c, 0) - x(b, 0) * x(c, 2)) +
+        x(a, 2) * (x(b, 0) * x(c, 1) - x(b, 1) * x(c, 0));
+      ++of.triangles;
+      of.volume += det / 6;
+    }
+    return list;
   }
 
   // Edges with a triangle on each side: two vertices and both triangles to an edge. An edge with

@@ -119,8 +119,7 @@ export class MixedComplex {
   nearestAtom(cell, x, y, z) {
     let best = 0, least = Infinity;
     for (const atom of this.corners(cell)) {
-      const [px, py, pz, w] = this.atoms[atom];
-      const power = (x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2 - w;
+      const power = this.power(atom, x, y, z);
       if (power < least) [best, least] = [atom, power];
     }
     return best;
@@ -142,16 +141,37 @@ export class MixedComplex {
       for (const atom of corners) {
         const facet = corners.filter((other) => other !== atom);
         const small = place[facet.length - 1].get(facet.join());
-        const n = this.#across(facet, atom);
-        const c = this.centres;
-        let offset = 0;
-        for (let k = 0; k < 3; ++k) offset += n[k] * (c[3 * small + k] + c[3 * large + k]) / 2;
-        walls[small].push(n[0], n[1], n[2], offset);
-        walls[large].push(-n[0], -n[1], -n[2], -offset);
+        const wall = this.#wall(small, large, facet, atom);
+        walls[small].push(...wall);
+        walls[large].push(...wall.map((x) => -x));
       }
     }
     this.wallLists = walls;
     return walls;
+  }
+
+  // Between the cells of a simplex and of the one it makes with an atom: a normal to the second, and
+  // an offset.
+  #wall(small, large, facet, atom) {
+    const n = this.#across(facet, atom), c = this.centres;
+    let offset = 0;
+    for (let k = 0; k < 3; ++k) offset += n[k] * (c[3 * small + k] + c[3 * large + k]) / 2;
+    return [...n, offset];
+  }
+
+  // The wall between two cells, its normal to the second; nothing if they share none.
+  wallBetween(one, other) {
+    if (one > other) return this.wallBetween(other, one)?.map((x) => -x);
+    const facet = Array.from(this.corners(one)), corners = Array.from(this.corners(other));
+    const more = corners.filter((atom) => !facet.includes(atom));
+    if (more.length !== 1 || corners.length !== facet.length + 1) return null;
+    return this.#wall(one, other, facet, more[0]);
+  }
+
+  // The power of a point to an atom's ball.
+  power(atom, x, y, z) {
+    const [px, py, pz, w] = this.atoms[atom];
+    return (x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2 - w;
   }
 
   // The part of an atom's direction that is orthogonal to a simplex it does not belong to.

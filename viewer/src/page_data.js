@@ -46,6 +46,7 @@ export class PageData {
     const { kind, at, count, planes } = this.entries.get(name);
     if (kind === 'unsigned') return joinPlanes(this.bytes, at, count, planes);
     if (kind === 'signed') return unfold(joinPlanes(this.bytes, at, count, planes));
+    if (kind === 'text') return new TextDecoder().decode(this.bytes.subarray(at, at + count));
     // Copied, because a typed array must begin at a multiple of its width.
     const copy = this.bytes.slice(at, at + count * planes).buffer;
     return kind === 'float' ? new Float32Array(copy) : new Float64Array(copy);

@@ -24,13 +24,13 @@ export const elements = {
 export const otherElement = [216, 130, 190];
 
 // Six places of viridis (Smith and van der Walt, CC0), straight in between.
-const viridis = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81],
-  [253, 231, 37]];
+export const scaleColours = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132],
+  [122, 209, 81], [253, 231, 37]];
 
 export function gradient(x) {
-  const at = Math.min(Math.max(x, 0), 1) * (viridis.length - 1);
-  const i = Math.min(Math.floor(at), viridis.length - 2), share = at - i;
-  return viridis[i].map((a, k) => a + share * (viridis[i + 1][k] - a));
+  const at = Math.min(Math.max(x, 0), 1) * (scaleColours.length - 1);
+  const i = Math.min(Math.floor(at), scaleColours.length - 2), share = at - i;
+  return scaleColours[i].map((a, k) => a + share * (scaleColours[i + 1][k] - a));
 }
 
 // A colour for the n-th of many things, far from those of its neighbours in number: hues a golden

@@ -1,37 +1,18 @@
 // The panel: what is shown, with its legend, counts and switches. It reads and changes the viewer's
 // state through the functions it is given, and follows when the state changes by other ways.
 
+import { ComponentList } from './components.js';
 import { choice, element, histogram, icon, number, section, toggle } from './dom.js';
+import { certificateLine, headline } from './headline.js';
 import { hex } from './palette.js';
+import { levelColour } from './level.js';
 import * as palette from './palette.js';
 
 const css = (colour) => hex(colour);
 
-/** { chain: ["A"], waters: true } as "chain A, waters". */
-function selectionWords(selection) {
-  return Object.entries(selection).map(([name, value]) => {
-    const words = name.replaceAll('_', ' ');
-    return value === true ? words : `${words} ${[value].flat().join(' ')}`;
-  }).join(', ');
-}
-
-function headline(about) {
-  const lines = [`${number(about.mesh.triangles)} triangles, ${number(about.mesh.vertices)} vertices`];
-  if (about.atoms) lines.push(`${number(about.atoms)} atoms, model ${about.model}`);
-  if (about.selection) lines.push(`only ${selectionWords(about.selection)}`);
-  if (about.min_angle_deg) lines.push(`smallest angle ${about.min_angle_deg.toFixed(2)}°`);
-  return lines.join(' · ');
-}
-
-function certificateLine(about) {
-  if (about.certified === undefined) return null;
-  return about.certified
-    ? element('details', { class: 'certified' },
-      element('summary', {}, 'Certified: homeomorphic, sizes and angles as claimed'),
-      element('p', { class: 'note' }, 'Proved from the mesh as it is written, rounding counted: it is a closed surface that a ',
-        'continuous motion of space carries onto the skin, with every component and no other; its vertices lie on the skin; ',
-        '[U] and the claimed angles hold for every triangle. “morskin check” proves it again.'))
-    : element('p', { class: 'uncertified' }, `Not certified: ${about.reason}`);
+// unit: A or A^2.
+function withUnit(value, unit) {
+  return `${value.toFixed(2)} ${unit.replace('A', 'Å').replace('^2', '²')}`.replace('-', '−');
 }
 
 export class Panel {
@@ -45,6 +26,10 @@ export class Panel {
     this.told.hidden = true;
     this.told.setAttribute('aria-live', 'polite');
     body.append(this.told, this.#surface());
+    if (viewer.scene.components().list.length > 1) {
+      this.components = new ComponentList(viewer);
+      body.append(this.components.root);
+    }
     if (viewer.sweep) body.append(this.#sweep());
     if (viewer.growth) body.append(this.#growth());
     const layers = this.#layers();
@@ -52,7 +37,7 @@ export class Panel {
     if (viewer.section) body.append(this.#plane());
     body.append(element('p', { class: 'foot' }, `morskin ${about.version}`,
       viewer.scene.page.about.C ? ` · C ${about.C}, Q ${about.Q}` : '',
-      about.function ? ` · ${about.function.words.replace(' A', ' Å')}` : ''));
+      about.function ? ` · ${about.function.words}` : ''));
     this.fold = element('button', { type: 'button', class: 'fold', 'aria-expanded': 'true',
       title: 'Fold or unfold the panel (P)', 'aria-label': 'Fold or unfold the panel',
       onclick: () => viewer.set({ panel: !viewer.state.panel }) }, icon('fold'));
@@ -132,11 +117,29 @@ export class Panel {
       this.pointKey = element('p', { class: 'note' });
       rows.splice(rows.length - 1, 0, this.pointKey);
     }
+    if (viewer.has('level')) {
+      const isHeight = about.function.kind === 'height';
+      add('level', { label: isHeight ? 'Direction and level' : 'Centre and level', key: 'V',
+        colours: [css(levelColour)], title: `${about.function.words}; its level ` +
+          (viewer.sweep ? 'where the sweep is (V)' : 'where the slider is (V)') });
+      rows.push(this.#levelSlider());
+    }
     if (viewer.has('section')) {
       add('section', { label: 'Mixed cells', key: 'M', colours: palette.kinds.map(css),
         title: 'Cut by a plane (M)' });
     }
     return rows.length > 0 ? section('Layers', ...rows) : null;
+  }
+
+  // Where the level is; without a sweep, which takes it along, with a slider.
+  #levelSlider() {
+    const { viewer } = this;
+    this.levelNote = element('p', { class: 'note' });
+    if (viewer.sweep) return this.levelNote;
+    this.share = element('input', { type: 'range', id: 'share', min: 0, max: 1, step: 0.002,
+      'aria-label': 'Level of the Morse function',
+      oninput: () => viewer.set({ share: Number(this.share.value) }) });
+    return element('div', {}, this.share, this.levelNote);
   }
 
   #plane() {
@@ -214,6 +217,8 @@ export class Panel {
     if (this.plane && changed('axis', 'offset', 'section', 'cut')) this.#showPlane();
     if (this.step && changed('step', 'playing')) this.#showSweep();
     if (this.frame && changed('frame', 'growing')) this.#showGrowth();
+    if (this.levelNote && changed('level', 'share', 'step')) this.#showLevel();
+    if (this.components && changed('hidden')) this.components.update();
     if (changed('panel')) {
       this.root.classList.toggle('folded', !state.panel);
       this.fold.setAttribute('aria-expanded', String(state.panel));
@@ -249,6 +254,15 @@ export class Panel {
       element('span', { class: 'count' }, number(counts[i])))) : []));
   }
 
+  #showLevel() {
+    const { viewer } = this, { unit } = viewer.scene.page.about.function;
+    this.levelNote.hidden = !viewer.state.level;
+    if (viewer.state.level) this.levelNote.textContent = `level ${withUnit(viewer.level(), unit)}`;
+    if (!this.share) return;
+    this.share.hidden = !viewer.state.level;
+    this.share.value = viewer.state.share;
+  }
+
   #showSweep() {
     const { viewer } = this, { sweep, state } = viewer;
     this.step.value = state.step;
@@ -261,10 +275,9 @@ export class Panel {
     const { about } = viewer.scene.page;
     const isWhole = state.step === sweep.steps;
     const level = sweep.level();
-    const unit = about.function.unit.replace('A', 'Å');
     this.frontNote.textContent = `${number(sweep.triangles())} triangles, ` + (isWhole
       ? 'closed' : `${number(sweep.frontEdges ?? 0)} edges in the front` +
-        (level === level ? ` at ${level.toFixed(2)} ${unit}`.replace('-', '−') : ''));
+        (level === level ? ` at ${withUnit(level, about.function.unit)}` : ''));
   }
 
   #showGrowth() {

@@ -1,7 +1,7 @@
 // What the page shows, from the arrays it carries: the mesh, what is known of its vertices and
 // triangles, and everything in coordinates about one centre.
 
-import { Mesh } from './mesh.js';
+import { extent, Mesh } from './mesh.js';
 import { MixedComplex } from './mixed_complex.js';
 import * as palette from './palette.js';
 
@@ -27,9 +27,11 @@ export class Scene {
     if (page.has('mesh.birth')) {
       this.birth = this.mesh.addParents(page.array('mesh.birth'));
       this.operation = page.array('mesh.operation');
+      this.seam = page.array('mesh.seam');
     }
     if (page.has('critical.index')) this.points = this.#criticalPoints();
     this.isSimplified = false;
+    this.isHidden = () => false; // by triangle
   }
 
   #criticalPoints() {
@@ -80,16 +82,29 @@ export class Scene {
     return f.origin.reduce((sum, o, k) => sum + (p[k] - o) ** 2, 0);
   }
 
+  // By vertex.
   functionValues() {
     const p = this.mesh.positions;
-    const value = new Float32Array(this.mesh.vertexCount);
-    let low = Infinity, high = -Infinity;
-    for (let v = 0; v < value.length; ++v) {
-      value[v] = this.functionValue(p[3 * v], p[3 * v + 1], p[3 * v + 2]);
-      low = Math.min(low, value[v]);
-      high = Math.max(high, value[v]);
-    }
-    return { value, low, span: high - low || 1 };
+    return Float32Array.from({ length: this.mesh.vertexCount }, (_, v) =>
+      this.functionValue(p[3 * v], p[3 * v + 1], p[3 * v + 2]));
+  }
+
+  functionRange() {
+    return (this.range ??= extent(this.functionValues()));
+  }
+
+  // The components of the mesh: by triangle its number; by number a name, triangles and, of a closed
+  // mesh, the volume enclosed. Outer surfaces come first, then the walls of voids, the largest first.
+  components() {
+    return (this.sorted ??= sortedComponents(this.mesh, this.page.about.closed));
+  }
+
+  // Of the file, as far as it tells: { chain, residue, number, name }.
+  label(atom) {
+    if (!this.page.has('atoms.labels')) return null;
+    this.labels ??= this.page.array('atoms.labels').split('\0');
+    const [chain, residue, number, name] = this.labels.slice(4 * atom, 4 * atom + 4);
+    return { chain, residue, number, name };
   }
 
   elementName(atom) {
@@ -134,4 +149,25 @@ export class Scene {
       return palette.categorical(number.get(name));
     });
   }
+}
+
+function sortedComponents(mesh, isClosed) {
+  const ofTriangle = mesh.components(), list = mesh.enclosed(ofTriangle);
+  const order = list.map((_, i) => i);
+  if (isClosed) {
+    const isVoid = (i) => Number(list[i].volume < 0);
+    order.sort((i, j) => isVoid(i) - isVoid(j) ||
+      Math.abs(list[j].volume) - Math.abs(list[i].volume));
+  }
+  const place = new Uint32Array(list.length);
+  order.forEach((i, at) => { place[i] = at; });
+  const outer = list.filter(({ volume }) => volume >= 0).length;
+  const name = (i, at) => {
+    if (!isClosed) return `component ${at + 1}`;
+    if (list[i].volume < 0) return `void ${at - outer + 1}`;
+    return outer === 1 ? 'outside' : `outside ${at + 1}`;
+  };
+  return { ofTriangle: ofTriangle.map((i) => place[i]),
+    list: order.map((i, at) => ({ name: name(i, at), triangles: list[i].triangles,
+      volume: isClosed ? Math.abs(list[i].volume) : null })) };
 }

@@ -35,12 +35,14 @@ export class Sweep {
     const total = count[this.steps + 1];
     this.ends = new Uint32Array(2 * total);
     this.until = new Uint32Array(total);
+    this.beside = new Uint32Array(total); // a triangle of the edge
     const next = count.slice();
     for (let i = 0; i < all.length; i += 4) {
       if (from(i) === to(i)) continue;
       const at = next[from(i)]++;
       this.ends.set([all[i], all[i + 1]], 2 * at);
       this.until[at] = to(i);
+      this.beside[at] = all[i + 2];
     }
     this.firstOf = count;
     let most = 0, now = 0;
@@ -62,7 +64,7 @@ export class Sweep {
     const last = this.firstOf[this.step];
     let n = 0;
     for (let e = 0; e < last; ++e) {
-      if (this.until[e] < this.step) continue;
+      if (this.until[e] < this.step || this.scene.isHidden(this.beside[e])) continue;
       for (let k = 0; k < 2; ++k) {
         const v = 3 * this.ends[2 * e + k], at = 6 * n + 3 * k;
         array[at] = p[v];

@@ -6,14 +6,15 @@ import { element, icon } from './dom.js';
 import { Growth } from './growth.js';
 import { atomLayer, lineLayer, pointLayer, SectionLayer, sphereLayer } from './layers.js';
 import { facts, pick } from './inspector.js';
+import { functionLevel } from './level.js';
 import { Panel } from './panel.js';
+import { playGrowth, playSweep } from './playing.js';
 import { ScaleBar } from './scale_bar.js';
 import { Scene } from './scene.js';
 import { Stage } from './stage.js';
 import { Surface } from './surface.js';
 import { Sweep } from './sweep.js';
 
-const playSeconds = 18;
 const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 export class Viewer {
@@ -30,7 +31,8 @@ export class Viewer {
     this.state = {
       style: 'smooth', colouring: this.colourings[0].id, edges: false, seeThrough: false,
       atoms: false, points: false, lines: false, spheres: false, simplified: false,
-      section: false, cut: false, axis: 'z', offset: 0, panel: true,
+      section: false, cut: false, axis: 'z', offset: 0, panel: true, hidden: '',
+      level: false, share: 0.5,
       step: this.sweep?.steps ?? 0, playing: false,
       frame: this.growth?.frames.length ?? 0, growing: false,
     };
@@ -89,6 +91,7 @@ export class Viewer {
 
   has(layer) {
     const { page, points } = this.scene;
+    if (layer === 'level') return Boolean(page.about.function);
     if (layer === 'atoms' || layer === 'section') return Boolean(this.scene.complex);
     if (layer === 'lines') return page.has('lines.index');
     return Boolean(points && points.length > 0);
@@ -114,16 +117,17 @@ export class Viewer {
     if (changed('style', 'edges', 'seeThrough', 'cut')) this.#dress();
     if (changed('section', 'cut', 'axis', 'offset')) this.#cut();
     if (changed('atoms', 'points', 'lines', 'spheres', 'simplified', 'section')) this.#showLayers();
-    if (changed('step')) this.#showStep();
+    if (changed('hidden')) this.#hide();
+    if (changed('step', 'hidden')) this.#showStep();
     if (changed('frame')) this.#showFrame();
+    if (changed('level', 'share', 'step')) this.#showLevel();
     this.panel.update(what);
     if (changed('panel')) requestAnimationFrame(() => this.stage.resize());
-    this.stage.draw(changed('offset', 'step', 'frame'));
+    this.stage.draw(changed('offset', 'share', 'step', 'frame'));
   }
 
   #paint() {
     this.surface.paint(this.colouring);
-    this.growth?.paint(this.colouring);
   }
 
   #dress() {
@@ -189,11 +193,37 @@ export class Viewer {
     }
   }
 
+  hiddenComponents() {
+    return new Set(this.state.hidden === '' ? [] : this.state.hidden.split(',').map(Number));
+  }
+
+  #hide() {
+    const { ofTriangle } = this.scene.components(), hidden = this.hiddenComponents();
+    this.scene.isHidden = hidden.size > 0 ? (t) => hidden.has(ofTriangle[t]) : () => false;
+    this.surface.hide(this.scene.isHidden);
+  }
+
+  // The value of the Morse function that is shown: where the sweep is, or the one chosen.
+  level() {
+    const { low, high } = this.scene.functionRange();
+    if (!this.sweep) return low + this.state.share * (high - low);
+    if (this.state.step === this.sweep.steps) return high;
+    return Math.max(low, this.sweep.level() || low);
+  }
+
+  #showLevel() {
+    if (!this.state.level && !this.functionLevel) return;
+    this.functionLevel ??= functionLevel(this.scene);
+    this.#layer('level', () => this.functionLevel.group).visible = this.state.level;
+    this.functionLevel.show(this.level());
+  }
+
   goTo(step) {
     this.set({ step: Math.max(0, Math.min(this.sweep.steps, Math.round(step))), playing: false });
   }
 
   #showStep() {
+    if (!this.sweep) return;
     this.sweep.go(this.state.step);
     if (this.sweep.front && !this.sweep.frontObject.parent) {
       this.stage.world.add(this.sweep.frontObject);
@@ -202,24 +232,7 @@ export class Viewer {
   }
 
   togglePlay() {
-    if (!this.sweep) return;
-    if (this.state.playing) {
-      this.set({ playing: false });
-      return;
-    }
-    const isAtEnd = this.state.step >= this.sweep.steps;
-    this.set({ playing: true, step: isAtEnd ? 0 : this.state.step });
-    let last = performance.now(), place = this.state.step;
-    const tick = (now) => {
-      if (!this.state.playing) return;
-      // The time between two frames, but not more than looks smooth when frames are slow.
-      place += Math.min(now - last, 250) / 1000 * this.sweep.steps / playSeconds;
-      last = now;
-      const isOver = place >= this.sweep.steps;
-      this.set({ step: Math.min(Math.round(place), this.sweep.steps), playing: !isOver });
-      if (!isOver) requestAnimationFrame(tick);
-    };
-    requestAnimationFrame(tick);
+    if (this.sweep) playSweep(this);
   }
 
   goToFrame(frame) {
@@ -234,20 +247,7 @@ export class Viewer {
   }
 
   toggleGrowth() {
-    if (!this.growth) return;
-    if (this.state.growing) {
-      this.set({ growing: false });
-      return;
-    }
-    const { length } = this.growth.frames;
-    this.set({ growing: true, frame: this.state.frame >= length ? 0 : this.state.frame });
-    const tick = () => {
-      if (!this.state.growing) return;
-      const frame = this.state.frame + 1;
-      this.set({ frame, growing: frame < length });
-      if (frame < length) setTimeout(tick, 6000 / length);
-    };
-    setTimeout(tick, 6000 / length);
+    if (this.growth) playGrowth(this);
   }
 
   nextColouring(by) {

@@ -49,7 +49,7 @@ test('a click tells of triangle, vertex and ball, and beside the surface of noth
       await page.mouse.click(width * share, height / 2);
       if (await told.isVisible()) { words = await told.textContent(); break; }
     }
-    assert.match(words, /angles [\d.]+°, [\d.]+°, [\d.]+°.*Laid by.*Vertexat.*\[L\].*\[U\].*ρ.*Cell.*Nearest ball/);
+    assert.match(words, /angles [\d.]+°, [\d.]+°, [\d.]+°.*Laid by.*Vertexat.*\[L\].*\[U\].*ρ.*Cell.*Nearest ball.*Its atom[A-Z].*Residue0PJ/);
     const [, L] = words.match(/\(above 1\)([\d.]+)/), [, U] = words.match(/\(below 1\)([\d.]+)/);
     assert.ok(Number(L) > 1 && Number(U) < 1, words);
     await page.mouse.click(3, 3);

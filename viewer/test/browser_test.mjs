@@ -39,7 +39,7 @@ test('every colouring of the surface differs from the one before', { timeout: 90
   await withPage(pages.ligand, small, async (page) => {
     const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
     assert.deepEqual(ids, ['kind', 'scale', 'quality', 'component', 'atom', 'region', 'value',
-      'operation', 'plain']);
+      'seam', 'operation', 'plain']);
     await picture(page, 'colour-kind');
     for (const id of ids.slice(1)) {
       const changed = await change(page, () => page.locator('#colour').selectOption(id));
@@ -67,6 +67,8 @@ test('the angles of the page are as many below 30, 35 and 40 degrees as those of
         assert.ok(Math.abs(told - share(degrees)) < 0.2, `${told} below ${degrees}`);
       }
       assert.equal(Number(shares[0][1]), 0);
+      const above = 100 * report.quality.triangles_above_deg[90] / report.triangles;
+      assert.ok(Math.abs(told.match(/([\d.]+) % above 90/)[1] - above) < 0.2, `${told}, not ${above}`);
       const heights = await page.locator('.histogram i').evaluateAll((bars) =>
         bars.map((bar) => bar.getBoundingClientRect().height));
       assert.equal(heights.length, 40);

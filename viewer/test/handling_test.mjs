@@ -52,7 +52,7 @@ test('every key of the help does what it says', { timeout: 900000 }, async () =>
     const eye = () => page.evaluate(() => window.viewer.stage.camera.position.toArray().join());
     for (const [key, name] of [['e', 'edges'], ['x', 'seeThrough'], ['a', 'atoms'], ['k', 'points'],
       ['l', 'lines'], ['s', 'spheres'], ['i', 'simplified'], ['m', 'section'], ['u', 'cut'],
-      ['p', 'panel'], ['1', 'style'], ['2', 'style'], ['3', 'style'], ['4', 'style'],
+      ['v', 'level'], ['p', 'panel'], ['1', 'style'], ['2', 'style'], ['3', 'style'], ['4', 'style'],
       ['c', 'colouring'], ['C', 'colouring'], [']', 'offset'], ['[', 'offset'], [',', 'step'],
       ['.', 'step'], ['<', 'step'], ['>', 'step'], [' ', 'playing'], [' ', 'playing']]) {
       if (key === '1') await page.keyboard.press('2');

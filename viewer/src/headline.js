@@ -1,0 +1,30 @@
+// What stands under the title: counts, and whether the mesh is certified.
+
+import { element, number } from './dom.js';
+
+/** { chain: ["A"], waters: true } as "chain A, waters". */
+function selectionWords(selection) {
+  return Object.entries(selection).map(([name, value]) => {
+    const words = name.replaceAll('_', ' ');
+    return value === true ? words : `${words} ${[value].flat().join(' ')}`;
+  }).join(', ');
+}
+
+export function headline(about) {
+  const lines = [`${number(about.mesh.triangles)} triangles, ${number(about.mesh.vertices)} vertices`];
+  if (about.atoms) lines.push(`${number(about.atoms)} atoms, model ${about.model}`);
+  if (about.selection) lines.push(`only ${selectionWords(about.selection)}`);
+  if (about.min_angle_deg) lines.push(`smallest angle ${about.min_angle_deg.toFixed(2)}°`);
+  return lines.join(' · ');
+}
+
+export function certificateLine(about) {
+  if (about.certified === undefined) return null;
+  return about.certified
+    ? element('details', { class: 'certified' },
+      element('summary', {}, 'Certified: homeomorphic, sizes and angles as claimed'),
+      element('p', { class: 'note' }, 'Proved from the mesh as it is written, rounding counted: it is a closed surface that a ',
+        'continuous motion of space carries onto the skin, with every component and no other; its vertices lie on the skin; ',
+        '[U] and the claimed angles hold for every triangle. “morskin check” proves it again.'))
+    : element('p', { class: 'uncertified' }, `Not certified: ${about.reason}`);
+}
