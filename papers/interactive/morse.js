@@ -223,7 +223,7 @@ document.getElementById('part').append(
       'Dark is low, light is high. Red lines fall from saddles (blue) to minima, green ones rise to maxima. Click a line to cancel its ends. ',
       'The margin shows again what lies across.'), facts, said),
     element('div', {}, task,
-      element('div', { class: 'row' }, button('‹', () => choose(state.chosen - 1), { 'aria-label': 'line before' }),
+      element('div', { class: 'row' }, button('‹', () => choose(Math.max(state.chosen, 0) - 1), { 'aria-label': 'line before' }),
         button('›', () => choose(state.chosen + 1), { 'aria-label': 'next line' }), cancelIt, place),
       element('div', { class: 'row' }, least, undo,
         button('start again', () => put(state.history.splice(0)[0] ?? state.complex))),
