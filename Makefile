@@ -11,7 +11,7 @@ FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
 sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
-.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers test-papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
+.PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers student-course test-papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
 
 build: deps  ## build everything, optimised, into build/ (the default)
 	cmake --preset release
@@ -126,6 +126,10 @@ papers: build  ## build the course of papers/ as a site, run its commands and ch
 	@python3 papers/course/build.py --jobs $(JOBS)
 	@$(PYTHON) tests/site_plugins_test.py
 	@$(PYTHON) tests/kept_pictures_test.py
+
+student-course: build  ## build the course without its solutions, as a site and an archive
+	@cmake/install_packages.sh cmake/pages_packages.txt
+	@python3 papers/course/build.py --student --no-run --jobs $(JOBS)
 
 test-papers: papers  ## open every page of the course in headless Chromium, as on a phone and a desk
 	@{ command -v npm && command -v chromium; } > /dev/null || \

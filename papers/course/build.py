@@ -9,8 +9,11 @@
 - A link that leads nowhere, a name, test or excerpt that is not there, or an output that differs
   ends the build with exit code 1.
 - The site is a folder, and the same in one archive.
+- The course for students is the same without the solutions; it is searched for what gives them
+  away.
 
     make papers
+    make student-course
 """
 
 import argparse
@@ -27,12 +30,13 @@ from lesson import lesson_complaints
 from page import PAPERS, Page, complaints, page_files
 from run_commands import check_pages
 from sources import ROOT
+from student import leaks_of_site
 
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian installs Sphinx for its own
 ENTRY = '<!doctype html><meta http-equiv="refresh" content="0; url=README.html">\n'
 
 
-def built(out, boxes, command):
+def built(out, boxes, command, tags):
     """Complaints of Sphinx, which makes the site. The interactive parts are made before it."""
     shutil.rmtree(out, ignore_errors=True)
     parts = boxes / "interactive"
@@ -41,7 +45,7 @@ def built(out, boxes, command):
     done = subprocess.run(
         [SYSTEM_PYTHON, "-m", "sphinx", "-q", "-E", "-W", "--keep-going", "-b", "html",
          "-d", boxes / "doctrees", "-c", PAPERS / "course", "-D", f"made_pictures={boxes}",
-         "-D", f"interactive_parts={parts}", PAPERS, out],
+         "-D", f"interactive_parts={parts}", *(f"-t{tag}" for tag in tags), PAPERS, out],
         text=True, stderr=subprocess.PIPE, check=False,
         env={**os.environ, "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"})
     if done.returncode:
@@ -125,7 +129,8 @@ def keep_pictures(pages, boxes, arguments):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "course")
+    parser.add_argument("--out", type=Path, help="build/course, or build/student-course")
+    parser.add_argument("--student", action="store_true", help="leave out the solutions")
     parser.add_argument("--command", type=Path, default=ROOT / "build" / "morskin")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--no-run", action="store_true", help="leave the commands alone")
@@ -135,7 +140,8 @@ def main():
                         help="check only these, and build no site")
     arguments = parser.parse_args()
 
-    out = arguments.out.resolve()
+    name = "student-course" if arguments.student else "course"
+    out = (arguments.out or ROOT / "build" / name).resolve()
     boxes = out.with_name(f"{out.name}-work")
     pages = [Page(path.resolve()) for path in arguments.pages or page_files()]
     if arguments.keep_pictures:
@@ -148,8 +154,10 @@ def main():
         failures += stale_pictures(made_pictures(boxes, pages))
     seconds = time.monotonic() - start
     if not failures and not arguments.pages:
-        complaints_of_sphinx = built(out, boxes, arguments.command.resolve())
+        tags = ["student"] if arguments.student else []
+        complaints_of_sphinx = built(out, boxes, arguments.command.resolve(), tags)
         failures += complaints_of_sphinx or dead_links(out) + online_parts(out)
+        failures += leaks_of_site(out) if arguments.student else []
     for failure in failures:
         print(failure)
     print(f"{len(pages)} pages, {commands} commands run in {seconds:.0f} s, "

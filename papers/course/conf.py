@@ -11,9 +11,11 @@ project = "morskin"
 language = "en"
 root_doc = "README"
 include_patterns = ["*.md", "lessons/*.md"]
+if not tags.has("student"):  # noqa: F821  Sphinx gives it
+    include_patterns.append("solutions/*.md")
 
-extensions = ["myst_parser", "sidebar", "sources_shown", "made_pictures", "interactive",
-              "formulas", "theme"]
+extensions = ["myst_parser", "without_solutions", "sidebar", "sources_shown", "made_pictures",
+              "interactive", "formulas", "theme"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 myst_heading_slug_func = github_anchor

@@ -7,6 +7,7 @@ from sources import ROOT, excerpts_in
 
 PAPERS = ROOT / "papers"
 LESSONS = PAPERS / "lessons"
+SOLUTIONS = PAPERS / "solutions"
 FENCE = re.compile(r"^\s*(```|~~~)\s*(\w*)")
 EXCERPT = re.compile(r"^\[excerpt: ([\w-]+)\]\((?:\.\./)+(\w[\w./-]+)\)$", re.MULTILINE)
 STEP = re.compile(r"build/papers/steps/step_(\w+)$")  # one of the small programs of papers/steps
@@ -27,8 +28,8 @@ KINDS = ["Predict", "Run", "Explain"]
 
 
 def page_files():
-    """All pages: the reference and the notebooks, and the lessons of the reading path."""
-    return sorted(PAPERS.glob("*.md")) + sorted(LESSONS.glob("*.md"))
+    """All pages: the reference and the notebooks, the lessons of the reading path, solutions."""
+    return [file for folder in (PAPERS, LESSONS, SOLUTIONS) for file in sorted(folder.glob("*.md"))]
 
 
 class Page:

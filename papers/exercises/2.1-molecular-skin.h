@@ -6,9 +6,8 @@
 /// touch.
 Number touching_distance = unanswered;
 
-/// Run. `cube8.xyzr`, model paper: components of the skin, and its Euler characteristic.
-Count cube_components = unanswered;
-Count cube_euler_characteristic = unanswered;
+/// Run. `1grm_model1.pdb`, gramicidin A: how many necks has its skin?
+Count necks = unanswered;
 
 /// Explain. The smaller of the two principal curvatures (without its sign) of a hyperboloid patch,
 /// at a distance |u| from its centre, from w/2. The larger is 1/|u|.

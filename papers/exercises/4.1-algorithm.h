@@ -6,7 +6,7 @@
 /// has the reversed function?
 Counts of_reversed = unanswered;
 
-/// Run. `9dna.pdb`, as the command meshes it, in subdomains: how many bowls are created?
+/// Run. `2buk.pdb.gz`, -C 0.2, as the command meshes it, in subdomains: how many bowls are created?
 Count bowls_of_subdomains = unanswered;
 
 /// Explain. Space is halved d times: each half of the first time is halved the second time, and so

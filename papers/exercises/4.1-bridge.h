@@ -6,8 +6,8 @@
 /// saddles and one maximum that survive. How many bridges are built?
 Count ring_bridges = unanswered;
 
-/// Run. `9dna.pdb`, --fronts 1: how many touches does the guard find outside of protecting
-/// spheres?
+/// Run. `2buk.pdb.gz`, -C 0.18 --fronts 1: how many touches does the guard find outside of
+/// protecting spheres?
 Count touches_outside = unanswered;
 
 /// Explain. How far below a saddle are the two branches of a level set as close as an edge is long?

@@ -6,7 +6,7 @@
 /// lie on it when all bowls are laid and nothing has crept?
 Count triangles_of_bowls = unanswered;
 
-/// Run. `9dna.pdb`, --fronts 1: how many bowls are created?
+/// Run. `2buk.pdb.gz`, -C 0.2 --fronts 1: how many bowls are created?
 Count bowls = unanswered;
 
 /// Explain. On a sphere of radius rho a bowl is made with a disk of radius r, and its rim projected

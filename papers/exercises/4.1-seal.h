@@ -5,7 +5,7 @@
 /// Predict. How many triangles close a hole of 7 edges without a new vertex?
 Count triangles_of_7_edges = unanswered;
 
-/// Run. `9dna.pdb`, --fronts 1: how many maxima are sealed?
+/// Run. `2buk.pdb.gz`, -C 0.18 --fronts 1: how many maxima are sealed?
 Count seals = unanswered;
 
 /// Explain. How large may a hole's diameter be, over rho, so that a triangle with that diameter for

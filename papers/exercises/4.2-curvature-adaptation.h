@@ -6,7 +6,7 @@
 /// you be 20 % off what the program lays.
 Number triangles_on_a_ball = unanswered;
 
-/// Run. `benzene.pdb` with -C 0.04, model paper: how many triangles?
+/// Run. `benzene.pdb` with -C 0.03: how many triangles?
 Count benzene_triangles = unanswered;
 
 /// Explain. r_a / rho in closed form, with the factor 2 that the paper lost.

@@ -5,7 +5,7 @@
 /// Predict. Seconds for GramicidinA if the paper's times were linear, from those for pdb7tmn.
 Number linear_seconds = unanswered;
 
-/// Run. `9dna.pdb`, --fronts 1 --angle-goal 0: the smallest angle, degrees.
+/// Run. `amprenavir.pdb`, --fronts 1 --angle-goal 0: the smallest angle, degrees.
 Number smallest_angle_deg = unanswered;
 
 /// Explain. The power with which the time grows, from two rows of triangles and seconds.

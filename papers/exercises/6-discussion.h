@@ -6,8 +6,8 @@
 /// whose height gives 6 - 8 + 6.
 Count distance_sum = unanswered;
 
-/// Run. `caffeine.xyz`, swept with --function distance:0,0,0: how many minima has the distance?
-Count distance_minima = unanswered;
+/// Run. `1grm_model1.pdb`, swept with --function distance:5,2,1: how many saddles has the distance?
+Count distance_saddles = unanswered;
 
 /// Explain. The squared distance f from a point R away along -V. Scale and shift it so that it
 /// tends to the height along V as R grows: from f and R.

@@ -7,9 +7,9 @@
 // the shrinking has left with the two sheets of a cone between them.
 Number touching_distance = 2 * std::sqrt(2.0);
 
-// A surface and a void within: two spheres, 2 + 2.
-Count cube_components = 2;
-Count cube_euler_characteristic = 4;
+// What `info` counts: the edges of the triangulation whose patch is one sheet that has its waist in
+// the edge's own cell.
+Count necks = 361;
 
 // The meridian r^2 - s^2 = w/2 has the normal (r, -s)/|u| and the tangent (s, r)/|u|. With
 // f = r^2 - s^2 the curvature is t.Hess f.t / |grad f| = 2 (s^2 - r^2)/|u|^2 / (2 |u|), which is

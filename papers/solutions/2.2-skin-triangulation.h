@@ -6,8 +6,8 @@
 // than proportional to C: 0.208 and 0.116. The square of their ratio is 3.2.
 Number times_as_many = 3.2;
 
-// arcsin(1/1.6^2).
-Number angle_bound_deg = 22.99;
+// arcsin(1/1.73^2).
+Number angle_bound_deg = 19.52;
 
 // Let v be the centre of an empty ball through a, b, c, its radius at least C Q rho_abc, and y
 // another vertex at a distance L. Then rho_abc <= L/(CQ), and since rho changes by at most the

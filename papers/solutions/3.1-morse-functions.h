@@ -6,7 +6,8 @@
 // neck rises towards its middle, and a saddle above. 2 - 2 + 2 = 2, a sphere's.
 Counts dumbbell = {{2, 2, 2}};
 
-Count caffeine_saddles = 6;
+// The height is another than the default one, so are its points; their sum is not.
+Count saddles = 160;
 
 // u = lambda M V, so G = u . M u - w/2 = lambda^2 (M V) . V - w/2, since M M = I. G = 0.
 Formula<double(double half_weight, double D)> squared_lambda = [](double half_weight, double D) {

@@ -6,8 +6,8 @@
 // as many regions as saddles.
 Count regions_of_12_saddles = 24;
 
-// Four to a saddle, 82 saddles.
-Count dna_arcs = 328;
+// Four to a saddle.
+Count arcs_of_2buk = 4312;
 
 // f(x) - f(p) = grad f . d + (c/2) d . d, grad f = mu N(p), and 0 = G(x) = G(p) + 2 N(p) . d + d .
 // M d gives N(p) . d = -d . M d / 2.

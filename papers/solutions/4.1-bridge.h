@@ -5,7 +5,7 @@
 // One at each saddle: below it the front arrives from two sides.
 Count ring_bridges = 2;
 
-Count touches_outside = 140;
+Count touches_outside = 871;
 
 // Across the saddle the surface falls off as y^2/(2 rho) where it bends most: the branches of level
 // -d are at y = +-sqrt(2 rho d), 2 sqrt(2 rho d) apart.

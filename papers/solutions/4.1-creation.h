@@ -5,7 +5,8 @@
 // Six to a bowl.
 Count triangles_of_bowls = 36;
 
-Count bowls = 26;
+// One for each minimum that survives.
+Count bowls = 234;
 
 // The gradient of a sphere runs to its centre, so a rim point q, at sqrt(rho^2 + r^2) from there,
 // goes to rho q/|q|. The hexagon in the plane has edges r; all its corners are scaled alike.

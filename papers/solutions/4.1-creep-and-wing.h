@@ -5,7 +5,7 @@
 // Each triangle has three edges, each edge two triangles: V - 3F/2 + F = 0.
 Count torus_triangles = 10000;
 
-Count wings = 4198;
+Count wings = 2721;
 
 // The third side is 2 r sin(phi/2); by the law of sines it is 2 R sin(phi).
 Formula<double(double r, double phi)> fan_circumradius = [](double r, double phi) {

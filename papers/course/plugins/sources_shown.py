@@ -4,6 +4,7 @@
   to its line (the same reading as tests/pages_test.py).
 - `[excerpt: NAME](FILE)`, alone in its paragraph, becomes the lines between the marks.
 - Links to files of the project lead to their listings.
+- The course for students has no listings with answers; what would lead there is plain text.
 """
 
 import os
@@ -19,6 +20,7 @@ from pygments.util import ClassNotFound
 from sources import ROOT, excerpts_in, line_of, tests_in
 from sphinx import addnodes
 from sphinx.transforms import SphinxTransform
+from student import is_hidden
 
 sys.path.insert(0, str(ROOT / "tests"))
 from pages_test import FILE, NAME  # noqa: E402  one reading of code spans for both
@@ -45,6 +47,9 @@ class SourcesShown(SphinxTransform):
                  if isinstance(node, (nodes.paragraph, nodes.title)) and id(node) not in inside]
         return rows + texts
 
+    def is_listed(self, path):
+        return not (self.app.tags.has("student") and is_hidden(path))
+
     def link(self, path, line, *children):
         """A link to a line of a file, which gets a listing."""
         listed = self.app.builder.listed
@@ -59,6 +64,9 @@ class SourcesShown(SphinxTransform):
         if not path.is_file() or not path.is_relative_to(ROOT):
             return
         if path.suffix == ".md" and self.env.path2doc(str(path)) in self.env.found_docs:
+            return
+        if not self.is_listed(path):
+            link.replace_self(link.children)
             return
         name = link.astext().removeprefix("excerpt: ")
         if name != link.astext() and len(link.parent.children) == 1:
@@ -85,7 +93,8 @@ class SourcesShown(SphinxTransform):
                 place = (file, None) if file.suffix in LANGUAGES else None
             elif file and NAME.fullmatch(name):
                 place = line_of(file, name)
-            if place and not isinstance(span.parent.parent, (nodes.reference, *LINKS)):
+            is_in_link = isinstance(span.parent.parent, (nodes.reference, *LINKS))
+            if place and self.is_listed(place[0]) and not is_in_link:
                 self.put_link(span, place, file)
 
     def put_link(self, span, place, file):
