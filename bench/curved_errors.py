@@ -46,8 +46,8 @@ def table(rows):
                      *both(surface, C, kind, of_flat),
                      *both(surface, C, kind, lambda r: f"{1e3 * float(r['distance']):.3g}"),
                      *both(surface, C, kind, lambda r: f"{float(r['angle_deg']):.2f}°")])
-    return markdown(["surface", "C", "patches", "triangles", "flat lacks", "of that lack", "",
-                     "10⁻³ Å off", "", "normals off", ""], body)
+    return markdown(["surface", "$C$", "patches", "triangles", "flat lacks", "of that lack", "",
+                     "$10^{-3}$ Å off", "", "normals off", ""], body)
 
 
 def main():
