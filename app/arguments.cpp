@@ -256,15 +256,6 @@ void finish(const CheckArguments& check) {
   check_not_input(*check.certificate, {.input = check.mesh});
 }
 
-/// @throws UsageError  for a probe that would change nothing
-void check_use_of_probe(const TypedSkin& typed) {
-  const std::string model = typed.model.value_or("vdw");
-  if (typed.probe && (model == "vdw" || model == "ses-like")) {
-    throw UsageError("--probe plays no part in model " + model +
-                     "; add --model sas, or leave it out");
-  }
-}
-
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   if (app.got_subcommand("features")) set_feature_defaults(typed, all.features);
@@ -279,8 +270,6 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
         &all.info.molecule, &all.against}) {
     finish(*molecule, molecule->input, typed.skin);
   }
-  // A mesh that check and view are given may know the model.
-  if (!app.got_subcommand("check") && !app.got_subcommand("view")) check_use_of_probe(typed.skin);
   finish(all.view.molecule, all.view.against.value_or(all.view.molecule.input), typed.skin);
   // A size of any kind may need triangles as coarse as can be.
   const bool has_size_goal = typed.density || typed.triangles;

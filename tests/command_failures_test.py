@@ -63,15 +63,6 @@ class Failures(CommandTest):
         said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--model", "2", code=2).stderr
         self.assertIn(b"--model-number", said)
 
-    def test_a_probe_that_would_change_nothing_is_refused(self):
-        for command in (["mesh", self.ring, "-o", "m.ply"], ["info", self.ring],
-                        ["features", self.ring, "-o", "m.npz"]):
-            said = self.run_morskin(*command, "--probe", "0.5", code=2).stderr
-            self.assertIn(b"--model sas", said)
-        self.run_morskin("mesh", self.ring, "-o", "m.ply", "--probe", "0.5", "--model", "sas", "-C",
-                         "0.3", "-q")
-        self.run_morskin("check", "m.ply", "--against", self.ring, "--probe", "0.5")
-
     def test_a_grid_of_too_many_cells_gives_6(self):
         self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "marching-cubes",
                          "--grid", "1e-9", code=6)
