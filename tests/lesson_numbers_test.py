@@ -28,6 +28,11 @@ def test_lesson_1_the_dumbbell():
     wall = 0.5  # half of the sum of an orthocentre at 0 and one at 1
     assert weight_of_edge == 1
     assert math.isclose(w / 2 - (1 - wall) ** 2, weight_of_edge / 2 + wall ** 2)  # r^2 on the wall
+    for s in (-0.9, -0.5, -0.2, 0, 0.3, 0.8):  # G at r = 0, over the balls in between and by cell
+        t = np.linspace(-1, 1, 2001)
+        least = ((s - t) ** 2 - (1 + t ** 2) / 2).min()
+        by_cell = -s ** 2 - 0.5 if abs(s) <= wall else (abs(s) - 1) ** 2 - 1
+        assert math.isclose(least, by_cell)
     says(1, f"of radius $\\sqrt{{1/2}} = {math.sqrt(weight_of_edge / 2):.3f}$",
          f"$r^2 = 1 - (1/2)^2 = {1 - wall ** 2:.2f}$", f"radius $\\sqrt2 = {math.sqrt(w):.3f}$")
     x = np.array([0, 0.4, 0.3])
@@ -46,8 +51,9 @@ def test_lesson_2_sizes():
     way = math.hypot(0.5, math.sqrt(0.75) - waist)
     says(2, f"grows by {wall - waist:.3f}", f"= {way:.3f}$ apart")
     area = 0.75 * math.sqrt(3) * (C * Q) ** 2
+    says(2, "mesh        2,176 triangles", "mesh        7,342 triangles")
     says(2, f"= {area:.4f}$. The sphere has {4 * math.pi:.2f}, so [U] asks for about "
-            f"{4 * math.pi / area:.0f} triangles", f"That is {7348 / 2176:.1f} times as many")
+            f"{4 * math.pi / area:.0f} triangles", f"That is {7342 / 2176:.1f} times as many")
 
 
 def critical_points(direction):

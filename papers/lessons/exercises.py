@@ -6,7 +6,7 @@
     python3 papers/lessons/exercises.py 5 explain "r / sqrt(1 + rho**2)"   # a formula
 
 A wrong answer gets the first case in which it fails and, where the mistake is a known one, a hint.
-The right answer is never shown. Those of "run" are written nowhere: the command is run again.
+The right answer is never shown. Those of "run" are not looked up: the command is run again.
 """
 
 import argparse

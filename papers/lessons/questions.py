@@ -21,7 +21,8 @@ LESSONS = {
                 "them. Ask when the edge's weight is zero.",
              4: "A weight is the square of a radius.",
              math.sqrt(2): "That is half of it: d/2 is the distance from the middle to a centre."}),
-        "run": Run("How many necks has the skin of crambin, `bench/molecules/1crn.pdb`?",
+        "run": Run("How many necks has the skin of crambin, `bench/molecules/1crn.pdb`, "
+                   "model vdw?",
                    "info 1crn.pdb", ["necks", "count"]),
         "explain": Formula(
             "Two equal balls of weight w stand at a distance d. Give the neck's radius.", "w d",
@@ -37,11 +38,12 @@ LESSONS = {
             {math.degrees(math.asin(1 / 1.75)): "Q stands in [L] and in [U].",
              math.asin(1 / 1.75 ** 2): "Degrees, please.",
              math.degrees(math.asin(1 / 1.65 ** 2)): "That is with the paper's Q."}),
-        "run": Run("Mesh `bench/molecules/benzene.pdb` with `-C` 0.05. How many triangles?",
+        "run": Run("Mesh `bench/molecules/benzene.pdb`, model vdw, with `-C` 0.05. How many "
+                   "triangles?",
                    "mesh benzene.pdb -C 0.05", ["triangles"]),
         "explain": Formula(
             "A ball is covered with equilateral triangles as large as [U] allows. How many are "
-            "there, if flat areas are counted?", "C Q",
+            "there, from C and Q, if flat areas are counted?", "C Q",
             lambda c, q: 4 * math.pi / (0.75 * math.sqrt(3) * (c * q) ** 2),
             [(0.08, 1.65), (0.04, 1.65), (0.1, 1.7)],
             {"4*pi / (sqrt(3)/4 * (C*Q)^2)": "C Q rho is the circumradius, not the edge.",
@@ -54,15 +56,17 @@ LESSONS = {
              5: "Saddles count negatively.",
              10: "A handle takes two from the sum, not one."}),
         "run": Run("How many saddles has the height along (1, 2, 3) on gramicidin "
-                   "(`bench/molecules/1grm_model1.pdb`), before anything is cancelled?",
+                   "(`bench/molecules/1grm_model1.pdb`), model vdw, before anything is cancelled?",
                    "morse 1grm_model1.pdb --function height:1,2,3", ["before", "saddles"]),
         "explain": Formula(
-            "In a cell with half weight h a critical point is z + lambda M V. Give lambda^2 from h "
-            "and D = V . M V.", "h D", lambda h, d: h / d,
-            [(0.5, 1), (0.5, -0.3), (-0.2, -0.7), (2, 0.25)],
-            {"h*D": "Put u = lambda M V into u . M u = h, and use M M = I.",
-             "h/D^2": "M M = I: one M is left, not two.",
-             "2*h/D": "h is half the weight already."})},
+            "The dumbbell's axis stands at an angle phi to V. Give lambda^2 for the candidates of "
+            "its neck.", "phi", lambda phi: 0.5 / (1 - 2 * math.cos(phi) ** 2),
+            [(math.pi / 2,), (1.3,), (1,), (2,)],
+            {"0.5*(1 - 2*cos(phi)^2)": "Put u = lambda M V into u . M u = w/2, and use M M = I.",
+             "0.5/(1 - 2*cos(phi)^2)^2": "M M = I: one M is left, not two.",
+             "1/(1 - 2*cos(phi)^2)": "The weight of the edge is halved.",
+             "0.5/(1 - 2*cos(phi))": "V . a stands in V . M V twice.",
+             "0.5/(1 - 2*sin(phi)^2)": "Standing up, phi is 0."})},
     4: {
         "predict": Number("A skin has 9 saddles. How many arcs has its complex?", 36,
                           {18: "Those are the regions. How many lines leave a saddle?",
