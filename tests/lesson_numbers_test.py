@@ -48,6 +48,8 @@ def test_lesson_2_sizes():
          f"| spheres | 1 | {2 * C / Q:.4f} | {C * Q:.3f} |",
          f"\\frac{{1}}{{Q^2}} = {1 / Q ** 2:.3f}",
          f"A > {math.degrees(math.asin(1 / Q ** 2)):.2f}^\\circ")
+    for s in (0, 0.15, 0.3):
+        says(2, f"x = {s:.2f}: length scale {math.sqrt(0.5 + 2 * s * s):.6f},")
     way = math.hypot(0.5, math.sqrt(0.75) - waist)
     says(2, f"grows by {wall - waist:.3f}", f"= {way:.3f}$ apart")
     area = 0.75 * math.sqrt(3) * (C * Q) ** 2

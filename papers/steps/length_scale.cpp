@@ -14,7 +14,8 @@ int main() {
   const SkinSurface skin({{{-1, 0, 0}, 2.0}, {{1, 0, 0}, 2.0}});
   bool holds = true;
   for (const double along : {0.0, 0.15, 0.3}) {
-    const auto p = skin.project(Point(along, 0.7, 0), CellId{});
+    const double across = std::sqrt(0.5 + along * along);  // on the hyperboloid
+    const auto p = skin.project(Point(along, across, 0), CellId{});
     if (!p) return 1;
     const Vector first = p->normal.unitOrthogonal(), second = p->normal.cross(first);
     double most = 0;
