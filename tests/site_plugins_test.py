@@ -78,12 +78,14 @@ def test_formulas_are_set_and_bad_ones_refused():
     assert code != 0 and "nosuchthing" in complaints
 
 
-def test_the_sidebar_has_the_pages_of_the_index_and_a_page_on_no_table_fails():
+def test_the_sidebar_has_the_pages_of_the_index_and_a_page_not_on_it_fails():
     text = site("Text.")[2]
     assert "The path" in text and '<li class="toctree-l1' in text
     assert "rel=\"prev\"" in text
     assert site("[two](two.md)")[0] != 0
-    code, complaints, *_ = site("Text.", index=INDEX.replace("[one](one.md)", "one"))
+    without = INDEX.replace("[one](one.md)", "one")
+    assert site("Text.", index=f"{without}\n## More\n\nRead [one](one.md) too.\n")[0] == 0
+    code, complaints, *_ = site("Text.", index=without)
     assert code != 0 and "isn't included in any toctree" in complaints
 
 

@@ -6,13 +6,14 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent / "plugins")]
 
 from anchors import github_anchor  # noqa: E402
+from page import SOLUTIONS  # noqa: E402
 
 project = "morskin"
 language = "en"
 root_doc = "README"
 include_patterns = ["*.md", "lessons/*.md"]
 if not tags.has("student"):  # noqa: F821  Sphinx gives it
-    include_patterns.append("solutions/*.md")
+    include_patterns.append(f"{SOLUTIONS.name}/*.md")
 
 extensions = ["myst_parser", "without_solutions", "sidebar", "sources_shown", "made_pictures",
               "interactive", "formulas", "theme"]

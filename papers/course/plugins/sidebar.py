@@ -1,4 +1,4 @@
-"""The sidebar: the tables of papers/README.md say which pages there are and in which order.
+"""The sidebar: papers/README.md says which pages there are and in which order, its tables first.
 
 The links to neighbours under a page's title serve who reads the Markdown; the site has its own.
 """
@@ -12,13 +12,13 @@ PAGE = re.compile(r"\]\((?!\w+:)([\w./-]+)\.md\)")
 
 
 def parts(index):
-    """By heading of the index, the pages that its table lists and no earlier one does."""
+    """By heading of the index, the pages that its part leads to and no earlier one does."""
     found, seen = {}, set()
     for part in re.split(r"^## ", index, flags=re.MULTILINE)[1:]:
         heading = part.splitlines()[0]
         rows = [line for line in part.splitlines() if line.startswith("|")]
         others = [line for line in part.splitlines() if not line.startswith("|")]
-        links = PAGE.findall("\n".join(rows + others) if rows else "")
+        links = PAGE.findall("\n".join(rows + others))
         found[heading] = [p for p in dict.fromkeys(links) if p not in seen]
         seen.update(links)
     return {heading: pages for heading, pages in found.items() if pages}
