@@ -3,6 +3,7 @@
 reply holds an answer. That no page has one is tests/student_course_test.py's."""
 
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -79,6 +80,23 @@ def test_what_is_to_be_run_is_judged_by_running_it():
     for where, e in all_of(Run):
         right = e.right(MORSKIN)
         assert e.reply(f"{right}", MORSKIN) is None and e.reply(f"{right + 1}", MORSKIN), where
+
+
+def asked(*words):
+    """(exit code, what is printed) of papers/lessons/exercises.py."""
+    done = subprocess.run([sys.executable, ROOT / "papers" / "lessons" / "exercises.py", *words],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+def test_an_answer_may_begin_with_a_minus_sign():
+    assert asked("3", "explain", "-1/(2*cos(2*phi))") == (0, "Right.\n")
+    assert asked("9", "predict", "-4") == (0, "Right.\n")
+
+
+def test_without_the_program_a_run_is_not_judged():
+    code, said = asked("1", "run", "1", "--command", "/nowhere/morskin")
+    assert code == 2 and "no /nowhere/morskin; make build first" in said, said
 
 
 def main():

@@ -47,7 +47,7 @@ def evaluated(text, variables):
         raise ValueError(f"only arithmetic with {', '.join(names)} and {', '.join(FUNCTIONS)}")
 
     try:
-        tree = ast.parse(text.replace("^", "**"), mode="eval")
+        tree = ast.parse(text.strip().replace("^", "**"), mode="eval")
     except SyntaxError as error:
         raise ValueError(f"no formula: {text}") from error
     try:

@@ -10,6 +10,7 @@ The right answer is never shown. Those of "run" are not looked up: the command i
 """
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
@@ -26,7 +27,9 @@ def main():
     parser.add_argument("kind", nargs="?", choices=["predict", "run", "explain"])
     parser.add_argument("answer", nargs="?")
     parser.add_argument("--command", type=Path, default=ROOT / "build" / "morskin")
-    options = parser.parse_args()
+    # argparse takes a word with a blank for no option: "-1/d" is an answer.
+    options = parser.parse_args([f" {word}" if re.match("-[^-h]", word) else word
+                                 for word in sys.argv[1:]])
     exercises = LESSONS[options.lesson]
     if options.answer is None:
         for kind in [options.kind] if options.kind else exercises:
@@ -38,6 +41,8 @@ def main():
         reply = exercise.reply(options.answer, *extra)
     except ValueError as error:
         parser.error(str(error))
+    except FileNotFoundError as error:
+        parser.error(f"no {error.filename}; make build first")
     print(reply or "Right.")
     return 1 if reply else 0
 

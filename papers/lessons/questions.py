@@ -65,6 +65,7 @@ LESSONS = {
             {"0.5*(1 - 2*cos(phi)^2)": "Put u = lambda M V into u . M u = w/2, and use M M = I.",
              "0.5/(1 - 2*cos(phi)^2)^2": "M M = I: one M is left, not two.",
              "1/(1 - 2*cos(phi)^2)": "The weight of the edge is halved.",
+             "0.5": "That is the neck of the dumbbell on its side.",
              "0.5/(1 - 2*cos(phi))": "V . a stands in V . M V twice.",
              "0.5/(1 - 2*sin(phi)^2)": "Standing up, phi is 0."})},
     4: {
