@@ -4,6 +4,7 @@
 #include "geometry/kd_tree.h"
 #include "skin/skin_components.h"
 #include "tests/support/meshes.h"
+#include "tests/support/molecules.h"
 #include "tests/support/nasty_sets.h"
 
 using namespace morskin;
@@ -143,6 +144,23 @@ TEST_CASE("a component without seeds is found where dual points lie in it") {
       {positions(mesh.points), mesh.surface.triangle_list()}, skin.surface, skin.topology);
   CHECK(certificate.reason == "");
   CHECK(certificate.components == 2);
+}
+
+TEST_CASE("a ring that the signs miss without seeds at saddles is found along the dual edges") {
+  // One minimum and one maximum: all circumcentres are on one side.
+  const PreparedSkin skin = prepare_skin(molecule("ring12.xyzr", skin::Model::Sas));
+  auto critical =
+      morse::choose_function(skin.surface, skin.topology.skin_euler_characteristic(), {}).critical;
+  std::erase_if(critical.points, [](const morse::CriticalPoint& p) { return p.index == 1; });
+  DelaunayRefinement refinement(skin.surface, {},
+                                front::delaunay_seeds(skin.surface, critical.points, {}));
+  refinement.run();
+  CHECK(refinement.counts().hidden_crossings > 0);
+  const surface::Mesh mesh = refinement.mesh();
+  const certify::Certificate certificate = certify::certify(
+      {positions(mesh.points), mesh.surface.triangle_list()}, skin.surface, skin.topology);
+  CHECK(certificate.reason == "");
+  CHECK(certificate.euler_characteristic == 0);
 }
 
 TEST_CASE("a sizing too coarse for the topology ends with a mesh that has no border") {

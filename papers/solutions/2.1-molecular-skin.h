@@ -3,8 +3,8 @@
 #include "papers/exercises/course.h"
 
 // The edge's orthocentre is the middle, its weight w = 2 - (d/2)^2. The skin is singular where that
-// is zero: d = 2 sqrt(2). The balls of radius sqrt(2) touch there, and so do the two patches, which
-// the shrinking has left with the two sheets of a cone between them.
+// is zero: d = 2 sqrt(2). The balls of radius sqrt(2) touch there, and the patch of the edge is a
+// cone with its apex in the middle.
 Number touching_distance = 2 * std::sqrt(2.0);
 
 // What `info` counts: the edges of the triangulation whose patch is one sheet that has its waist in
