@@ -23,8 +23,8 @@ struct Depth {
 
 struct BallPencil {
   Circumcircle circle;
-  Vector normal;      ///< unit
-  double max_offset;  ///< bound on |s| of the surface ball, Angstrom
+  Vector normal;                  ///< unit
+  double min_offset, max_offset;  ///< bounds on s of the surface ball, Angstrom
 
   /// Bounds on the depth of p in the surface ball. At height h over the triangle's plane it is
   ///
@@ -34,8 +34,13 @@ struct BallPencil {
   Depth depth(const Point& p) const {
     const Vector d = p - circle.centre;
     const double middle = circle.radius * circle.radius - d.squaredNorm();
-    const double spread = 2 * max_offset * std::abs(d.dot(normal));
-    return {middle - spread, middle + spread};
+    const double low = 2 * min_offset * d.dot(normal), high = 2 * max_offset * d.dot(normal);
+    return {middle + std::min(low, high), middle + std::max(low, high)};
+  }
+  /// Bound on the squared radius of the surface ball, Angstrom^2.
+  double max_squared_radius() const {
+    const double most = std::max(-min_offset, max_offset);
+    return circle.radius * circle.radius + most * most;
   }
 };
 
@@ -49,6 +54,10 @@ struct BallPencil {
 /// @return nothing where m^2 <= |G(o)|
 std::optional<BallPencil> ball_pencil(const surface::Surface& surface, const Corners& corners,
                                       const Circumcircle& circle);
+/// The same from N and G at o itself, for a walk there: narrow, and with the sign of s, that of
+/// -G(o). By the same token |G(o)| <= 2 m |s| + s^2, which bounds |s| from below.
+std::optional<BallPencil> ball_pencil_by_centre(const surface::Surface& surface,
+                                                const Corners& corners, const Circumcircle& circle);
 
 /// Bound on |s| / R of a close ball. ball_pencil() implies it where, at a corner a, R is at most
 /// 0.15 rho and the cosine between the skin's normal and the triangle's at least 0.97.
@@ -95,6 +104,8 @@ class LazySurfaceBall {
     return exact_surface_ball(surface_, *corners_[0], corners_[1]->position, corners_[2]->position);
   }
   const std::optional<BallPencil>& pencil();
+  /// Whether the pencil's bounds tell on which side of the ball p is.
+  static bool decides(const std::optional<BallPencil>& pencil, const Point& p);
 
   const surface::Surface& surface_;
   const Corners corners_;
