@@ -9,6 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from support.plain_tests import run_all
+
 MORSKIN = Path(sys.argv[1] if len(sys.argv) > 1 else "build/morskin").resolve()
 PAPERS = Path(__file__).resolve().parent.parent / "papers"
 
@@ -124,12 +126,5 @@ def test_four_times_g_is_power_less_the_weight_of_the_combination():
             assert math.isclose(4 * g, power - weight[shares.index(share)], abs_tol=1e-12)
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    for test in tests:
-        test()
-    print(f"{len(tests)} numbers found again")
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(run_all(globals()))

@@ -9,6 +9,8 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw
 
+from support.plain_tests import run_all
+
 ROOT = Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "papers" / "figures"
 
@@ -58,18 +60,5 @@ def test_one_frame_of_many_is_told():
     assert told(frames, frames[:2])
 
 
-def main():
-    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    failed = 0
-    for name, test in tests.items():
-        try:
-            test()
-        except AssertionError as error:
-            failed += 1
-            print(f"{name}: {error or 'failed'}")
-    print(f"{len(tests) - failed} passed, {failed} failed")
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_all(globals()))

@@ -12,6 +12,8 @@ sys.path.insert(0, str(ROOT / "papers" / "lessons"))
 from answers import Formula, Number, Run, evaluated  # noqa: E402
 from questions import LESSONS  # noqa: E402
 
+from support.plain_tests import run_all  # noqa: E402
+
 MORSKIN = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "morskin").resolve()
 
 
@@ -99,12 +101,5 @@ def test_without_the_program_a_run_is_not_judged():
     assert code == 2 and "no /nowhere/morskin; make build first" in said, said
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    for test in tests:
-        test()
-    print(f"{len(tests)} tests of {len(LESSONS)} lessons")
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(run_all(globals()))

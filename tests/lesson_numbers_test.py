@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from support.plain_tests import run_all
+
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
 from page import LESSONS  # noqa: E402
@@ -144,12 +146,5 @@ def test_lesson_10_the_power():
          f"is {2 ** (top / bottom):.1f} times the time", f"taken {5 * 305186 / 24336:.0f} seconds")
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    for test in tests:
-        test()
-    print(f"{len(tests)} lessons' numbers found again")
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(run_all(globals()))

@@ -9,6 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from support.plain_tests import run_all
+
 ROOT = Path(__file__).resolve().parent.parent
 COURSE = ROOT / "papers" / "course"
 INDEX = "# Index\n\n## The path\n\n| page |\n|---|\n| [one](one.md) |\n"
@@ -94,18 +96,5 @@ def test_names_lead_to_their_lines():
     assert re.search(r'href="src/certify/sizing.h.html#L-\d+"', article)
 
 
-def main():
-    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    failed = 0
-    for name, test in tests.items():
-        try:
-            test()
-        except AssertionError as error:
-            failed += 1
-            print(f"{name}: {error or 'failed'}")
-    print(f"{len(tests) - failed} passed, {failed} failed")
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_all(globals()))

@@ -13,6 +13,8 @@ from page import LESSONS as LESSON_PAGES  # noqa: E402
 from page import PAPERS, SOLUTIONS, Page, page_files  # noqa: E402
 from questions import LESSONS  # noqa: E402
 
+from support.plain_tests import run_all  # noqa: E402
+
 MORSKIN = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "morskin").resolve()
 ITEM = re.compile(r"^\d+\. ", re.MULTILINE)
 
@@ -84,11 +86,5 @@ def test_sources_with_answers_are_hidden():
         assert not list(student.leaks_in(path.read_text(encoding="utf-8"), path.name))
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    said = [test() for test in tests]
-    print(f"{len(tests)} tests, {', '.join(filter(None, said))}")
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(run_all(globals()))
