@@ -21,10 +21,12 @@ Corners ordered(Corners corners) {
   return corners;
 }
 
-/// Something to try: to take a vertex out, or to put one in over a triangle.
+/// Something to try: to take a vertex out, to put one in over a triangle, or to move all vertices
+/// around a triangle, so that there is room.
 struct Trial {
-  VertexId to_remove = VertexId::none();
-  Corners to_break{};
+  enum class Kind { Remove, Insert, MakeRoom } kind;
+  VertexId vertex = VertexId::none();  ///< to remove
+  Corners triangle{};                  ///< of the other two
 };
 
 /// The triangles that miss the goal, found by any of their corners.
@@ -71,6 +73,7 @@ class AngleImprovement {
         goal_(goal),
         operations_(surface, sizing, mesh),
         mover_(surface, sizing, mesh, goal, {}),
+        strict_mover_(surface, sizing, mesh, goal.stricter(), {}),
         journal_(mesh),
         trials_left_(min_trials + mesh.surface.triangle_count() / triangles_to_a_trial) {
     operations_.record_in(journal_);
@@ -85,7 +88,9 @@ class AngleImprovement {
       const std::vector<Corners> all = missing_.all();
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
-        if (missing_.contains(all[i]) && improve(all[i], depth)) ++counts.changed;
+        if (missing_.contains(all[i]) && improve(all[i], depth)) {
+          counts.changed += journal_.has_connectivity();
+        }
         journal_.clear();
       }
     }
@@ -124,7 +129,7 @@ class AngleImprovement {
   }
 
   /// To take out each corner and each vertex across an edge, those with few neighbours first; to
-  /// break the triangle and those across its edges.
+  /// break the triangle and those across its edges; last to make room.
   std::vector<Trial> trials(const Corners& corners) const {
     const SurfaceMesh& connectivity = mesh_.surface;
     std::vector<VertexId> around(corners.begin(), corners.end());
@@ -134,26 +139,49 @@ class AngleImprovement {
       around.push_back(connectivity.apex(connectivity.twin(SurfaceMesh::half_edge(t, k))));
     }
     std::ranges::stable_sort(around, {}, [&](VertexId v) { return connectivity.degree(v); });
-    for (const VertexId v : around) result.push_back({.to_remove = v});
-    result.push_back({.to_break = corners});
+    for (const VertexId v : around) result.push_back({.kind = Trial::Kind::Remove, .vertex = v});
+    result.push_back({.kind = Trial::Kind::Insert, .triangle = corners});
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId twin = connectivity.twin(SurfaceMesh::half_edge(t, k));
-      result.push_back({.to_break = connectivity.corners(SurfaceMesh::triangle(twin))});
+      result.push_back({.kind = Trial::Kind::Insert,
+                        .triangle = connectivity.corners(SurfaceMesh::triangle(twin))});
     }
+    result.push_back({.kind = Trial::Kind::MakeRoom, .triangle = corners});
     return result;
   }
 
   bool carry_out(const Trial& trial) {
+    if (trial.kind == Trial::Kind::MakeRoom) return make_room(trial.triangle);
     bool is_done = false;
-    if (trial.to_remove != VertexId::none()) {
-      is_done = operations_.remove(trial.to_remove);
-    } else if (const auto h = half_edge(trial.to_break)) {
+    if (trial.kind == Trial::Kind::Remove) {
+      is_done = operations_.remove(trial.vertex);
+    } else if (const auto h = half_edge(trial.triangle)) {
       is_done = operations_.insert_ball_centre(SurfaceMesh::triangle(*h),
                                                [](const Insertion&) { return true; });
     }
     operations_.flip_where_needed();
     operations_.work() = {};
     return is_done;
+  }
+
+  /// Moves the vertices within two edges of a triangle, those of good triangles too, for a stricter
+  /// goal: one that misses by little may have no better place while its neighbours stay.
+  bool make_room(const Corners& corners) {
+    std::set<VertexId> around(corners.begin(), corners.end());
+    for (int ring = 0; ring < 2; ++ring) {
+      for (const VertexId v : std::vector(around.begin(), around.end())) {
+        mesh_.surface.for_each_outgoing(
+            v, [&](HalfEdgeId h) { around.insert(mesh_.surface.target(h)); });
+      }
+    }
+    const std::size_t before = journal_.size();
+    for (int round = 0; round < max_rounds; ++round) {
+      for (const VertexId v : around) {
+        const SurfacePoint from = mesh_.at(v);
+        if (strict_mover_.move(v) == VertexMover::Moved::Yes) journal_.note_move(v, from);
+      }
+    }
+    return journal_.size() > before;
   }
 
   /// A half-edge of the triangle with these corners, if there is one.
@@ -227,7 +255,7 @@ class AngleImprovement {
   Mesh& mesh_;
   const AngleGoal goal_;
   LocalOperations operations_;
-  VertexMover mover_;
+  VertexMover mover_, strict_mover_;
   Journal journal_;
   Missing missing_;
   std::size_t trials_left_;

@@ -2,9 +2,9 @@
 
 /// What moves alone leave: triangles that miss the goal, whose corners have too many or too few
 /// neighbours. For each of them a vertex near it is taken out or one is put in, edges are flipped
-/// until they are Delaunay again, and vertices around are moved (smoothing.h). If fewer triangles
-/// miss the goal then, and none breaks [L] or [U], it stays so; otherwise all is taken back
-/// and the next is tried, in the end two and three changes at once.
+/// until they are Delaunay again, and vertices around are moved (smoothing.h); or only that, for a
+/// stricter goal. If fewer triangles miss the goal then, and none breaks [L] or [U], it stays so;
+/// otherwise all is taken back and the next is tried, in the end two and three changes at once.
 ///
 /// Source: Freitag & Ollivier-Gooch 1997, moves and changes of connectivity in turn, there for
 /// tetrahedra.

@@ -38,6 +38,10 @@ HalfEdgeId Journal::half_edge(VertexId from, VertexId to) const {
   return found;
 }
 
+bool Journal::has_connectivity() const {
+  return std::ranges::any_of(changes_, [](const Change& c) { return c.kind != Kind::Move; });
+}
+
 void Journal::undo(std::size_t first, std::vector<SurfaceMesh::FreeSlots>& free_slots) {
   while (changes_.size() > first) {
     const auto& [kind, vertices, point] = changes_.back();
