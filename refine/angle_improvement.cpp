@@ -268,7 +268,8 @@ AngleImprovementCounts improve_angles(const surface::Surface& surface, const Siz
                                       std::span<const TriangleId> below, const geometry::Run& run) {
   const AngleImprovementCounts counts =
       AngleImprovement(surface, sizing, mesh, goal, below).run(run);
-  if (counts.changed > 0) mesh.surface.compact(run.threads());
+  // Trials that were taken back leave empty slots as well.
+  if (!below.empty()) mesh.surface.compact(run.threads());
   return counts;
 }
 

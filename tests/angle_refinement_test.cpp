@@ -125,6 +125,9 @@ TEST_CASE("improvement leaves fewer angles below the goal, and a certified mesh"
     const AngleImprovementCounts counts =
         improve_angles(skin.surface, sizing, mesh, goal_deg, below);
     CHECK(counts.left <= below.size());
+    for (std::size_t v = 0; v < mesh.surface.vertex_count(); ++v) {
+      CHECK(mesh.surface.outgoing(VertexId{v}));  // no trial leaves an empty slot
+    }
     Mesh copy = mesh;
     CHECK(counts.left == smooth(skin.surface, sizing, copy, goal_deg).below);
     before += below.size();
