@@ -213,9 +213,9 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   Certificate& out = found.out;
   const auto& corner = mesh_.triangles[t];
   const Corners p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
-  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  const TriangleBounds shape = triangle_bounds(p[0]->position, p[1]->position, p[2]->position);
   const double rho = min_length_scale(p);
-  const double u = sizing_.triangle_ratio(circle.radius, rho);
+  const double u = sizing_.triangle_ratio(shape.circumradius, rho);
   out.worst_U = std::max(out.worst_U, u);
   if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -231,10 +231,8 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   }
   const LocatedMesh on = located();
   const CornerBounds bounds = on.corner_bounds(corner);
-  filter.note(geometry::TriangleId{t}, p, circle, bounds.max_value);
-  const TriangleBounds shape = on.shape(corner);
-  const double sine =
-      smallest_sine(shape, shortest_edge(p[0]->position, p[1]->position, p[2]->position));
+  filter.note(geometry::TriangleId{t}, p, shape.sides, bounds.max_value);
+  const double sine = smallest_sine(shape);
   if (sine < out.min_sine) {
     out.min_sine = sine;
     out.sharpest_triangle = t;

@@ -29,7 +29,7 @@
 #include <limits>
 #include <memory>
 
-#include "certify/triangle_geometry.h"
+#include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
 
@@ -88,12 +88,10 @@ class DelaunayFilter {
 
   /// Stores a triangle's angles. Threads may store different triangles at once.
   /// @param max_G  bound on |G| at the corners, Angstrom^2
-  void note(TriangleId t, const Corners& corners, const Circumcircle& circle, double max_G) {
-    const Vector& n = circle.doubled_area;
-    const double squared_area = n.squaredNorm();
-    const double sides = 4 * circle.radius * circle.radius * squared_area;
-    opposite_[t.index()] = {cotangents(corners, std::sqrt(squared_area)),
-                            rounded_up(clearance(corners, n, sides, max_G))};
+  void note(TriangleId t, const Corners& corners, const TriangleSides& triangle, double max_G) {
+    const Vector n = triangle.side[0].cross(triangle.side[1]);
+    opposite_[t.index()] = {cotangents(triangle, n.norm()),
+                            rounded_up(clearance(corners, n, triangle.squared_product(), max_G))};
   }
 
   void prefetch(HalfEdgeId h) const { geometry::prefetch(&opposite_[h.index() / 3]); }
@@ -135,10 +133,9 @@ class DelaunayFilter {
     return static_cast<std::uint16_t>(static_cast<int>(clearance * clearance_steps) + 1);
   }
 
-  static std::array<std::int16_t, 3> cotangents(const Corners& corners, double doubled_area) {
-    const auto& [a, b, c] = corners;
-    const Vector ab = b->position - a->position, bc = c->position - b->position;
-    const Vector ca = a->position - c->position;
+  static std::array<std::int16_t, 3> cotangents(const TriangleSides& triangle,
+                                                double doubled_area) {
+    const auto& [ab, bc, ca] = triangle.side;
     const double scale = -1 / doubled_area;
     return {rounded_down(scale * bc.dot(ca)), rounded_down(scale * ca.dot(ab)),
             rounded_down(scale * ab.dot(bc))};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "certify/triangle_geometry.h"
+#include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
 
@@ -83,21 +83,20 @@ Deviations measure_deviations(const geometry::IndexedMesh& mesh, const surface::
     out.max_centroid_relative = std::max(out.max_centroid_relative, off.relative);
     out.mean_centroid_relative += off.relative;
 
-    const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+    const TriangleBounds shape = triangle_bounds(p[0]->position, p[1]->position, p[2]->position);
     const double rho = min_length_scale(p);
-    const double u = sizing.triangle_ratio(circle.radius, rho);
+    const double u = sizing.triangle_ratio(shape.circumradius, rho);
     large.offer(u, {t, u});
 
     double cosine = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
-      cosine = std::min(cosine, p[k]->normal.dot(circle.doubled_area));
+      cosine = std::min(cosine, p[k]->normal.dot(shape.normal));
       const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
       if (a > b) continue;  // each edge from one side
       const double l = sizing.edge_ratio(*p[k], *p[(k + 1) % 3]);
       edges.offer(-l, {a, b, l});
     }
-    const double area2 = circle.doubled_area.norm();
-    cosine = area2 > 0 ? std::clamp(cosine / area2, -1.0, 1.0) : -1;
+    cosine = std::isfinite(shape.circumradius) ? std::clamp(cosine, -1.0, 1.0) : -1;
     least_cosine = std::min(least_cosine, cosine);
     steep.offer(-cosine, {t, cosine});
   }

@@ -87,14 +87,10 @@ class Pieces {
 template <class Enclose>
 TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBounds& triangle,
                 const CornerBounds& bounds, double margin) {
-  std::array<double, 3> squared;  // of the side opposite corner k
-  for (std::size_t k = 0; k < 3; ++k) {
-    squared[k] = (corners[(k + 1) % 3]->position - corners[(k + 2) % 3]->position).squaredNorm();
-  }
-  const auto k =
-      static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+  const TriangleSides& sides = triangle.sides;
+  const std::size_t k = sides.top();
   const SurfacePoint& a = *corners[k];
-  const double longer_side = std::sqrt(std::max(squared[(k + 1) % 3], squared[(k + 2) % 3]));
+  const double longer_side = std::sqrt(std::max(sides.squared[k], sides.squared[(k + 2) % 3]));
   const double R = triangle.circumradius;
   const double upright = a.length_scale * a.normal.dot(triangle.normal);  // N(a) . n_t
   const double doubt = a.length_scale * (triangle.normal_error + margin) + bounds.max_error;
@@ -142,7 +138,8 @@ bool expects_tube(const surface::Surface& surface, const Corners& corners,
     const surface::Jet jet = surface.jet(x, near);
     return Enclosure::without_rounding(jet.value, jet.half_gradient);
   };
-  const TriangleBounds triangle{circle.radius, circle.doubled_area.normalized(), 0};
+  const TriangleBounds triangle{TriangleSides(corners), circle.radius,
+                                circle.doubled_area.normalized(), 0};
   return prove(expect, corners, triangle, {max_G, 0}, margin_of_mesher).holds();
 }
 

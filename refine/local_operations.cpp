@@ -68,17 +68,16 @@ bool LocalOperations::is_big(VertexId a, VertexId b, VertexId c) const {
 }
 
 /// Finds whether a triangle breaks [L] or [U].
-Circumcircle LocalOperations::inspect(TriangleId t, Work& found) const {
+void LocalOperations::inspect(TriangleId t, Work& found) const {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
   if (is_big(p, circle)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));
     }
   }
-  return circle;
 }
 
 /// Inspects a triangle that changed, and those of its edges not known to be Delaunay.

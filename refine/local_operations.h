@@ -76,8 +76,8 @@ class LocalOperations {
   /// Adds what another has done, what it deferred, and its free slots.
   void absorb(const LocalOperations& other);
 
-  /// Finds whether a triangle breaks [L] or [U].
-  Circumcircle inspect(TriangleId t, Work& found) const;
+  /// Notes a triangle that breaks [U], and edges of it that break [L].
+  void inspect(TriangleId t, Work& found) const;
   LazySurfaceBall ball(VertexId a, VertexId b, VertexId c) const;
   /// |G| at the corners of a triangle is at most this, Angstrom^2.
   double max_residual(const std::array<const SurfacePoint*, 3>& corners) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -40,6 +41,17 @@ bool contract_edge(const SurfaceMesh& mesh, const At& at, HalfEdgeId h, const Re
   return remove(a_first ? a : b) || remove(a_first ? b : a);
 }
 
+/// Whether x, a point of the surface over a triangle, lies on the sheet that the triangle follows.
+/// The two balls of radius rho that touch the surface at x do not meet it, so along x's normal
+/// other sheets are 2 rho away, and a triangle in the tube is nearer to its own sheet than rho.
+template <class At>
+bool is_near(const At& at, const std::array<VertexId, 3>& triangle, const SurfacePoint& x) {
+  const auto& [a, b, c] = triangle;
+  const Vector to_a = at(a).position - x.position;
+  const Vector n = (at(b).position - at(a).position).cross(at(c).position - at(a).position);
+  return std::abs(n.dot(to_a)) < x.length_scale * std::abs(n.dot(x.normal));
+}
+
 /// Where a triangle is broken: at the centre of its surface ball, in the triangle that this lies
 /// over.
 struct Insertion {
@@ -56,7 +68,7 @@ std::optional<Insertion> find_insertion(const surface::Surface& surface, const S
   if (!x) return std::nullopt;
   const auto position = [&](VertexId v) -> const Point& { return at(v).position; };
   const auto under = triangle_under(mesh, position, t, *x, may_cross);
-  if (!under) return std::nullopt;
+  if (!under || !is_near(at, mesh.corners(*under), *x)) return std::nullopt;
   return Insertion{*x, *under};
 }
 

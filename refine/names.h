@@ -25,6 +25,7 @@ using certify::LazySurfaceBall;
 using certify::Sizing;
 using certify::smallest_squared_sine;
 using certify::SurfaceBall;
+using certify::TriangleSides;
 using certify::triangle_under;
 using geometry::HalfEdgeId;
 using geometry::Subdomain;

@@ -51,10 +51,10 @@ void Refinement::inspect_all() {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleId t{i}, later{std::min(i + geometry::prefetch_ahead, end - 1)};
       for (const VertexId v : mesh_.surface.corners(later)) geometry::prefetch(&mesh_.at(v));
-      const Circumcircle circle = operations_.inspect(t, found[block]);
+      operations_.inspect(t, found[block]);
       const auto [a, b, c] = mesh_.surface.corners(t);
       const std::array corners{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-      filter.note(t, corners, circle, operations_.max_residual(corners));
+      filter.note(t, corners, TriangleSides(corners), operations_.max_residual(corners));
     }
   });
   geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {

@@ -17,8 +17,7 @@ using Corners = std::array<const SurfacePoint*, 3>;
 
 void note(const skin::SkinSurface& skin, DelaunayFilter& filter, TriangleId t, const Corners& p) {
   const double rho = max_length_scale(p);
-  filter.note(t, p, certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
-              skin.residual_bound(rho));
+  filter.note(t, p, certify::TriangleSides(p), skin.residual_bound(rho));
 }
 
 /// How deep x lies in the surface ball of a triangle, in shares of its squared radius; nothing

@@ -1,5 +1,6 @@
 #include "refine/refinement.h"
 
+#include "refine/mesh_operations.h"
 #include "tests/support/refined_meshes.h"
 
 using namespace morskin;
@@ -53,7 +54,42 @@ std::size_t spoil_by_splits(const PreparedSkin& skin, Mesh& mesh, Random& random
   return made;
 }
 
+/// Whether the line through x along its normal crosses a triangle.
+bool is_crossed(const std::array<Point, 3>& p, const SurfacePoint& x) {
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = (p[(k + 1) % 3] - p[k]).cross(x.position - p[k]).dot(x.normal);
+    left += side > 0;
+    right += side < 0;
+  }
+  return left == 3 || right == 3;
+}
+
 }  // namespace
+
+TEST_CASE("points of the surface are near their own sheet's triangle and no other they lie over") {
+  std::size_t own = 0, others = 0;
+  for (const PreparedSkin& skin : small_skins()) {
+    const Mesh mesh = refined_mesh(skin, {.C = 0.2});
+    const auto at = [&](VertexId v) -> const SurfacePoint& { return mesh.at(v); };
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); t += 3) {
+      const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
+      const auto x = skin.surface.project(
+          (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3, mesh.at(a).cell);
+      REQUIRE(x.has_value());
+      for (std::size_t other = 0; other < mesh.surface.triangle_count(); ++other) {
+        const auto corners = mesh.surface.corners(TriangleId{other});
+        const auto& [p, q, r] = corners;
+        if (!is_crossed({mesh.position(p), mesh.position(q), mesh.position(r)}, *x)) continue;
+        const bool is_own = (mesh.position(p) - x->position).norm() < x->length_scale;
+        CHECK(is_near(at, corners, *x) == is_own);
+        ++(is_own ? own : others);
+      }
+    }
+  }
+  CHECK(own > 1000);
+  CHECK(others > 1000);
+}
 
 TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps the topology") {
   for_skins(10, [&](const PreparedSkin& skin) {

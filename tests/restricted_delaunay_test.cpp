@@ -17,8 +17,7 @@ std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
     const std::array p{&points[a], &points[b], &points[c]};
-    sure.note(geometry::TriangleId{t}, p,
-              certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+    sure.note(geometry::TriangleId{t}, p, certify::TriangleSides(p),
               good.skin.surface.residual_bound(p[0]->length_scale));
   }
   return certify::local_delaunay_violations(mesh, surface, good.skin.surface, points, sure);

@@ -56,7 +56,7 @@ TEST_CASE("a triangle's bounds hold its circumradius and normal, of needles too"
     const long double R = e.norm() * f.norm() * (e - f).norm() / (2 * cross.norm());
     CHECK(bounds.circumradius >= R * (1 - 1e-12L));
     const long double shortest = std::min({e.norm(), f.norm(), (e - f).norm()});
-    const double sine = certify::smallest_sine(bounds, certify::shortest_edge(a, b, c));
+    const double sine = certify::smallest_sine(bounds);
     CHECK(sine <= shortest / (2 * R));
     CHECK((bounds.normal.cast<long double>() - cross.normalized()).norm() <=
           bounds.normal_error + 1e-14L);
