@@ -31,6 +31,13 @@ std::optional<double> depth_in(const SurfaceBall& ball, const Point& p, double r
   return intrusion / ball.squared_radius;
 }
 
+/// Whether a surface ball is looked for. A triangle as large as its length scale is refused by the
+/// certificate (tube.h). It may have no ball, or one far away that holds much of the mesh: to find
+/// that for all triangles of a mesh that has nothing to do with the surface would take for ever.
+bool may_have_ball(const Corners& corners, const Circumcircle& circle) {
+  return circle.radius < min_length_scale(corners);
+}
+
 class DelaunayCheck {
  public:
   DelaunayCheck(const IndexedMesh& mesh, const surface::Surface& surface,
@@ -91,7 +98,9 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
     const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
     if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
   };
-  if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
+  if (!may_have_ball(at, circle)) {
+    // Counted as undecided.
+  } else if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
     // The ball about o that contains every ball of the pencil.
     const double R = p->circle.radius, s = p->max_offset;
     tree_.for_each_within(p->circle.centre, s + std::sqrt(R * R + s * s), [&](const auto& near) {
@@ -150,6 +159,7 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh,
     const auto [a, b, c] = mesh.triangles[t.index()];
     const std::array at{&points[a], &points[b], &points[c]};
     const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+    if (!may_have_ball(at, circle)) return false;
     const std::optional<BallPencil> bound = ball_pencil(surface, at, circle);
     std::optional<SurfaceBall> ball;
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -23,9 +23,10 @@ struct DelaunayViolation {
 };
 
 struct RestrictedDelaunay {
-  std::size_t violations = 0;   ///< triangles with a vertex inside their surface ball
-  std::size_t undecided = 0;    ///< triangles without a surface ball near them; not counted above
-  std::size_t exact_balls = 0;  ///< balls computed
+  std::size_t violations = 0;  ///< triangles with a vertex inside their surface ball
+  /// Triangles without a surface ball near them, or too large for one; not counted above.
+  std::size_t undecided = 0;
+  std::size_t exact_balls = 0;             ///< balls computed
   std::vector<DelaunayViolation> deepest;  ///< the deepest first
   std::vector<std::uint32_t> first_undecided;
 };
@@ -39,7 +40,8 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
                                        std::size_t listed = 10,
                                        const geometry::Run& run = geometry::Run());
 
-/// How many triangles have the far corner of a neighbour in their surface ball, by the same rule.
+/// How many triangles have the far corner of a neighbour in their surface ball, by the same rule;
+/// of the undecided none.
 ///
 /// Law: in a certified mesh with the default sizing this is 0 exactly if restricted_delaunay()
 /// finds no violation. The argument, without its constants: let p lie in the ball of t, and let H
