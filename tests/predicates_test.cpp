@@ -285,8 +285,8 @@ TEST_CASE("the spatial order holds every id once") {
   std::mt19937_64 random(1);
   std::vector<WeightedPoint> points(5000);
   for (WeightedPoint& p : points) p = ball_in_box(random, 10);
-  std::vector<AtomId> order = spatial_order(points);
-  CHECK(order == spatial_order(points));
+  std::vector<AtomId> order = spatial_order(points).ids;
+  CHECK(order == spatial_order(points).ids);
   std::sort(order.begin(), order.end());
   REQUIRE(order.size() == points.size());
   for (std::size_t i = 0; i < order.size(); ++i) CHECK(order[i] == AtomId(i));
