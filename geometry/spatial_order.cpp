@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "geometry/parallel.h"
+
 namespace morskin::geometry {
 namespace {
 
@@ -77,6 +79,25 @@ constexpr std::array<std::array<Step, 8>, 24> make_steps() {
 
 constexpr auto steps = make_steps();
 
+using Keyed = std::pair<std::uint64_t, AtomId>;
+
+/// Sorts blocks and merges them two by two.
+void sort(std::vector<Keyed>& values, unsigned threads) {
+  constexpr std::size_t block = 32768;
+  const auto at = [&](std::size_t i) {
+    return values.begin() + static_cast<std::ptrdiff_t>(std::min(i, values.size()));
+  };
+  for_each_block(
+      threads, values.size(),
+      [&](std::size_t begin, std::size_t end, std::size_t) { std::sort(at(begin), at(end)); },
+      block);
+  for (std::size_t half = block; half < values.size(); half *= 2) {
+    for_each_task(threads, block_count(values.size(), 2 * half), [&](std::size_t k) {
+      std::inplace_merge(at(2 * k * half), at((2 * k + 1) * half), at((2 * k + 2) * half));
+    });
+  }
+}
+
 }  // namespace
 
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
@@ -91,23 +112,29 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, i
   return index;
 }
 
-std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points) {
+SpatialOrder spatial_order(std::span<const WeightedPoint> points, unsigned threads) {
   if (points.empty()) return {};
   // A point skips each of the last rounds with probability 1/8.
   const int rounds_after_first =
       (static_cast<int>(std::bit_width(points.size() / first_round_size)) + 2) / 3;
   const Grid grid(points);
-  std::vector<std::pair<std::uint64_t, AtomId>> keyed;
-  keyed.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int skipped = std::countl_zero(scrambled(scrambled(1) + i)) / 3;
-    const auto round = static_cast<std::uint64_t>(std::max(0, rounds_after_first - skipped));
-    keyed.emplace_back(round << (3 * bits_per_axis) | grid.index(points[i].position), AtomId(i));
+  std::vector<Keyed> keyed(points.size());
+  for_each_block(threads, points.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const int skipped = std::countl_zero(scrambled(scrambled(1) + i)) / 3;
+      const auto round = static_cast<std::uint64_t>(std::max(0, rounds_after_first - skipped));
+      keyed[i] = {round << (3 * bits_per_axis) | grid.index(points[i].position), AtomId(i)};
+    }
+  });
+  sort(keyed, threads);
+  SpatialOrder order;
+  order.ids.reserve(points.size());
+  for (const auto& [key, id] : keyed) order.ids.push_back(id);
+  for (int round = 0; round <= rounds_after_first; ++round) {
+    const std::uint64_t next = (static_cast<std::uint64_t>(round) + 1) << (3 * bits_per_axis);
+    const auto end = std::ranges::lower_bound(keyed, next, {}, &Keyed::first);
+    order.ends.push_back(static_cast<std::size_t>(end - keyed.begin()));
   }
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<AtomId> order;
-  order.reserve(points.size());
-  for (const auto& [key, id] : keyed) order.push_back(id);
   return order;
 }
 

@@ -12,11 +12,15 @@ namespace morskin::geometry {
 /// A biased randomized insertion order: rounds, each a random sample seven times as large as all
 /// earlier ones together, and a Hilbert curve through each round. Deterministic.
 ///
-/// @return every id once
+/// @param  threads  may be used
 /// @pre    all positions are finite.
 /// Source: Amenta, Choi & Rote 2003, Incremental constructions con BRIO; Hamilton & Rau-Chaplin
 ///         2008, Compact Hilbert indices (the curve).
-std::vector<AtomId> spatial_order(std::span<const WeightedPoint> points);
+struct SpatialOrder {
+  std::vector<AtomId> ids;        ///< every id once
+  std::vector<std::size_t> ends;  ///< of the rounds, ascending
+};
+SpatialOrder spatial_order(std::span<const WeightedPoint> points, unsigned threads = 1);
 
 /// The index of the cell (x, y, z) on the Hilbert curve of the cube [0, 2^bits)^3.
 ///

@@ -49,11 +49,23 @@ bool Triangulator::is_in_conflict_exactly(const Tetrahedron& t, Corner p) const 
 
 /// Inserts a point or, if it is redundant, leaves everything as it is. A point that is in the
 /// closed tetrahedron where the walk ends, and not in conflict with it, lies above the lower hull.
-void Triangulator::insert(Corner p) {
-  last_ = locate(p);
-  if (!is_in_conflict(last_, p)) return;
-  grow_cavity(p);
-  fill_cavity(p);
+///
+/// @return false: nothing was done, since the region or its slots do not suffice
+bool Triangulator::insert(Corner p, Worker& worker) {
+  return worker.height == whole ? insert_in<false>(p, worker) : insert_in<true>(p, worker);
+}
+
+template <bool InRegion>
+bool Triangulator::insert_in(Corner p, Worker& worker) {
+  worker.last = locate<InRegion>(p, worker);
+  if (worker.last == no_index) return false;
+  if (!is_in_conflict(worker.last, p)) return true;
+  if (!grow_cavity<InRegion>(p, worker)) {
+    leave_cavity(worker);
+    return false;
+  }
+  fill_cavity(p, worker);
+  return true;
 }
 
 std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point,
@@ -63,42 +75,51 @@ std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point
   const auto p = static_cast<Corner>(atom_count_);
   points_.push_back({point});
   ids_.push_back(AtomId(atom_count_));
-  rim_numbers_.resize(points_.size() + 1);
+  all_.rim_numbers.resize(points_.size() + 1);
   const auto* hint = std::find_if(hints.begin(), hints.end(),
                                   [&](std::uint32_t t) { return is_in_conflict(t, p); });
-  last_ = hint != hints.end() ? *hint : hints[0];
-  if (hint == hints.end()) last_ = locate(p);
-  if (hint == hints.end() && !is_in_conflict(last_, p)) {
+  all_.last = hint != hints.end() ? *hint : hints[0];
+  if (hint == hints.end()) all_.last = locate<false>(p, all_);
+  if (hint == hints.end() && !is_in_conflict(all_.last, p)) {
     points_.pop_back();
     ids_.pop_back();
     return std::nullopt;
   }
   ++atom_count_;
-  grow_cavity(p);
-  fill_cavity(p);
+  grow_cavity<false>(p, all_);
+  fill_cavity(p, all_);
   return p;
 }
 
 /// Walks from the last tetrahedron towards p, each step through a facet with p strictly behind it,
 /// until there is none or the hull is left. In a regular triangulation such a walk never cycles.
-std::uint32_t Triangulator::locate(Corner p) const {
+/// In a region it takes what steps the region allows.
+/// @return no_index if there is none
+template <bool InRegion>
+std::uint32_t Triangulator::locate(Corner p, const Worker& worker) const {
   const Point& target = points_[p].position;
-  std::uint32_t here = last_;
-  if (is_ghost(tetrahedra_[here])) here = tetrahedron_of(tetrahedra_[here].neighbours[3]);
+  std::uint32_t here = worker.last;
+  if (is_ghost(tetrahedra_[here])) {
+    here = tetrahedron_of(tetrahedra_[here].neighbours[3]);
+    if (InRegion && !is_own(here, worker)) return no_index;
+  }
   std::size_t entered_by = 4;
   while (true) {
     const Tetrahedron& t = tetrahedra_[here];
     std::array<const Point*, 4> q{};
     for (std::size_t k = 0; k < 4; ++k) q[k] = &points_[t.corners[k]].position;
+    bool is_behind = false;  // a facet
     std::size_t exit = 0;
     for (; exit < 4; ++exit) {
       if (exit == entered_by) continue;
       const Point* corner = std::exchange(q[exit], &target);
       const Sign side = internal::fast_orientation(*q[0], *q[1], *q[2], *q[3]);
       q[exit] = corner;
-      if (side == Sign::Negative) break;
+      if (side != Sign::Negative) continue;
+      is_behind = true;
+      if (!InRegion || is_own(tetrahedron_of(t.neighbours[exit]), worker)) break;
     }
-    if (exit == 4) return here;
+    if (exit == 4) return is_behind ? no_index : here;
     here = tetrahedron_of(t.neighbours[exit]);
     entered_by = index_of(t.neighbours[exit]);
     if (is_ghost(tetrahedra_[here])) return here;
@@ -107,36 +128,49 @@ std::uint32_t Triangulator::locate(Corner p) const {
 
 /// Collects the tetrahedra in conflict with p, which are connected, and the facets around them.
 /// Both lists are written each time and one advanced: the answers cannot be predicted.
-void Triangulator::grow_cavity(Corner p) {
-  cavity_[0] = last_;
-  cavity_size_ = 1;
-  rim_size_ = 0;
-  states_[last_] = State::InCavity;
-  for (std::size_t next = 0; next < cavity_size_; ++next) {
-    const std::uint32_t here = cavity_[next];
-    if (cavity_.size() < cavity_size_ + 5) cavity_.resize(2 * cavity_.size());
-    if (rim_.size() < rim_size_ + 5) rim_.resize(2 * rim_.size());
+///
+/// @return false if the region ends there or has not slots enough for fill_cavity()
+template <bool InRegion>
+bool Triangulator::grow_cavity(Corner p, Worker& worker) {
+  std::vector<std::uint32_t>& cavity = worker.cavity;
+  std::vector<Facet>& rim = worker.rim;
+  cavity[0] = worker.last;
+  worker.cavity_size = 1;
+  worker.rim_size = 0;
+  statuses_[worker.last].state = State::InCavity;
+  for (std::size_t next = 0; next < worker.cavity_size; ++next) {
+    const std::uint32_t here = cavity[next];
+    if (cavity.size() < worker.cavity_size + 5) cavity.resize(2 * cavity.size());
+    if (rim.size() < worker.rim_size + 5) rim.resize(2 * rim.size());
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t there = tetrahedron_of(tetrahedra_[here].neighbours[k]);
-      if (states_[there] == State::InCavity) continue;
+      if (InRegion && !is_own(there, worker)) return false;
+      if (statuses_[there].state == State::InCavity) continue;
       const bool in_conflict = is_in_conflict(there, p);
-      cavity_[cavity_size_] = there;
-      cavity_size_ += in_conflict ? 1 : 0;
-      rim_[rim_size_] = facet_of(here, k);
-      rim_size_ += in_conflict ? 0 : 1;
-      states_[there] = in_conflict ? State::InCavity : State::Live;
+      cavity[worker.cavity_size] = there;
+      worker.cavity_size += in_conflict ? 1 : 0;
+      rim[worker.rim_size] = facet_of(here, k);
+      worker.rim_size += in_conflict ? 0 : 1;
+      statuses_[there].state = in_conflict ? State::InCavity : State::Live;
     }
   }
+  const std::size_t slots = worker.free.size() + worker.unused_end - worker.unused;
+  return !InRegion || worker.rim_size <= slots;
+}
+
+void Triangulator::leave_cavity(const Worker& worker) {
+  for (std::size_t i = 0; i < worker.cavity_size; ++i)
+    statuses_[worker.cavity[i]].state = State::Live;
 }
 
 /// Joins p to every facet of the rim. Each filler is the cavity's tetrahedron there with the
 /// opposite corner replaced by p, so orientation and infinity's index are inherited.
-void Triangulator::fill_cavity(Corner p) {
-  fillers_.clear();
-  for (std::size_t i = 0; i < rim_size_; ++i) {
-    const std::size_t index = index_of(rim_[i]);
-    const std::uint32_t filler = allocate();
-    const Tetrahedron& inner = tetrahedra_[tetrahedron_of(rim_[i])];
+void Triangulator::fill_cavity(Corner p, Worker& worker) {
+  worker.fillers.clear();
+  for (std::size_t i = 0; i < worker.rim_size; ++i) {
+    const std::size_t index = index_of(worker.rim[i]);
+    const std::uint32_t filler = allocate(worker);
+    const Tetrahedron& inner = tetrahedra_[tetrahedron_of(worker.rim[i])];
     const Facet outer = inner.neighbours[index];
     Tetrahedron& t = tetrahedra_[filler];
     t.corners = inner.corners;
@@ -144,57 +178,58 @@ void Triangulator::fill_cavity(Corner p) {
     t.neighbours = {no_index, no_index, no_index, no_index};
     t.neighbours[index] = outer;
     tetrahedra_[tetrahedron_of(outer)].neighbours[index_of(outer)] = facet_of(filler, index);
-    fillers_.push_back(filler);
+    worker.fillers.push_back(filler);
   }
   // A rim with F triangles is a sphere, with F / 2 + 2 corners.
-  rim_size_ / 2 + 2 <= table_side ? link_by_table() : link_by_turning();
-  for (std::size_t i = 0; i < cavity_size_; ++i) states_[cavity_[i]] = State::Free;
-  free_.insert(free_.end(), cavity_.begin(),
-               cavity_.begin() + static_cast<std::ptrdiff_t>(cavity_size_));
-  last_ = fillers_.back();
+  worker.rim_size / 2 + 2 <= table_side ? link_by_table(worker) : link_by_turning(worker);
+  for (std::size_t i = 0; i < worker.cavity_size; ++i)
+    statuses_[worker.cavity[i]].state = State::Free;
+  worker.free.insert(worker.free.end(), worker.cavity.begin(),
+                     worker.cavity.begin() + static_cast<std::ptrdiff_t>(worker.cavity_size));
+  worker.last = worker.fillers.back();
 }
 
 /// Links the fillers to one another. The new facet of a filler that contains p and the edge uv of
 /// the rim faces the new facet of another filler that contains p and vu. The rim's corners get
 /// small numbers, by which a table holds the facet at each directed edge.
-void Triangulator::link_by_table() {
+void Triangulator::link_by_table(Worker& worker) {
   std::array<std::array<std::uint32_t, 3>, 2 * table_side> numbers;
   std::uint32_t count = 0;
-  if (++stamp_ == 0) {
-    std::fill(rim_numbers_.begin(), rim_numbers_.end(), RimNumber{});
-    ++stamp_;
+  if (++worker.stamp == 0) {
+    std::fill(worker.rim_numbers.begin(), worker.rim_numbers.end(), Worker::RimNumber{});
+    ++worker.stamp;
   }
-  for (std::size_t i = 0; i < rim_size_; ++i) {
-    const auto& corners = tetrahedra_[fillers_[i]].corners;
-    const auto& around = indices_around[index_of(rim_[i])];
+  for (std::size_t i = 0; i < worker.rim_size; ++i) {
+    const auto& corners = tetrahedra_[worker.fillers[i]].corners;
+    const auto& around = indices_around[index_of(worker.rim[i])];
     for (std::size_t k = 0; k < 3; ++k) {
-      RimNumber& known = rim_numbers_[corners[around[k]] + 1];
-      const bool is_new = known.stamp != stamp_;
-      known = {stamp_, is_new ? count : known.number};
+      Worker::RimNumber& known = worker.rim_numbers[corners[around[k]] + 1];
+      const bool is_new = known.stamp != worker.stamp;
+      known = {worker.stamp, is_new ? count : known.number};
       count += is_new ? 1 : 0;
       numbers[i][k] = known.number;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      edge_table_[numbers[i][k] * table_side + numbers[i][(k + 1) % 3]] =
-          facet_of(fillers_[i], around[(k + 2) % 3]);
+      worker.edge_table[numbers[i][k] * table_side + numbers[i][(k + 1) % 3]] =
+          facet_of(worker.fillers[i], around[(k + 2) % 3]);
     }
   }
-  for (std::size_t i = 0; i < rim_size_; ++i) {
-    Tetrahedron& t = tetrahedra_[fillers_[i]];
-    const auto& around = indices_around[index_of(rim_[i])];
+  for (std::size_t i = 0; i < worker.rim_size; ++i) {
+    Tetrahedron& t = tetrahedra_[worker.fillers[i]];
+    const auto& around = indices_around[index_of(worker.rim[i])];
     for (std::size_t k = 0; k < 3; ++k) {
       t.neighbours[around[(k + 2) % 3]] =
-          edge_table_[numbers[i][(k + 1) % 3] * table_side + numbers[i][k]];
+          worker.edge_table[numbers[i][(k + 1) % 3] * table_side + numbers[i][k]];
     }
   }
 }
 
 /// The same for a rim of any size, at twice the price.
-void Triangulator::link_by_turning() {
-  for (std::size_t i = 0; i < rim_size_; ++i) {
+void Triangulator::link_by_turning(const Worker& worker) {
+  for (std::size_t i = 0; i < worker.rim_size; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      if (k == index_of(rim_[i])) continue;
-      tetrahedra_[fillers_[i]].neighbours[k] = turn_to_rim(rim_[i], k);
+      if (k == index_of(worker.rim[i])) continue;
+      tetrahedra_[worker.fillers[i]].neighbours[k] = turn_to_rim(worker.rim[i], k);
     }
   }
 }
@@ -205,7 +240,7 @@ Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const
   const Tetrahedron* here = &tetrahedra_[tetrahedron_of(rim)];
   std::size_t entry = index_of(rim);
   Facet across = here->neighbours[exit];
-  while (states_[tetrahedron_of(across)] == State::InCavity) {
+  while (statuses_[tetrahedron_of(across)].state == State::InCavity) {
     const Corner pivot = here->corners[entry];
     here = &tetrahedra_[tetrahedron_of(across)];
     entry = index_of(across);
@@ -217,17 +252,23 @@ Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const
   return facet_of(tetrahedron_of(met), entry);
 }
 
-std::uint32_t Triangulator::allocate() {
-  if (free_.empty()) {
+/// @pre the region, if any, has a slot left
+std::uint32_t Triangulator::allocate(Worker& worker) {
+  std::uint32_t slot = worker.unused;
+  if (!worker.free.empty()) {
+    slot = worker.free.back();
+    worker.free.pop_back();
+  } else if (slot < worker.unused_end) {
+    ++worker.unused;
+  } else {
+    assert(worker.height == whole);
     require_capacity(tetrahedra_.size(), max_tetrahedra, "tetrahedra of the triangulated atoms");
+    slot = static_cast<std::uint32_t>(tetrahedra_.size());
     tetrahedra_.emplace_back();
-    states_.push_back(State::Live);
-    return static_cast<std::uint32_t>(tetrahedra_.size() - 1);
+    statuses_.emplace_back();
   }
-  const std::uint32_t reused = free_.back();
-  free_.pop_back();
-  states_[reused] = State::Live;
-  return reused;
+  statuses_[slot] = {State::Live, static_cast<std::uint8_t>(worker.region << worker.height)};
+  return slot;
 }
 
 }  // namespace morskin::geometry

@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "geometry/exact_range.h"
+#include "geometry/parallel.h"
 #include "geometry/spatial_order.h"
 #include "geometry/triangulator.h"
 
@@ -39,28 +40,26 @@ std::array<Triangulator::Facet, 20> facets_behind_first(
 
 }  // namespace
 
-Triangulator::Triangulator(std::span<const WeightedPoint> points, const Run& run)
+Triangulator::Triangulator(std::span<const WeightedPoint> points, const Run& run,
+                           std::size_t region)
     : atom_count_(points.size()) {
   if (points.size() > max_points) fail_for_lack_of_ids(max_points, "atoms");
   if (points.empty()) return;
-  std::vector<AtomId> order = spatial_order(points);
+  auto [order, rounds] = spatial_order(points, run.threads());
   find_first_tetrahedron(points, order);
+  points_.resize(points.size());
   points_.reserve(points.size() + 3);
   ids_ = std::move(order);
-  for (const AtomId id : ids_) points_.push_back({points[id.index()]});
+  for_each_block(run.threads(), ids_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) points_[i] = {points[ids_[i].index()]};
+  });
   if (dimension_ < 1) return;
   add_apexes(points);
   tetrahedra_.reserve(8 * points_.size());
-  states_.reserve(8 * points_.size());
-  rim_numbers_.resize(points_.size() + 1);
+  statuses_.reserve(8 * points_.size());
+  all_.rim_numbers.resize(points_.size() + 1);
   make_first_tetrahedron();
-  for (std::size_t p = static_cast<std::size_t>(dimension_) + 1; p < atom_count_; ++p) {
-    insert(static_cast<Corner>(p));
-    constexpr std::size_t points_between_reports = 4096;
-    if (p % points_between_reports == 0) {
-      run.report(static_cast<double>(p) / static_cast<double>(atom_count_));
-    }
-  }
+  insert_rounds(rounds, run, region);
 }
 
 /// Moves affinely independent points to the front of the order, as many as there are.
@@ -128,7 +127,7 @@ void Triangulator::make_first_tetrahedron() {
     ghost[3] = infinity;
     tetrahedra_.push_back({ghost, {no_index, no_index, no_index, no_index}});
   }
-  states_.assign(5, State::Live);
+  statuses_.assign(5, {});
   static const std::array<Facet, 20> behind = facets_behind_first(tetrahedra_);
   for (Facet f = 0; f < 20; ++f) tetrahedra_[tetrahedron_of(f)].neighbours[index_of(f)] = behind[f];
 }

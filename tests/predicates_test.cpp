@@ -285,11 +285,24 @@ TEST_CASE("the spatial order holds every id once") {
   std::mt19937_64 random(1);
   std::vector<WeightedPoint> points(5000);
   for (WeightedPoint& p : points) p = ball_in_box(random, 10);
-  std::vector<AtomId> order = spatial_order(points);
-  CHECK(order == spatial_order(points));
+  std::vector<AtomId> order = spatial_order(points).ids;
+  CHECK(order == spatial_order(points).ids);
   std::sort(order.begin(), order.end());
   REQUIRE(order.size() == points.size());
   for (std::size_t i = 0; i < order.size(); ++i) CHECK(order[i] == AtomId(i));
+}
+
+TEST_CASE("rounds of the spatial order grow sevenfold and are the same for any number of threads") {
+  std::mt19937_64 random(2);
+  std::vector<WeightedPoint> points(150000);
+  for (WeightedPoint& p : points) p = ball_in_box(random, 10);
+  const SpatialOrder one = spatial_order(points), three = spatial_order(points, 3);
+  CHECK(one.ids == three.ids);
+  CHECK(one.ends == three.ends);
+  REQUIRE(one.ends.back() == points.size());
+  CHECK(std::is_sorted(one.ends.begin(), one.ends.end()));
+  const auto last_round = static_cast<double>(points.size() - one.ends[one.ends.size() - 2]);
+  CHECK(last_round == doctest::Approx(7.0 / 8 * 150000).epsilon(0.01));
 }
 
 }  // namespace morskin::geometry
