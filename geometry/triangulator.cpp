@@ -137,7 +137,7 @@ bool Triangulator::grow_cavity(Corner p, Worker& worker) {
   cavity[0] = worker.last;
   worker.cavity_size = 1;
   worker.rim_size = 0;
-  statuses_[worker.last].state = State::InCavity;
+  states_[worker.last] = State::InCavity;
   for (std::size_t next = 0; next < worker.cavity_size; ++next) {
     const std::uint32_t here = cavity[next];
     if (cavity.size() < worker.cavity_size + 5) cavity.resize(2 * cavity.size());
@@ -145,13 +145,13 @@ bool Triangulator::grow_cavity(Corner p, Worker& worker) {
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t there = tetrahedron_of(tetrahedra_[here].neighbours[k]);
       if (InRegion && !is_own(there, worker)) return false;
-      if (statuses_[there].state == State::InCavity) continue;
+      if (states_[there] == State::InCavity) continue;
       const bool in_conflict = is_in_conflict(there, p);
       cavity[worker.cavity_size] = there;
       worker.cavity_size += in_conflict ? 1 : 0;
       rim[worker.rim_size] = facet_of(here, k);
       worker.rim_size += in_conflict ? 0 : 1;
-      statuses_[there].state = in_conflict ? State::InCavity : State::Live;
+      states_[there] = in_conflict ? State::InCavity : State::Live;
     }
   }
   const std::size_t slots = worker.free.size() + worker.unused_end - worker.unused;
@@ -159,8 +159,7 @@ bool Triangulator::grow_cavity(Corner p, Worker& worker) {
 }
 
 void Triangulator::leave_cavity(const Worker& worker) {
-  for (std::size_t i = 0; i < worker.cavity_size; ++i)
-    statuses_[worker.cavity[i]].state = State::Live;
+  for (std::size_t i = 0; i < worker.cavity_size; ++i) states_[worker.cavity[i]] = State::Live;
 }
 
 /// Joins p to every facet of the rim. Each filler is the cavity's tetrahedron there with the
@@ -182,8 +181,7 @@ void Triangulator::fill_cavity(Corner p, Worker& worker) {
   }
   // A rim with F triangles is a sphere, with F / 2 + 2 corners.
   worker.rim_size / 2 + 2 <= table_side ? link_by_table(worker) : link_by_turning(worker);
-  for (std::size_t i = 0; i < worker.cavity_size; ++i)
-    statuses_[worker.cavity[i]].state = State::Free;
+  for (std::size_t i = 0; i < worker.cavity_size; ++i) states_[worker.cavity[i]] = State::Free;
   worker.free.insert(worker.free.end(), worker.cavity.begin(),
                      worker.cavity.begin() + static_cast<std::ptrdiff_t>(worker.cavity_size));
   worker.last = worker.fillers.back();
@@ -240,7 +238,7 @@ Triangulator::Facet Triangulator::turn_to_rim(Facet rim, std::size_t exit) const
   const Tetrahedron* here = &tetrahedra_[tetrahedron_of(rim)];
   std::size_t entry = index_of(rim);
   Facet across = here->neighbours[exit];
-  while (statuses_[tetrahedron_of(across)].state == State::InCavity) {
+  while (states_[tetrahedron_of(across)] == State::InCavity) {
     const Corner pivot = here->corners[entry];
     here = &tetrahedra_[tetrahedron_of(across)];
     entry = index_of(across);
@@ -265,9 +263,12 @@ std::uint32_t Triangulator::allocate(Worker& worker) {
     require_capacity(tetrahedra_.size(), max_tetrahedra, "tetrahedra of the triangulated atoms");
     slot = static_cast<std::uint32_t>(tetrahedra_.size());
     tetrahedra_.emplace_back();
-    statuses_.emplace_back();
+    states_.push_back(State::Live);
   }
-  statuses_[slot] = {State::Live, static_cast<std::uint8_t>(worker.region << worker.height)};
+  states_[slot] = State::Live;
+  if (worker.height < whole) {
+    regions_[slot] = static_cast<std::uint8_t>(worker.region << worker.height);
+  }
   return slot;
 }
 

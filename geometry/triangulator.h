@@ -72,9 +72,7 @@ class Triangulator {
   int dimension() const { return dimension_; }
   /// Some are not live: their slots are free for reuse.
   std::span<const Tetrahedron> tetrahedra() const { return tetrahedra_; }
-  bool is_live(std::size_t tetrahedron) const {
-    return statuses_[tetrahedron].state == State::Live;
-  }
+  bool is_live(std::size_t tetrahedron) const { return states_[tetrahedron] == State::Live; }
   /// The point at a corner; nothing for an apex or infinity.
   std::optional<AtomId> atom(Corner corner) const {
     return corner < atom_count_ ? std::optional(ids_[corner]) : std::nullopt;
@@ -95,11 +93,6 @@ class Triangulator {
 
  private:
   enum class State : std::uint8_t { Live, InCavity, Free };
-  /// Of a tetrahedron: what it is, and the smallest region that it belongs to.
-  struct Status {
-    State state = State::Live;
-    std::uint8_t region = 0;
-  };
   struct alignas(32) StoredPoint : WeightedPoint {};  // never across two cache lines
   static constexpr Corner infinity = no_index;
 
@@ -145,7 +138,7 @@ class Triangulator {
   bool is_in_conflict(std::uint32_t tetrahedron, Corner p) const;
   bool is_in_conflict_exactly(const Tetrahedron& t, Corner p) const;
   bool is_own(std::uint32_t tetrahedron, const Worker& worker) const {
-    return std::uint32_t{statuses_[tetrahedron].region} >> worker.height == worker.region;
+    return std::uint32_t{regions_[tetrahedron]} >> worker.height == worker.region;
   }
   template <bool InRegion>
   bool grow_cavity(Corner p, Worker& worker);
@@ -178,8 +171,9 @@ class Triangulator {
   std::vector<StoredPoint> points_;  // in the order of insertion, then the apexes
   std::vector<AtomId> ids_;          // of the same
   std::vector<Tetrahedron, Untouched<Tetrahedron>> tetrahedra_;
-  std::vector<Status> statuses_;
-  Worker all_;  // of all of space
+  std::vector<State> states_;
+  std::vector<std::uint8_t> regions_;  // the smallest of each; current while several are at work
+  Worker all_;                         // of all of space
 };
 
 }  // namespace morskin::geometry

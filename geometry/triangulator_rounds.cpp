@@ -51,11 +51,12 @@ class Triangulator::Batches {
   void assign_tetrahedra(const Dissection& space) {
     const auto work = [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t t = begin; t < end; ++t) {
-        Status& status = to_.statuses_[t];
-        if (status.state == State::Live) status.region = leaf_of(centre(to_.tetrahedra_[t]), space);
+        if (to_.states_[t] != State::Live) continue;
+        to_.regions_[t] = leaf_of(centre(to_.tetrahedra_[t]), space);
       }
     };
-    for_each_block(run_.threads(), to_.statuses_.size(), work);
+    to_.regions_.resize(to_.states_.size());
+    for_each_block(run_.threads(), to_.states_.size(), work);
   }
 
   static std::uint8_t leaf_of(const Point& x, const Dissection& space) {
@@ -144,15 +145,16 @@ class Triangulator::Batches {
     worker.unused_end = static_cast<std::uint32_t>(
         std::min<std::size_t>(worker.unused + (wanted - taken), max_tetrahedra));
     to_.tetrahedra_.resize(worker.unused_end);
-    to_.statuses_.resize(worker.unused_end, {State::Free, 0});
+    to_.states_.resize(worker.unused_end, State::Free);
+    to_.regions_.resize(worker.unused_end);
   }
 
   /// Live tetrahedra of a region, where walks can start. @pre nothing is being inserted
   std::vector<std::uint32_t> starts(const Worker& worker) const {
     constexpr std::size_t enough = 8;
     std::vector<std::uint32_t> result;
-    for (std::uint32_t t = 0; t < to_.statuses_.size() && result.size() < enough; ++t) {
-      if (to_.statuses_[t].state == State::Live && to_.is_own(t, worker)) result.push_back(t);
+    for (std::uint32_t t = 0; t < to_.states_.size() && result.size() < enough; ++t) {
+      if (to_.states_[t] == State::Live && to_.is_own(t, worker)) result.push_back(t);
     }
     return result;
   }
@@ -176,8 +178,7 @@ class Triangulator::Batches {
       left.push_back(points[i]);
       for (std::size_t k = 0; worker.last == no_index && k < starts.size(); ++k) {
         const std::uint32_t start = starts[next++ % starts.size()];
-        if (to_.statuses_[start].state == State::Live && to_.is_own(start, worker))
-          worker.last = start;
+        if (to_.states_[start] == State::Live && to_.is_own(start, worker)) worker.last = start;
       }
       if (worker.last == no_index) {
         left.insert(left.end(), points.begin() + static_cast<std::ptrdiff_t>(i) + 1, points.end());
@@ -189,9 +190,9 @@ class Triangulator::Batches {
 
   void insert_all(std::span<const Corner> points) {
     std::uint32_t& last = to_.all_.last;
-    if (to_.statuses_[last].state != State::Live) {
-      const auto live = std::ranges::find(to_.statuses_, State::Live, &Status::state);
-      last = static_cast<std::uint32_t>(live - to_.statuses_.begin());
+    if (to_.states_[last] != State::Live) {
+      const auto live = std::ranges::find(to_.states_, State::Live);
+      last = static_cast<std::uint32_t>(live - to_.states_.begin());
     }
     for (const Corner p : points) {
       to_.insert(p, to_.all_);
@@ -225,6 +226,7 @@ void Triangulator::insert_rounds(std::span<const std::size_t> ends, const Run& r
     for (; next < end; ++next) round.push_back(static_cast<Corner>(next));
     batches.insert(round);
   }
+  regions_ = {};
 }
 
 }  // namespace morskin::geometry

@@ -56,7 +56,7 @@ Triangulator::Triangulator(std::span<const WeightedPoint> points, const Run& run
   if (dimension_ < 1) return;
   add_apexes(points);
   tetrahedra_.reserve(8 * points_.size());
-  statuses_.reserve(8 * points_.size());
+  states_.reserve(8 * points_.size());
   all_.rim_numbers.resize(points_.size() + 1);
   make_first_tetrahedron();
   insert_rounds(rounds, run, region);
@@ -127,7 +127,7 @@ void Triangulator::make_first_tetrahedron() {
     ghost[3] = infinity;
     tetrahedra_.push_back({ghost, {no_index, no_index, no_index, no_index}});
   }
-  statuses_.assign(5, {});
+  states_.assign(5, State::Live);
   static const std::array<Facet, 20> behind = facets_behind_first(tetrahedra_);
   for (Facet f = 0; f < 20; ++f) tetrahedra_[tetrahedron_of(f)].neighbours[index_of(f)] = behind[f];
 }
