@@ -49,10 +49,6 @@ inline double smallest_squared_sine(const Point& a, const Point& b, const Point&
   return (b - a).cross(c - a).squaredNorm() * std::min({ab, bc, ca}) / (ab * bc * ca);
 }
 
-inline double shortest_edge(const Point& a, const Point& b, const Point& c) {
-  return std::sqrt(std::min({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-}
-
 /// The smallest and the largest of a triangle's three angles.
 struct AngleRange {
   double smallest_deg, largest_deg;

@@ -52,7 +52,7 @@ class NearVertices {
 double min_distance(const Mesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.surface.corners(t);
   const Point &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
-  return std::min(certify::shortest_edge(p, q, r), circumcircle(p, q, r).radius);
+  return std::min(TriangleSides(p, q, r).shortest(), circumcircle(p, q, r).radius);
 }
 
 }  // namespace

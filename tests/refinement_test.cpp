@@ -91,6 +91,24 @@ TEST_CASE("points of the surface are near their own sheet's triangle and no othe
   CHECK(others > 1000);
 }
 
+TEST_CASE("the coarsest triangles are nearer than their length scale to the surface over them") {
+  for (const PreparedSkin& skin : small_skins()) {
+    const Mesh mesh = refined_mesh(skin, {.C = 0.4, .Q = Sizing::quality_for(0.4)});
+    const auto at = [&](VertexId v) -> const SurfacePoint& { return mesh.at(v); };
+    Random random(7);
+    for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto corners = mesh.surface.corners(TriangleId{t});
+      const auto& [a, b, c] = corners;
+      const double s = random.uniform(), u = random.between(0, 1 - s);
+      const auto x = skin.surface.project(
+          s * mesh.position(a) + u * mesh.position(b) + (1 - s - u) * mesh.position(c),
+          mesh.at(a).cell);
+      REQUIRE(x.has_value());
+      CHECK(is_near(at, corners, *x));
+    }
+  }
+}
+
 TEST_CASE("refinement of a swept mesh leaves no breach of [L] or [U] and keeps the topology") {
   for_skins(10, [&](const PreparedSkin& skin) {
     Mesh mesh = swept_mesh(skin);
