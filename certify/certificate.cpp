@@ -231,7 +231,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   }
   const LocatedMesh on = located();
   const CornerBounds bounds = on.corner_bounds(corner);
-  filter.note(geometry::TriangleId{t}, p, shape.sides, bounds.max_value);
+  filter.note(geometry::TriangleId{t}, p, shape.sides, bounds.max_value());
   const double sine = smallest_sine(shape);
   if (sine < out.min_sine) {
     out.min_sine = sine;

@@ -57,7 +57,7 @@ bool CoveringDegree::own_triangles_do_not_return(VertexId v) const {
     const std::array triangle{v.value, connectivity_.target(h).value, connectivity_.apex(h).value};
     const TriangleBounds shape = on_.shape(triangle);
     const double g = shape.circumradius * shape.circumradius +
-                     on_.corner_bounds(triangle).max_value + bounds.max_value();
+                     on_.corner_bounds(triangle).max_value() + bounds.max_value();
     const double path = max_flow_path(min_length_scale(v), up * g);
     const double upright =
         p.length_scale * (p.normal.dot(shape.normal) - shape.normal_error) - bounds.error;
@@ -107,7 +107,8 @@ bool CoveringDegree::may_cover(const geometry::TriangleCorners& triangle, Vertex
   const VertexBounds& bounds = on_.bounds[v.index()];
   const TriangleBounds shape = on_.shape(triangle);
   const CornerBounds corners = on_.corner_bounds(triangle);
-  const double g = shape.circumradius * shape.circumradius + corners.max_value + bounds.max_value();
+  const double g =
+      shape.circumradius * shape.circumradius + corners.max_value() + bounds.max_value();
   Offsets offsets;
   for (std::size_t k = 0; k < 3; ++k) offsets[k] = on_.position(triangle[k]) - at.position;
   const double distance = distance_below(offsets);

@@ -69,12 +69,9 @@ struct LocatedMesh {
     return triangle_bounds(position(a), position(b), position(c));
   }
   CornerBounds corner_bounds(const geometry::TriangleCorners& triangle) const {
-    CornerBounds result{0, 0};
-    for (const std::uint32_t v : triangle) {
-      result.max_value = std::max(result.max_value, bounds[v].max_value());
-      result.max_error = std::max<double>(result.max_error, bounds[v].error);
-    }
-    return result;
+    const auto& [a, b, c] = triangle;
+    return {{bounds[a].max_value(), bounds[b].max_value(), bounds[c].max_value()},
+            std::max({bounds[a].error, bounds[b].error, bounds[c].error})};
   }
 };
 

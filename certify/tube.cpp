@@ -15,59 +15,71 @@ constexpr int max_depth = 5;
 
 /// Margin of the comparisons below, in shares of |N|: far above the rounding of the few operations
 /// that lead to either side, 2^-48 together.
-constexpr double margin_of_proof = 1e-6;
+constexpr double margin = 1e-6;
 
-/// A mesher's, who takes N as if it were exact: a proof then succeeds whose N is off by 2^-12 of
-/// itself (skin/enclosure.cpp), an error e. It lowers |N|^2 by 2 e min|N| and raises the bound on
-/// |G| by 2 e r. Where (c2) is near, r < min|N|, so |N| < 2 min|N|, and both make 2^-9 min|N|^2.
-constexpr double margin_of_mesher = 0x1p-9;
+/// What a mesher takes N's error to be, in shares of |N|: a proof then succeeds whose N is off by
+/// 2^-12 of itself (skin/enclosure.cpp), for it counts that much once more.
+constexpr double error_of_mesher = 0x1p-11;
+
+/// A corner of a piece, and what is known of G and N there.
+struct Seen {
+  Seen(const Point& point, const Enclosure& about)
+      : x(point),
+        N(about.half_gradient),
+        size(N.norm()),
+        max_G(about.max_value()),
+        error(about.error) {}
+
+  Point x;
+  Vector N;
+  double size;   ///< of N
+  double max_G;  ///< of its magnitude
+  double error;  ///< of N
+};
 
 /// (c1) and (c2) on a triangle's pieces.
-/// @tparam Enclose  (point, cell) -> Enclosure
+/// @tparam Enclose  point -> Enclosure
 template <class Enclose>
 class Pieces {
  public:
-  /// @param max_G  on all of the triangle
-  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double max_G, double off_plane,
-         double margin)
-      : enclose_(enclose),
-        triangle_(triangle),
-        max_G_(max_G),
-        off_plane_(off_plane),
-        margin_(margin) {}
+  /// @param off  bound on the distance of the pieces' corners, as stored, from the exact ones
+  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double off)
+      : enclose_(enclose), triangle_(triangle), off_(off) {}
 
-  /// Whether both hold on all of a piece.
-  ///
-  /// At points no farther than r from its centroid x, N . n_t is at least N(x) . n_t - r, |N| at
-  /// least |N(x)| - r, and |G| at most |G(x)| + 2 t r + r^2, t the part of N(x) along the triangle,
-  /// by |G(p) - G(x) - 2 N(x) . (p - x)| <= |p - x|^2. The stored corners and x are off the exact
-  /// pieces, and off the triangle's plane, by no more than `off_plane`.
-  bool hold(const std::array<Point, 3>& p, CellId cell, int depth) {
-    const Point x = (p[0] + p[1] + p[2]) / 3;
-    const double r =
-        off_plane_ + std::sqrt(std::max({(p[0] - x).squaredNorm(), (p[1] - x).squaredNorm(),
-                                         (p[2] - x).squaredNorm()}));
-    const Enclosure about = enclose_(x, cell);
-    const Vector& N = about.half_gradient;
-    const double size = N.norm(), upright = N.dot(triangle_.normal);
-    const double max_G = about.max_value(), error = about.error;
-    // The centroid itself breaks a condition.
-    if (!(upright > 0)) return fail(proof_.is_upright);
-    if (!(max_G < size * size)) return fail(proof_.is_in_tube);
-    const double tilt = size * triangle_.normal_error;
-    const double along = std::sqrt(std::max(0.0, size * size - upright * upright)) + tilt + error;
-    const double value = std::min(max_G_, max_G + 2 * (along * r + size * off_plane_) + r * r);
-    const double min_N = size - error - r;
-    const bool is_upright = upright - tilt - error - r > margin_ * size;
-    const bool is_in_tube = min_N > 0 && value < (1 - margin_) * min_N * min_N;
-    if (is_upright && is_in_tube) {
-      proof_.max_path = std::max(proof_.max_path, max_flow_path(min_N, value));
+  /// Whether both hold on all of a piece with at most the circumradius R, by what holds of its
+  /// corners. The affine function with N's values there differs from N by no more than `bend`, for
+  /// N is an isometry in each cell (Lemma 10 of papers/certificate.md).
+  bool hold(const std::array<Seen, 3>& corners, double R, int depth) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double min_upright = infinity, min_N = infinity, max_G = 0, doubt = 0, fold = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Seen &at = corners[k], &next = corners[k == 2 ? 0 : k + 1];
+      const double upright = at.N.dot(triangle_.normal);
+      // The corner itself breaks a condition.
+      if (!(upright > 0)) return fail(proof_.is_upright);
+      if (!(at.max_G < at.size * at.size)) return fail(proof_.is_in_tube);
+      min_upright = std::min(min_upright, upright - (triangle_.normal_error + margin) * at.size);
+      min_N = std::min(min_N, at.size);
+      max_G = std::max(max_G, at.max_G + (2 * at.size + off_) * off_);
+      doubt = std::max(doubt, at.error);
+      fold = std::max(fold, (next.x - at.x).squaredNorm() - (next.N - at.N).squaredNorm());
+    }
+    doubt += off_ + 0x1p-50 * R;
+    const double bend = std::min(R, std::sqrt((fold + 4 * doubt * (4 * R + 3 * doubt)) / 3));
+    const double at_corners = std::max(0.0, min_N - doubt);
+    const double affine = std::sqrt(std::max(0.0, at_corners * at_corners - R * R));
+    const bool is_upright = min_upright - doubt > bend;
+    const double path = max_flow_path((1 - margin) * affine - bend, max_G + R * R);
+    if (is_upright && std::isfinite(path)) {
+      proof_.max_path = std::max(proof_.max_path, path);
       return true;
     }
     if (depth == max_depth) return fail(is_upright ? proof_.is_in_tube : proof_.is_upright);
-    const std::array<Point, 3> m{(p[1] + p[2]) / 2, (p[2] + p[0]) / 2, (p[0] + p[1]) / 2};
-    return hold({p[0], m[2], m[1]}, cell, depth + 1) && hold({p[1], m[0], m[2]}, cell, depth + 1) &&
-           hold({p[2], m[1], m[0]}, cell, depth + 1) && hold(m, cell, depth + 1);
+    const std::array m{between(corners[1], corners[2]), between(corners[2], corners[0]),
+                       between(corners[0], corners[1])};
+    return hold(m, R / 2, depth + 1) && hold({corners[0], m[2], m[1]}, R / 2, depth + 1) &&
+           hold({corners[1], m[0], m[2]}, R / 2, depth + 1) &&
+           hold({corners[2], m[1], m[0]}, R / 2, depth + 1);
   }
 
   const TubeProof& proof() const { return proof_; }
@@ -75,18 +87,20 @@ class Pieces {
  private:
   static bool fail(bool& condition) { return condition = false; }
 
+  Seen between(const Seen& a, const Seen& b) const {
+    const Point x = (a.x + b.x) / 2;
+    return {x, enclose_(x)};
+  }
+
   const Enclose& enclose_;
   const TriangleBounds& triangle_;
-  const double max_G_;
-  const double off_plane_;
-  const double margin_;
+  const double off_;
   TubeProof proof_{true, true, 0};
 };
 
-/// The proof with any way to enclose G and N at a point.
-template <class Enclose>
-TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBounds& triangle,
-                const CornerBounds& bounds, double margin) {
+/// What the corner opposite the longest side shows, for fine triangles.
+TubeProof prove_quickly(const Corners& corners, const TriangleBounds& triangle,
+                        const CornerBounds& bounds) {
   const TriangleSides& sides = triangle.sides;
   const std::size_t k = sides.top();
   const SurfacePoint& a = *corners[k];
@@ -95,21 +109,23 @@ TubeProof prove(const Enclose& enclose, const Corners& corners, const TriangleBo
   const double upright = a.length_scale * a.normal.dot(triangle.normal);  // N(a) . n_t
   const double doubt = a.length_scale * (triangle.normal_error + margin) + bounds.max_error;
   const double rho = min_length_scale(corners) - bounds.max_error;
-  const double g = R * R + bounds.max_value;
   // Nothing is in the tube without a bound on its path.
-  const double path = max_flow_path((1 - margin) * (rho - R), g);
-  const TubeProof quick{upright - doubt > longer_side, std::isfinite(path), path};
-  // Upside down at a corner, or too big for the tube of a ball, where |G| = R^2 and
-  // |N|^2 = rho^2 - R^2 at the circumcentre.
-  const bool is_hopeless = !(upright > 0) || !(R < rho);
-  if (quick.holds() || is_hopeless) return quick;
-  // Each halving and the centroid round a coordinate by 2^-53 of itself, in six steps.
+  const double path = max_flow_path((1 - margin) * (rho - R), R * R + bounds.max_value());
+  return {upright - doubt > longer_side, std::isfinite(path), path};
+}
+
+/// Too big for the tube of a ball, where |G| = R^2 and |N|^2 = rho^2 - R^2 at the circumcentre.
+bool is_hopeless(const Corners& corners, double R) { return !(R < min_length_scale(corners)); }
+
+/// The proof by pieces.
+template <class Enclose>
+TubeProof prove_by_pieces(const Enclose& enclose, const std::array<Seen, 3>& corners,
+                          const TriangleBounds& triangle) {
   double largest = 0;
-  for (const SurfacePoint* p : corners) largest = std::max(largest, p->position.lpNorm<1>());
-  const double off_plane = 0x1p-49 * largest;
-  Pieces<Enclose> pieces(enclose, triangle, g, off_plane, margin);
-  const bool holds =
-      pieces.hold({corners[0]->position, corners[1]->position, corners[2]->position}, a.cell, 0);
+  for (const Seen& at : corners) largest = std::max(largest, at.x.template lpNorm<1>());
+  // Each of up to five halvings rounds a coordinate by 2^-53 of itself.
+  Pieces<Enclose> pieces(enclose, triangle, 0x1p-49 * largest);
+  const bool holds = pieces.hold(corners, triangle.circumradius, 0);
   TubeProof proof = pieces.proof();
   if (!holds) proof.max_path = std::numeric_limits<double>::infinity();
   return proof;
@@ -126,21 +142,40 @@ double max_flow_path(double n, double g) {
 
 TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
                      const TriangleBounds& triangle, const CornerBounds& bounds) {
-  const auto enclose = [&](const Point& x, CellId cell) { return surface.enclose(x, cell); };
-  return prove(enclose, corners, triangle, bounds, margin_of_proof);
+  const TubeProof quick = prove_quickly(corners, triangle, bounds);
+  if (quick.holds() || is_hopeless(corners, triangle.circumradius)) return quick;
+  const auto at = [&](std::size_t k) {
+    const SurfacePoint& p = *corners[k];
+    const double g = bounds.max_values[k];
+    return Seen(p.position, {-g, g, p.length_scale * p.normal, bounds.max_error});
+  };
+  const auto enclose = [&, near = corners[0]->cell](const Point& x) {
+    return surface.enclose(x, near);
+  };
+  return prove_by_pieces(enclose, {at(0), at(1), at(2)}, triangle);
 }
 
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
                   const Circumcircle& circle, double max_G) {
-  CellId near = corners[0]->cell;  // of the last point: pieces come side by side
-  const auto expect = [&](const Point& x, CellId) {
-    near = surface.locate(x, near);
-    const surface::Jet jet = surface.jet(x, near);
-    return Enclosure::without_rounding(jet.value, jet.half_gradient);
-  };
   const TriangleBounds triangle{TriangleSides(corners), circle.radius,
                                 circle.doubled_area.normalized(), 0};
-  return prove(expect, corners, triangle, {max_G, 0}, margin_of_mesher).holds();
+  const double max_error = error_of_mesher * max_length_scale(corners);
+  if (prove_quickly(corners, triangle, {{max_G, max_G, max_G}, max_error}).holds()) return true;
+  if (is_hopeless(corners, circle.radius)) return false;
+  const auto expect_in = [&](const Point& x, CellId cell) {
+    const auto& [g, N] = surface.jet(x, cell);
+    return Enclosure{g, g, N, error_of_mesher * N.norm()};
+  };
+  // Not length scale times normal, for a size field may limit length scales.
+  const auto at = [&](std::size_t k) {
+    return Seen(corners[k]->position, expect_in(corners[k]->position, corners[k]->cell));
+  };
+  CellId near = corners[0]->cell;  // of the last point: pieces come side by side
+  const auto expect = [&](const Point& x) {
+    near = surface.locate(x, near);
+    return expect_in(x, near);
+  };
+  return prove_by_pieces(expect, {at(0), at(1), at(2)}, triangle).holds();
 }
 
 }  // namespace morskin::certify

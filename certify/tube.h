@@ -6,18 +6,19 @@
 ///     (c1) upright   N(p) . n_t > 0        the flow carries the triangle one-to-one,
 ///     (c2) tube      |G(p)| < |N(p)|^2     and reaches the skin, past no critical point.
 ///
-/// For fine triangles a bound from the corners proves both. Coarse ones are subdivided: N is
-/// 1-Lipschitz, so the centroid of a piece bounds G and N on all of it.
+/// For fine triangles N at one corner proves both, as N is 1-Lipschitz. For coarse ones N at all
+/// three does, as far as they lie in one cell, where N is an isometry; others are subdivided.
 
 #include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
 
-/// A bound on the errors of a triangle's corners: |G| is at most `max_value` there, Angstrom^2, and
-/// N differs from length scale times normal by at most `max_error`, Angstrom.
+/// Bounds on the errors of a triangle's corners.
 struct CornerBounds {
-  double max_value;
-  double max_error;
+  std::array<double, 3> max_values;  ///< of |G|, by corner, Angstrom^2
+  double max_error;                  ///< of length scale times normal, off N, Angstrom
+
+  double max_value() const { return std::max({max_values[0], max_values[1], max_values[2]}); }
 };
 
 struct TubeProof {

@@ -44,8 +44,9 @@ struct BentPart {
   double triangles = 0;         ///< there
   double forced_triangles = 0;  ///< there about, with circumradii of max_provable_share
 };
-/// Circumradius over length scale up to which the certificate proves a triangle, cut into pieces
-/// (papers/4.3-large-molecules.md). Such a triangle's area is at most 3 sqrt(3) / 4 of its square.
+/// Circumradius over length scale by which meshes are measured: nearly all that the tube of a ball
+/// allows, 0.707 (papers/4.3-large-molecules.md). Such a triangle's area is at most 3 sqrt(3) / 4
+/// of its square.
 inline constexpr double max_provable_share = 0.68;
 
 struct MeshResult;

@@ -14,11 +14,6 @@ struct Enclosure {
   Vector half_gradient;  ///< nearly N, Angstrom
   double error;          ///< Angstrom
 
-  /// What is computed, as if no rounding were in it: for a mesher, not for a proof.
-  static Enclosure without_rounding(double value, const Vector& half_gradient) {
-    return {value, value, half_gradient, 0};
-  }
-
   /// Upper bound on |G|.
   double max_value() const { return std::max(-low, high); }
   double middle() const { return low + (high - low) / 2; }

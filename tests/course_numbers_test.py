@@ -82,10 +82,12 @@ def test_the_table_of_solids_in_lesson_9():
         assert row in page, row
 
 
-def test_a_ball_takes_14_6_triangles_at_least():
-    """The largest spherical triangle with a circumradius of 0.68, by sampling its corners."""
+def test_a_ball_takes_13_triangles_at_least():
+    """The largest spherical triangle in the tube, of circumradius 1 / sqrt 2, by sampling."""
+    radius = math.sqrt(0.5)
+
     def area(angles):
-        points = [(0.68 * math.cos(a), 0.68 * math.sin(a), math.sqrt(1 - 0.68 ** 2))
+        points = [(radius * math.cos(a), radius * math.sin(a), math.sqrt(1 - radius ** 2))
                   for a in angles]
         (a, b, c) = points
         triple = (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
@@ -95,10 +97,10 @@ def test_a_ball_takes_14_6_triangles_at_least():
 
     steps = [2 * math.pi * k / 180 for k in range(180)]
     largest = max(area((0, s, t)) for s in steps for t in steps if s < t)
-    assert close(largest, 0.86, 2) and close(4 * math.pi / largest, 14.6)
-    assert close(4 * math.pi / largest / (4 * math.pi), 1.16)
-    angle = 2 * math.atan(1 / math.tan(math.pi / 3) / math.sqrt(1 - 0.68 ** 2))
-    assert close(math.degrees(angle), 76.4) and math.isclose(3 * angle - math.pi, largest)
+    assert close(largest, 0.97, 2) and close(4 * math.pi / largest, 13.0)
+    assert close(4 * math.pi / largest / (4 * math.pi), 1.03)
+    angle = 2 * math.atan(1 / math.tan(math.pi / 3) / math.sqrt(1 - radius ** 2))
+    assert close(math.degrees(angle), 78.5) and math.isclose(3 * angle - math.pi, largest)
 
 
 def test_beyond_a_wall_the_function_is_off_by_twice_the_square():

@@ -5,7 +5,7 @@
   (c3) degree   each component has a vertex that the flow reaches from no other point of the mesh.
 
 N changes by at most the distance, and |G| <= R^2 + g on a triangle with circumradius R and |G| <= g
-at its corners, of which each of its points has one within R."""
+at its corners."""
 
 from fractions import Fraction
 
@@ -23,6 +23,13 @@ def longest_path(n, g):
     rest = down(down(n * n) - up(g))
     with np.errstate(all="ignore"):
         return np.where((n > 0) & (rest > 0), up(g / (n + np.sqrt(rest))), np.inf)
+
+
+def in_quarters(corners, middles):
+    """What is by corner of triangles, of the four parts of each, given it at the sides' middles."""
+    (a, b, c), (bc, ca, ab) = (rows.swapaxes(0, 1) for rows in (corners, middles))
+    return np.concatenate([np.stack(part, axis=1) for part in (
+        (a, ab, ca), (b, bc, ab), (c, ca, bc), (bc, ca, ab))]).view(type(corners))
 
 
 class Covering:
@@ -51,38 +58,44 @@ class Covering:
         return down(dot - up(at.high * (self.normal_error[t] + 4 * UNIT)) - at.r)
 
     def prove_tube(self):
-        """(c1) and (c2), about the corner opposite the longest side, else the centroids of smaller
-        pieces. At depth k a midpoint's coordinates err by k u |p|, a centroid's by 3 u |p| more."""
-        t, pieces, off = np.arange(len(self.triangles)), self.corners, 0
-        at = self.bounds[self.triangles[t, self.edges.argmax(1)]]
-        r = np.sort(self.edges, axis=1)[:, 1]
+        """(c1) and (c2), for the triangles, then for smaller pieces of those too coarse. At depth k
+        a midpoint's coordinates err by k u |p|."""
+        t, pieces, R, off = np.arange(len(self.triangles)), self.corners, self.R, 0
+        at = self.bounds[self.triangles]
         self.path = np.zeros(len(t))  # above the longest from a triangle to the skin
         for _ in range(MAX_DEPTH + 1):
-            coarse = ~self.hold(t, at, r, off)
+            coarse = ~self.hold(t, pieces, at, R, off)
             if not coarse.any():
                 return
-            t, balls = np.tile(t[coarse], 4), np.tile(at.balls[coarse], (4, 1))
-            a, b, c = pieces[coarse].transpose(1, 0, 2)
-            ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
-            pieces = np.concatenate([np.stack(corners, axis=1) for corners in (
-                (a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
-            x, off = pieces.sum(1) / 3, 2.0**-49 * np.abs(self.positions).max() + TINY
-            at, r = self.skin.enclose(x, balls), up(length(pieces - x[:, None]).max(1)) + 2 * off
+            pieces, at = pieces[coarse], at[coarse]
+            middles = (pieces[:, [1, 2, 0]] + pieces[:, [2, 0, 1]]) / 2  # opposite each corner
+            seen = self.skin.enclose(middles.reshape(-1, 3), at.balls[:, [1, 2, 0]].reshape(-1, 4))
+            t, R = np.tile(t[coarse], 4), np.tile(R[coarse] / 2, 4)
+            pieces, at = in_quarters(pieces, middles), in_quarters(at, seen.reshape(at.shape))
+            off = 2.0**-49 * np.abs(self.positions).max() + TINY
         raise NotProved(f"tube: triangle {t.min()} is too big")
 
-    def hold(self, t, at, r, off):
-        """Whether (c1) and (c2) hold on a piece of each triangle t, within r of a point x with the
-        bounds `at` that is no farther than `off` from t's plane. In |G(p) - G(x)| <=
-        2 |N(x) . (p - x)| + r^2 only the part of N along t counts, but for `off`."""
-        upright = self.upright(at, t)
-        wrong = ~(upright > 0) | ~(at.g < at.low**2)
+    def hold(self, t, corners, at, R, off):
+        """Whether (c1) and (c2) hold on a piece of each triangle t, given bounds `at` its corners,
+        which are no farther than `off` from where they should be. A point p = sum l_i c_i of it has
+
+            |N(p) - sum l_i N(c_i)|^2 <= sum l_i l_j (|c_i - c_j|^2 - |N(c_i) - N(c_j)|^2),
+
+        i < j, for |N(p) - N(c_i)| <= |p - c_i|; sum l_i l_j <= 1/3. That is R^2 at most."""
+        upright = self.upright(at, t[:, None])
+        wrong = (~(upright > 0) | ~(at.g < at.low**2)).any(1)
         if wrong.any():
             raise NotProved(f"upright or tube: triangle {t[wrong.argmax()]}")
-        along = length(at.n - (at.n * self.normal[t]).sum(1)[:, None] * self.normal[t])
-        along = up(along + at.high * (2 * self.normal_error[t] + 16 * UNIT) + at.r)
-        G = up(at.g + 2 * along * r + 2 * (at.high + at.r) * off + r * r)
-        path = longest_path(down(at.low - r), np.minimum(self.G[t], G))
-        holds = (down(upright - r) > 0) & np.isfinite(path)
+        doubt = at.r.max(1) + off
+        fold = np.max([up((c * c).sum(1)) - down((n * n).sum(1)) for c, n in (
+            (corners[:, k] - corners[:, k - 1], at.n[:, k] - at.n[:, k - 1]) for k in range(3))], 0)
+        bend = np.minimum(R, up(np.sqrt(
+            (np.maximum(up(fold), 0) + 4 * doubt * (4 * R + 3 * doubt)) / 3)))
+        low = np.maximum(down(at.low.min(1) - off), 0)
+        affine = down(np.sqrt(np.maximum(down(low**2) - up(R**2), 0)))
+        G = up(at.g.max(1) + (2 * at.high.max(1) + off) * off + R**2)
+        path = longest_path(down(affine - bend), G)
+        holds = (down(upright.min(1) - off - bend) > 0) & np.isfinite(path)
         np.maximum.at(self.path, t[holds], path[holds])
         return holds
 
