@@ -23,14 +23,16 @@ constexpr double error_of_mesher = 0x1p-11;
 
 /// A corner of a piece, and what is known of G and N there.
 struct Seen {
-  Seen(const Point& point, const Enclosure& about)
+  Seen(const Point& point, CellId near, const Enclosure& about)
       : x(point),
+        cell(near),
         N(about.half_gradient),
         size(N.norm()),
         max_G(about.max_value()),
         error(about.error) {}
 
   Point x;
+  CellId cell;  ///< that x is in or near to
   Vector N;
   double size;   ///< of N
   double max_G;  ///< of its magnitude
@@ -38,13 +40,13 @@ struct Seen {
 };
 
 /// (c1) and (c2) on a triangle's pieces.
-/// @tparam Enclose  point -> Enclosure
-template <class Enclose>
+/// @tparam Look  (corner, corner) -> Seen, of the point midway between
+template <class Look>
 class Pieces {
  public:
   /// @param off  bound on the distance of the pieces' corners, as stored, from the exact ones
-  Pieces(const Enclose& enclose, const TriangleBounds& triangle, double off)
-      : enclose_(enclose), triangle_(triangle), off_(off) {}
+  Pieces(const Look& look, const TriangleBounds& triangle, double off)
+      : look_(look), triangle_(triangle), off_(off) {}
 
   /// Whether both hold on all of a piece with at most the circumradius R, by what holds of its
   /// corners. The affine function with N's values there differs from N by no more than `bend`, for
@@ -75,8 +77,8 @@ class Pieces {
       return true;
     }
     if (depth == max_depth) return fail(is_upright ? proof_.is_in_tube : proof_.is_upright);
-    const std::array m{between(corners[1], corners[2]), between(corners[2], corners[0]),
-                       between(corners[0], corners[1])};
+    const std::array m{look_(corners[1], corners[2]), look_(corners[2], corners[0]),
+                       look_(corners[0], corners[1])};
     return hold(m, R / 2, depth + 1) && hold({corners[0], m[2], m[1]}, R / 2, depth + 1) &&
            hold({corners[1], m[0], m[2]}, R / 2, depth + 1) &&
            hold({corners[2], m[1], m[0]}, R / 2, depth + 1);
@@ -87,12 +89,7 @@ class Pieces {
  private:
   static bool fail(bool& condition) { return condition = false; }
 
-  Seen between(const Seen& a, const Seen& b) const {
-    const Point x = (a.x + b.x) / 2;
-    return {x, enclose_(x)};
-  }
-
-  const Enclose& enclose_;
+  const Look& look_;
   const TriangleBounds& triangle_;
   const double off_;
   TubeProof proof_{true, true, 0};
@@ -118,13 +115,13 @@ TubeProof prove_quickly(const Corners& corners, const TriangleBounds& triangle,
 bool is_hopeless(const Corners& corners, double R) { return !(R < min_length_scale(corners)); }
 
 /// The proof by pieces.
-template <class Enclose>
-TubeProof prove_by_pieces(const Enclose& enclose, const std::array<Seen, 3>& corners,
+template <class Look>
+TubeProof prove_by_pieces(const Look& look, const std::array<Seen, 3>& corners,
                           const TriangleBounds& triangle) {
   double largest = 0;
   for (const Seen& at : corners) largest = std::max(largest, at.x.template lpNorm<1>());
   // Each of up to five halvings rounds a coordinate by 2^-53 of itself.
-  Pieces<Enclose> pieces(enclose, triangle, 0x1p-49 * largest);
+  Pieces<Look> pieces(look, triangle, 0x1p-49 * largest);
   const bool holds = pieces.hold(corners, triangle.circumradius, 0);
   TubeProof proof = pieces.proof();
   if (!holds) proof.max_path = std::numeric_limits<double>::infinity();
@@ -145,14 +142,15 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
   const TubeProof quick = prove_quickly(corners, triangle, bounds);
   if (quick.holds() || is_hopeless(corners, triangle.circumradius)) return quick;
   const auto at = [&](std::size_t k) {
-    const SurfacePoint& p = *corners[k];
+    const auto& [x, normal, rho, cell] = *corners[k];
     const double g = bounds.max_values[k];
-    return Seen(p.position, {-g, g, p.length_scale * p.normal, bounds.max_error});
+    return Seen(x, cell, {-g, g, rho * normal, bounds.max_error});
   };
-  const auto enclose = [&, near = corners[0]->cell](const Point& x) {
-    return surface.enclose(x, near);
+  const auto look = [&](const Seen& a, const Seen& b) {
+    const Point x = (a.x + b.x) / 2;
+    return Seen(x, a.cell, surface.enclose(x, a.cell));
   };
-  return prove_by_pieces(enclose, {at(0), at(1), at(2)}, triangle);
+  return prove_by_pieces(look, {at(0), at(1), at(2)}, triangle);
 }
 
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
@@ -162,20 +160,17 @@ bool expects_tube(const surface::Surface& surface, const Corners& corners,
   const double max_error = error_of_mesher * max_length_scale(corners);
   if (prove_quickly(corners, triangle, {{max_G, max_G, max_G}, max_error}).holds()) return true;
   if (is_hopeless(corners, circle.radius)) return false;
-  const auto expect_in = [&](const Point& x, CellId cell) {
+  const auto see = [&](const Point& x, CellId cell) {
     const auto& [g, N] = surface.jet(x, cell);
-    return Enclosure{g, g, N, error_of_mesher * N.norm()};
+    return Seen(x, cell, {g, g, N, error_of_mesher * N.norm()});
+  };
+  const auto look = [&](const Seen& a, const Seen& b) {
+    const Point x = (a.x + b.x) / 2;  // in their cell if they share one, for cells are convex
+    return see(x, a.cell == b.cell ? a.cell : surface.locate(x, a.cell));
   };
   // Not length scale times normal, for a size field may limit length scales.
-  const auto at = [&](std::size_t k) {
-    return Seen(corners[k]->position, expect_in(corners[k]->position, corners[k]->cell));
-  };
-  CellId near = corners[0]->cell;  // of the last point: pieces come side by side
-  const auto expect = [&](const Point& x) {
-    near = surface.locate(x, near);
-    return expect_in(x, near);
-  };
-  return prove_by_pieces(expect, {at(0), at(1), at(2)}, triangle).holds();
+  const auto at = [&](std::size_t k) { return see(corners[k]->position, corners[k]->cell); };
+  return prove_by_pieces(look, {at(0), at(1), at(2)}, triangle).holds();
 }
 
 }  // namespace morskin::certify
