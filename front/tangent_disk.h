@@ -12,7 +12,7 @@ namespace morskin::front {
 
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
-  double disk_share = 0.87;     ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
+  double disk_share = 0.87;  ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
   /// Largest circumradius of an equilateral triangle of a fan, over the bound in [U]. For small C
   /// that bound, not r_a's, is the nearer: with 0.87 alone it would be 1.005.
   double fan_share = 0.88;

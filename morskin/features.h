@@ -32,7 +32,7 @@ struct FeatureOptions {
 };
 
 struct Features {
-  SkinMesh mesh;  ///< with its certificate
+  SkinMesh mesh;                     ///< with its certificate
   std::vector<FeatureArray> arrays;  ///< all but those of the file's origin
 };
 

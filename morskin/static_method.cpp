@@ -32,11 +32,16 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
     result.open_edges = refined.open_edges;
     if (result.open_edges == 0) {
       // Where C is coarse, samples that show the skin's topology stand nearer to others than [L]
-      // allows. Once the mesh is a surface most of them are not needed any more.
+      // allows. Once the mesh is a surface most of them are not needed any more; but [L] can be
+      // done without, and triangles that are too big cannot.
       const SizedSurface kept(skin.surface, options.sizes);
-      refine::Refinement contraction(*kept, options.sizing, result.mesh, run);
+      surface::Mesh contracted = result.mesh;
+      refine::Refinement contraction(*kept, options.sizing, contracted, run);
       contraction.run();
-      result.refinement = contraction.counts();
+      if (!contraction.leaves_big_triangles()) {
+        result.mesh = std::move(contracted);
+        result.refinement = contraction.counts();
+      }
     } else {
       result.refinement.refused = refined.counts.refused;
     }

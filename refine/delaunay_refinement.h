@@ -95,7 +95,7 @@ class DelaunayRefinement {
   struct Ball {
     Point centre;
     CellId cell;
-    double height;           ///< of the centre over the facet, along its dual edge, outwards
+    double height;  ///< of the centre over the facet, along its dual edge, outwards
     double radius;
     double ratio;            ///< radius over the largest that [U] allows: below 1 is good
     bool keeps_off = false;  ///< its centre goes in only as far from the corners as [L] wants

@@ -21,6 +21,8 @@ class Refinement {
   void run();
 
   RefinementCounts counts() const;
+  /// Whether there are triangles that break [U], or that the certificate could not prove.
+  bool leaves_big_triangles() const { return !operations_.work().big.empty(); }
 
  private:
   void inspect_all();

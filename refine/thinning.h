@@ -21,7 +21,6 @@ namespace morskin::refine {
 /// @param except  places within five length scales of which it stays as it is
 /// @return the number of vertices by which it has fewer
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                 const std::vector<Point>& except = {},
-                 const geometry::Run& run = geometry::Run());
+                 const std::vector<Point>& except = {}, const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine

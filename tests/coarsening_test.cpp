@@ -190,9 +190,9 @@ TEST_CASE("subdomains that are coarsened on their way give one mesh for any numb
     const morse::Guide guide = guide_for(skin, laid);
     const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
     auto one = front::sweep_subdomains(skin.surface, guide, {.sizing = laid}, coarsening,
-                                           geometry::Run(1));
+                                       geometry::Run(1));
     const auto two = front::sweep_subdomains(skin.surface, guide, {.sizing = laid}, coarsening,
-                                                 geometry::Run(2));
+                                             geometry::Run(2));
     REQUIRE(one.open_edges == 0);
     CHECK(indexed_mesh(one.mesh) == indexed_mesh(two.mesh));
     check_certified_refined(skin, one.mesh, sizing);

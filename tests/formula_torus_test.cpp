@@ -68,8 +68,7 @@ TEST_CASE("the front meshes a torus given by a formula, certified") {
     CAPTURE(R);
     const TorusRun run{R, 1};
     check(run.certificate(front::sweep_once(run.torus, run.guide(), {.sizing = run.sizing})));
-    check(run.certificate(
-        front::sweep_subdomains(run.torus, run.guide(), {.sizing = run.sizing})));
+    check(run.certificate(front::sweep_subdomains(run.torus, run.guide(), {.sizing = run.sizing})));
   }
 }
 
