@@ -67,7 +67,7 @@ class Pieces {
       fold = std::max(fold, (next.x - at.x).squaredNorm() - (next.N - at.N).squaredNorm());
     }
     doubt += off_ + 0x1p-50 * R;
-    const double bend = std::min(R, std::sqrt((fold + 4 * doubt * (4 * R + 3 * doubt)) / 3));
+    const double bend = std::min(R, std::sqrt((fold + 16 * doubt * (R + doubt)) / 3));
     const double at_corners = std::max(0.0, min_N - doubt);
     const double affine = std::sqrt(std::max(0.0, at_corners * at_corners - R * R));
     const bool is_upright = min_upright - doubt > bend;

@@ -89,8 +89,9 @@ class Covering:
         doubt = at.r.max(1) + off
         fold = np.max([up((c * c).sum(1)) - down((n * n).sum(1)) for c, n in (
             (corners[:, k] - corners[:, k - 1], at.n[:, k] - at.n[:, k - 1]) for k in range(3))], 0)
+        # Sides are known to 2 d, N's differences too, and both are shorter than 2 (R + d).
         bend = np.minimum(R, up(np.sqrt(
-            (np.maximum(up(fold), 0) + 4 * doubt * (4 * R + 3 * doubt)) / 3)))
+            (np.maximum(up(fold), 0) + 16 * doubt * (R + doubt)) / 3)))
         low = np.maximum(down(at.low.min(1) - off), 0)
         affine = down(np.sqrt(np.maximum(down(low**2) - up(R**2), 0)))
         G = up(at.g.max(1) + (2 * at.high.max(1) + off) * off + R**2)

@@ -11,7 +11,7 @@ import morskin
 import numpy as np
 
 # With so small a Q hardly any triangle keeps both [L] and [U].
-BAD = {"C": 0.3, "Q": 1.2, "angle_goal_deg": 0}
+BAD = {"C": 0.2, "Q": 1.1, "angle_goal_deg": 0}
 
 
 def areas(mesh):
