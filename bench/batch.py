@@ -162,10 +162,10 @@ def table(rows):
 
 def sentence(rows):
     """What the page says of the goal: ten minutes."""
-    minutes = {r["model"]: float(r["cpu_seconds"]) / int(r["inputs"]) * COUNT / 2 / 60
-               for r in rows}
+    hours = {r["model"]: float(r["cpu_seconds"]) / int(r["inputs"]) * COUNT / 2 / 3600
+             for r in rows}
     return (f"{COUNT:,} such molecules would take two cores "
-            + " and ".join(f"{m:.0f} minutes with {model}" for model, m in minutes.items()))
+            + " and ".join(f"{h:.2f} hours with {model}" for model, h in hours.items()))
 
 
 def main():
