@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace morskin::certify {
 
@@ -23,21 +24,27 @@ constexpr double error_of_mesher = 0x1p-11;
 
 /// A corner of a piece, and what is known of G and N there.
 struct Seen {
-  Seen(const Point& point, CellId near, const Enclosure& about)
+  Seen(const Point& point, CellId around, const Enclosure& about)
       : x(point),
-        cell(near),
+        cell(around),
         N(about.half_gradient),
         size(N.norm()),
         max_G(about.max_value()),
         error(about.error) {}
 
   Point x;
-  CellId cell;  ///< that x is in or near to
+  CellId cell;  ///< that contains x
   Vector N;
   double size;   ///< of N
   double max_G;  ///< of its magnitude
   double error;  ///< of N
 };
+
+/// The point midway, and its cell: the two points' own if they share one, for cells are convex.
+std::pair<Point, CellId> middle(const surface::Surface& surface, const Seen& a, const Seen& b) {
+  const Point x = (a.x + b.x) / 2;
+  return {x, a.cell == b.cell ? a.cell : surface.locate(x, a.cell)};
+}
 
 /// (c1) and (c2) on a triangle's pieces.
 /// @tparam Look  (corner, corner) -> Seen, of the point midway between
@@ -147,8 +154,8 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
     return Seen(x, cell, {-g, g, rho * normal, bounds.max_error});
   };
   const auto look = [&](const Seen& a, const Seen& b) {
-    const Point x = (a.x + b.x) / 2;
-    return Seen(x, a.cell, surface.enclose(x, a.cell));
+    const auto [x, cell] = middle(surface, a, b);
+    return Seen(x, cell, surface.enclose(x, cell));
   };
   return prove_by_pieces(look, {at(0), at(1), at(2)}, triangle);
 }
@@ -165,8 +172,8 @@ bool expects_tube(const surface::Surface& surface, const Corners& corners,
     return Seen(x, cell, {g, g, N, error_of_mesher * N.norm()});
   };
   const auto look = [&](const Seen& a, const Seen& b) {
-    const Point x = (a.x + b.x) / 2;  // in their cell if they share one, for cells are convex
-    return see(x, a.cell == b.cell ? a.cell : surface.locate(x, a.cell));
+    const auto [x, cell] = middle(surface, a, b);
+    return see(x, cell);
   };
   // Not length scale times normal, for a size field may limit length scales.
   const auto at = [&](std::size_t k) { return see(corners[k]->position, corners[k]->cell); };

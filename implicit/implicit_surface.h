@@ -40,7 +40,7 @@ class ImplicitSurface final : public surface::Surface {
     return jet(x, cell).half_gradient.norm();
   }
   /// Infinite where x and what the certificate concludes from it are not all in the room.
-  surface::Enclosure enclose(const Point& x, CellId hint) const override;
+  surface::Enclosure enclose(const Point& x, CellId cell) const override;
   /// By steps that never pass the surface. Where |G| < |N|^2 at x, the tube of the certificate, it
   /// is proved to arrive: see project().
   std::optional<surface::SurfacePoint> project(const Point& x, CellId hint) const override;

@@ -104,6 +104,7 @@ std::optional<Shares<Real>> best_shares(std::span<const Seen<Real>> atoms) {
 template <class Real>
 struct Upper {
   Vector3<Real> m = Vector3<Real>::Zero();
+  Vector3<Real> main_atom = Vector3<Real>::Zero();  ///< u of the one with the largest share
   Real bound = infinity;
   Real size = 0;
 };
@@ -111,8 +112,12 @@ struct Upper {
 template <class Real>
 Upper<Real> upper(std::span<const Seen<Real>> atoms, const Shares<Real>& s) {
   Upper<Real> result;
-  Real powers = 0;
+  Real powers = 0, largest = 0;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
+    if (s[i] > largest) {
+      largest = s[i];
+      result.main_atom = atoms[i].u;
+    }
     result.m += s[i] * atoms[i].u;
     powers += s[i] * atoms[i].power;
     result.size += s[i] * atoms[i].size;
@@ -121,6 +126,18 @@ Upper<Real> upper(std::span<const Seen<Real>> atoms, const Shares<Real>& s) {
   const Real square = m.x() * m.x() + m.y() * m.y() + m.z() * m.z();
   result.bound = (square + powers) / 2 + 16 * unit_roundoff<Real> * result.size + underflow;
   return result;
+}
+
+/// A q for L. The best one, x - m, is as near to all atoms of the combination, so rounding cannot
+/// tell the nearest. Moved by t v, v from the middle of the combination to one of its atoms, it
+/// comes nearer to that one than to another by 2 t v . (edge between them), for t |v|^2 off L.
+template <class Real>
+Vector3<Real> near_one_atom(const Point& x, const Upper<Real>& combination, double cost) {
+  const Vector3<Real> best = x.cast<Real>() - combination.m;
+  const Vector3<Real> v = combination.main_atom - combination.m;
+  const Real square = v.squaredNorm();
+  if (!(square > cost)) return best;  // else the square of the step would cost more
+  return best + Real(cost) / square * v;
 }
 
 /// L for a stored q, given a lower bound on all powers there.
@@ -147,12 +164,10 @@ class Search {
     if (const auto s = best_shares(first)) take(upper(first, *s));
   }
 
-  /// Whether the bounds are narrow beside N, or as narrow as rounding lets them be. At a corner of
-  /// q's power cell the least power falls as far as q is moved, by an edge's length each way.
+  /// Whether the bounds are narrow beside N, or as narrow as rounding lets them be.
   bool is_narrow() const {
     if (best_.error < narrow * best_.half_gradient.norm()) return true;
-    const double moved = 4 * u * x_.cwiseAbs().maxCoeff();
-    return best_.high - best_.low < 128 * u * size_ + moved * std::sqrt(size_);
+    return best_.high - best_.low < 4 * rounding(Real(size_));
   }
 
   /// Tries again with the atom of least power, which no atom tried before had.
@@ -173,6 +188,13 @@ class Search {
   static constexpr std::size_t max_atoms = 12;
   static constexpr auto u = static_cast<double>(unit_roundoff<Real>);
 
+  /// What rounding takes from L, in bad cases: of the powers, and of q as it is stored. At a corner
+  /// of q's power cell the least power falls as far as q is moved, by an edge's length each way.
+  double rounding(Real size) const {
+    const auto at = static_cast<double>(size);
+    return 64 * u * at + 4 * u * x_.cwiseAbs().maxCoeff() * std::sqrt(at);
+  }
+
   void add(AtomId a) {
     ids_[count_] = a;
     seen_[count_++] = seen<Real>(points_[a.index()], x_);
@@ -181,7 +203,7 @@ class Search {
   /// Bounds by a combination and its best q; kept if they are the narrowest so far.
   void take(const Upper<Real>& found) {
     if (!is_finite(found.bound)) return;
-    const Vector3<Real> q = x_.cast<Real>() - found.m;
+    const Vector3<Real> q = near_one_atom<Real>(x_, found, rounding(found.size));
     const auto least = powers_.at(q, std::span(ids_.data(), count_));
     nearest_ = least.atom;
     low_ = std::max(lower_bound(x_, q, least.lower_bound), low_);

@@ -39,39 +39,32 @@ AtomId LeastPower::nearest(const geometry::Point& x, AtomId start) const {
   }
 }
 
-/// Nothing unless S, the tried atoms that tie for the least power, is all there is at its level. An
-/// atom in no edge is hidden, or nothing is known of its neighbours.
+/// Nothing unless one of the tried atoms has less power than all its neighbours. An atom in no edge
+/// is hidden, or nothing is known of its neighbours.
 ///
-/// Powers are rounded by 20 units of S's largest size |z - q|^2 + |w|, far less than the ties'
-/// width and the distance kept from it.
+/// Powers are rounded down, by 20 units of size = |z - q|^2 + |w| at most, so only the least one's
+/// rounding counts.
 template <class Real>
 std::optional<PowerTree::Least<Real>> LeastPower::among(const Vector3<Real>& q,
                                                         std::span<const AtomId> tried) const {
-  constexpr double tie = 0x1p-32, smallest_size = 0x1p-900;
+  constexpr double smallest_size = 0x1p-900;
   const auto power = [&](AtomId a) {
     const WeightedPoint& p = points_[a.index()];
     return power_below<Real>(p.position.cast<Real>() - q, p.weight);
   };
   AtomId nearest = tried.front();
-  Real least = power(nearest), size = 0;
-  for (const AtomId a : tried) {
+  Real least = power(nearest);
+  for (const AtomId a : tried.subspan(1)) {
     const Real here = power(a);
-    size = std::max(size, here + 2 * Real(std::abs(points_[a.index()].weight)));
     if (here >= least) continue;
     least = here;
     nearest = a;
   }
-  if (!(size > smallest_size)) return std::nullopt;
-  const Real level = least + tie * size, above = level + tie * size;
-  const auto is_in = [&](AtomId a) {
-    return std::ranges::find(tried, a) != tried.end() && power(a) <= level;
-  };
-  for (const AtomId a : tried) {
-    if (!is_in(a)) continue;
-    if (neighbours(a).empty()) return std::nullopt;
-    for (const AtomId n : neighbours(a)) {
-      if (!(power(n) > above) && !is_in(n)) return std::nullopt;
-    }
+  const Real size = least + 2 * Real(std::abs(points_[nearest.index()].weight));
+  if (!(size > smallest_size) || neighbours(nearest).empty()) return std::nullopt;
+  const Real above = least + 32 * unit_roundoff<Real> * size;
+  for (const AtomId n : neighbours(nearest)) {
+    if (!(power(n) > above)) return std::nullopt;
   }
   return PowerTree::Least<Real>{nearest, last_rounded_down(least)};
 }

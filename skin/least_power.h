@@ -3,10 +3,9 @@
 /// The least power distance from a point to any of many weighted points, as a proved lower bound.
 ///
 /// Over the regular triangulation the power to a fixed q, interpolated between the vertices, is a
-/// convex function, so its sublevel sets are connected. If all neighbours of a set S of atoms have
-/// more power than the most in S, none but S has so little, and the least is found in S. Where
-/// rounding leaves that open, or the atoms tried are the wrong ones, a search over all atoms
-/// decides.
+/// convex function, so an atom that has less than all its neighbours has the least of all. Where
+/// rounding leaves that open, as where several tie, or the atoms tried are the wrong ones, a search
+/// over all atoms decides.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +28,7 @@ class LeastPower {
   /// @param start  not hidden; best one near x
   geometry::AtomId nearest(const geometry::Point& x, geometry::AtomId start) const;
 
-  /// @param tried  at least one atom; those of the least power, if all goes well
+  /// @param tried  at least one atom; that of the least power among them, if all goes well
   template <class Real>
   PowerTree::Least<Real> at(const Vector3<Real>& q, std::span<const geometry::AtomId> tried) const;
 

@@ -8,8 +8,8 @@
 
 namespace morskin::skin {
 
-surface::Enclosure LevelSet::enclose(const Point& x, CellId hint) const {
-  surface::Enclosure e = skin_->enclose(x, hint);
+surface::Enclosure LevelSet::enclose(const Point& x, CellId cell) const {
+  surface::Enclosure e = skin_->enclose(x, cell);
   const auto rounding = [](double value) { return 0x1p-51 * std::abs(value); };
   e.low -= half_time_, e.high -= half_time_;
   e.low -= rounding(e.low), e.high += rounding(e.high);

@@ -32,7 +32,7 @@ class LevelSet final : public surface::Surface {
   double length_scale(const Point& x, CellId cell) const override {
     return skin_->length_scale(x, cell);
   }
-  surface::Enclosure enclose(const Point& x, CellId hint) const override;
+  surface::Enclosure enclose(const Point& x, CellId cell) const override;
   std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;
   double residual_bound(double rho) const override { return skin_->residual_bound(rho); }
   LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;

@@ -120,8 +120,8 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
   return best;
 }
 
-surface::Enclosure SkinSurface::enclose(const Point& x, CellId hint) const {
-  const CellAtoms atoms = this->atoms(locate(x, hint));
+surface::Enclosure SkinSurface::enclose(const Point& x, CellId cell) const {
+  const CellAtoms atoms = this->atoms(cell);
   return skin::enclose(points(), powers_, x, {atoms.begin(), atoms.size()});
 }
 

@@ -88,7 +88,7 @@ class SkinSurface final : public surface::Surface {
   }
 
   /// @copydoc skin::enclose
-  surface::Enclosure enclose(const Point& x, CellId hint) const override;
+  surface::Enclosure enclose(const Point& x, CellId cell) const override;
 
   /// Slides patch by patch (Patch::slide).
   std::optional<SurfacePoint> project(const Point& x, CellId hint) const override;

@@ -25,8 +25,8 @@ class GradedSurface final : public Surface {
   double length_scale(const Point& x, CellId cell) const override {
     return sizes_->limited(surface_->length_scale(x, cell), x);
   }
-  Enclosure enclose(const Point& x, CellId hint) const override {
-    return surface_->enclose(x, hint);
+  Enclosure enclose(const Point& x, CellId cell) const override {
+    return surface_->enclose(x, cell);
   }
   std::optional<SurfacePoint> project(const Point& x, CellId hint) const override {
     std::optional<SurfacePoint> found = surface_->project(x, hint);

@@ -10,7 +10,7 @@
 ///   2. On F, |N| is the length scale rho. It is 1-Lipschitz, and the two open balls of radius rho
 ///      that touch F at a point, one on each side, do not meet F.
 ///   3. project() is deterministic and returns points on F to residual_bound().
-///   4. enclose() is true in real arithmetic, whatever rounding or hint led to it.
+///   4. enclose() is true in real arithmetic, whatever rounding or cell led to it.
 ///
 /// Molecular skins obey them (skin/skin_surface.h), and so does a torus
 /// (tests/support/formula_surfaces.h).
@@ -58,9 +58,9 @@ class Surface {
   /// |N| by the formula of a cell; may differ from that of jet() by rounding.
   virtual double length_scale(const Point& x, CellId cell) const = 0;
 
-  /// Proved bounds on G and N at x, the stored point, all rounding counted. @param hint  a cell
-  /// near x
-  virtual Enclosure enclose(const Point& x, CellId hint) const = 0;
+  /// Proved bounds on G and N at x, the stored point, all rounding counted.
+  /// @param cell  that contains x; with another the bounds are wide, or take longer
+  virtual Enclosure enclose(const Point& x, CellId cell) const = 0;
 
   /// Moves x onto F along the gradient. @pre x is less than rho from F.
   /// @return nothing where this does not converge to residual_bound(rho)

@@ -55,8 +55,8 @@ class Blurred final : public surface::Surface {
   double length_scale(const Point& x, CellId cell) const override {
     return surface_.length_scale(x, cell);
   }
-  surface::Enclosure enclose(const Point& x, CellId hint) const override {
-    surface::Enclosure about = surface_.enclose(x, hint);
+  surface::Enclosure enclose(const Point& x, CellId cell) const override {
+    surface::Enclosure about = surface_.enclose(x, cell);
     const double off = 0.999 * 0x1p-12 * about.half_gradient.norm() - about.error;
     about.half_gradient += off * random_.direction();
     about.error += off;
