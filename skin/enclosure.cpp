@@ -203,7 +203,7 @@ class Search {
   /// Bounds by a combination and its best q; kept if they are the narrowest so far.
   void take(const Upper<Real>& found) {
     if (!is_finite(found.bound)) return;
-    const Vector3<Real> q = near_one_atom<Real>(x_, found, rounding(found.size));
+    const Vector3<Real> q = near_one_atom<Real>(x_, found, rounding(found.size) / 2);
     const auto least = powers_.at(q, std::span(ids_.data(), count_));
     nearest_ = least.atom;
     low_ = std::max(lower_bound(x_, q, least.lower_bound), low_);
