@@ -94,14 +94,17 @@ std::optional<Triangulator::Corner> Triangulator::add(const WeightedPoint& point
 /// Walks from the last tetrahedron towards p, each step through a facet with p strictly behind it,
 /// until there is none or the hull is left. In a regular triangulation such a walk never cycles.
 /// In a region it takes what steps the region allows.
-/// @return no_index if there is none
+/// @return no_index if there is none; then worker.next_height is set
 template <bool InRegion>
-std::uint32_t Triangulator::locate(Corner p, const Worker& worker) const {
+std::uint32_t Triangulator::locate(Corner p, Worker& worker) const {
   const Point& target = points_[p].position;
   std::uint32_t here = worker.last;
   if (is_ghost(tetrahedra_[here])) {
     here = tetrahedron_of(tetrahedra_[here].neighbours[3]);
-    if (InRegion && !is_own(here, worker)) return no_index;
+    if (InRegion && !is_own(here, worker)) {
+      worker.next_height = height_with(here, worker);
+      return no_index;
+    }
   }
   std::size_t entered_by = 4;
   while (true) {
@@ -109,6 +112,7 @@ std::uint32_t Triangulator::locate(Corner p, const Worker& worker) const {
     std::array<const Point*, 4> q{};
     for (std::size_t k = 0; k < 4; ++k) q[k] = &points_[t.corners[k]].position;
     bool is_behind = false;  // a facet
+    if (InRegion) worker.next_height = whole;
     std::size_t exit = 0;
     for (; exit < 4; ++exit) {
       if (exit == entered_by) continue;
@@ -117,7 +121,9 @@ std::uint32_t Triangulator::locate(Corner p, const Worker& worker) const {
       q[exit] = corner;
       if (side != Sign::Negative) continue;
       is_behind = true;
-      if (!InRegion || is_own(tetrahedron_of(t.neighbours[exit]), worker)) break;
+      const std::uint32_t there = tetrahedron_of(t.neighbours[exit]);
+      if (!InRegion || is_own(there, worker)) break;
+      worker.next_height = std::min(worker.next_height, height_with(there, worker));
     }
     if (exit == 4) return is_behind ? no_index : here;
     here = tetrahedron_of(t.neighbours[exit]);
@@ -129,7 +135,8 @@ std::uint32_t Triangulator::locate(Corner p, const Worker& worker) const {
 /// Collects the tetrahedra in conflict with p, which are connected, and the facets around them.
 /// Both lists are written each time and one advanced: the answers cannot be predicted.
 ///
-/// @return false if the region ends there or has not slots enough for fill_cavity()
+/// @return false if the region ends there or has not slots enough for fill_cavity(); then
+///         worker.next_height is set
 template <bool InRegion>
 bool Triangulator::grow_cavity(Corner p, Worker& worker) {
   std::vector<std::uint32_t>& cavity = worker.cavity;
@@ -144,7 +151,10 @@ bool Triangulator::grow_cavity(Corner p, Worker& worker) {
     if (rim.size() < worker.rim_size + 5) rim.resize(2 * rim.size());
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t there = tetrahedron_of(tetrahedra_[here].neighbours[k]);
-      if (InRegion && !is_own(there, worker)) return false;
+      if (InRegion && !is_own(there, worker)) {
+        worker.next_height = height_with(there, worker);
+        return false;
+      }
       if (states_[there] == State::InCavity) continue;
       const bool in_conflict = is_in_conflict(there, p);
       cavity[worker.cavity_size] = there;
@@ -154,8 +164,10 @@ bool Triangulator::grow_cavity(Corner p, Worker& worker) {
       states_[there] = in_conflict ? State::InCavity : State::Live;
     }
   }
+  if (!InRegion) return true;
+  worker.next_height = worker.height + 1;
   const std::size_t slots = worker.free.size() + worker.unused_end - worker.unused;
-  return !InRegion || worker.rim_size <= slots;
+  return worker.rim_size <= slots;
 }
 
 void Triangulator::leave_cavity(const Worker& worker) {

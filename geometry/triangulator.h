@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,7 +36,8 @@ namespace morskin::geometry {
 /// region's is in no cavity, so it stays, and of it the other region reads only the corners and
 /// whose it is. So each insertion is the one that it would be alone, before or after those of any
 /// other region; the whole is always the triangulation of the points inserted so far. Points left
-/// over at the borders are inserted in the regions united two by two, and at last in all of space.
+/// over at the borders are inserted in the regions united two by two, and at last in all of space,
+/// each as soon as its region and the one that it would have touched are united.
 /// By the law above the result is the same. The regions depend on the points alone, never on the
 /// number of threads. Source: Bowyer 1981, Watson 1981; Devillers, Pion & Teillaud 2002, Walking in
 /// a triangulation.
@@ -110,6 +112,7 @@ class Triangulator {
     std::uint32_t region = 0;         // its number among those of its size
     int height = whole;               // how often the smallest regions were united for it
     std::uint32_t last = 0;           // where the next walk starts
+    int next_height = whole;          // at which a point that was refused may be tried again
     std::vector<std::uint32_t> free;  // slots to use, then the unused ones
     std::uint32_t unused = 0, unused_end = 0;
     // Of the current insertion.
@@ -134,11 +137,15 @@ class Triangulator {
   template <bool InRegion>
   bool insert_in(Corner p, Worker& worker);
   template <bool InRegion>
-  std::uint32_t locate(Corner p, const Worker& worker) const;
+  std::uint32_t locate(Corner p, Worker& worker) const;
   bool is_in_conflict(std::uint32_t tetrahedron, Corner p) const;
   bool is_in_conflict_exactly(const Tetrahedron& t, Corner p) const;
   bool is_own(std::uint32_t tetrahedron, const Worker& worker) const {
     return std::uint32_t{regions_[tetrahedron]} >> worker.height == worker.region;
+  }
+  /// At which the tetrahedron belongs to the worker's region.
+  int height_with(std::uint32_t tetrahedron, const Worker& worker) const {
+    return std::bit_width(regions_[tetrahedron] ^ (worker.region << worker.height));
   }
   template <bool InRegion>
   bool grow_cavity(Corner p, Worker& worker);

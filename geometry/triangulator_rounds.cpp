@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -26,12 +25,20 @@ class Triangulator::Batches {
     if (depth == 0) return insert_all(points);
     const Dissection space(sample(points), depth);
     assign_tetrahedra(space);
-    std::vector<std::vector<Corner>> lists = by_leaf(points, space);
-    for (int height = 0; height < depth; ++height) lists = insert_in_regions(lists, height);
-    insert_all(lists[0]);
+    std::vector<Lists> at_height{by_leaf(points, space)};
+    for (int height = 1; height <= depth; ++height) at_height.emplace_back(1U << (depth - height));
+    for (int height = 0; height < depth; ++height) insert_in_regions(at_height, height);
+    std::vector<Corner>& last = at_height.back()[0];
+    std::ranges::sort(last);
+    insert_all(last);
   }
 
  private:
+  using Lists = std::vector<std::vector<Corner>>;  ///< by region
+  struct Refused {
+    Corner point;
+    int next_height;  ///< at which it may be tried again
+  };
   int depth_for(std::size_t count) const {
     int depth = 0;
     while (depth < whole && count >> (depth + 1) >= region_) ++depth;
@@ -75,8 +82,7 @@ class Triangulator::Batches {
     return sum / count;
   }
 
-  std::vector<std::vector<Corner>> by_leaf(std::span<const Corner> points,
-                                           const Dissection& space) const {
+  Lists by_leaf(std::span<const Corner> points, const Dissection& space) const {
     std::vector<std::uint8_t> leaves(points.size());
     const auto work = [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -84,15 +90,15 @@ class Triangulator::Batches {
       }
     };
     for_each_block(run_.threads(), points.size(), work);
-    std::vector<std::vector<Corner>> lists(space.leaf_count());
+    Lists lists(space.leaf_count());
     for (std::size_t i = 0; i < points.size(); ++i) lists[leaves[i]].push_back(points[i]);
     return lists;
   }
 
-  /// Inserts each list in the region of its number.
-  /// @return  for each two regions what is left of both, in order
-  std::vector<std::vector<Corner>> insert_in_regions(std::vector<std::vector<Corner>>& lists,
-                                                     int height) {
+  /// Inserts each list of a height in the region of its number, and puts the points that are
+  /// refused into those of greater heights.
+  void insert_in_regions(std::vector<Lists>& at_height, int height) {
+    Lists& lists = at_height[static_cast<std::size_t>(height)];
     std::vector<Worker> workers(lists.size());
     for (std::size_t k = 0; k < lists.size(); ++k) {
       workers[k].region = static_cast<std::uint32_t>(k);
@@ -102,9 +108,11 @@ class Triangulator::Batches {
     std::vector<std::vector<std::uint32_t>> places(lists.size());
     for_each_task(run_.threads(), lists.size(),
                   [&](std::size_t k) { places[k] = starts(workers[k]); });
+    std::vector<std::vector<Refused>> refused(lists.size());
     for_each_task(run_.threads(), lists.size(), [&](std::size_t k) {
       take_rim_numbers(workers[k]);
-      lists[k] = insert_some(lists[k], workers[k], places[k]);
+      std::ranges::sort(lists[k]);
+      refused[k] = insert_some(lists[k], workers[k], places[k]);
       give_back_rim_numbers(workers[k]);
     });
     std::vector<std::uint32_t>& free = to_.all_.free;
@@ -112,11 +120,12 @@ class Triangulator::Batches {
       for (std::uint32_t slot = worker.unused_end; slot > worker.unused;) free.push_back(--slot);
       free.insert(free.end(), worker.free.begin(), worker.free.end());
     }
-    std::vector<std::vector<Corner>> left(lists.size() / 2);
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      std::ranges::merge(lists[2 * k], lists[2 * k + 1], std::back_inserter(left[k]));
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+      for (const auto& [point, next_height] : refused[k]) {
+        at_height[static_cast<std::size_t>(next_height)][k >> (next_height - height)].push_back(
+            point);
+      }
     }
-    return left;
   }
 
   /// They are as many as all points: one table for each thread.
@@ -162,30 +171,27 @@ class Triangulator::Batches {
   /// @param starts  of walks, then places of earlier points: a region may be in several pieces, and
   ///                a walk may end in a corner of it
   /// @return        the points that could not be inserted
-  std::vector<Corner> insert_some(std::span<const Corner> points, Worker& worker,
-                                  std::vector<std::uint32_t> starts) {
-    if (starts.empty()) return {points.begin(), points.end()};
+  std::vector<Refused> insert_some(std::span<const Corner> points, Worker& worker,
+                                   std::vector<std::uint32_t> starts) {
     constexpr std::size_t points_between_starts = 32;
-    std::vector<Corner> left;
+    std::vector<Refused> refused;
     std::size_t done = 0, next = 0;
-    worker.last = starts[0];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (to_.insert(points[i], worker)) {
-        if (++done % points_between_starts == 0) starts[next++ % starts.size()] = worker.last;
-        count_one();
-        continue;
-      }
-      left.push_back(points[i]);
+    worker.last = no_index;
+    for (const Corner p : points) {
       for (std::size_t k = 0; worker.last == no_index && k < starts.size(); ++k) {
         const std::uint32_t start = starts[next++ % starts.size()];
         if (to_.states_[start] == State::Live && to_.is_own(start, worker)) worker.last = start;
       }
       if (worker.last == no_index) {
-        left.insert(left.end(), points.begin() + static_cast<std::ptrdiff_t>(i) + 1, points.end());
-        break;
+        refused.push_back({p, worker.height + 1});
+      } else if (!to_.insert(p, worker)) {
+        refused.push_back({p, worker.next_height});
+      } else {
+        if (++done % points_between_starts == 0) starts[next++ % starts.size()] = worker.last;
+        count_one();
       }
     }
-    return left;
+    return refused;
   }
 
   void insert_all(std::span<const Corner> points) {
