@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <tuple>
+#include <utility>
+
+#include "tests/support/blurred_surface.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -28,59 +32,64 @@ std::array<SurfacePoint, 3> on_ball(const skin::SkinSurface& skin, double R) {
   return p;
 }
 
-/// A vertex of a mesh and two points of the skin about it, up to a length scale off.
+/// A point of the skin and two others of it some length scales off, at two angles.
 std::optional<std::array<SurfacePoint, 3>> triangle_about(const skin::SkinSurface& skin,
-                                                          const SurfacePoint& a,
-                                                          support::Random& random) {
+                                                          const SurfacePoint& a, double scales,
+                                                          double angle, double turn) {
   const geometry::Vector e = a.normal.unitOrthogonal(), f = a.normal.cross(e);
-  const double size = a.length_scale * random.between(0.1, 1), turn = random.between(0.5, 2);
-  const double angle = random.between(0, 6);
   const auto around = [&](double at) {
-    return skin.project(a.position + size * (std::cos(at) * e + std::sin(at) * f), a.cell);
+    return skin.project(
+        a.position + scales * a.length_scale * (std::cos(at) * e + std::sin(at) * f), a.cell);
   };
   const auto b = around(angle), c = around(angle + turn);
   if (!b || !c) return std::nullopt;
   return std::array{a, *b, *c};
 }
 
-/// A surface of which no more is known than a proof needs to be told: N is off by 2^-12 of itself.
-class Blurred final : public surface::Surface {
- public:
-  Blurred(const surface::Surface& surface, support::Random& random)
-      : surface_(surface), random_(random) {}
+std::optional<std::array<SurfacePoint, 3>> triangle_about(const skin::SkinSurface& skin,
+                                                          const SurfacePoint& a,
+                                                          support::Random& random) {
+  const double size = random.between(0.1, 1), turn = random.between(0.5, 2);
+  return triangle_about(skin, a, size, random.between(0, 6), turn);
+}
 
-  CellId locate(const Point& x, CellId hint) const override { return surface_.locate(x, hint); }
-  bool is_in(const Point& x, CellId cell) const override { return surface_.is_in(x, cell); }
-  surface::Jet jet(const Point& x, CellId cell) const override { return surface_.jet(x, cell); }
-  double length_scale(const Point& x, CellId cell) const override {
-    return surface_.length_scale(x, cell);
+/// A proof that is told N as wrong as its bounds allow, at all points to one side.
+TubeProof deceived_proof(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p,
+                         double share, const geometry::Vector& aside) {
+  const auto bounds = certify::triangle_bounds(p[0].position, p[1].position, p[2].position);
+  auto told = p;
+  double max_error = 0;
+  for (SurfacePoint& at : told) {
+    const double off = share * at.length_scale;
+    const geometry::Vector N = at.length_scale * at.normal + off * aside;
+    at.length_scale = N.norm();
+    at.normal = N / N.norm();
+    max_error = std::max(max_error, 1.0001 * off);
   }
-  surface::Enclosure enclose(const Point& x, CellId cell) const override {
-    surface::Enclosure about = surface_.enclose(x, cell);
-    const double off = 0.999 * 0x1p-12 * about.half_gradient.norm() - about.error;
-    about.half_gradient += off * random_.direction();
-    about.error += off;
-    return about;
-  }
-  std::optional<SurfacePoint> project(const Point& x, CellId hint) const override {
-    return surface_.project(x, hint);
-  }
-  double residual_bound(double rho) const override { return surface_.residual_bound(rho); }
-  surface::LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override {
-    return surface_.crossings(p, q, hint);
-  }
-  surface::BoundingBall bounding_ball() const override { return surface_.bounding_ball(); }
-  double max_length_scale() const override { return surface_.max_length_scale(); }
-  surface::Samples samples() const override { return surface_.samples(); }
-  std::size_t cell_count() const override { return surface_.cell_count(); }
-  surface::PatchExtent extent(CellId cell, double max_length_scale) const override {
-    return surface_.extent(cell, max_length_scale);
-  }
+  return certify::prove_tube(support::Blurred(skin, share, [&] { return aside; }),
+                             {&told[0], &told[1], &told[2]}, bounds,
+                             {{1e-11, 1e-11, 1e-11}, max_error});
+}
 
- private:
-  const surface::Surface& surface_;
-  support::Random& random_;
-};
+/// What a proof claims of a triangle, at some of its points.
+void check_everywhere(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p,
+                      const TubeProof& found, support::Random& random) {
+  const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
+  const geometry::Vector n = circle.doubled_area.normalized();
+  for (int k = 0; k < 40; ++k) {
+    double s = random.uniform(), t = random.uniform();
+    if (s + t > 1) s = 1 - s, t = 1 - t;
+    const Point x =
+        p[0].position + s * (p[1].position - p[0].position) + t * (p[2].position - p[0].position);
+    const skin::Patch patch = skin.patch(skin.locate(x, p[0].cell));
+    const geometry::Vector N = patch.half_gradient(x);
+    CHECK(N.dot(n) > 0);
+    CHECK(std::abs(patch.value(x)) < N.squaredNorm());
+    const auto end = skin.project(x, p[0].cell);
+    REQUIRE(end);
+    CHECK((end->position - x).norm() <= found.max_path * (1 + 1e-9));
+  }
+}
 
 /// Whether a mesher would leave the triangle as it is.
 bool is_expected(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p) {
@@ -145,24 +154,47 @@ TEST_CASE("a proof for a triangle holds at each of its points, and so does its l
       ++held;
       coarse +=
           circle.radius > 0.5 * std::min({a.length_scale, p[1].length_scale, p[2].length_scale});
-      const geometry::Vector n = circle.doubled_area.normalized();
-      for (int k = 0; k < 20; ++k) {
-        double s = random.uniform(), t = random.uniform();
-        if (s + t > 1) s = 1 - s, t = 1 - t;
-        const Point x =
-            a.position + s * (p[1].position - a.position) + t * (p[2].position - a.position);
-        const skin::Patch patch = skin.surface.patch(skin.surface.locate(x, a.cell));
-        const geometry::Vector N = patch.half_gradient(x);
-        CHECK(N.dot(n) > 0);
-        CHECK(std::abs(patch.value(x)) < N.squaredNorm());
-        const auto end = skin.surface.project(x, a.cell);
-        REQUIRE(end);
-        CHECK((end->position - x).norm() <= found.max_path * (1 + 1e-9));
-      }
+      check_everywhere(skin.surface, p, found, random);
     }
   });
   CHECK(held > 2000);  // the law was put to the test
   CHECK(coarse > 20);  // beyond what the corners alone can show
+}
+
+TEST_CASE("the largest triangle that is proved obeys the proof, however wrong N is in its bounds") {
+  std::size_t held = 0;
+  support::for_skins(60, [&](unsigned seed, const PreparedSkin& prepared) {
+    const skin::SkinSurface& skin = prepared.surface;
+    const auto samples = skin.samples().points;
+    support::Random random(seed);
+    for (int i = 0; i < 100; ++i) {
+      const SurfacePoint& a = samples[random.below(samples.size())];
+      const double share = i % 4 == 0 ? 1e-4 : random.between(0.01, 0.4);
+      const double angle = random.between(0, 6), turn = random.between(0.3, 2.9);
+      const double up = random.between(-1, 1);  // the way that N is off
+      const geometry::Vector across = random.direction();
+      std::optional<std::array<SurfacePoint, 3>> largest;
+      TubeProof proved;
+      double good = 0, bad = 2;
+      while (bad - good > 1e-4) {
+        const double size = (good + bad) / 2;
+        const auto p = triangle_about(skin, a, size, angle, turn);
+        TubeProof found;
+        if (p) {
+          const geometry::Vector n =
+              certify::circumcircle((*p)[0].position, (*p)[1].position, (*p)[2].position)
+                  .doubled_area.normalized();
+          found = deceived_proof(skin, *p, share, (up * n + 0.3 * across).normalized());
+        }
+        (found.holds() ? good : bad) = size;
+        if (found.holds()) std::tie(largest, proved) = std::pair(p, found);
+      }
+      if (!largest) continue;
+      ++held;
+      check_everywhere(skin, *largest, proved, random);
+    }
+  });
+  CHECK(held > 2000);  // the law was put to the test
 }
 
 TEST_CASE("on a triangle N is as near its affine interpolation as its sides keep their lengths") {
@@ -221,7 +253,7 @@ TEST_CASE("what a mesher expects is proved, even where N is known to 2^-12 of it
     (is_expected(unit, on_ball(unit, middle)) ? good : bad) = middle;
   }
   support::Random random(1);
-  CHECK(proof(Blurred(unit, random), on_ball(unit, good)).holds());
+  CHECK(proof(support::Blurred(unit, random), on_ball(unit, good)).holds());
   CHECK(good > 0.69);
   std::size_t expected = 0;
   support::for_skins(60, [&](unsigned seed, const PreparedSkin& skin) {
@@ -235,7 +267,7 @@ TEST_CASE("what a mesher expects is proved, even where N is known to 2^-12 of it
       const auto p = triangle_about(skin.surface, a, triangles);
       if (!p || !is_expected(skin.surface, *p)) continue;
       ++expected;
-      CHECK(proof(Blurred(skin.surface, triangles), *p).holds());
+      CHECK(proof(support::Blurred(skin.surface, triangles), *p).holds());
     }
   });
   CHECK(expected > 10'000);
