@@ -34,9 +34,9 @@ std::string number(double x) {
 /// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
  public:
-  Certifier(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
+  Certifier(const IndexedMesh& mesh, Hints hints, const surface::Surface& surface,
             const Sizing& sizing, const geometry::Run& run)
-      : mesh_(mesh), surface_(surface), sizing_(sizing), hints_(hints), run_(run) {}
+      : mesh_(mesh), surface_(surface), sizing_(sizing), hints_(std::move(hints)), run_(run) {}
 
   Certificate prove(const surface::Topology& expected) {
     out_.vertices = mesh_.positions.size();
@@ -105,7 +105,7 @@ class Certifier {
   const IndexedMesh& mesh_;
   const surface::Surface& surface_;
   const Sizing sizing_;
-  const Hints& hints_;
+  Hints hints_;
   const geometry::Run& run_;
   Certificate out_;
   geometry::MeshOrDefect built_;
@@ -148,6 +148,7 @@ void Certifier::glue() {
   }
   const std::size_t count = mesh_.positions.size();
   auto mesh = geometry::SurfaceMesh::glued_by_twins(count, mesh_.triangles, hints_.twins);
+  hints_.twins = std::vector<geometry::HalfEdgeId>();  // {} would keep the memory
   is_built_by_hints_ = mesh.has_value();
   built_ = is_built_by_hints_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
                               : geometry::glued_mesh(count, mesh_.triangles);
@@ -275,10 +276,10 @@ Certificate certify(const IndexedMesh& mesh, const surface::Surface& surface,
   return certify(mesh, Hints(), surface, expected, sizing, run);
 }
 
-Certificate certify(const IndexedMesh& mesh, const Hints& hints, const surface::Surface& surface,
+Certificate certify(const IndexedMesh& mesh, Hints hints, const surface::Surface& surface,
                     const surface::Topology& expected, const Sizing& sizing,
                     const geometry::Run& run) {
-  return Certifier(mesh, hints, surface, sizing, run).prove(expected);
+  return Certifier(mesh, std::move(hints), surface, sizing, run).prove(expected);
 }
 
 }  // namespace morskin::certify

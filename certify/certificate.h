@@ -102,8 +102,8 @@ struct Certificate {
 /// The mesher's hints: checked, never trusted. A right hint saves a search, a wrong one changes
 /// nothing. Any size, any values.
 struct Hints {
-  std::span<const geometry::HalfEdgeId> twins;  ///< by half-edge
-  std::span<const surface::CellId> cells;       ///< by vertex, the cell that contains it
+  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; freed once they are checked
+  std::span<const surface::CellId> cells;   ///< by vertex, the cell that contains it
 };
 
 /// Never throws on a bad mesh: the reason names the defect.
@@ -112,8 +112,8 @@ Certificate certify(const geometry::IndexedMesh& mesh, const surface::Surface& s
                     const surface::Topology& expected, const Sizing& sizing = {},
                     const geometry::Run& run = geometry::Run());
 /// The same with hints.
-Certificate certify(const geometry::IndexedMesh& mesh, const Hints& hints,
-                    const surface::Surface& surface, const surface::Topology& expected,
-                    const Sizing& sizing, const geometry::Run& run);
+Certificate certify(const geometry::IndexedMesh& mesh, Hints hints, const surface::Surface& surface,
+                    const surface::Topology& expected, const Sizing& sizing,
+                    const geometry::Run& run);
 
 }  // namespace morskin::certify

@@ -232,7 +232,7 @@ void Triangulator::insert_rounds(std::span<const std::size_t> ends, const Run& r
     for (; next < end; ++next) round.push_back(static_cast<Corner>(next));
     batches.insert(round);
   }
-  regions_ = {};
+  regions_ = std::vector<std::uint8_t>();
 }
 
 }  // namespace morskin::geometry

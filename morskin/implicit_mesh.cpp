@@ -176,11 +176,10 @@ std::vector<std::optional<std::uint32_t>> components_at_minima(
   return result;
 }
 
-certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh,
-                                      const certify::Hints& hints,
+certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh, certify::Hints hints,
                                       const implicit::PreparedSurface& prepared,
                                       const certify::Sizing& sizing, const Run& run) {
-  certify::Certificate result = certify::certify(mesh, hints, prepared.surface,
+  certify::Certificate result = certify::certify(mesh, std::move(hints), prepared.surface,
                                                  expected_topology(mesh, prepared), sizing, run);
   if (prepared.critical.is_complete()) return result;
   const Point& at = prepared.critical.undecided.front();
@@ -211,10 +210,10 @@ MeshResult make_mesh(const implicit::PreparedSurface& prepared, const MeshingOpt
     raise_angles(prepared.surface, options, made, run);
   }
   Parcel parcel(std::move(made), options, run);
-  const Certifying certify = [&](const geometry::IndexedMesh& mesh, const certify::Hints& hints) {
-    return certify_implicit(mesh, hints, prepared, options.sizing, run);
+  const Certifying certify = [&](const geometry::IndexedMesh& mesh, certify::Hints hints) {
+    return certify_implicit(mesh, std::move(hints), prepared, options.sizing, run);
   };
-  deliver(parcel.result, parcel.twins, certify, observer, run);
+  deliver(parcel.result, std::move(parcel.twins), certify, observer, run);
   return std::move(parcel.result);
 }
 

@@ -31,8 +31,7 @@ std::vector<std::optional<std::uint32_t>> components_at_minima(
 
 /// The certificate, with the topology that the critical points tell. Where some box was left
 /// undecided the claim about counts does not hold.
-certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh,
-                                      const certify::Hints& hints,
+certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh, certify::Hints hints,
                                       const implicit::PreparedSurface& surface,
                                       const certify::Sizing& sizing, const Run& run = Run());
 

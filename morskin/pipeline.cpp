@@ -104,13 +104,13 @@ Parcel::Parcel(MethodResult made, const MeshingOptions& options, const Run& run)
   static_cast<RunCounts&>(result) = std::move(made);
 }
 
-void deliver(MeshResult& result, std::span<const geometry::HalfEdgeId> twins,
-             const Certifying& certify, Observer& observer, const Run& run) {
+void deliver(MeshResult& result, std::vector<geometry::HalfEdgeId> twins, const Certifying& certify,
+             Observer& observer, const Run& run) {
   Observer::Delivery arrived = run.stage(
       "deliver", [&] { return observer.deliver(std::exchange(result.mesh, {}), result.cells); });
   result.mesh = std::move(arrived.mesh);
   result.certificate = run.stage("certify", [&] {
-    return certify(result.mesh, {twins, result.cells});
+    return certify(result.mesh, {std::move(twins), result.cells});
   });
   if (arrived.defect.empty()) return;
   result.certificate.certified = false;
@@ -126,11 +126,12 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
     if (options.sizes) options.method = Method::Static;
   }
   Parcel parcel(mesh_by(skin, options, observer, run), options, run);
-  const Certifying certify = [&](const geometry::IndexedMesh& mesh, const certify::Hints& hints) {
-    return certify::certify(mesh, hints, skin.surface, skin.expected(), options.sizing, run);
+  const Certifying certify = [&](const geometry::IndexedMesh& mesh, certify::Hints hints) {
+    return certify::certify(mesh, std::move(hints), skin.surface, skin.expected(), options.sizing,
+                            run);
   };
   MeshResult& result = parcel.result;
-  deliver(result, parcel.twins, certify, observer, run);
+  deliver(result, std::move(parcel.twins), certify, observer, run);
   const bool is_method_free = !asked.method && !options.sizes;
   if (!result.certificate.certified && mend(skin, options, is_method_free, result, run))
     deliver(result, {}, certify, observer, run);

@@ -37,10 +37,10 @@ struct Parcel {
 };
 
 using Certifying =
-    std::function<certify::Certificate(const geometry::IndexedMesh&, const certify::Hints&)>;
+    std::function<certify::Certificate(const geometry::IndexedMesh&, certify::Hints)>;
 
 /// Delivers the mesh of a result and certifies what has arrived.
-void deliver(MeshResult& result, std::span<const geometry::HalfEdgeId> twins,
-             const Certifying& certify, Observer& observer, const Run& run);
+void deliver(MeshResult& result, std::vector<geometry::HalfEdgeId> twins, const Certifying& certify,
+             Observer& observer, const Run& run);
 
 }  // namespace morskin
