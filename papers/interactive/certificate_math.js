@@ -97,7 +97,8 @@ function shapeOf(p) {
   return { sides, R: (sides[0] * sides[1] * sides[2]) / (2 * doubled), normal: times(area, 1 / doubled) };
 }
 
-// (c1) and (c2) on a triangle: by its corners or, where these do not do, piece by piece.
+// (c1) and (c2) on a triangle: by the corner opposite its longest side or, where that does not do,
+// by all three and how far N is from an isometry between them, piece by piece.
 function proveTube(balls, corners) {
   const shape = shapeOf(corners.map(({ x }) => x)), { sides, R, normal } = shape;
   const k = sides.indexOf(Math.max(...sides));
@@ -105,22 +106,27 @@ function proveTube(balls, corners) {
   const rho = Math.min(...corners.map((c) => c.rho)), g = R * R + Math.max(...corners.map((c) => Math.abs(c.G)));
   const path = maxPath(rho - R, g);
   const proof = { ...shape, isUpright: upright > longer, isInTube: Number.isFinite(path), path };
-  if ((proof.isUpright && proof.isInTube) || !(upright > 0) || !(R < rho)) return proof;
+  if ((proof.isUpright && proof.isInTube) || !(R < rho)) return proof;
   Object.assign(proof, { isUpright: true, isInTube: true, path: 0 });
-  const hold = (p, depth) => {
-    const x = times(add(add(p[0], p[1]), p[2]), 1 / 3), at = evaluate(balls, x);
-    const r = Math.max(...p.map((q) => norm(subtract(q, x)))), up = dot(at.N, normal), G = Math.abs(at.G);
-    if (!(up > 0)) { proof.isUpright = false; return false; }
-    if (!(G < at.rho * at.rho)) { proof.isInTube = false; return false; }
-    const along = Math.sqrt(Math.max(0, at.rho * at.rho - up * up));
-    const value = Math.min(g, G + 2 * along * r + r * r), least = at.rho - r;
-    const isUpright = up - r > 1e-6 * at.rho, isInTube = least > 0 && value < (1 - 1e-6) * least * least;
-    if (isUpright && isInTube) { proof.path = Math.max(proof.path, maxPath(least, value)); return true; }
+  const squared = (a, b) => dot(subtract(a, b), subtract(a, b));
+  const hold = (p, r, depth) => {
+    for (const c of p) {
+      if (!(dot(c.N, normal) > 0)) { proof.isUpright = false; return false; }
+      if (!(Math.abs(c.G) < c.rho * c.rho)) { proof.isInTube = false; return false; }
+    }
+    const up = Math.min(...p.map((c) => dot(c.N, normal) - 1e-6 * c.rho));
+    const fold = Math.max(...p.map((c, i) => squared(p[(i + 1) % 3].x, c.x) - squared(p[(i + 1) % 3].N, c.N)));
+    const bend = Math.min(r, Math.sqrt(Math.max(0, fold) / 3)), least = Math.min(...p.map((c) => c.rho));
+    const affine = Math.sqrt(Math.max(0, least * least - r * r));
+    const isUpright = up > bend;
+    const way = maxPath((1 - 1e-6) * affine - bend, Math.max(...p.map((c) => Math.abs(c.G))) + r * r);
+    if (isUpright && Number.isFinite(way)) { proof.path = Math.max(proof.path, way); return true; }
     if (depth === 5) { proof[isUpright ? 'isInTube' : 'isUpright'] = false; return false; }
-    const m = [0, 1, 2].map((i) => times(add(p[(i + 1) % 3], p[(i + 2) % 3]), 0.5));
-    return [[p[0], m[2], m[1]], [p[1], m[0], m[2]], [p[2], m[1], m[0]], m].every((q) => hold(q, depth + 1));
+    const m = [0, 1, 2].map((i) => times(add(p[(i + 1) % 3].x, p[(i + 2) % 3].x), 0.5))
+      .map((x) => ({ x, ...evaluate(balls, x) }));
+    return [m, [p[0], m[2], m[1]], [p[1], m[0], m[2]], [p[2], m[1], m[0]]].every((q) => hold(q, r / 2, depth + 1));
   };
-  if (!hold(corners.map(({ x }) => x), 0)) proof.path = Infinity;
+  if (!hold(corners, R, 0)) proof.path = Infinity;
   return proof;
 }
 
