@@ -203,6 +203,7 @@ class Search {
   /// Bounds by a combination and its best q; kept if they are the narrowest so far.
   void take(const Upper<Real>& found) {
     if (!is_finite(found.bound)) return;
+    // Half of it tells the atoms apart as a rule, and all would widen the bounds.
     const Vector3<Real> q = near_one_atom<Real>(x_, found, rounding(found.size) / 2);
     const auto least = powers_.at(q, std::span(ids_.data(), count_));
     nearest_ = least.atom;
