@@ -21,7 +21,7 @@ struct SweepResult {
 };
 
 /// One of the sweeps that mesh a surface together, each in a region of its own, with its mesh, its
-/// counts and its coarsening. Absorbing is associative, so any number of them are a fold; what lies
+/// counts and its coarsening. Absorbing is associative, so any number of them are a fold; the gap
 /// between them is swept by the one that has absorbed both.
 class PartialSweep {
  public:

@@ -141,8 +141,8 @@ struct SortedCorners {
   }
 };
 
-/// Such a triangle is the facet opposite the first corner of a tetrahedron, and what lies behind it
-/// comes before its own corners too; such an edge joins the last two corners of all tetrahedra
+/// Such a triangle is the facet opposite the first corner of a tetrahedron, and the corner behind
+/// it comes before its own corners too; such an edge joins the last two corners of all tetrahedra
 /// about it. The edges are some more than these.
 Found find_in_space(const Triangulator& triangulator) {
   Found found;

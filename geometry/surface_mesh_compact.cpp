@@ -36,7 +36,7 @@ Renaming SurfaceMesh::renaming() const {
 }
 
 void SurfaceMesh::move_elements(const Renaming& renamed) {
-  // What lies before the first gap stays, and mostly all that it refers to.
+  // Elements before the first gap stay, and mostly those that they refer to.
   const std::size_t count = triangle_count(), first = renamed.first_;
   std::size_t first_vertex = 0;
   while (first_vertex < vertex_count() && renamed.vertices[VertexId{first_vertex}]) ++first_vertex;

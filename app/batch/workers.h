@@ -44,7 +44,7 @@ class WorkFolder {
 /// lies in the work folder; from there whole files are moved to the batch's folder.
 class Workers {
  public:
-  /// @param work_folder  in the batch's folder, and nobody else's
+  /// @param work_folder  in the batch's folder, for this object alone
   /// @throws geometry::UnwritableOutput
   Workers(const BatchArguments& arguments, std::filesystem::path work_folder)
       : arguments_(arguments), work_folder_(std::move(work_folder)) {}

@@ -2,7 +2,7 @@
 
 /// Line 14 of Algorithm 1: refinement in the loop.
 ///
-/// After each step of a sweep from one front, refines what lies behind it. The stars of the front's
+/// After each step of a sweep from one front, refines the mesh behind it. The stars of the front's
 /// vertices stay as they are: the front remembers the half-edges that it runs along, and
 /// contracting one of its vertices would take front edges away. So a new triangle is refined when
 /// its last corner leaves the front, and a short front edge is contracted then. The sweep reads
