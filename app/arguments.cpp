@@ -131,7 +131,7 @@ void check_several(const MeshArguments& mesh) {
   };
   if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
   if (std::ranges::any_of(mesh.outputs, is_standard_output)) refuse("go to standard output");
-  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas}) {
+  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas, mesh.task_trace}) {
     if (path && is_standard_output(*path)) refuse("go to standard output");
   }
   if (mesh.has_snapshots()) refuse("all have snapshots");
@@ -150,7 +150,7 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
   const TypedSkin& skin = typed.skin;
   const bool is_of_skins = skin.model || skin.probe || skin.radii || mesh.models || skin.voids ||
                            is_set(skin.selection) || typed.vertex_data || mesh.areas ||
-                           mesh.certificate || mesh.order == 2;
+                           mesh.certificate || mesh.task_trace || mesh.order == 2;
   if (is_of_skins) {
     throw UsageError(
         "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "

@@ -44,6 +44,9 @@ void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed) {
 
 void set_feature_defaults(Typed& typed, const FeaturesArguments& features) {
   constexpr double density = 2;
+  if (typed.method == "dynamic" || typed.method == "marching-cubes") {
+    throw UsageError("features are of the methods sweep and static, not " + typed.method);
+  }
   const bool gives_weights =
       skin::molecule_format_of(features.mesh.molecule.input) == skin::MoleculeFormat::Xyzw;
   if (!typed.skin.model && !gives_weights) typed.skin.model = "ses-like";

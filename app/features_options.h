@@ -9,7 +9,8 @@
 namespace morskin::app {
 
 /// What `mesh` lets choose and `features` sets.
-inline constexpr std::array features_lack{"--vertex-data", "--decimals", "--order"};
+inline constexpr std::array features_lack{"--vertex-data", "--decimals", "--order", "--grid",
+                                          "--grow"};
 
 void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed);
 

@@ -32,7 +32,7 @@ morse::MorseFunction height(const geometry::Vector& direction, const std::string
   if (!(length > 0) || !std::isfinite(length)) {
     throw UsageError(option + " needs a direction; its length must not be zero or infinite");
   }
-  return morse::MorseFunction::height(direction / length);
+  return morse::MorseFunction::height_along(direction);
 }
 
 std::string triple(const geometry::Vector& v) {

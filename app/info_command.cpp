@@ -13,6 +13,7 @@
 #include "app/strict_json.h"
 #include "geometry/regular_triangulation.h"
 #include "morskin/method.h"
+#include "morskin/size_goal.h"
 
 namespace morskin::app {
 namespace {
@@ -49,7 +50,7 @@ bool is_hydrogen(const skin::Atom& atom) {
   return element == "H" || element == "D" || element == "T";
 }
 
-// The number goes with the inverse square of the edges' length.
+// The number goes with the inverse square of the edges' length, where C decides on that.
 double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& arguments) {
   const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
   const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
@@ -90,6 +91,10 @@ Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
   try {
     const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
     info.hidden = skin.surface.triangulation().hidden.size();
+    if (std::isfinite(arguments.sizing.largest_length_scale)) {
+      info.triangles = morskin::estimated_triangles(skin.surface, arguments.sizing);
+      info.bytes = estimated_bytes(input, arguments.sizing, info.triangles);
+    }
     info.parts = skin_parts(skin, run);
   } catch (const geometry::RefusedInput& refused) {
     info.hidden = geometry::regular_triangulation(input.points).hidden.size();
@@ -166,11 +171,15 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
   text += info.parts ? skin_parts_text(*info.parts) : line("refused", info.refusal);
   constexpr double max_in_digits = 1e15;
+  const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
+  const char* const guess = is_by_length && info.parts
+                                ? ": a guess from the skin's area and the length"
+                                : ": a guess from the heavy atoms and C, by what proteins had";
   const double triangles = rounded(info.triangles, 2);
   text += line("triangles", "about " +
                                 (triangles < max_in_digits ? grouped(std::llround(triangles))
                                                            : brief(triangles, 2)) +
-                                ": a guess from the heavy atoms and C, by what proteins had");
+                                guess);
   text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
                              " MiB with so many triangles");
   if (arguments.is_implied) text += line("next", next_step(arguments.molecule.input));

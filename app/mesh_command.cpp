@@ -17,6 +17,7 @@
 #include "app/output_names.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/rounded_outputs.h"
 #include "app/staged_outputs.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
@@ -209,6 +210,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
                         std::move(properties), std::move(arrays));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
+  if (result.certificate.certified) check_rounded_outputs(result.mesh, arguments);
   const bool is_static = result.method == morskin::Method::Static;
   report.is_method_chosen = arguments.method == MeshMethod::Auto;
   report.method = !report.is_method_chosen ? arguments.method

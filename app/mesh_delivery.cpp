@@ -88,7 +88,7 @@ void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::Cell
     curve(mesh, cells);
     for (geometry::PendingFile& file : files_) {
       const MeshFormat format = format_of(file.path());
-      beside.provenance = origin_.provenance(hashes(mesh, format), is_certified);
+      beside.provenance = origin_.provenance(hashes(mesh, format), verdict(format, is_certified));
       file.write(bytes(mesh, format, beside));
     }
   });
@@ -156,13 +156,19 @@ std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
                                     const morskin::MeshResult& result) {
   const MeshFormat format = format_of(path);
   geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
-  beside.provenance = origin_.provenance(hashes(result.mesh, format), true);
+  beside.provenance = origin_.provenance(hashes(result.mesh, format), verdict(format, true));
   return bytes(result.mesh, format, beside);
 }
 
 geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) {
-  return origin_.provenance(hashes(result.mesh, MeshFormat::PlyBinary),
-                            result.certificate.certified);
+  constexpr MeshFormat exact = MeshFormat::PlyBinary;
+  return origin_.provenance(hashes(result.mesh, exact),
+                            verdict(exact, result.certificate.certified));
+}
+
+std::string_view MeshDelivery::verdict(MeshFormat format, bool is_certified) const {
+  if (!is_certified) return other_verdict;
+  return arguments_.decimals && is_msms(format) ? rounded_verdict : certified_verdict;
 }
 
 const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat format) {

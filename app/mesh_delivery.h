@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
@@ -83,6 +84,8 @@ class MeshDelivery : public morskin::Observer {
   geometry::MeshAttributes curved_attributes(const geometry::MeshAttributes& flat) const;
   std::string bytes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format,
                     const geometry::MeshAttributes& beside) const;
+  /// What a file says of itself.
+  std::string_view verdict(geometry::MeshFormat format, bool is_certified) const;
   /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
   const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
   void read_back(Delivery& delivery);

@@ -39,7 +39,7 @@ MeshArguments for_model(const MeshArguments& all, std::int64_t model) {
   one.molecule.selection.model = model;
   one.typed.selection.model_number = std::to_string(model);
   for (std::filesystem::path& path : one.outputs) path = numbered(path, model);
-  for (auto* path : {&one.report, &one.certificate, &one.areas}) {
+  for (auto* path : {&one.report, &one.certificate, &one.areas, &one.task_trace}) {
     if (*path) *path = numbered(**path, model);
   }
   check_outputs(one);

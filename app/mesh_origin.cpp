@@ -59,8 +59,7 @@ void MeshOrigin::add_molecule(Entries& entries) const {
   if (arguments_.grow_to != 0) add(entries, "grow", arguments_.grow_to);
 }
 
-Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) const {
-  const std::string verdict(is_certified ? certified_verdict : other_verdict);
+Provenance MeshOrigin::provenance(const MeshHashes& hashes, std::string_view verdict) const {
   Provenance result;
   result.brief = brief(verdict, input_sha256_, hashes.coordinates);
   Entries& entries = result.entries;
@@ -81,7 +80,7 @@ Provenance MeshOrigin::provenance(const MeshHashes& hashes, bool is_certified) c
   }
   add(entries, "coordinates-sha256", hashes.coordinates);
   if (!hashes.faces.empty()) add(entries, "faces-sha256", hashes.faces);
-  entries.push_back({"verdict", verdict});
+  entries.push_back({"verdict", std::string(verdict)});
   return result;
 }
 

@@ -14,6 +14,8 @@
 namespace morskin::app {
 
 constexpr std::string_view certified_verdict = "certified", other_verdict = "not certified";
+/// Of MSMS's files with --decimals, which hold no point of the skin.
+constexpr std::string_view rounded_verdict = "certified before rounding";
 
 /// The origin of the meshes of one run.
 class MeshOrigin {
@@ -29,7 +31,7 @@ class MeshOrigin {
   void set_sizing(const certify::Sizing& sizing) { sizing_ = sizing; }
 
   /// @param hashes  of the mesh as the file stores it
-  geometry::Provenance provenance(const MeshHashes& hashes, bool is_certified) const;
+  geometry::Provenance provenance(const MeshHashes& hashes, std::string_view verdict) const;
 
  private:
   /// What says whose skin the mesh is.

@@ -24,9 +24,13 @@ std::filesystem::path one_name(const std::filesystem::path& path) {
   return failed ? absolute.lexically_normal() : name;
 }
 
-// Names that the run chooses itself: of uncertified meshes and snapshots.
+// Names that the run chooses itself: of what belongs to uncertified meshes, and snapshots.
 void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
-  for (const std::filesystem::path& output : mesh.outputs) {
+  std::vector<std::filesystem::path> renamed = mesh.outputs;
+  for (const auto& path : {mesh.certificate, mesh.areas}) {
+    if (path) renamed.push_back(*path);
+  }
+  for (const std::filesystem::path& output : renamed) {
     if (one_name(name) == one_name(output.string() + ".unverified")) {
       throw UsageError(name.string() + " is where " + output.string() +
                        " goes when it is not certified; choose another name");
@@ -128,8 +132,9 @@ void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
   const std::vector<std::filesystem::path> named = outputs;
   for (const std::filesystem::path& path : named) {
     const std::filesystem::path partner = msms_partner(path);
-    if (is_msms(path) && std::ranges::find(outputs, partner) == outputs.end())
-      outputs.push_back(partner);
+    const bool is_named = std::ranges::any_of(
+        outputs, [&](const auto& other) { return one_name(other) == one_name(partner); });
+    if (is_msms(path) && !is_named) outputs.push_back(partner);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "geometry/files/provenance_json.h"
+#include "morskin/boundary.h"
 
 namespace morskin::app {
 namespace {
@@ -62,10 +63,9 @@ ordered_json seconds_json(const RunSeconds& seconds) {
 }
 
 ordered_json skipped_json(const skin::ReadingCounts& counts) {
-  return {{"other_chains", counts.other_chains}, {"waters", counts.waters},
-          {"hetatms", counts.hetatms},           {"alternates", counts.alternates},
-          {"hydrogens", counts.hydrogens},       {"zero_radii", counts.zero_radii},
-          {"unknown_elements", counts.unknown}};
+  ordered_json json;
+  for (const auto& [reason, count] : morskin::left_out(counts)) json[reason] = count;
+  return json;
 }
 
 /// What took a component's place, in words.

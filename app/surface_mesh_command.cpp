@@ -7,6 +7,7 @@
 #include "app/mesh_delivery.h"
 #include "app/output_names.h"
 #include "app/progress.h"
+#include "app/rounded_outputs.h"
 #include "app/staged_outputs.h"
 #include "app/surface_input.h"
 #include "app/surface_report.h"
@@ -35,7 +36,8 @@ void publish(const SurfaceReport& report, const MeshArguments& arguments) {
               << ": not certified: " << report.certificate.reason << "\n";
   }
   if (arguments.quiet && !arguments.json) return;
-  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output);
+  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
+                        (arguments.report && is_standard_output(*arguments.report));
   (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
 }
 
@@ -69,6 +71,7 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   const geometry::Stopwatch meshing;
   const morskin::MeshResult result =
       morskin::make_mesh(prepared, options_of(arguments), delivery, run);
+  if (result.certificate.certified) check_rounded_outputs(result.mesh, arguments);
   report.certify_seconds = run.seconds("certify");
   report.mesh_seconds = meshing.seconds() - report.certify_seconds;
   report.sizing = result.sizing;

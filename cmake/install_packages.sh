@@ -24,5 +24,6 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 echo "installing ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
+# On a fresh machine another program may be installing still, and hold the lock for some minutes.
 apt-get update -qq
-apt-get install --yes -qq --no-install-recommends "${missing[@]}"
+apt-get -o DPkg::Lock::Timeout=600 install --yes -qq --no-install-recommends "${missing[@]}"

@@ -24,6 +24,11 @@ struct MorseFunction {
 
   /// @pre direction is not zero.
   static MorseFunction height(const Vector& direction) { return {direction.normalized()}; }
+  /// The same of any direction, also one whose length would overflow or vanish when squared.
+  static MorseFunction height_along(const Vector& direction) {
+    const double length = direction.stableNorm();
+    return height(length > 0 ? Vector(direction / length) : direction);
+  }
   static MorseFunction squared_distance(const Point& from) { return {Vector::Zero(), from, 1}; }
 
   bool is_height() const { return curvature == 0; }

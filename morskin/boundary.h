@@ -28,6 +28,12 @@ struct Skin::Prepared {
   std::size_t rounded_coordinates;
 };
 
+inline std::vector<std::uint32_t> outside(const std::vector<geometry::AtomId>& ids) {
+  std::vector<std::uint32_t> numbers;
+  for (const geometry::AtomId id : ids) numbers.push_back(id.value);
+  return numbers;
+}
+
 /// Does a piece of work; whatever it throws comes out as an Error.
 template <class Work>
 auto with_errors(Work work) {
@@ -35,9 +41,11 @@ auto with_errors(Work work) {
   try {
     return work();
   } catch (const skin::SingularSkin& error) {
-    std::vector<std::uint32_t> atoms;
-    for (const geometry::AtomId id : error.atoms) atoms.push_back(id.value);
-    throw Error(Kind::Singular, error.what(), std::move(atoms));
+    throw Error(Kind::Singular, error.what(), outside(error.atoms));
+  } catch (const UnresolvedNeck& error) {
+    throw Error(Kind::Refused, error.what(), outside(error.atoms));
+  } catch (const ScalesTooFarApart& error) {
+    throw Error(Kind::Refused, error.what(), {error.small.value, error.largest.value});
   } catch (const morse::DegenerateFunction& error) {
     throw Error(Kind::Degenerate, error.what());
   } catch (const geometry::RefusedInput& error) {
@@ -67,5 +75,7 @@ Certificate outside(const certify::Certificate& certificate);
 /// The molecule in a file. @throws geometry::RefusedInput  also where it gives weights, not radii
 skin::Molecule read_with_radii(const std::filesystem::path& file, const ReadOptions& options);
 std::vector<Atom> atoms_of(const skin::Molecule& molecule);
+/// By reason, in the report's words.
+std::vector<std::pair<std::string, std::size_t>> left_out(const skin::ReadingCounts& counts);
 
 }  // namespace morskin

@@ -28,7 +28,7 @@ Method usual_method(std::span<const geometry::WeightedPoint> balls, const certif
 }
 
 Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
-  const bool is_of_the_sweep = options.fronts == 1 || options.guard != front::Guard::Everywhere;
+  const bool is_of_the_sweep = options.fronts || options.guard != front::Guard::Everywhere;
   if (options.method) return *options.method;
   if (options.mesher || is_of_the_sweep) return Method::Sweep;
   return usual_method(skin.surface.points(), options.sizing);

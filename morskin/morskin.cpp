@@ -1,12 +1,13 @@
 #include "morskin/morskin.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/text_lines.h"
 #include "morskin/boundary.h"
-#include "morskin/pipeline.h"
+#include "morskin/pipeline_parts.h"
 #include "morskin/voids.h"
 #include "skin/model.h"
 #include "skin/molecule_files.h"
@@ -89,6 +90,13 @@ std::string in_words(const Fallback& fallback) {
          fallback.reason;
 }
 
+Error refused(std::size_t atom, const std::string& why) {
+  return {Error::Kind::Refused,
+          "atom " + std::to_string(atom) + " " + why,
+          {static_cast<std::uint32_t>(atom)}};
+}
+
+/// @throws Error  Refused, with the atom
 std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms,
                                                      const SkinOptions& options) {
   if (!(options.probe >= 0 && std::isfinite(options.probe))) {
@@ -97,11 +105,16 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
   std::vector<geometry::WeightedPoint> points;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const Atom& atom = atoms[i];
-    if (!(atom.radius > 0 && std::isfinite(atom.radius))) {
-      throw geometry::RefusedInput("atom " + std::to_string(i) + " has no radius above 0");
+    if (!(atom.radius > 0 && std::isfinite(atom.radius))) throw refused(i, "has no radius above 0");
+    const geometry::WeightedPoint p{
+        inside(atom.position), skin::weight(atom.radius, inside(options.model), options.probe)};
+    const double largest = std::max(p.position.cwiseAbs().maxCoeff(), std::abs(p.weight));
+    if (!p.position.allFinite() || !(largest <= geometry::largest_exact)) {
+      throw refused(i,
+                    "has a coordinate that is no number, or is too far out or too large: 2^30 "
+                    "Angstrom, or Angstrom^2, is the limit");
     }
-    points.push_back(
-        {inside(atom.position), skin::weight(atom.radius, inside(options.model), options.probe)});
+    points.push_back(p);
   }
   return points;
 }
@@ -143,7 +156,7 @@ MeshingOptions inside(const MeshOptions& options) {
   result.method = options.method;
   result.fronts = options.fronts;
   if (options.direction) {
-    result.function = morse::MorseFunction::height(inside(*options.direction));
+    result.function = morse::MorseFunction::height_along(inside(*options.direction));
   }
   return result;
 }
@@ -178,10 +191,17 @@ std::vector<Atom> atoms_of(const skin::Molecule& molecule) {
   return atoms;
 }
 
+std::vector<std::pair<std::string, std::size_t>> left_out(const skin::ReadingCounts& counts) {
+  return {{"other_chains", counts.other_chains}, {"waters", counts.waters},
+          {"hetatms", counts.hetatms},           {"alternates", counts.alternates},
+          {"hydrogens", counts.hydrogens},       {"zero_radii", counts.zero_radii},
+          {"unknown_elements", counts.unknown}};
+}
+
 Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options) {
   return with_errors([&] {
     skin::Molecule molecule = read_with_radii(file, options);
-    return Molecule{atoms_of(molecule), std::move(molecule.charges)};
+    return Molecule{atoms_of(molecule), std::move(molecule.charges), left_out(molecule.counts)};
   });
 }
 
@@ -230,8 +250,10 @@ Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,
                           const RunOptions& run) const {
   return with_errors([&] {
     const PreparedSkin& skin = prepared_->skin;
-    return outside(certify::certify(inside(mesh), skin.surface, skin.expected(), sizing_of(options),
-                                    inside(run)));
+    const MeshingOptions asked = inside(options);
+    require_sound(asked);
+    return outside(
+        certify::certify(inside(mesh), skin.surface, skin.expected(), asked.sizing, inside(run)));
   });
 }
 

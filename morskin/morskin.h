@@ -80,6 +80,9 @@ struct ReadOptions {
 struct Molecule {
   std::vector<Atom> atoms;
   std::vector<double> charges;  ///< by atom, elementary charges, of a PQR file; else empty
+  /// How many atoms were left out, by the reasons of the command's report. What has no radius has
+  /// no skin, and its charge is lost with it: "zero_radii".
+  std::vector<std::pair<std::string, std::size_t>> left_out;
 };
 
 /// The molecule in a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order.

@@ -61,6 +61,9 @@ void require_sound(const MeshingOptions& options) {
     throw geometry::RefusedInput("there may be 1 to " + std::to_string(front::max_subdomains) +
                                  " fronts, not " + std::to_string(*options.fronts));
   }
+  if (options.fronts && options.method == Method::Static) {
+    throw geometry::RefusedInput("fronts are of the sweep, and the static method has none");
+  }
   if (!(options.goal_deg() >= 0 && options.goal_deg() <= 60)) {
     throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
   }
@@ -68,8 +71,8 @@ void require_sound(const MeshingOptions& options) {
   if (!(*options.grading >= min_grading && std::isfinite(*options.grading))) {
     throw geometry::RefusedInput("the grading must be at least 0.01");
   }
-  const bool is_other_method = options.mesher || options.fronts == 1 ||
-                               options.method.value_or(Method::Static) != Method::Static;
+  const bool is_other_method =
+      options.mesher || options.fronts || options.method.value_or(Method::Static) != Method::Static;
   if (is_other_method || options.goal_deg() < certify::guaranteed_angle_deg) {
     throw geometry::RefusedInput(
         "grading is for the static method, with a goal of 30 degrees or more");

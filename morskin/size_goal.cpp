@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "certify/triangle_geometry.h"
 #include "morskin/pipeline.h"
 
 namespace morskin {
@@ -132,6 +133,16 @@ MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Obs
   }
 }
 
+double estimated_triangles(const skin::SkinSurface& skin, const certify::Sizing& sizing) {
+  const surface::Samples samples = skin.samples();
+  const double usual_triangle = std::sqrt(3.0) / 4 * std::pow(sizing.edge_share(), 2);
+  double demand = 0;
+  for (const surface::SurfacePoint& p : samples.points) {
+    demand += samples.each * std::pow(p.length_scale / sizing.scale(p.length_scale), 2);
+  }
+  return demand / usual_triangle;
+}
+
 namespace {
 
 /// Points of the skin over a triangle, on a grid that cuts each edge into `cuts`.
@@ -171,24 +182,36 @@ class FineGrid {
   std::array<std::array<SurfacePoint, cuts + 1>, cuts + 1> points_;
 };
 
+/// No point of the skin over a triangle is farther from all corners, in circumradii. With R at most
+/// half the length scale the skin lies 0.134 length scales off it, 0.268 R.
+constexpr double reach_of_corners = 1.04;
+
 }  // namespace
 
 BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result) {
   const double largest_area = 0.75 * std::sqrt(3) * max_provable_share * max_provable_share;
+  const double limit = result.sizing.largest_length_scale;
   BentPart part;
   double whole = 0, bent = 0;
   for (const auto& [a, b, c] : result.mesh.triangles) {
     const auto& at = result.mesh.positions;
+    const certify::Circumcircle circle = certify::circumcircle(at[a], at[b], at[c]);
+    const double flat_area = circle.doubled_area.norm() / 2;
+    whole += flat_area;
+    double min_scale = infinity;
+    for (const std::uint32_t v : {a, b, c}) {
+      min_scale = std::min(min_scale, skin.length_scale(at[v], result.cells[v]));
+    }
+    if (min_scale > limit + reach_of_corners * circle.radius) continue;
     const FineGrid grid(skin, {at[a], at[b], at[c]}, result.cells[a]);
     double area = 0, bent_here = 0;
     grid.for_each_triangle([&](double small_area, double scale) {
       area += small_area;
-      if (scale >= result.sizing.largest_length_scale) return;
+      if (scale >= limit) return;
       bent_here += small_area;
       part.forced_triangles += small_area / (largest_area * scale * scale);
     });
-    whole += area;
-    bent += bent_here;
+    bent += flat_area * bent_here / area;
     part.triangles += bent_here / area;
   }
   part.area_share = bent / whole;

@@ -37,6 +37,10 @@ struct SizeGoal {
 MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Observer& observer,
                           const geometry::Run& run);
 
+/// About how many triangles a mesh has whose edges are limited by length, by points that stand for
+/// the skin. @pre sizing.largest_length_scale is finite
+double estimated_triangles(const skin::SkinSurface& skin, const certify::Sizing& sizing);
+
 /// What the curvature makes of a mesh whose edges are limited by length: where the length scale is
 /// below the limit, edges are shorter than asked.
 struct BentPart {

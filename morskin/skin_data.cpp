@@ -120,7 +120,7 @@ std::vector<Datum> data_called(std::span<const std::string> names) {
 
 std::optional<morse::MorseFunction> height_along(const std::optional<Point>& direction) {
   if (!direction) return std::nullopt;
-  return morse::MorseFunction::height(inside(*direction));
+  return morse::MorseFunction::height_along(inside(*direction));
 }
 
 }  // namespace
@@ -165,7 +165,10 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
     std::filesystem::path name = file;
     if (!certificate_.certified) name += ".unverified";
     const geometry::IndexedMesh mesh = inside(mesh_);
-    if (vertex_data.empty()) {
+    const std::optional<geometry::MeshFormat> known = geometry::mesh_format_of(file);
+    const bool has_normals =
+        known == geometry::MeshFormat::Npz || known == geometry::MeshFormat::Glb;
+    if (vertex_data.empty() && !has_normals) {
       geometry::write_mesh(name, mesh, geometry::plain_format_of(file));
       return name;
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "morskin/morskin.h"
+#include "python/interruptible.h"
 
 // A class of its own, not a list.
 PYBIND11_MAKE_OPAQUE(std::vector<morskin::CriticalPoint>)
@@ -26,7 +27,7 @@ class Mesh {
   const SkinMesh& mesh() const { return mesh_; }
   /// By vertex. Without the global lock, so other threads may ask meanwhile.
   const std::vector<SkinPoint>& points() const {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     std::call_once(are_found_, [this] { points_ = mesh_.points(); });
     return points_;
   }

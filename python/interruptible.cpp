@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <thread>
@@ -12,15 +13,20 @@ namespace {
 
 /// Guarded by the global lock.
 std::set<Interruption*> runs;
+/// The thread in which Python ends, once it does; only this one may begin a run then.
+std::optional<std::thread::id> last_thread;
+
+py::error_already_set system_exit() {
+  PyErr_SetNone(PyExc_SystemExit);
+  return {};
+}
 
 /// Asks all runs to stop and gives the lock away until they have.
 void end_runs() {
   using namespace std::chrono_literals;
+  last_thread = std::this_thread::get_id();
   while (!runs.empty()) {
-    for (Interruption* run : runs) {
-      PyErr_SetNone(PyExc_SystemExit);
-      run->interrupt(py::error_already_set());
-    }
+    for (Interruption* run : runs) run->interrupt(system_exit());
     const py::gil_scoped_release unlocked;
     std::this_thread::sleep_for(10ms);
   }
@@ -28,7 +34,10 @@ void end_runs() {
 
 }  // namespace
 
-Interruption::Interruption() { runs.insert(this); }
+Interruption::Interruption() {
+  if (last_thread && *last_thread != std::this_thread::get_id()) throw system_exit();
+  runs.insert(this);
+}
 Interruption::~Interruption() { runs.erase(this); }
 
 void end_runs_with_python() {

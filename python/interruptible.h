@@ -22,6 +22,7 @@ namespace py = pybind11;
 /// global lock.
 class Interruption {
  public:
+  /// @throws py::error_already_set  SystemExit, where Python is ending
   Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
@@ -42,8 +43,19 @@ class Interruption {
   std::exception_ptr reason_;
 };
 
-/// Has all runs end when Python does. A thread that is still on then, a daemon, would have to wait
-/// for a lock that is gone, which ends the process with a signal.
+/// Does without the global lock what cannot be interrupted, until its end. Python does not end
+/// before.
+class Unlocked {
+ public:
+  Unlocked() = default;
+
+ private:
+  Interruption run_;  // first, since runs are counted with the lock
+  py::gil_scoped_release unlocked_;
+};
+
+/// Has all runs end when Python does, and no thread begin another. A thread that is still on then,
+/// a daemon, would have to wait for a lock that is gone, which ends the process with a signal.
 void end_runs_with_python();
 
 /// How a run is done, as Python asks for it.

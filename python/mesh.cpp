@@ -8,6 +8,7 @@
 
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/interruptible.h"
 
 namespace morskin::python {
 
@@ -70,7 +71,7 @@ std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file,
   const auto* const one = std::get_if<std::string>(&vertex_data);
   const std::vector<std::string> names =
       one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return mesh.mesh().write(file, names);
 }
 

@@ -39,13 +39,20 @@ py::tuple read_molecule(const std::filesystem::path& file, const ReadOptions& op
   auto* const molecule = new Molecule();
   const py::capsule owner(molecule, [](void* p) { delete static_cast<Molecule*>(p); });
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     *molecule = read_molecule_file(file, options);
   }
   const std::vector<double>& charges = molecule->charges;
   return py::make_tuple(view(molecule->atoms, &Atom::position, owner),
                         view(molecule->atoms, &Atom::radius, owner),
-                        charges.empty() ? py::object(py::none()) : view(charges, owner));
+                        charges.empty() ? py::object(py::none()) : view(charges, owner),
+                        py::dict(py::cast(molecule->left_out)));
+}
+
+/// A letter for each byte, as in the command's NPZ: old files hold names in any code.
+py::object letters_of(const std::string& text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeLatin1(text.data(), static_cast<py::ssize_t>(text.size()), nullptr));
 }
 
 /// An array of NumPy's that has these values and keeps them.
@@ -53,7 +60,9 @@ py::object array_of(FeatureArray array) {
   return std::visit(
       [&]<class Value>(std::vector<Value>& values) -> py::object {
         if constexpr (std::is_same_v<Value, std::string>) {
-          return py::module_::import("numpy").attr("array")(values, py::arg("dtype") = "U");
+          py::list texts;
+          for (const std::string& text : values) texts.append(letters_of(text));
+          return py::module_::import("numpy").attr("array")(texts, py::arg("dtype") = "U");
         } else {
           auto* const kept = new std::vector<Value>(std::move(values));
           const py::capsule owner(kept,
@@ -97,7 +106,7 @@ void bind_molecule(py::module_& module) {
            arg("radii"));
   module.def("read_molecule", &read_molecule, arg("file"), arg("options"),
              "read_molecule(file, options) -> positions (n, 3), radii (n,), Angstrom; charges (n,) "
-             "or None");
+             "or None; what was left out");
   module.def("features", &features, arg("file"), arg("options"), py::kw_only(), arg("density"),
              arg("model"), arg("probe"), arg("drop_voids_below"), arg("C"), arg("Q"),
              arg("angle_goal_deg"), arg("threads") = none, arg("progress") = none,

@@ -92,7 +92,7 @@ Certificate check(const py::object& vertices, const py::object& faces, const Ski
 
 std::vector<CriticalPoint> critical_points(const Skin& skin,
                                            const std::optional<Point>& direction) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return skin.critical_points(direction);
 }
 
@@ -107,7 +107,7 @@ py::tuple read_mesh(const std::filesystem::path& file) {
   auto* const mesh = new TriangleMesh();
   const py::capsule owner(mesh, [](void* p) { delete static_cast<TriangleMesh*>(p); });
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     *mesh = morskin::read_mesh(file);
   }
   return py::make_tuple(view(mesh->vertices, owner), view(mesh->triangles, owner));
@@ -200,7 +200,7 @@ void bind_skin(py::module_& module) {
              "The others are what the mesh was made with: **mesh.sizing for one of this library.");
   module.def("read_mesh", &read_mesh, arg("file"),
              "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
-             "A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.\n\n"
+             "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
              "Raises UnreadableInput.");
   module.def(
       "van_der_waals_radius", &van_der_waals_radius, arg("element"),

@@ -21,6 +21,14 @@ double reach(const SkinSurface& skin, CellId cell, const Patch& patch, const Vec
   return std::max(distance, 0.0);
 }
 
+/// Whether a point lies in a cell and on no wall of it. A cell without width, of cospherical atoms
+/// such as those of a square's diagonal, has its orthocentre on walls and no piece of the skin.
+bool is_inside(const SkinSurface& skin, const Point& x, CellId cell) {
+  return std::ranges::all_of(skin.complex().kept_walls(cell), [&](const Wall& wall) {
+    return wall.normal.dot(x) - wall.offset < -skin.complex().wall_tolerance();
+  });
+}
+
 /// At a distance s from the circle's plane the hyperboloid has rho^2 = c^2 + 2 s^2, and a ring of
 /// it the area 2 pi rho ds.
 double demand(double radius, double below, double above) {
@@ -40,7 +48,7 @@ std::vector<Waist> waists(const SkinSurface& skin) {
     const Patch& patch = skin.complex().kept_patch(cell);
     const bool is_tunnel = dimension == 2;
     if (is_tunnel ? patch.half_weight >= 0 : patch.half_weight <= 0) continue;
-    if (!skin.is_in(patch.centre, cell)) continue;
+    if (!is_inside(skin, patch.centre, cell)) continue;
     const double radius = std::sqrt(std::abs(patch.half_weight));
     const double below = reach(skin, cell, patch, -patch.axis, farthest);
     const double above = reach(skin, cell, patch, patch.axis, farthest);

@@ -42,6 +42,20 @@ class Rows(Batch):
                              (self.folder / f"one.{ending}").read_bytes())
         self.batch("in", "-o", "x", *COARSE, "--order", "2", code=2)  # of PLY
 
+    def test_both_files_of_msms_may_be_named_and_are_there(self):
+        self.chains(1)
+        for k, endings in enumerate(("vert", "face,vert", "ply,vert,off,face")):
+            self.batch("in", "-o", f"out{k}", *COARSE, "--format", endings)
+            [row] = self.rows(f"out{k}").values()
+            for name in row["outputs"]:
+                self.assertGreater((self.folder / f"out{k}" / name).stat().st_size, 0)
+            self.assertEqual(sorted(name.split(".")[-1] for name in row["outputs"]),
+                             sorted({"vert", "face", *endings.split(",")}))
+
+    def test_radii_cannot_come_from_a_standard_input_that_workers_lack(self):
+        self.chains(1)
+        self.assertIn("--radii", self.batch("in", "-o", "x", *COARSE, "--radii", "-", code=2))
+
     def test_with_features_it_makes_what_features_makes_with_the_same_options(self):
         names = self.chains(3)
         options = ("--density", "3", "--model", "vdw", "--max-memory", "2G", "--timeout", "100")

@@ -203,6 +203,13 @@ class NotCertified(CommandTest):
         self.assertEqual((self.folder / "ring.ply").read_text(), "an older mesh")
         self.assertEqual(self.names(), ["ring.ply", "ring.ply.unverified"])
 
+    def test_nothing_else_may_have_a_name_of_what_is_not_certified(self):
+        for option in ("-o", "--areas", "--certificate"):
+            name = "other.ply" if option == "-o" else "other.csv"
+            done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", option, name, "--report",
+                                    name + ".unverified", *self.WORDS, code=2)
+            self.assertIn("goes when it is not certified", done.stderr.decode())
+
     def test_a_mesh_that_is_not_certified_does_not_reach_standard_output(self):
         done = self.run_morskin("mesh", self.ring, "-o", "-", "-q", *self.WORDS, code=5)
         self.assertEqual(done.stdout, b"")

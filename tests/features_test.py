@@ -42,6 +42,14 @@ class Features(CommandTest):
         with numpy.load(self.folder / "m.npz", allow_pickle=False) as archive:
             return dict(archive)
 
+    def test_methods_without_a_density_have_no_features(self):
+        for method in ("dynamic", "marching-cubes"):
+            done = self.run_morskin("features", MOLECULES / "benzene.pdb", "-o", "f.npz",
+                                    "--method", method, code=2)
+            self.assertIn(method, done.stderr.decode())
+        for option in ("--grid", "--grow"):
+            self.assertNotIn(option, self.run_morskin("features", "--help").stdout.decode())
+
     def test_names_types_and_shapes_are_those_of_the_page(self):
         a = self.features(MOLECULES / "1crn.pdb")
         n, m, atoms = len(a["vertices"]), len(a["faces"]), len(a["atom_radius"])

@@ -176,8 +176,8 @@ class Formats(CommandTest):
 
     def test_columns_of_msms_files_line_up_and_hold_so_many_decimals(self):
         for decimals in (3, 5):
-            self.meshed("-o", "m.vert", "-o", "m.off", "--decimals", decimals, "-C", "0.2",
-                        molecule=MOLECULES / "1crn.pdb")
+            self.meshed("-o", "m.vert", "-o", "m.off", "--decimals", decimals,
+                        "--density", "5", molecule=MOLECULES / "1crn.pdb")
             rows = (self.folder / "m.vert").read_text().splitlines()[3:]
             width = decimals + 6
             self.assertEqual(len({len(row) for row in rows}), 1)
@@ -192,9 +192,20 @@ class Formats(CommandTest):
             origin = self.check("m.vert", code=None)["origin"]
             self.assertTrue(origin["coordinates_match"] and origin["faces_match"])
 
+    def test_a_file_whose_digits_spoil_triangles_is_refused_and_leaves_nothing(self):
+        far = "".join(f"{9e5 + 1.4 * k} 0 0 1.7\n" for k in range(3))
+        (self.folder / "far.xyzr").write_text(far)
+        for words in ((MOLECULES / "1crn.pdb", "-o", "m.vert", "--decimals", "1", "-C", "0.1"),
+                      ("far.xyzr", "-o", "m.stl"), ("far.xyzr", "-o", "m.glb", "-o", "m.ply")):
+            before = self.names()
+            done = self.run_morskin("mesh", *words, code=4)
+            self.assertRegex(done.stderr.decode(), r"m\.\w+: .* triangles would be turned over")
+            self.assertEqual(self.names(), before)
+
     def test_three_decimals_are_not_called_certified_as_read_back(self):
         report = self.mesh_json(self.ring, "-o", "m.vert", "--decimals", "3")
         self.assertIn("in memory", report["certified_file"])
+        self.assertIn("verdict certified before rounding", (self.folder / "m.vert").read_text())
         self.run_morskin("mesh", self.ring, "-o", "m.ply", "--decimals", "3", code=2)
 
     def test_an_atom_s_own_sphere_has_its_charge_and_between_atoms_it_is_interpolated(self):

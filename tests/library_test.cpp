@@ -241,6 +241,17 @@ TEST_CASE("critical points add up to the Euler characteristic, and arcs and regi
   }
 }
 
+TEST_CASE("a direction may be of any length, however long or short") {
+  const Skin skin(three_atoms, balls);
+  const auto along = [&](double length) {
+    return skin.mesh({.C = 0.3, .fronts = 1, .direction = Point{length, 2 * length, 2 * length}})
+        .triangles()
+        .vertices;
+  };
+  const auto vertices = along(1);
+  for (const double length : {0x1p-1060, 0x1p-600, 2., 0x1p1000}) CHECK(along(length) == vertices);
+}
+
 TEST_CASE("elements have radii, in upper or lower case, and other words have none") {
   CHECK(morskin::van_der_waals_radius("C") == 1.7);
   CHECK(morskin::van_der_waals_radius("cl") == morskin::van_der_waals_radius("CL"));
@@ -257,13 +268,28 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
         MeshOptions{.angle_goal_deg = 61}, MeshOptions{.edge_length = 1, .density = 1},
         MeshOptions{.density = 1, .triangles = 100},
         MeshOptions{.max_length_scale = 1, .edge_length = 1}, MeshOptions{.angle_goal_deg = nan},
+        MeshOptions{.method = morskin::Method::Static, .fronts = 2},
         MeshOptions{.direction = Point{0, 0, 0}}, MeshOptions{.direction = Point{0, nan, 0}}}) {
     CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
   }
+  const morskin::TriangleMesh mesh = skin.mesh({.C = 0.3}).triangles();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const MeshOptions& options :
+       {MeshOptions{.C = -1}, MeshOptions{.C = infinite}, MeshOptions{.C = nan},
+        MeshOptions{.Q = infinite}, MeshOptions{.max_length_scale = -1},
+        MeshOptions{.max_length_scale = nan}}) {
+    CHECK(kind_of([&] { skin.certify(mesh, options); }) == Kind::Refused);
+  }
   CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
   for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
-                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}}) {
-    CHECK(kind_of([&] { Skin(std::vector{atom}, balls); }) == Kind::Refused);
+                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6}}) {
+    try {
+      Skin(std::vector{three_atoms[0], atom}, balls);
+      FAIL("the second atom makes no sense");
+    } catch (const Error& error) {
+      CHECK(error.kind() == Kind::Refused);
+      CHECK(error.atoms() == std::vector<std::uint32_t>{1});
+    }
   }
   CHECK(kind_of([&] { Skin(three_atoms, {.probe = -1}); }) == Kind::Refused);
   CHECK(kind_of([] { morskin::read_molecule("no such file.pdb"); }) == Kind::Unreadable);

@@ -35,6 +35,7 @@ TEST_CASE("what asks for a part of the sweep is swept, and a method asked for is
   CHECK(method_of(skin, {.sizing = coarse, .method = Method::Sweep}) == Method::Sweep);
   CHECK(method_of(skin, {.sizing = {}, .method = Method::Static}) == Method::Static);
   CHECK(method_of(skin, {.sizing = coarse, .fronts = 1}) == Method::Sweep);
+  CHECK(method_of(skin, {.sizing = coarse, .fronts = 8}) == Method::Sweep);
   CHECK(method_of(skin, {.sizing = coarse, .guard = front::Guard::Spheres}) == Method::Sweep);
 }
 

@@ -48,10 +48,11 @@ class Models(CommandTest):
                                ("2-2", (2,)), ("1,1-2,2", (1, 2))):
             with self.subTest(words):
                 done = self.mesh("--model-number", words, "-o", "m.ply", "-o", "m.off",
-                                 "--report", "r.json", "--areas", "a.csv")
+                                 "--report", "r.json", "--areas", "a.csv",
+                                 "--trace-tasks", "t.json")
                 self.assertEqual(self.made(), sorted(
                     name.format(n) for n in numbers
-                    for name in ("a-{}.csv", "m-{}.off", "m-{}.ply", "r-{}.json")))
+                    for name in ("a-{}.csv", "m-{}.off", "m-{}.ply", "r-{}.json", "t-{}.json")))
                 lines = done.stdout.decode().splitlines()
                 self.assertEqual([line for line in lines if "->" in line],
                                  [f"nmr.pdb -> m-{n}.ply, m-{n}.off" for n in numbers])

@@ -119,11 +119,17 @@ class Surfaces(CommandTest):
     def test_what_only_skins_have_is_a_usage_error(self):
         for words in (("--model", "sas"), ("--chain", "A"), ("--areas", "a.csv"),
                       ("--method", "static"), ("--grading", "0.2"), ("--density", "3"),
-                      ("--function", "distance:0,0,0"), ("--vertex-data", "normal")):
+                      ("--function", "distance:0,0,0"), ("--vertex-data", "normal"),
+                      ("--trace-tasks", "t.json")):
             with self.subTest(words=words):
                 self.assertIn("--surface", self.refused("sphere:1", 2, *words))
         self.run_morskin("mesh", self.ring, "--surface", "sphere:1", "-o", "mesh.ply", code=2)
         self.run_morskin("mesh", "-o", "mesh.ply", code=2)
+
+    def test_a_report_on_standard_output_is_alone_there(self):
+        done = self.run_morskin("mesh", "--surface", "sphere:1", "-o", "m.ply", *COARSE,
+                                "--report", "-")
+        self.assertTrue(json.loads(done.stdout)["certified"])
 
     def test_the_same_surface_gives_the_same_bytes(self):
         for threads in ("1", "3"):

@@ -67,6 +67,14 @@ class Voids(CommandTest):
         self.assertEqual(radii, sorted(radii))
         self.assertGreater(necks["forced_triangles"], necks["narrowest"][0]["forced_triangles"])
 
+    def test_info_guesses_the_triangles_of_a_length_within_a_quarter(self):
+        for size in ("0.3", "0.05"):
+            words = (MOLECULES / "caffeine.xyz", "--size", size)
+            info = json.loads(self.run_morskin("info", *words, "--json").stdout)
+            made = json.loads(self.run_morskin("mesh", *words, "-o", "m.ply", "--json").stdout)
+            guess = info["estimated_triangles"] / made["triangles"]
+            self.assertLess(abs(guess - 1), 0.25)
+
     def test_info_tells_what_it_can_of_a_singular_skin(self):
         touching = self.input("touching.xyzw", "0 0 0 1\n2 0 0 1\n")
         self.run_morskin("mesh", touching, "-o", "mesh.ply", code=4)

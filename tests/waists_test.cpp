@@ -62,3 +62,17 @@ TEST_CASE("balls that do not meet have no neck, and three about a hole have one 
   CHECK(found[0].radius == doctest::Approx(radius));
   CHECK(std::ranges::count_if(found, &skin::Waist::is_tunnel) == 1);
 }
+
+TEST_CASE(
+    "eight balls at the corners of a cube have a neck for each edge and none for a diagonal") {
+  std::vector<WeightedPoint> cube;
+  for (int i = 0; i < 8; ++i) {
+    cube.push_back({{2.0 * (i & 1), 1.0 * (i & 2), 0.5 * (i & 4)}, 1.9 * 1.9});
+  }
+  const auto skin = support::prepared(cube);
+  REQUIRE(skin);
+  const auto found = skin::waists(skin->surface);
+  CHECK(found.size() == 12);
+  CHECK(std::ranges::none_of(found, &skin::Waist::is_tunnel));
+  for (const skin::Waist& waist : found) CHECK(waist.radius == doctest::Approx(found[0].radius));
+}

@@ -25,6 +25,12 @@ bool are_options_sound(const BatchArguments& arguments) {
   std::vector<const char*> pointers{"morskin"};
   for (const std::string& word : words) pointers.push_back(word.c_str());
   const Arguments parsed = parse_arguments(static_cast<int>(pointers.size()), pointers.data());
+  const auto* const features = std::get_if<FeaturesArguments>(&parsed);
+  const auto* const mesh =
+      features != nullptr ? &features->mesh : std::get_if<MeshArguments>(&parsed);
+  if (mesh != nullptr && mesh->molecule.radii == "-") {
+    throw UsageError("workers have no standard input: give --radii a file or a list");
+  }
   return !std::holds_alternative<Finished>(parsed);
 }
 

@@ -57,10 +57,8 @@ std::string_view status_of(int exit_code) {
 /// The names in the batch's folder of what is made of a molecule that is certified.
 std::vector<path> output_names(const BatchArguments& arguments, const std::string& file_name) {
   std::vector<path> names;
-  for (const std::string& ending : arguments.endings) {
-    names.emplace_back(file_name + "." + ending);
-    if (is_msms(names.back())) names.push_back(msms_partner(names.back()));
-  }
+  for (const std::string& ending : arguments.endings) names.emplace_back(file_name + "." + ending);
+  add_msms_partners(names);
   return names;
 }
 

@@ -8,6 +8,7 @@ for, and of alternate locations the likeliest is taken, as `morskin.read` does.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -30,14 +31,38 @@ def from_gemmi(entity: Any, *, waters: bool = False) -> Molecule:
 
 def _gemmi_atoms(model: Any, waters: bool) -> Iterator[Any]:
     for chain in model:
-        for residue in chain:
-            if residue.is_water() and not waters:
-                continue
-            likeliest: dict[str, Any] = {}
-            for atom in residue:
-                if atom.name not in likeliest or atom.occ > likeliest[atom.name].occ:
-                    likeliest[atom.name] = atom
-            yield from likeliest.values()
+        kept = (residue for residue in chain if waters or not residue.is_water())
+        # Where a site may be one of several residues, they have the same number.
+        for _, residues in groupby(kept, key=lambda residue: str(residue.seqid)):
+            yield from _likeliest([(residue.name, atom) for residue in residues
+                                   for atom in residue])
+
+
+def _likeliest(site: list[tuple[str, Any]]) -> Iterator[Any]:
+    """The atoms of a site: those without alternate locations, and of the likeliest residue the
+    likeliest location of each."""
+    located = [(residue, atom) for residue, atom in site if atom.has_altloc()]
+    if not located:
+        yield from (atom for _, atom in site)
+        return
+
+    def rank(atom: Any) -> tuple[float, int]:
+        return atom.occ, -ord(atom.altloc)
+
+    name = max(located, key=lambda one: rank(one[1]))[0]
+    best: dict[str, Any] = {}
+    for residue, atom in located:
+        key = _without_deuterium(atom)
+        if residue == name and (key not in best or rank(atom) > rank(best[key])):
+            best[key] = atom
+    chosen = {id(atom) for atom in best.values()}
+    yield from (atom for _, atom in site if not atom.has_altloc() or id(atom) in chosen)
+
+
+def _without_deuterium(atom: Any) -> str:
+    """The name of the site, where deuterium may stand for hydrogen."""
+    name: str = atom.name
+    return name.replace("D", "H", 1) if atom.element.name == "D" else name
 
 
 def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:

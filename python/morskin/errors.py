@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ._morskin import Mesh
@@ -29,10 +29,14 @@ class RefusedInput(Error, ValueError):
 class NotCertified(Error):
     """The mesh was made, but the certificate does not cover it.
 
-    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it
+    mesh  it; `Skin.mesh(allow_uncertified=True)` returns it. An error that comes from another
+          process, as from a pool's worker, has none
     """
 
     mesh: Mesh
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self.args
 
 
 class LimitReached(Error, MemoryError):

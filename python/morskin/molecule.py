@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike
 from typing import Any, Literal, Optional, Union
 
@@ -26,11 +26,14 @@ class Molecule:
     positions  (n, 3) float64, Angstrom
     radii      (n,) float64, van der Waals, Angstrom
     charges    (n,) float64, elementary charges, of a PQR file; None of all others
+    left_out   how many atoms of the file are not there, by reason, as in the command's report.
+               Charges of atoms without a radius, "zero_radii", are not there either
     """
 
     positions: NDArray[np.float64]
     radii: NDArray[np.float64]
     charges: Optional[NDArray[np.float64]] = None
+    left_out: Mapping[str, int] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.radii)
@@ -64,7 +67,8 @@ def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
         raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
     assembly = None if biological_assembly is None else str(biological_assembly)
     return ReadOptions(
-        chains=list(chains), waters=waters, hetatms=None if hetatms is None else list(hetatms),
+        chains=[os.fsencode(chain) for chain in chains], waters=waters,
+        hetatms=None if hetatms is None else [os.fsencode(name) for name in hetatms],
         altloc=altloc, hydrogens=hydrogens, model_number=model_number,
         biological_assembly=assembly, radii=_radii_text(radii))
 

@@ -12,14 +12,15 @@ import numpy as np
 from morskin import adapters
 
 
-def gemmi_atom(name, x, element="C", occ=1.0):
-    return Thing(name=name, pos=Thing(x=x, y=0.0, z=0.0), element=Thing(name=element), occ=occ)
+def gemmi_atom(name, x, element="C", occ=1.0, altloc="\0"):
+    return Thing(name=name, pos=Thing(x=x, y=0.0, z=0.0), element=Thing(name=element), occ=occ,
+                 altloc=altloc, has_altloc=lambda: altloc != "\0")
 
 
 class GemmiResidue(list):
-    def __init__(self, atoms, water=False):
+    def __init__(self, atoms, water=False, name="ALA", seqid="1"):
         super().__init__(atoms)
-        self.water = water
+        self.water, self.name, self.seqid = water, name, seqid
 
     def is_water(self):
         return self.water
@@ -63,8 +64,9 @@ def group(frames, elements):
 
 class Adapters(ModuleTest):
     def test_of_gemmi_s_atoms_the_likeliest_locations_are_taken_and_no_water(self):
-        residue = GemmiResidue([gemmi_atom("N", 0.0, "N"), gemmi_atom("CA", 1.5, occ=0.4),
-                                gemmi_atom("CA", 1.6, occ=0.6)])
+        residue = GemmiResidue([gemmi_atom("N", 0.0, "N"),
+                                gemmi_atom("CA", 1.5, occ=0.4, altloc="A"),
+                                gemmi_atom("CA", 1.6, occ=0.6, altloc="B")])
         water = GemmiResidue([gemmi_atom("O", 9.0, "O")], water=True)
         model = GemmiModel([[residue, water]])
         for entity in (model, [model, GemmiModel()]):
@@ -72,6 +74,26 @@ class Adapters(ModuleTest):
             np.testing.assert_array_equal(molecule.positions[:, 0], [0.0, 1.6])
             np.testing.assert_array_equal(molecule.radii, [1.55, 1.7])
         self.assertEqual(len(adapters.from_gemmi(model, waters=True)), 3)
+
+    def positions(self, *residues):
+        found = adapters.from_gemmi(GemmiModel([list(residues)])).positions[:, 0].tolist()
+        return found
+
+    def test_gemmi_s_atoms_of_one_name_without_alternate_locations_are_all_kept(self):
+        residue = GemmiResidue([gemmi_atom("H", float(x), "H") for x in range(6)])
+        self.assertEqual(self.positions(residue), [0, 1, 2, 3, 4, 5])
+
+    def test_of_gemmi_s_residues_at_one_site_the_likeliest_is_taken(self):
+        proline = GemmiResidue([gemmi_atom("N", 0.0, "N"), gemmi_atom("CA", 1.0, altloc="A",
+                                                                      occ=0.6)], name="PRO")
+        serine = GemmiResidue([gemmi_atom("CA", 2.0, altloc="B", occ=0.4)], name="SER")
+        other = GemmiResidue([gemmi_atom("CA", 3.0, altloc="B", occ=0.4)], name="SER", seqid="2")
+        self.assertEqual(self.positions(proline, serine, other), [0, 1, 3])
+
+    def test_of_gemmi_s_deuterium_and_hydrogen_at_one_site_one_is_taken_the_first_letter_s(self):
+        residue = GemmiResidue([gemmi_atom("D", 0.0, "D", 0.5, "B"),
+                                gemmi_atom("H", 1.0, "H", 0.5, "A")])
+        self.assertEqual(self.positions(residue), [1])
 
     def test_of_a_biopython_structure_the_first_model_is_taken_and_no_water(self):
         protein, water = BioResidue((0, "C"), (1.5, "N")), BioResidue((9, "O"), kind="W")

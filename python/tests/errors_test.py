@@ -5,6 +5,7 @@ Usage: errors_test.py folder-of-the-package"""
 from support import BALLS, ROOT, ModuleTest, main
 
 import math
+import pickle
 
 import morskin
 import numpy as np
@@ -44,6 +45,29 @@ class Errors(ModuleTest):
                                 ([[0, 0]], [[0, 0, 0]])):
             with self.assertRaises(ValueError):
                 morskin.check(vertices, faces, skin)
+
+    def test_check_refuses_sizes_that_make_no_sense(self):
+        skin = morskin.Skin(*BALLS)
+        mesh = skin.mesh(C=0.3)
+        for options in ({"C": -1}, {"C": math.inf}, {"C": math.nan}, {"Q": math.inf},
+                        {"max_length_scale": math.nan}, {"max_length_scale": -1}):
+            with self.assertRaises(morskin.RefusedInput, msg=options):
+                morskin.check(mesh.vertices, mesh.faces, skin, **options)
+
+    def test_a_refused_atom_is_named(self):
+        for atom, radius in (([0, 0, 0], -1), ([0, math.nan, 0], 1), ([0, 1e12, 0], 1),
+                             ([0, 0, 0], 1e6)):
+            with self.assertRaises(morskin.RefusedInput) as caught:
+                morskin.Skin([[9, 0, 0], atom], [1, radius])
+            self.assertEqual(caught.exception.atoms, (1,))
+
+    def test_what_is_not_certified_can_be_told_to_another_process_without_its_mesh(self):
+        with self.assertRaises(morskin.NotCertified) as caught:
+            morskin.Skin(*BALLS).mesh(C=0.2, Q=1.1, angle_goal_deg=0)
+        told = pickle.loads(pickle.dumps(caught.exception))
+        self.assertIs(type(told), morskin.NotCertified)
+        self.assertEqual(str(told), str(caught.exception))
+        self.assertFalse(hasattr(told, "mesh"))
 
     def test_values_of_a_wrong_type_are_type_errors(self):
         skin = morskin.Skin(*BALLS)

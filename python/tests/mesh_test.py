@@ -53,7 +53,10 @@ class Meshes(ModuleTest):
         self.assertNotIn("share1", told)
         mesh.save(self.folder / "all.npz", vertex_data="all")
         self.assertIn("share1", np.load(self.folder / "all.npz"))
-        for name in ("m.ply", "m.vtu", "m.glb", "m.msh"):
+        mesh.save(self.folder / "plain.npz")
+        normals = np.load(self.folder / "plain.npz")["normals"]
+        np.testing.assert_allclose(normals, mesh.normals, atol=1e-14)
+        for name in ("m.ply", "m.vtu", "m.msh"):
             plain = mesh.save(self.folder / name).stat().st_size
             told = mesh.save(self.folder / name, vertex_data=("normal",)).stat().st_size
             self.assertGreater(told, plain)

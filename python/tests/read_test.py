@@ -53,6 +53,8 @@ class Reading(ModuleTest):
                         "ATOM 3 C ALA 1 1.4 0 0 0.05 1.7\n")
         molecule = morskin.read(file)
         np.testing.assert_array_equal(molecule.charges, [-0.3, 0.05])  # no radius, no atom
+        self.assertEqual(molecule.left_out["zero_radii"], 1)
+        self.assertEqual(sum(molecule.left_out.values()), 1)
         self.assertIsNone(morskin.read(self.file).charges)
         with self.assertRaises(ValueError):
             molecule.charges[0] = 0

@@ -127,6 +127,43 @@ time.sleep(0.3)
         crambin = str(MOLECULES / "1crn.pdb")
         self.assertEqual(self.python(self.BUSY + "print('over')", crambin, timeout=30), "over\n")
 
+    # Each is called again and again, whatever it raises: a worker's loop.
+    CALLS = ("skin.mesh(C=0.3)", "morskin.read(sys.argv[1])", "skin.critical_points()",
+             "skin.mesh(C=0.3).normals", "skin.mesh(C=0.3).save(sys.argv[2])",
+             "morskin.read_mesh(sys.argv[3])")
+    LOOP = """
+import sys, threading, time
+import morskin
+skin = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.2, 1.0])
+skin.mesh(C=0.3).save(sys.argv[3])
+def work():
+    while True:
+        try:
+            {}
+        except BaseException:
+            pass
+threading.Thread(target=work, daemon=True).start()
+time.sleep(0.2)
+print("over")
+"""
+
+    def test_python_ends_while_a_daemon_loops_over_any_call(self):
+        for call in self.CALLS:
+            with self.subTest(call):
+                said = self.python(self.LOOP.format(call), str(MOLECULES / "1crn.pdb"),
+                                   str(self.folder / "a.ply"), str(self.folder / "b.ply"),
+                                   timeout=30)
+                self.assertEqual(said, "over\n")
+
+    def test_a_function_of_the_end_may_mesh(self):
+        self.assertEqual(self.python("""
+import atexit
+import morskin
+def last():
+    print(morskin.Skin([[0, 0, 0]], [1]).mesh(C=0.3).certificate.certified)
+atexit.register(last)
+""", timeout=30), "True\n")
+
     def test_a_fork_of_a_busy_python_ends_too(self):
         said = self.python(self.BUSY + """
 if os.fork():

@@ -1,0 +1,76 @@
+#include "app/rounded_outputs.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/output_names.h"
+#include "certify/triangle_geometry.h"
+#include "geometry/error.h"
+#include "geometry/files/mesh_files.h"
+
+namespace morskin::app {
+namespace {
+
+using geometry::IndexedMesh;
+using geometry::MeshFormat;
+
+IndexedMesh in_single_precision(IndexedMesh mesh) {
+  for (geometry::Point& p : mesh.positions) p = p.cast<float>().cast<double>();
+  return mesh;
+}
+
+/// The mesh as a file stores it, if that is another.
+std::optional<IndexedMesh> stored(const IndexedMesh& mesh, MeshFormat format,
+                                  const std::optional<int>& decimals) {
+  if (format == MeshFormat::Stl || format == MeshFormat::Glb) return in_single_precision(mesh);
+  if (format != MeshFormat::MsmsVertices || !decimals) return std::nullopt;
+  return geometry::with_decimals(mesh, *decimals);
+}
+
+/// How many triangles are turned over, have no area left, or lose more of their smallest angle.
+std::size_t count_spoilt(const IndexedMesh& mesh, const IndexedMesh& rounded,
+                         double most_lost_deg) {
+  std::size_t count = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto normal = [&](const std::vector<geometry::Point>& at) -> geometry::Vector {
+      return (at[b] - at[a]).cross(at[c] - at[a]);
+    };
+    const auto smallest_deg = [&](const std::vector<geometry::Point>& at) {
+      return certify::angle_range(at[a], at[b], at[c]).smallest_deg;
+    };
+    const double lost_deg = smallest_deg(mesh.positions) - smallest_deg(rounded.positions);
+    const double along = normal(mesh.positions).dot(normal(rounded.positions));
+    if (!(along > 0 && lost_deg < most_lost_deg)) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+void check_rounded_outputs(const IndexedMesh& mesh, const MeshArguments& arguments) {
+  // Who asks for decimals gets what they make of the angles, and the file says that it is rounded.
+  constexpr double any = 180, few = 5;
+  for (const std::filesystem::path& output : arguments.outputs) {
+    const MeshFormat format = format_of(output);
+    const auto rounded = stored(mesh, format, arguments.decimals);
+    if (!rounded) continue;
+    const bool is_msms_file = format == MeshFormat::MsmsVertices;
+    const std::size_t spoilt = count_spoilt(mesh, *rounded, is_msms_file ? any : few);
+    if (spoilt == 0) continue;
+    const std::string digits =
+        is_msms_file ? "rounded to " + std::to_string(*arguments.decimals) + " decimals"
+                     : "in single precision, all that the format has";
+    const std::string way_out =
+        is_msms_file ? "give more --decimals or none"
+                     : "write another format, or move the molecule nearer to the origin";
+    throw geometry::RefusedInput(output.string() + ": " + digits + ", " + std::to_string(spoilt) +
+                                 " of " + std::to_string(mesh.triangles.size()) +
+                                 " triangles would be turned over or needles; " + way_out +
+                                 ", or ask for larger triangles, as by --density");
+  }
+}
+
+}  // namespace morskin::app
