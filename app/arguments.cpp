@@ -142,6 +142,11 @@ bool is_set(const TypedSelection& typed) {
          typed.model_number || typed.assembly || typed.waters;
 }
 
+bool is_set(const TypedSkin& typed) {
+  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
+         typed.size || is_set(typed.selection);
+}
+
 /// What only a molecule's skin has, with the option that asks for it.
 void check_surface(const MeshArguments& mesh, const Typed& typed) {
   if (!mesh.molecule.input.empty()) {
@@ -246,9 +251,12 @@ void finish(FeaturesArguments& features, const Typed& typed) {
   finish_features(features);
 }
 
-void finish(const CheckArguments& check) {
+void finish(const CheckArguments& check, const Typed& typed) {
   if (check.surface && check.against) {
     throw UsageError("--against and --surface are two surfaces; give one of them");
+  }
+  if (!check.against && !check.surface && is_set(typed.skin)) {
+    throw UsageError("the options of a skin are of a mesh and its surface: add --against");
   }
   if (!check.certificate) return;
   if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");
@@ -303,7 +311,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   }
   if (!all.against.input.empty()) all.check.against = all.against;
   all.check.typed = typed.skin;
-  finish(all.check);
+  finish(all.check, typed);
   return all.check;
 }
 

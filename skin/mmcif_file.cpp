@@ -223,6 +223,7 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
     file.has_chains = table.has(Chain);
     file.has_hetatms = table.has(Record);
     file.has_elements = true;
+    file.has_locations = table.has(Alternate);
     file.atoms.reserve(table.size());
     std::set<std::string> begun;
     std::optional<std::string> read;  // the model to read, as the table calls it

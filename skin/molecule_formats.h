@@ -39,6 +39,7 @@ struct ParsedFile {
   bool has_chains = false;
   bool has_hetatms = false;  ///< which come from HETATM records
   bool has_elements = false;
+  bool has_locations = false;  ///< alternate ones
 };
 
 /// Finds the model to read among a file's, which a parser tells it of in the file's order.

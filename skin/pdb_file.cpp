@@ -138,7 +138,7 @@ ParsedFile parse_records(std::string_view bytes, const std::string& source,
                          const std::string& format, bool (*is_atom)(std::string_view line),
                          AtomRecord (*atom_on)(const TextLines& lines), ModelSearch& models) {
   ParsedFile file;
-  file.has_chains = file.has_hetatms = file.has_elements = true;
+  file.has_chains = file.has_hetatms = file.has_elements = file.has_locations = true;
   TextLines lines(bytes, source);
   bool is_in_model = false;  // an atom was read since the last model began or ended
   bool is_read = false;      // and its atoms are wanted

@@ -115,6 +115,8 @@ void check_format(const ParsedFile& file, const Selection& selection, const std:
   require(file.has_chains, !selection.chains.empty(), "an atom's chain");
   require(file.has_hetatms, selection.hetatms.has_value(), "which atoms have a HETATM record");
   require(file.has_elements, !selection.hydrogens, "which atoms are hydrogen");
+  require(file.has_locations, selection.all_locations || selection.location.has_value(),
+          "an atom's alternate locations");
 }
 
 }  // namespace

@@ -46,6 +46,12 @@ class Check(CommandTest):
         return {v["name"]: v["reason"] for v in report["verdicts"]
                 if v["required"] and not v["holds"]}
 
+    def test_options_of_a_skin_without_one_are_refused(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        for words in (("--model", "sas"), ("-C", "0.01"), ("--voids", "drop"), ("--chain", "Z"),
+                      ("--size", "1")):
+            self.assertIn(b"--against", self.run_morskin("check", "m.ply", *words, code=2).stderr)
+
     def test_a_right_mesh_passes_every_verdict(self):
         self.good_mesh()
         for words in ((), self.words):

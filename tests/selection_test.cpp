@@ -164,6 +164,8 @@ TEST_CASE("what a format does not tell cannot be chosen by") {
     CHECK(refusal(file, {.chains = {"A"}}) ==
           file.name + ": does not tell an atom's chain; do not choose by it");
     CHECK_FALSE(refusal(file, {.hetatms = std::vector<std::string>{}}).empty());
+    CHECK_FALSE(refusal(file, {.all_locations = true}).empty());
+    CHECK_FALSE(refusal(file, {.location = 'A'}).empty());
   }
   CHECK_FALSE(refusal({"a.xyzr", small_xyzr}, {.hydrogens = false}).empty());
   CHECK(read({"a.xyz", "2\n\nH 0 0 0\nC 1 0 0\n"}, {.hydrogens = false}).atoms.size() == 1);
