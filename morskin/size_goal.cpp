@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "certify/triangle_geometry.h"
 #include "morskin/pipeline.h"
 
 namespace morskin {
@@ -182,36 +181,24 @@ class FineGrid {
   std::array<std::array<SurfacePoint, cuts + 1>, cuts + 1> points_;
 };
 
-/// No point of the skin over a triangle is farther from all corners, in circumradii. With R at most
-/// half the length scale the skin lies 0.134 length scales off it, 0.268 R.
-constexpr double reach_of_corners = 1.04;
-
 }  // namespace
 
 BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result) {
   const double largest_area = 0.75 * std::sqrt(3) * max_provable_share * max_provable_share;
-  const double limit = result.sizing.largest_length_scale;
   BentPart part;
   double whole = 0, bent = 0;
   for (const auto& [a, b, c] : result.mesh.triangles) {
     const auto& at = result.mesh.positions;
-    const certify::Circumcircle circle = certify::circumcircle(at[a], at[b], at[c]);
-    const double flat_area = circle.doubled_area.norm() / 2;
-    whole += flat_area;
-    double min_scale = infinity;
-    for (const std::uint32_t v : {a, b, c}) {
-      min_scale = std::min(min_scale, skin.length_scale(at[v], result.cells[v]));
-    }
-    if (min_scale > limit + reach_of_corners * circle.radius) continue;
     const FineGrid grid(skin, {at[a], at[b], at[c]}, result.cells[a]);
     double area = 0, bent_here = 0;
     grid.for_each_triangle([&](double small_area, double scale) {
       area += small_area;
-      if (scale >= limit) return;
+      if (scale >= result.sizing.largest_length_scale) return;
       bent_here += small_area;
       part.forced_triangles += small_area / (largest_area * scale * scale);
     });
-    bent += flat_area * bent_here / area;
+    whole += area;
+    bent += bent_here;
     part.triangles += bent_here / area;
   }
   part.area_share = bent / whole;
