@@ -24,8 +24,14 @@ py::error_already_set system_exit() {
 /// Asks all runs to stop and gives the lock away until they have.
 void end_runs() {
   using namespace std::chrono_literals;
+  constexpr auto patience = 5s;
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_to_wait = [&] {
+    const bool is_late = std::chrono::steady_clock::now() - start > patience;
+    return std::ranges::any_of(runs, [&](auto* run) { return run->is_heeded() || !is_late; });
+  };
   last_thread = std::this_thread::get_id();
-  while (!runs.empty()) {
+  while (is_to_wait()) {
     for (Interruption* run : runs) run->interrupt(system_exit());
     const py::gil_scoped_release unlocked;
     std::this_thread::sleep_for(10ms);
@@ -34,7 +40,7 @@ void end_runs() {
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption(bool is_heeded) : is_heeded_(is_heeded) {
   if (last_thread && *last_thread != std::this_thread::get_id()) throw system_exit();
   runs.insert(this);
 }

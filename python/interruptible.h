@@ -22,8 +22,9 @@ namespace py = pybind11;
 /// global lock.
 class Interruption {
  public:
+  /// @param is_heeded  whether the run ends soon after it is asked to
   /// @throws py::error_already_set  SystemExit, where Python is ending
-  Interruption();
+  explicit Interruption(bool is_heeded = true);
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
@@ -33,24 +34,26 @@ class Interruption {
     if (!reason_) reason_ = std::make_exception_ptr(std::move(reason));
     stop_.request_stop();
   }
+  bool is_heeded() const { return is_heeded_; }
   std::stop_token token() const { return stop_.get_token(); }
   void rethrow() const {
     if (reason_) std::rethrow_exception(reason_);
   }
 
  private:
+  const bool is_heeded_;
   std::stop_source stop_;
   std::exception_ptr reason_;
 };
 
-/// Does without the global lock what cannot be interrupted, until its end. Python does not end
-/// before.
+/// Does without the global lock what cannot be interrupted, until its end. Python waits for it some
+/// seconds before it ends; what takes longer, a pipe that nobody writes to, is not waited for.
 class Unlocked {
  public:
   Unlocked() = default;
 
  private:
-  Interruption run_;  // first, since runs are counted with the lock
+  Interruption run_{false};  // first, since runs are counted with the lock
   py::gil_scoped_release unlocked_;
 };
 

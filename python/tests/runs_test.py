@@ -4,6 +4,7 @@
 from support import BALLS, COARSE, MOLECULES, ModuleTest, main
 
 import multiprocessing
+import os
 import signal
 import threading
 import time
@@ -154,6 +155,16 @@ print("over")
                                    str(self.folder / "a.ply"), str(self.folder / "b.ply"),
                                    timeout=30)
                 self.assertEqual(said, "over\n")
+
+    def test_python_ends_while_a_daemon_reads_a_pipe_that_nobody_writes_to(self):
+        os.mkfifo(self.folder / "pipe")
+        self.assertEqual(self.python("""
+import sys, threading, time
+import morskin
+threading.Thread(target=morskin.read, args=[sys.argv[1]], daemon=True).start()
+time.sleep(0.2)
+print("over")
+""", str(self.folder / "pipe"), timeout=30), "over\n")
 
     def test_a_function_of_the_end_may_mesh(self):
         self.assertEqual(self.python("""
