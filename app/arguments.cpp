@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iostream>
 #include <span>
@@ -91,10 +92,24 @@ void finish(BallsArguments& balls, const Typed&) {
   }
 }
 
+bool is_set(const TypedSelection& typed) {
+  return typed.chains || typed.locations || typed.hydrogens || typed.hetatms ||
+         typed.model_number || typed.assembly || typed.waters;
+}
+
+bool is_set(const TypedSkin& typed) {
+  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
+         typed.size || is_set(typed.selection);
+}
+
 void finish(ViewArguments& view, const Typed& typed) {
   check_not_input(view.output, view.molecule);
   if (view.against && !names_a_mesh(view.molecule.input)) {
     throw UsageError("--against is for a mesh; a molecule is shown with its own skin");
+  }
+  const bool is_mesh_alone = !view.against && names_a_mesh(view.molecule.input);
+  if (is_mesh_alone && (is_set(typed.skin) || parsed(typed))) {
+    throw UsageError("the options of a skin are of a mesh and its molecule: add --against");
   }
   if (view.against) check_not_input(view.output, {.input = *view.against});
   for (const std::filesystem::path& frame : view.growth) {
@@ -135,16 +150,6 @@ void check_several(const MeshArguments& mesh) {
     if (path && is_standard_output(*path)) refuse("go to standard output");
   }
   if (mesh.has_snapshots()) refuse("all have snapshots");
-}
-
-bool is_set(const TypedSelection& typed) {
-  return typed.chains || typed.locations || typed.hydrogens || typed.hetatms ||
-         typed.model_number || typed.assembly || typed.waters;
-}
-
-bool is_set(const TypedSkin& typed) {
-  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
-         typed.size || is_set(typed.selection);
 }
 
 /// What only a molecule's skin has, with the option that asks for it.
@@ -215,6 +220,9 @@ void finish(MeshArguments& mesh, const Typed& typed) {
   }
   if (typed.fronts && !(*typed.fronts >= 1 && *typed.fronts <= front::max_subdomains)) {
     throw UsageError("--fronts must be 1 to " + std::to_string(front::max_subdomains));
+  }
+  if (typed.fronts && !std::has_single_bit(*typed.fronts)) {
+    throw UsageError("--fronts must be a power of two, as boxes are halved");
   }
   mesh.fronts = typed.fronts;
   if (mesh.has_snapshots() && is_sweep && mesh.fronts.value_or(1) != 1) {

@@ -43,6 +43,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       .add_option("--snapshots", mesh.snapshots,
                   "Write so many states of the growing mesh and its front, at even steps of\n"
                   "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)")
+      ->check(CLI::Range(0, 100'000))
       ->default_str("0");
   command
       .add_option("--snapshot-at", mesh.snapshot_values,

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <future>
+#include <system_error>
 #include <vector>
 
 #include "geometry/task_trace.h"
@@ -39,8 +40,12 @@ void for_each_task(unsigned threads, std::size_t count, Task task) {
   };
   const Traced loop(TaskTrace::Kind::Loop);
   std::vector<std::future<void>> others;
-  while (others.size() + 1 < std::min<std::size_t>(threads, count)) {
-    others.push_back(std::async(std::launch::async, take));
+  try {
+    while (others.size() + 1 < std::min<std::size_t>(threads, count)) {
+      others.push_back(std::async(std::launch::async, take));
+    }
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do it all.
   }
   take();
   for (std::future<void>& other : others) other.get();

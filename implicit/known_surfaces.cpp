@@ -19,15 +19,15 @@ std::string number(double x) {
 }  // namespace
 
 std::string sphere_formula(double radius) {
-  if (!(radius > 0 && std::isfinite(radius))) {
-    throw geometry::RefusedInput("a sphere's radius must be above 0");
+  if (!(radius > 0 && std::isfinite(radius * radius))) {
+    throw geometry::RefusedInput("a sphere's radius must be above 0, and its square finite");
   }
   return "x^2+y^2+z^2-" + number(radius * radius);
 }
 
 std::string torus_formula(double R, double r) {
-  if (!(r > 0 && R > r && std::isfinite(R))) {
-    throw geometry::RefusedInput("a torus R,r must have R > r > 0");
+  if (!(r > 0 && R > r && std::isfinite(2 * R * R))) {
+    throw geometry::RefusedInput("a torus R,r must have R > r > 0, and R^2 finite");
   }
   // With c = R^2 - r^2 (R s)^2 / A is R^2 less R^2 (z^2 + c) / A, where fewer variables stand
   // twice, so that intervals are narrower.

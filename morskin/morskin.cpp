@@ -109,6 +109,8 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
     const geometry::WeightedPoint p{
         inside(atom.position), skin::weight(atom.radius, inside(options.model), options.probe)};
     const double largest = std::max(p.position.cwiseAbs().maxCoeff(), std::abs(p.weight));
+    const bool has_lost_digits = p.weight < 1 && !geometry::is_exact_weight(p.weight);
+    if (!(p.weight > 0) || has_lost_digits) throw refused(i, "has a radius too small to be told");
     if (!p.position.allFinite() || !(largest <= geometry::largest_exact)) {
       throw refused(i,
                     "has a coordinate that is no number, or is too far out or too large: 2^30 "
@@ -250,10 +252,14 @@ Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,
                           const RunOptions& run) const {
   return with_errors([&] {
     const PreparedSkin& skin = prepared_->skin;
-    const MeshingOptions asked = inside(options);
+    const MeshingOptions asked =
+        inside({.C = options.C, .Q = options.Q, .max_length_scale = options.max_length_scale});
     require_sound(asked);
-    return outside(
-        certify::certify(inside(mesh), skin.surface, skin.expected(), asked.sizing, inside(run)));
+    const Run steps = inside(run);
+    return steps.stage("certify", [&] {
+      return outside(
+          certify::certify(inside(mesh), skin.surface, skin.expected(), asked.sizing, steps));
+    });
   });
 }
 

@@ -156,11 +156,12 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// A mesh in a file: PLY, OFF, OBJ, STL or MSMS, gzipped or not.
+/// A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.
 /// @throws Error  Unreadable
 TriangleMesh read_mesh(const std::filesystem::path& file);
-/// Writes PLY (binary), OFF, OBJ, STL or VTU, as the file's ending says, whole or not at all.
-/// @throws Error  Unwritable
+/// Writes PLY (binary), OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or
+/// not at all.
+/// @throws Error  Unwritable; Refused: a corner that is no vertex
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// What is proved of a mesh and how good it is.
@@ -243,8 +244,10 @@ class Skin {
   /// @throws Error  Refused: options that make no sense; Degenerate; Limit; Stopped
   SkinMesh mesh(const MeshOptions& options = {}, const RunOptions& run = {}) const;
 
-  /// Checks any mesh against this skin. It never throws for a bad mesh.
+  /// Checks any mesh against this skin. A bad mesh is no error: the certificate says what is wrong.
+  /// A request to stop is heeded before it begins.
   /// @param options  C, Q and max_length_scale that it was made with; the rest plays no part
+  /// @throws Error  Refused: a corner that is no vertex, sizes that make no sense; Stopped
   Certificate certify(const TriangleMesh& mesh, const MeshOptions& options = {},
                       const RunOptions& run = {}) const;
 

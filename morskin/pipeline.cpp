@@ -1,5 +1,6 @@
 #include "morskin/pipeline.h"
 
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -60,6 +61,10 @@ void require_sound(const MeshingOptions& options) {
   if (options.fronts && !(*options.fronts >= 1 && *options.fronts <= front::max_subdomains)) {
     throw geometry::RefusedInput("there may be 1 to " + std::to_string(front::max_subdomains) +
                                  " fronts, not " + std::to_string(*options.fronts));
+  }
+  if (options.fronts && !std::has_single_bit(*options.fronts)) {
+    throw geometry::RefusedInput(
+        "the number of fronts must be a power of two, as boxes are halved");
   }
   if (options.fronts && options.method == Method::Static) {
     throw geometry::RefusedInput("fronts are of the sweep, and the static method has none");

@@ -106,6 +106,10 @@ double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& siz
     return vertices_per_demand * demand;
   };
   if (samples.points.empty()) return infinity;
+  if (!(2 * wanted_vertices(goal, area) <= geometry::SurfaceMesh::max_triangles)) {
+    throw geometry::RefusedInput("a mesh so dense has more triangles than there are ids, " +
+                                 std::to_string(geometry::SurfaceMesh::max_triangles));
+  }
   return limit_of(wanted_vertices(goal, area), max_scale, vertices);
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "certify/located_vertices.h"
+#include "certify/tube.h"
+#include "geometry/exact_range.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/text_lines.h"
@@ -105,7 +107,7 @@ geometry::MeshFormat format_with_data(const std::filesystem::path& file) {
 std::vector<Datum> data_called(std::span<const std::string> names) {
   std::vector<Datum> data;
   for (const std::string& name : names) {
-    if (name == "all") return {all_data().begin(), all_data().end()};
+    if (name == "all") continue;
     const std::optional<Datum> datum = parse_datum(name);
     if (!datum) {
       std::string known;
@@ -115,7 +117,30 @@ std::vector<Datum> data_called(std::span<const std::string> names) {
     }
     if (std::ranges::find(data, *datum) == data.end()) data.push_back(*datum);
   }
+  if (std::ranges::find(names, "all") != names.end()) {
+    return {all_data().begin(), all_data().end()};
+  }
   return data;
+}
+
+geometry::RefusedInput far_from_skin(std::size_t vertex) {
+  return geometry::RefusedInput("vertex " + std::to_string(vertex) + " is not near the skin");
+}
+
+/// Beyond it nothing lies near a skin, and squares may overflow.
+void require_in_range(const geometry::IndexedMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const geometry::Point& p = mesh.positions[v];
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > geometry::largest_exact) throw far_from_skin(v);
+  }
+}
+
+/// Whether the flow leads to the skin within half the length scale at x: any mesh of this skin lies
+/// so near, and farther off curvatures say little.
+bool is_near(const skin::SkinSurface& skin, const surface::SurfacePoint& x) {
+  constexpr double most = 0.5;
+  const double g = std::abs(skin.jet(x.position, x.cell).value);
+  return certify::max_flow_path(x.length_scale, g) <= most * x.length_scale;
 }
 
 std::optional<morse::MorseFunction> height_along(const std::optional<Point>& direction) {
@@ -130,10 +155,12 @@ std::vector<SkinPoint> Skin::points(const TriangleMesh& mesh) const {
     const geometry::IndexedMesh from = inside(mesh);
     const skin::SkinSurface& surface = prepared_->skin.surface;
     const std::vector<std::uint32_t> component = geometry::vertex_components(from);
+    require_in_range(from);
     const std::vector<surface::SurfacePoint> points = certify::locate_vertices(from, surface);
     std::vector<SkinPoint> result;
     result.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
+      if (!is_near(surface, points[v])) throw far_from_skin(v);
       result.push_back(outside(surface, points[v], component[v]));
     }
     return result;

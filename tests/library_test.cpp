@@ -241,6 +241,38 @@ TEST_CASE("critical points add up to the Euler characteristic, and arcs and regi
   }
 }
 
+TEST_CASE("the skin at a vertex that is not near it is refused") {
+  const Skin skin(std::vector<Atom>{{{0, 0, 0}, 1}}, balls);
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  for (const double x : {nan, infinite, 0., 3., 1000., 1e200}) {
+    CAPTURE(x);
+    CHECK(kind_of([&] { skin.points({{{x, 0, 0}}, {}}); }) == Error::Kind::Refused);
+  }
+  CHECK(skin.points({{{1.2, 0, 0}}, {}}).size() == 1);
+}
+
+TEST_CASE(
+    "of a certificate only C, Q and the largest length scale are asked, and it can be stopped") {
+  const Skin skin(three_atoms, balls);
+  const morskin::TriangleMesh mesh = skin.mesh({.C = 0.3}).triangles();
+  CHECK(skin.certify(mesh, {.C = 0.3, .edge_length = 0.01}).certified);
+  CHECK(skin.certify(mesh, {.C = 0.3, .density = -1}).certified);
+  std::stop_source source;
+  source.request_stop();
+  morskin::RunOptions run;
+  run.stop = source.get_token();
+  CHECK(kind_of([&] { skin.certify(mesh, {.C = 0.3}, run); }) == Error::Kind::Stopped);
+}
+
+TEST_CASE("a wrong name of data is refused beside all, before it or behind") {
+  const morskin::support::TemporaryFolder folder;
+  const SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"all", "nope"}, std::vector<std::string>{"nope", "all"}}) {
+    CHECK(kind_of([&] { mesh.write(folder / "a.ply", names); }) == Error::Kind::Refused);
+  }
+}
+
 TEST_CASE("a direction may be of any length, however long or short") {
   const Skin skin(three_atoms, balls);
   const auto along = [&](double length) {
@@ -268,7 +300,8 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
         MeshOptions{.angle_goal_deg = 61}, MeshOptions{.edge_length = 1, .density = 1},
         MeshOptions{.density = 1, .triangles = 100},
         MeshOptions{.max_length_scale = 1, .edge_length = 1}, MeshOptions{.angle_goal_deg = nan},
-        MeshOptions{.method = morskin::Method::Static, .fronts = 2},
+        MeshOptions{.method = morskin::Method::Static, .fronts = 2}, MeshOptions{.fronts = 3},
+        MeshOptions{.density = 1e9}, MeshOptions{.density = 1e300},
         MeshOptions{.direction = Point{0, 0, 0}}, MeshOptions{.direction = Point{0, nan, 0}}}) {
     CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
   }
@@ -282,7 +315,8 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   }
   CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
   for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
-                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6}}) {
+                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6},
+                           Atom{{50, 0, 0}, 1e-30}, Atom{{50, 0, 0}, 1e-170}}) {
     try {
       Skin(std::vector{three_atoms[0], atom}, balls);
       FAIL("the second atom makes no sense");

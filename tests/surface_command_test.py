@@ -97,7 +97,10 @@ class Surfaces(CommandTest):
 
     def test_bad_surfaces_are_refused_in_words(self):
         for surface, code, says in (("cube:1", 2, "--surface"), ("torus:1", 2, "2 values"),
-                                    ("torus:1,2", 4, "R > r > 0"), ("sphere:x", 2, "no number"),
+                                    ("torus:1,2", 4, "R > r > 0"),
+                                    ("sphere:1e200", 4, "radius"),
+                                    ("torus:1e160,1", 4, "R^2"),
+                                    ("sphere:x", 2, "no number"),
                                     ("sphere:-1", 4, "radius"), ("genus2:1", 2, "no values"),
                                     ("formula:x+", 3, "column 3"), ("formula:", 3, "column 1"),
                                     ("formula:z,within=4", 4, "not closed"),

@@ -14,6 +14,14 @@ from support.viewer_case import ViewTest
 
 
 class Pages(ViewTest):
+    def test_options_of_a_skin_are_refused_with_a_mesh_and_no_molecule(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        for words in (("--model", "sas"), ("-C", "0.2"), ("--size", "1"), ("--chain", "A"),
+                      ("--function", "distance:0,0,0")):
+            done = self.run_morskin("view", "m.ply", "-o", "m.html", *words, code=2)
+            self.assertIn(b"--against", done.stderr)
+        self.assertEqual(self.names(), ["m.ply"])
+
     def test_a_page_is_one_file_that_loads_nothing(self):
         page = self.view(self.ring)
         self.assertTrue(page.text.startswith("<!doctype html>"))
