@@ -19,7 +19,9 @@ let browser;
 
 export const make = (name, ...words) => {
   const path = join(folder, `${name}.html`);
-  execFileSync(morskin, ['view', '--model', 'paper', ...words, '-o', path, '-q']);
+  const isMesh = words.some((word) => word.endsWith('.ply')) && !words.includes('--against');
+  const model = isMesh ? [] : ['--model', 'paper'];
+  execFileSync(morskin, ['view', ...model, ...words, '-o', path, '-q']);
   return path;
 };
 export const pages = {};
