@@ -37,6 +37,17 @@ class Features(ModuleTest):
                           self.of_command(file, "--density", "1.5", "--model", "vdw", "--voids",
                                           "keep"))
 
+    def test_names_may_hold_any_byte_and_chains_are_chosen_by_the_name_that_an_error_tells(self):
+        file = self.folder / "bytes.pdb"
+        file.write_bytes(b"ATOM      1  C\xe9  ALA \xe9   1       0.000   0.000   0.000"
+                         b"  1.00  0.00           C\n")
+        features = morskin.features(file)
+        self.assertEqual((features["atom_name"][0], features["atom_chain"][0]), ("C\xe9", "\xe9"))
+        self.expect_equal(features, self.of_command(file))
+        with self.assertRaises(morskin.RefusedInput) as caught:
+            morskin.read(file, chains=["A"])
+        self.assertEqual(len(morskin.read(file, chains=[str(caught.exception)[-1]])), 1)
+
     def test_charges_of_a_pqr_file_and_the_options_of_read_are_there_too(self):
         file = MOLECULES / "1l2y.pqr"
         features = morskin.features(file, hydrogens=False)
