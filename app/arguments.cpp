@@ -92,16 +92,6 @@ void finish(BallsArguments& balls, const Typed&) {
   }
 }
 
-bool is_set(const TypedSelection& typed) {
-  return typed.chains || typed.locations || typed.hydrogens || typed.hetatms ||
-         typed.model_number || typed.assembly || typed.waters;
-}
-
-bool is_set(const TypedSkin& typed) {
-  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
-         typed.size || is_set(typed.selection);
-}
-
 void finish(ViewArguments& view, const Typed& typed) {
   check_not_input(view.output, view.molecule);
   if (view.against && !names_a_mesh(view.molecule.input)) {

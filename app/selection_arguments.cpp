@@ -55,6 +55,11 @@ void parse_hetatms(const std::string& text, skin::Selection& selection) {
 
 }  // namespace
 
+bool is_set(const TypedSelection& typed) {
+  return typed.chains || typed.locations || typed.hydrogens || typed.hetatms ||
+         typed.model_number || typed.assembly || typed.waters;
+}
+
 void add_selection_options(CLI::App& command, TypedSelection& typed) {
   command
       .add_option("--model-number", typed.model_number,

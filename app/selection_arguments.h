@@ -20,6 +20,9 @@ struct TypedSelection {
   bool waters = false;
 };
 
+/// Whether any of them was typed.
+bool is_set(const TypedSelection& typed);
+
 void add_selection_options(CLI::App& command, TypedSelection& typed);
 
 /// @throws UsageError

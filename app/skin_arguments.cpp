@@ -34,6 +34,11 @@ void check_sizing(const certify::Sizing& sizing) {
 
 }  // namespace
 
+bool is_set(const TypedSkin& typed) {
+  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
+         typed.size || is_set(typed.selection);
+}
+
 void finish(MoleculeArguments& molecule, const std::filesystem::path& file,
             const TypedSkin& typed) {
   const bool gives_weights = skin::molecule_format_of(file) == skin::MoleculeFormat::Xyzw;

@@ -37,6 +37,9 @@ struct TypedSkin {
   TypedSelection selection;
 };
 
+/// Whether any of them was typed.
+bool is_set(const TypedSkin& typed);
+
 /// @param file  the molecule; not molecule.input where that is a mesh
 /// @throws UsageError
 void finish(MoleculeArguments& molecule, const std::filesystem::path& file, const TypedSkin& typed);

@@ -135,8 +135,8 @@ void require_in_range(const geometry::IndexedMesh& mesh) {
   }
 }
 
-/// Whether the flow leads to the skin within half the length scale at x: any mesh of this skin lies
-/// so near, and farther off curvatures say little.
+/// Whether the flow leads to the skin within half the length scale at x; farther off curvatures say
+/// little of the skin.
 bool is_near(const skin::SkinSurface& skin, const surface::SurfacePoint& x) {
   constexpr double most = 0.5;
   const double g = std::abs(skin.jet(x.position, x.cell).value);

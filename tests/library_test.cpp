@@ -12,6 +12,7 @@
 
 #include "morskin/features.h"
 #include "morskin/morskin.h"
+#include "tests/support/library_errors.h"
 #include "tests/support/temporary_folder.h"
 
 using morskin::Atom;
@@ -21,6 +22,7 @@ using morskin::Point;
 using morskin::Skin;
 using morskin::SkinMesh;
 using morskin::SkinPoint;
+using morskin::support::kind_of;
 
 namespace {
 
@@ -33,18 +35,6 @@ Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[
 double dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 Point cross(const Point& p, const Point& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-/// What a call throws.
-template <class Call>
-std::optional<Error::Kind> kind_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    CHECK(std::string(error.what()) != "");
-    return error.kind();
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -241,38 +231,6 @@ TEST_CASE("critical points add up to the Euler characteristic, and arcs and regi
   }
 }
 
-TEST_CASE("the skin at a vertex that is not near it is refused") {
-  const Skin skin(std::vector<Atom>{{{0, 0, 0}, 1}}, balls);
-  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-  for (const double x : {nan, infinite, 0., 3., 1000., 1e200}) {
-    CAPTURE(x);
-    CHECK(kind_of([&] { skin.points({{{x, 0, 0}}, {}}); }) == Error::Kind::Refused);
-  }
-  CHECK(skin.points({{{1.2, 0, 0}}, {}}).size() == 1);
-}
-
-TEST_CASE(
-    "of a certificate only C, Q and the largest length scale are asked, and it can be stopped") {
-  const Skin skin(three_atoms, balls);
-  const morskin::TriangleMesh mesh = skin.mesh({.C = 0.3}).triangles();
-  CHECK(skin.certify(mesh, {.C = 0.3, .edge_length = 0.01}).certified);
-  CHECK(skin.certify(mesh, {.C = 0.3, .density = -1}).certified);
-  std::stop_source source;
-  source.request_stop();
-  morskin::RunOptions run;
-  run.stop = source.get_token();
-  CHECK(kind_of([&] { skin.certify(mesh, {.C = 0.3}, run); }) == Error::Kind::Stopped);
-}
-
-TEST_CASE("a wrong name of data is refused beside all, before it or behind") {
-  const morskin::support::TemporaryFolder folder;
-  const SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
-  for (const std::vector<std::string>& names :
-       {std::vector<std::string>{"all", "nope"}, std::vector<std::string>{"nope", "all"}}) {
-    CHECK(kind_of([&] { mesh.write(folder / "a.ply", names); }) == Error::Kind::Refused);
-  }
-}
-
 TEST_CASE("a direction may be of any length, however long or short") {
   const Skin skin(three_atoms, balls);
   const auto along = [&](double length) {
@@ -288,67 +246,6 @@ TEST_CASE("elements have radii, in upper or lower case, and other words have non
   CHECK(morskin::van_der_waals_radius("C") == 1.7);
   CHECK(morskin::van_der_waals_radius("cl") == morskin::van_der_waals_radius("CL"));
   CHECK_FALSE(morskin::van_der_waals_radius("no element"));
-}
-
-TEST_CASE("values that make no sense are refused, each with its kind") {
-  using Kind = Error::Kind;
-  const Skin skin(three_atoms, balls);
-  const double nan = std::nan("");
-  for (const MeshOptions& options :
-       {MeshOptions{.fronts = 0}, MeshOptions{.C = 0}, MeshOptions{.C = nan},
-        MeshOptions{.C = 0.9, .Q = 1.2}, MeshOptions{.Q = 1}, MeshOptions{.max_length_scale = 0},
-        MeshOptions{.angle_goal_deg = 61}, MeshOptions{.edge_length = 1, .density = 1},
-        MeshOptions{.density = 1, .triangles = 100},
-        MeshOptions{.max_length_scale = 1, .edge_length = 1}, MeshOptions{.angle_goal_deg = nan},
-        MeshOptions{.method = morskin::Method::Static, .fronts = 2}, MeshOptions{.fronts = 3},
-        MeshOptions{.density = 1e9}, MeshOptions{.density = 1e300},
-        MeshOptions{.direction = Point{0, 0, 0}}, MeshOptions{.direction = Point{0, nan, 0}}}) {
-    CHECK(kind_of([&] { skin.mesh(options); }) == Kind::Refused);
-  }
-  const morskin::TriangleMesh mesh = skin.mesh({.C = 0.3}).triangles();
-  const double infinite = std::numeric_limits<double>::infinity();
-  for (const MeshOptions& options :
-       {MeshOptions{.C = -1}, MeshOptions{.C = infinite}, MeshOptions{.C = nan},
-        MeshOptions{.Q = infinite}, MeshOptions{.max_length_scale = -1},
-        MeshOptions{.max_length_scale = nan}}) {
-    CHECK(kind_of([&] { skin.certify(mesh, options); }) == Kind::Refused);
-  }
-  CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
-  for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
-                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6},
-                           Atom{{50, 0, 0}, 1e-30}, Atom{{50, 0, 0}, 1e-170}}) {
-    try {
-      Skin(std::vector{three_atoms[0], atom}, balls);
-      FAIL("the second atom makes no sense");
-    } catch (const Error& error) {
-      CHECK(error.kind() == Kind::Refused);
-      CHECK(error.atoms() == std::vector<std::uint32_t>{1});
-    }
-  }
-  CHECK(kind_of([&] { Skin(three_atoms, {.probe = -1}); }) == Kind::Refused);
-  CHECK(kind_of([] { morskin::read_molecule("no such file.pdb"); }) == Kind::Unreadable);
-  CHECK(kind_of([] { morskin::read_mesh("no such file.ply"); }) == Kind::Unreadable);
-  CHECK(kind_of([] { morskin::write_mesh({}, "no such folder/a.ply"); }) == Kind::Unwritable);
-  CHECK(kind_of([&] { skin.certify({{{0, 0, 0}}, {{0, 1, 2}}}); }) == Kind::Refused);
-}
-
-TEST_CASE("noise in the place of zero is rounded and counted, and weights are no radii") {
-  CHECK(Skin(three_atoms, balls).rounded_coordinates() == 0);
-  CHECK(Skin(std::vector<Atom>{{{1e-25, 0, -3e-300}, 1}}, balls).rounded_coordinates() == 2);
-  const morskin::support::TemporaryFolder folder;
-  const auto weights = folder.file("a.xyzw", "0 0 0 1\n");
-  CHECK(kind_of([&] { morskin::read_molecule(weights); }) == Error::Kind::Refused);
-}
-
-TEST_CASE("two balls that just touch are singular, and the error knows them") {
-  // The skin's balls are sqrt 2 times as large as their patches, and so 2 sqrt 2 apart.
-  try {
-    Skin(std::vector<Atom>{{{-50, 0, 0}, 1}, {{0, 0, 0}, 1}, {{2, 2, 0}, 1}}, balls);
-    FAIL("the balls touch in (1, 1, 0)");
-  } catch (const Error& error) {
-    CHECK(error.kind() == Error::Kind::Singular);
-    CHECK(error.atoms() == std::vector<std::uint32_t>{1, 2});
-  }
 }
 
 TEST_CASE("features are arrays by vertex, by atom and of the Laplacian, of a certified mesh") {
