@@ -132,13 +132,15 @@ MeshQuality::EdgeLengths edge_lengths(const IndexedMesh& mesh) {
     }
   }
   if (lengths.empty()) return {};
-  const auto quantile = [&](double share) {
-    const auto at = lengths.begin() +
-                    static_cast<std::ptrdiff_t>(share * static_cast<double>(lengths.size() - 1));
-    std::nth_element(lengths.begin(), at, lengths.end());
-    return *at;
+  const auto rank = [&](double share) {
+    return lengths.begin() +
+           static_cast<std::ptrdiff_t>(share * static_cast<double>(lengths.size() - 1));
   };
-  return {quantile(0.05), quantile(0.5), quantile(0.95)};
+  const auto low = rank(0.05), median = rank(0.5), high = rank(0.95);
+  std::nth_element(lengths.begin(), median, lengths.end());
+  std::nth_element(lengths.begin(), low, median);
+  std::nth_element(median, high, lengths.end());
+  return {*low, *median, *high};
 }
 
 }  // namespace

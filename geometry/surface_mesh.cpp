@@ -119,10 +119,14 @@ void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
       return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
     };
     reserve(capacity_for(all_vertices));
-    for (const HalfEdge& h : other.half_edges_) {
-      half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, 3 * triangles)});
-    }
-    for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, 3 * triangles));
+    half_edges_.resize(3 * all_triangles);
+    std::ranges::transform(other.half_edges_, half_edges_.data() + 3 * triangles,
+                           [&](const HalfEdge& h) -> HalfEdge {
+                             return {moved(h.origin, vertices), moved(h.twin, 3 * triangles)};
+                           });
+    outgoing_.resize(all_vertices);
+    std::ranges::transform(other.outgoing_, outgoing_.data() + vertices,
+                           [&](HalfEdgeId h) { return moved(h, 3 * triangles); });
     other.half_edges_ = {};
     other.outgoing_ = {};
   };

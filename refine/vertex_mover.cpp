@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "certify/tube.h"
 #include "geometry/orthogonal.h"
@@ -16,11 +16,21 @@ namespace {
 
 /// Tried from a position: so many directions, at steps from a quarter of the shortest edge down to
 /// a tenth of that.
-constexpr int directions = 8;
+constexpr std::size_t directions = 8;
 constexpr double longest_step = 0.25, shortest_step = 0.025;
 
 /// A move must raise the worst triangle's quality by this factor, so that moves end.
 constexpr double min_gain = 1.001;
+
+/// Cosine and sine of each direction's angle.
+std::array<std::pair<double, double>, directions> rim() {
+  std::array<std::pair<double, double>, directions> points;
+  for (std::size_t k = 0; k < directions; ++k) {
+    const double angle = 2 * M_PI * static_cast<double>(k) / directions;
+    points[k] = {std::cos(angle), std::sin(angle)};
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -41,12 +51,12 @@ bool VertexMover::gather_neighbours(VertexId v) {
 /// The least quality around v were it at x; negative if it is not above `asked`.
 double VertexMover::quality(const Point& x, double asked) const {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Point& p = mesh_.position(ring_[i]);
-    const Point& q = mesh_.position(ring_[(i + 1) % ring_.size()]);
-    const double one = goal_.quality(x, p, q);
+  VertexId last = ring_.back();
+  for (const VertexId v : ring_) {
+    const double one = goal_.quality(x, mesh_.position(last), mesh_.position(v));
     if (!(one > asked)) return -1;
     least = std::min(least, one);
+    last = v;
   }
   return least;
 }
@@ -110,23 +120,26 @@ bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
 std::optional<std::pair<double, SurfacePoint>> VertexMover::step_from(const SurfacePoint& x,
                                                                       double step,
                                                                       double asked) const {
+  static const auto rim = morskin::refine::rim();
   const geometry::TangentFrame tangent(x.normal);
-  std::array<std::pair<double, Point>, directions> ranked;
-  for (int k = 0; k < directions; ++k) {
-    const Point y = x.position + step * tangent.direction(2 * M_PI * k / directions);
-    ranked[static_cast<std::size_t>(k)] = {quality(y, asked), y};
+  std::array<Point, directions> at;
+  std::array<double, directions> in_plane;
+  for (std::size_t k = 0; k < directions; ++k) {
+    const auto [cosine, sine] = rim[k];
+    at[k] = x.position + step * (cosine * tangent.first + sine * tangent.second);
+    in_plane[k] = quality(at[k], asked);
   }
-  std::ranges::stable_sort(ranked, std::greater(), [](const auto& r) { return r.first; });
-  for (const auto& [in_plane, at] : ranked) {
-    if (in_plane < 0) break;
-    const auto y = surface_.project(at, x.cell);
+  for (;;) {
+    const auto best = std::ranges::max_element(in_plane);
+    if (*best < 0) return std::nullopt;
+    *best = -1;
+    const auto y = surface_.project(at[static_cast<std::size_t>(best - in_plane.begin())], x.cell);
     if (!y) continue;
     const double on_surface = quality(y->position, asked);
     if (on_surface > 0 && keeps_size(*y) && keeps_provable(*y) && keeps_delaunay(*y)) {
       return std::pair(on_surface, *y);
     }
   }
-  return std::nullopt;
 }
 
 VertexMover::Moved VertexMover::move(VertexId v) {
