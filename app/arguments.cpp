@@ -1,66 +1,31 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <iostream>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "app/complex_files.h"
 #include "app/features_options.h"
-#include "app/function_argument.h"
 #include "app/implied_command.h"
 #include "app/limits.h"
+#include "app/mesh_arguments.h"
 #include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
 #include "app/presets.h"
 #include "app/typed_values.h"
-#include "front/subdomains.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
 namespace {
-
-// --height and --function, of which at most one may be given.
-std::optional<morse::MorseFunction> parsed(const Typed& typed) {
-  if (typed.height && typed.function) {
-    throw UsageError("--height x,y,z is short for --function height:x,y,z; give one of them");
-  }
-  if (typed.height) return parsed_height(*typed.height);
-  if (typed.function) return parsed_function(*typed.function);
-  return std::nullopt;
-}
-
-void finish(morskin::SizeGoal& goal, const Typed& typed) {
-  if (typed.skin.size.has_value() + typed.density.has_value() + typed.triangles.has_value() > 1) {
-    throw UsageError("--size, --density and --triangles are three ways to say one thing");
-  }
-  if (typed.density && !(*typed.density > 0 && std::isfinite(*typed.density))) {
-    throw UsageError("--density must be above 0");
-  }
-  constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
-  if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {
-    throw UsageError("--triangles must be at least 4");
-  }
-  goal.density = typed.density;
-  goal.triangles = typed.triangles;
-}
 
 void finish(Limits& limits, const Typed& typed) {
   if (limits.timeout && !(*limits.timeout > 0 && *limits.timeout <= Limits::max_timeout)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
   if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
-}
-
-ShowProgress parsed_progress(std::string_view word) {
-  if (word == "always") return ShowProgress::Always;
-  return word == "never" ? ShowProgress::Never : ShowProgress::Auto;
 }
 
 void finish(MorseArguments& morse, const Typed& typed) {
@@ -115,133 +80,6 @@ void finish(ViewArguments& view, const Typed& typed) {
   view.typed = typed.skin;
   view.function = parsed(typed);
   view.progress = parsed_progress(typed.progress);
-}
-
-void check_grading(const MeshArguments& mesh) {
-  if (!(*mesh.grading >= morskin::min_grading && std::isfinite(*mesh.grading))) {
-    throw UsageError("--grading must be at least 0.01");
-  }
-  if (mesh.method != MeshMethod::Auto && mesh.method != MeshMethod::Static) {
-    throw UsageError("--grading is for --method static");
-  }
-  if (mesh.angle_goal_deg.value_or(certify::guaranteed_angle_deg) < certify::guaranteed_angle_deg) {
-    throw UsageError("--grading needs an --angle-goal of 30 or more");
-  }
-}
-
-/// Each of several models needs files of its own.
-void check_several(const MeshArguments& mesh) {
-  const auto refuse = [](const std::string& what) {
-    throw UsageError("several models cannot " + what + "; choose one with --model-number");
-  };
-  if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
-  if (std::ranges::any_of(mesh.outputs, is_standard_output)) refuse("go to standard output");
-  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas, mesh.task_trace}) {
-    if (path && is_standard_output(*path)) refuse("go to standard output");
-  }
-  if (mesh.has_snapshots()) refuse("all have snapshots");
-}
-
-/// What only a molecule's skin has, with the option that asks for it.
-void check_surface(const MeshArguments& mesh, const Typed& typed) {
-  if (!mesh.molecule.input.empty()) {
-    throw UsageError("a molecule and --surface are two surfaces; give one of them");
-  }
-  const TypedSkin& skin = typed.skin;
-  const bool is_of_skins = skin.model || skin.probe || skin.radii || mesh.models || skin.voids ||
-                           is_set(skin.selection) || typed.vertex_data || mesh.areas ||
-                           mesh.certificate || mesh.task_trace || mesh.order == 2;
-  if (is_of_skins) {
-    throw UsageError(
-        "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "
-        "--certificate and --trace-tasks");
-  }
-  const bool is_sweep = mesh.method == MeshMethod::Auto || mesh.method == MeshMethod::Sweep;
-  if (!is_sweep || mesh.guard != front::Guard::Everywhere || mesh.size_goal.is_set() ||
-      mesh.grading || (mesh.function && !mesh.function->is_height())) {
-    throw UsageError("--surface goes with --method sweep, along a height, and with --size only");
-  }
-  if (std::ranges::any_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
-    throw UsageError("MSMS's files are of molecules; write --surface to another format");
-  }
-}
-
-void finish(MeshArguments& mesh, const Typed& typed) {
-  if (mesh.molecule.input.empty() && !mesh.surface) {
-    throw UsageError("INPUT is missing: a molecule, or --surface");
-  }
-  mesh.typed = typed.skin;
-  if (mesh.models) check_several(mesh);
-  if (mesh.fail_fast && !mesh.models) {
-    throw UsageError("--fail-fast is for several models, as in --model-number all");
-  }
-  mesh.function = parsed(typed);
-  mesh.progress = parsed_progress(typed.progress);
-  mesh.method = *parse_method(typed.method);
-  const bool is_of_a_sweep = typed.fronts || typed.guard != "everywhere" || mesh.has_snapshots();
-  if (mesh.method == MeshMethod::Auto && is_of_a_sweep) mesh.method = MeshMethod::Sweep;
-  const bool is_sweep = mesh.method == MeshMethod::Sweep;
-  const bool is_dynamic = mesh.method == MeshMethod::Dynamic;
-  const bool is_smoothed = !is_dynamic && mesh.method != MeshMethod::MarchingCubes;
-  if (typed.angle_goal && !is_smoothed) {
-    throw UsageError("--angle-goal is for the methods sweep and static");
-  }
-  mesh.angle_goal_deg = is_smoothed ? typed.angle_goal : 0;
-  if (mesh.angle_goal_deg && !(*mesh.angle_goal_deg >= 0 && *mesh.angle_goal_deg <= 60)) {
-    throw UsageError("--angle-goal must be from 0 to 60");
-  }
-  if (mesh.grid_step && mesh.method != MeshMethod::MarchingCubes) {
-    throw UsageError("--grid is for --method marching-cubes");
-  }
-  if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
-    throw UsageError("--grid must be above 0");
-  }
-  if (typed.grow) {
-    if (!is_dynamic) throw UsageError("--grow is for --method dynamic");
-    std::tie(mesh.growth_shown_from, mesh.grow_to) = parsed_growth(*typed.grow);
-  }
-  if ((typed.fronts || typed.guard != "everywhere") && !is_sweep) {
-    throw UsageError("--fronts and --guard are for --method sweep");
-  }
-  if (typed.guard == "adjacent") mesh.guard = front::Guard::Adjacent;
-  if (typed.guard == "spheres") mesh.guard = front::Guard::Spheres;
-  if (mesh.has_snapshots() && !is_sweep && !is_dynamic) {
-    throw UsageError("snapshots are for the methods sweep and dynamic");
-  }
-  if (typed.fronts && !(*typed.fronts >= 1 && *typed.fronts <= front::max_subdomains)) {
-    throw UsageError("--fronts must be 1 to " + std::to_string(front::max_subdomains));
-  }
-  if (typed.fronts && !std::has_single_bit(*typed.fronts)) {
-    throw UsageError("--fronts must be a power of two, as boxes are halved");
-  }
-  mesh.fronts = typed.fronts;
-  if (mesh.has_snapshots() && is_sweep && mesh.fronts.value_or(1) != 1) {
-    throw UsageError("snapshots are of one front from below: leave out --fronts");
-  }
-  if (mesh.has_snapshots() && is_sweep) mesh.fronts = 1;
-  for (const double value : mesh.snapshot_values) {
-    if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
-  }
-  finish(mesh.size_goal, typed);
-  if ((typed.skin.size || mesh.size_goal.is_set()) && !is_smoothed) {
-    throw UsageError("--size, --density and --triangles are for the methods sweep and static");
-  }
-  mesh.grading = typed.grading;
-  if (mesh.grading) check_grading(mesh);
-  if (typed.vertex_data) mesh.vertex_data = parsed_vertex_data(*typed.vertex_data);
-  add_msms_partners(mesh.outputs);
-  check_outputs(mesh);
-  if (typed.vertex_data && std::ranges::none_of(mesh.outputs, takes_vertex_data)) {
-    throw UsageError("--vertex-data goes into .ply, .vtu, .glb, .npz and .msh; none is written");
-  }
-  if (mesh.order == 2 && std::ranges::none_of(mesh.outputs, takes_second_order)) {
-    throw UsageError("--order 2 is of .vtu and .msh files, and none is written");
-  }
-  if (mesh.surface) check_surface(mesh, typed);
-  if (mesh.decimals &&
-      std::ranges::none_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
-    throw UsageError("--decimals is of .vert and .face files, and none is written");
-  }
 }
 
 void finish(FeaturesArguments& features, const Typed& typed) {

@@ -50,12 +50,6 @@ void check_weights(const MoleculeInput& input) {
   }
 }
 
-std::string sha256_of(std::string_view bytes) {
-  Sha256 hash;
-  hash.update(std::as_bytes(std::span(bytes)));
-  return hash.digest();
-}
-
 std::string listed(const skin::Molecule& molecule, const std::vector<geometry::AtomId>& atoms) {
   std::string names;
   for (const geometry::AtomId atom : atoms) {

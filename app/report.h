@@ -65,25 +65,28 @@ struct MeshReport {
   RunSeconds seconds;
   double floor_seconds = 0;
   long long peak_memory_bytes = 0;
+
+  double floor_ratio() const { return floor_seconds > 0 ? seconds.total / floor_seconds : 0; }
 };
 
 /// As strict_json writes it.
 std::string json_text(const MeshReport& report);
+nlohmann::ordered_json critical_json(const morskin::CriticalCounts& counts);
+
+// report_text.cpp
+
 /// A dozen aligned lines.
 std::string people_text(const MeshReport& report);
-/// One line.
-std::string brief_text(const MeshReport& report);
+/// "2 minima - 1 saddle + 1 maximum"
+std::string critical_text(const morskin::CriticalCounts& counts);
+/// What took a component's place, in words.
+std::string replacement_text(const morskin::Fallback& fallback);
+
+// certificate_report.cpp
 
 /// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
 /// theory.
 std::string doubts_about(const certify::Sizing& sizing);
-
-nlohmann::ordered_json critical_json(const morskin::CriticalCounts& counts);
-/// "2 minima - 1 saddle + 1 maximum"
-std::string critical_text(const morskin::CriticalCounts& counts);
-
-// certificate_report.cpp
-
 /// What is proved of a certified mesh, in words; and with "certified: " before it.
 std::string proved_text(const certify::Certificate& certificate);
 std::string certified_text(const certify::Certificate& certificate);
@@ -104,6 +107,8 @@ std::string answers_text(const MeshReport& report);
 /// grow; nothing where no size was asked for.
 void add_sizes(nlohmann::ordered_json& json, const MeshReport& report);
 std::string sizes_text(const MeshReport& report);
+/// One line.
+std::string brief_text(const MeshReport& report);
 
 // quality_report.cpp
 

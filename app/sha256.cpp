@@ -13,4 +13,10 @@ std::string Sha256::digest() {
   return text;
 }
 
+std::string sha256_of(std::string_view bytes) {
+  Sha256 hash;
+  hash.update(std::as_bytes(std::span(bytes)));
+  return hash.digest();
+}
+
 }  // namespace morskin::app

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace morskin::app {
 
@@ -23,5 +24,8 @@ class Sha256 {
  private:
   sha256_ctx state_;
 };
+
+/// The digest of some bytes.
+std::string sha256_of(std::string_view bytes);
 
 }  // namespace morskin::app

@@ -33,6 +33,11 @@ std::string_view name_of(MeshMethod method) {
   return methods[static_cast<std::size_t>(method)].first;
 }
 
+ShowProgress parsed_progress(std::string_view word) {
+  if (word == "always") return ShowProgress::Always;
+  return word == "never" ? ShowProgress::Never : ShowProgress::Auto;
+}
+
 std::optional<std::int64_t> parse_digits(std::string_view text) {
   const bool has_others = text.find_first_not_of("0123456789") != std::string_view::npos;
   return has_others ? std::nullopt : geometry::parse_integer(text);

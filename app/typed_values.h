@@ -11,11 +11,15 @@
 
 namespace morskin::app {
 
-/// Of --max-memory: "1500000", "200K", "1.5G"; K, M, G and T are powers of 1024.
-/// @throws UsageError
 /// The number that digits alone spell.
 std::optional<std::int64_t> parse_digits(std::string_view text);
+
+/// Of --max-memory: "1500000", "200K", "1.5G"; K, M, G and T are powers of 1024.
+/// @throws UsageError
 std::uint64_t parsed_bytes(std::string_view text);
+
+/// Of --progress: auto, always or never.
+ShowProgress parsed_progress(std::string_view word);
 
 /// Of --voids: keep, drop or a volume, Angstrom^3. Voids below the result are dropped.
 /// @throws UsageError

@@ -137,10 +137,14 @@ MeshQuality::EdgeLengths edge_lengths(const IndexedMesh& mesh) {
            static_cast<std::ptrdiff_t>(share * static_cast<double>(lengths.size() - 1));
   };
   const auto low = rank(0.05), median = rank(0.5), high = rank(0.95);
+  MeshQuality::EdgeLengths found{};
   std::nth_element(lengths.begin(), median, lengths.end());
+  found.median = *median;
   std::nth_element(lengths.begin(), low, median);
+  found.short_end = *low;
   std::nth_element(median, high, lengths.end());
-  return {*low, *median, *high};
+  found.long_end = *high;
+  return found;
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ class Resume(Batch):
             self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 1)
             self.assertEqual((self.rows(), self.made()), (rows, made))
 
+    def test_a_torn_row_of_a_shard_is_cut_off_by_the_run_that_makes_the_rest(self):
+        self.chains(4)
+        self.batch("in", "-o", "out", *COARSE, "--shard", "1/2")
+        path = self.folder / "out/rows-1-of-2.jsonl"
+        path.write_bytes(path.read_bytes()[:-20])
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 3)
+        self.assertEqual(len(self.rows()), 4)
+
     def test_a_line_that_is_no_row_is_named(self):
         self.chains(2)
         self.batch("in", "-o", "out", *COARSE)

@@ -3,12 +3,14 @@
 Usage: batch_test.py path/to/morskin"""
 
 import gzip
+import os
 import resource
+import subprocess
 import tarfile
 from pathlib import Path
 
 from support.batch_case import COARSE, Batch, chain
-from support.command import main
+from support.command import main, morskin
 
 
 class Rows(Batch):
@@ -133,6 +135,33 @@ class Rows(Batch):
         self.batch("in", "-o", "out", *COARSE)
         self.assertEqual(len(self.rows()), 2)
 
+    def test_a_disk_too_full_for_what_an_archive_holds_gives_7(self):
+        self.input("big.xyzr", chain(0, 400))
+        with tarfile.open(self.folder / "big.tar.gz", "w:gz") as archive:
+            archive.add(self.folder / "big.xyzr", arcname="big.xyzr")
+        def no_large_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
+        complaint = self.batch("big.tar.gz", "-o", "out", *COARSE, code=7,
+                               preexec_fn=no_large_files)
+        self.assertIn("big.xyzr: cannot write: ", complaint)
+
+    def test_children_of_others_that_end_meanwhile_are_none_of_its_workers(self):
+        self.input("one.xyzr", chain(0, 100))
+        words = [morskin(), "batch", "one.xyzr", "-o", "out", "-C", "0.1"]
+        done = subprocess.run(["sh", "-c", 'sleep 0.05 & exec "$@"', "sh", *words],
+                              cwd=self.folder, capture_output=True, check=False)
+        self.assertEqual((done.returncode, [row["status"] for row in self.rows().values()]),
+                         (0, ["ok"]))
+
+    def test_a_table_of_radii_counts_by_what_it_says(self):
+        self.input("one.xyz", "1\n\nC 0 0 0\n")
+        self.input("radii.txt", "C 1.7\n")
+        words = ("one.xyz", "-o", "out", *COARSE, "--radii", "radii.txt")
+        self.batch(*words)
+        self.assertEqual(self.batch(*words)["made"], 0)
+        self.input("radii.txt", "C 2.7\n")
+        self.assertIn("choose another folder", self.batch(*words, code=2))
+
     def test_progress_tells_how_long_it_will_take(self):
         self.chains(3)
         done = self.run_morskin("batch", "in", "-o", "out", *COARSE, "--progress", "always")
@@ -188,6 +217,53 @@ class Sources(Batch):
         whole = (self.folder / "in.tar.gz").read_bytes()
         self.input("torn.tar.gz", whole[:len(whole) // 2])
         self.assertIn("torn.tar.gz: ", self.batch("torn.tar.gz", "-o", "out", code=3))
+
+    def test_a_wrong_bit_in_an_archive_is_found_before_anything_is_made(self):
+        names = self.chains(3)
+        for ending in ("gz", "bz2", "xz"):
+            path = self.folder / f"in.tar.{ending}"
+            with tarfile.open(path, f"w:{ending}") as archive:
+                archive.add(self.folder / "in", arcname="in")
+            whole = path.read_bytes()
+            # Where a flip may still unpack to as many bytes; the last of gzip's is of the checksum.
+            for at in (len(whole) // 3, len(whole) // 2, len(whole) - 6):
+                wrong = bytearray(whole)
+                wrong[at] ^= 4
+                path.write_bytes(wrong)
+                with self.subTest(ending, at=at):
+                    self.assertIn(path.name, self.batch(path.name, "-o", "out", code=3))
+            self.assertFalse((self.folder / "out").exists())
+            path.write_bytes(whole)
+            self.batch(path.name, "-o", ending, *COARSE)
+            self.assertEqual(len(self.rows(ending)), len(names))
+
+    def test_of_an_archive_links_are_refused_and_hidden_files_left_out(self):
+        self.chains(1)
+        self.input("in/._chain00.xyzr", "not a molecule")
+        with tarfile.open(self.folder / "in.tar", "w") as archive:
+            archive.add(self.folder / "in", arcname="in")
+        self.batch("in.tar", "-o", "out", *COARSE)
+        self.assertEqual(list(self.rows()), ["in/chain00.xyzr"])
+        for make in (os.link, os.symlink):
+            link = self.folder / "in/link.xyzr"
+            make(self.folder / "in/chain00.xyzr", link)
+            with tarfile.open(self.folder / "links.tar", "w") as archive:
+                archive.add(self.folder / "in", arcname="in")
+            complaint = self.batch("links.tar", "-o", "links", *COARSE, code=3)
+            self.assertIn(" is a link", complaint)
+            self.assertEqual(self.batch("in", "-o", make.__name__, *COARSE)["rows"], 2)
+            link.unlink()
+
+    def test_a_name_too_long_for_its_output_is_refused_before_anything_is_made(self):
+        self.chains(1)
+        for length, code in ((225, 0), (247, 2)):
+            name = "x" * length + ".xyzr"
+            self.input(f"in/{name}", chain(1))
+            with self.subTest(length):
+                done = self.batch("in", "-o", f"out{code}", *COARSE, code=code)
+            self.assertEqual(f"{name}: with another ending the name is too long" in str(done),
+                             code == 2)
+        self.assertFalse((self.folder / "out2").exists())
 
     def test_names_that_mean_harm_stay_in_the_folder(self):
         (self.folder / "in").mkdir()

@@ -4,6 +4,7 @@
 #include <archive_entry.h>
 #include <fcntl.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -15,42 +16,95 @@
 
 namespace morskin::app {
 
+/// A file's bytes, unpacked if it is gzipped: zlib compares the checksum, libarchive does not.
+struct Archive::Source {
+  gzFile file;
+  std::array<char, 1 << 16> block;
+
+  /// @return how many bytes of a block; below 0 if they are damaged or cut short
+  la_ssize_t read() {
+    const int count = ::gzread(file, block.data(), static_cast<unsigned>(block.size()));
+    int outcome = Z_OK;
+    ::gzerror(file, &outcome);
+    return outcome == Z_OK || outcome == Z_STREAM_END ? count : -1;
+  }
+  static la_ssize_t read_for(archive* reader, void* data, const void** block) {
+    auto& source = *static_cast<Source*>(data);
+    *block = source.block.data();
+    const la_ssize_t count = source.read();
+    if (count < 0) ::archive_set_error(reader, EILSEQ, "is damaged and cannot be unpacked");
+    return count;
+  }
+};
+
 void Archive::Close::operator()(archive* opened) const { ::archive_read_free(opened); }
+void Archive::Close::operator()(Source* opened) const {
+  ::gzclose(opened->file);
+  delete opened;
+}
 
 Archive::Archive(std::filesystem::path path)
     : path_(std::move(path)), archive_(::archive_read_new()) {
   archive* const opened = archive_.get();
   ::archive_read_support_format_tar(opened);
-  ::archive_read_support_filter_gzip(opened);
   ::archive_read_support_filter_bzip2(opened);
   ::archive_read_support_filter_xz(opened);
   ::archive_read_support_filter_zstd(opened);
-  constexpr std::size_t block_bytes = 1 << 16;
-  if (::archive_read_open_filename(opened, path_.c_str(), block_bytes) != ARCHIVE_OK) fail();
+  const gzFile file = ::gzopen(path_.c_str(), "rb");
+  if (file == nullptr) {
+    throw geometry::UnreadableInput(path_.string() + ": cannot be opened: " +
+                                    std::generic_category().message(errno) + "; check the name");
+  }
+  source_.reset(new Source{file, {}});
+  if (::archive_read_open(opened, source_.get(), nullptr, Source::read_for, nullptr) !=
+      ARCHIVE_OK) {
+    fail();
+  }
 }
 
 std::optional<std::string> Archive::next() {
   archive_entry* entry = nullptr;
   while (true) {
     const int outcome = ::archive_read_next_header(archive_.get(), &entry);
-    if (outcome == ARCHIVE_EOF) return std::nullopt;
+    if (outcome == ARCHIVE_EOF) break;
     if (outcome != ARCHIVE_OK && outcome != ARCHIVE_WARN) fail();
-    if (::archive_entry_filetype(entry) != AE_IFREG) continue;
+    is_link_ =
+        ::archive_entry_hardlink(entry) != nullptr || ::archive_entry_filetype(entry) == AE_IFLNK;
+    if (!is_link_ && ::archive_entry_filetype(entry) != AE_IFREG) continue;
     const char* name = ::archive_entry_pathname_utf8(entry);
     if (name == nullptr) name = ::archive_entry_pathname(entry);
     if (name != nullptr) return std::filesystem::path(name).lexically_normal().string();
   }
+  // What stands behind the last file has its part in the checksum.
+  la_ssize_t count = 0;
+  do {
+    count = source_->read();
+  } while (count > 0);
+  if (count < 0) {
+    throw geometry::UnreadableInput(path_.string() +
+                                    ": is damaged and cannot be unpacked; fetch it again");
+  }
+  return std::nullopt;
 }
 
 void Archive::extract(const std::filesystem::path& target) {
-  const int file = ::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) {
+  const auto fail_to_write = [&](int error) {
     throw geometry::UnwritableOutput(target.string() + ": cannot write: " +
-                                     std::generic_category().message(errno) + "; free some space");
+                                     std::generic_category().message(error) + "; free some space");
+  };
+  const int file = ::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) fail_to_write(errno);
+  std::array<char, 1 << 16> block;
+  la_ssize_t count = 0;
+  int error = 0;
+  while (error == 0 &&
+         (count = ::archive_read_data(archive_.get(), block.data(), block.size())) > 0) {
+    const ssize_t written = ::write(file, block.data(), static_cast<std::size_t>(count));
+    if (written != count) error = written < 0 ? errno : ENOSPC;
   }
-  const int outcome = ::archive_read_data_into_fd(archive_.get(), file);
-  ::close(file);
-  if (outcome != ARCHIVE_OK && outcome != ARCHIVE_WARN) fail();
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error != 0) fail_to_write(error);
+  if (count < 0) fail();
 }
 
 void Archive::fail() const {

@@ -15,9 +15,11 @@ class Archive {
   /// @throws geometry::UnreadableInput  from here and from both functions
   explicit Archive(std::filesystem::path path);
 
-  /// Goes on to the next regular file.
-  /// @return its name, without ./ before it; nothing at the end
+  /// Goes on to the next regular file or link.
+  /// @return its name, without ./ before it; nothing at the end, where checksums are right
   std::optional<std::string> next();
+  /// Whether that is a link, whose content stands elsewhere or nowhere.
+  bool is_link() const { return is_link_; }
 
   /// Writes the file that next() named. @pre it did, and this is the first call since
   /// @throws geometry::UnwritableOutput  also
@@ -26,11 +28,15 @@ class Archive {
  private:
   [[noreturn]] void fail() const;
 
+  struct Source;
   struct Close {
     void operator()(archive* opened) const;
+    void operator()(Source* opened) const;
   };
   std::filesystem::path path_;
+  std::unique_ptr<Source, Close> source_;
   std::unique_ptr<archive, Close> archive_;
+  bool is_link_ = false;
 };
 
 /// Whether a name is one of a tar archive: .tar, also with .gz, .bz2, .xz or .zst, and .tgz.

@@ -47,8 +47,7 @@ void make_folder(const std::filesystem::path& folder) {
 /// A row of another molecule of the same file name, or with other options, would be taken for one
 /// of this run.
 void check_rows(const std::map<std::string, BatchRow>& rows, const BatchArguments& arguments,
-                std::span<const BatchInput> inputs) {
-  const std::string options = options_text(arguments);
+                const std::string& options, std::span<const BatchInput> inputs) {
   for (const auto& [name, row] : rows) {
     if (row.options == options) continue;
     throw UsageError(arguments.folder.string() + " has rows made with \"" + row.options +
@@ -64,6 +63,19 @@ void check_rows(const std::map<std::string, BatchRow>& rows, const BatchArgument
     throw UsageError(arguments.folder.string() + " has a row of " + *found->second +
                      ", and what is made of " + input.name + " would have the same name; choose " +
                      "another folder");
+  }
+}
+
+/// A name too long for its output would end the batch whenever its turn came.
+void check_lengths(const BatchArguments& arguments, std::span<const BatchInput> inputs) {
+  constexpr std::size_t longest_name = 255, of_unfinished = 20;  // .part1234567-12, .unverified
+  std::size_t longest_ending = 0;
+  for (const std::string& ending : arguments.endings) {
+    longest_ending = std::max(longest_ending, ending.size());
+  }
+  for (const BatchInput& input : inputs) {
+    if (input.file_name().size() + 1 + longest_ending + of_unfinished <= longest_name) continue;
+    throw UsageError(input.name + ": with another ending the name is too long; rename the file");
   }
 }
 
@@ -90,10 +102,11 @@ std::string progress_text(std::size_t done, std::size_t all, const BatchSummary&
 
 /// Makes what has no row yet.
 /// @return the signal that asks for the end, or 0
-int work(const BatchArguments& arguments, std::span<const BatchInput> inputs,
-         const std::map<std::string, BatchRow>& rows, RowFile& file, BatchSummary& done) {
+int work(const BatchArguments& arguments, const std::string& options,
+         std::span<const BatchInput> inputs, const std::map<std::string, BatchRow>& rows,
+         RowFile& file, BatchSummary& done) {
   const std::string stem = std::filesystem::path(rows_name(arguments.shard)).stem().string();
-  Workers workers(arguments, arguments.folder / ("." + stem));
+  Workers workers(arguments, options, arguments.folder / ("." + stem));
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const geometry::Stopwatch time;
   const std::size_t made_before = static_cast<std::size_t>(std::ranges::count_if(
@@ -127,13 +140,16 @@ ExitCode batch_command(const BatchArguments& given) {
   }
   if (!are_options_sound(arguments)) return ExitCode::Usage;
   const std::vector<BatchInput> all = batch_inputs(arguments.sources, arguments.only);
+  check_lengths(arguments, all);
   const std::vector<BatchInput> inputs = shard_of(all, arguments.shard);
   make_folder(arguments.folder);
   RowFile file(arguments.folder / rows_name(arguments.shard));
+  cut_torn_lines(arguments.folder);
   const std::map<std::string, BatchRow> rows = read_rows(arguments.folder);
-  check_rows(rows, arguments, all);
+  const std::string options = options_text(arguments);
+  check_rows(rows, arguments, options, all);
   BatchSummary done;
-  if (const int signal = work(arguments, inputs, rows, file, done); signal != 0) {
+  if (const int signal = work(arguments, options, inputs, rows, file, done); signal != 0) {
     std::cerr << "morskin: " << arguments.folder.string() << ": ended by a signal with "
               << counted(done.made, "row", "rows") << " more; the same command goes on\n";
     ::raise(signal);

@@ -22,14 +22,15 @@ constexpr std::array stop_signals = {SIGINT, SIGTERM, SIGHUP};
 
 void redirect(int stream, const char* file, int flags) {
   const int opened = ::open(file, flags, 0666);
-  if (opened < 0 || ::dup2(opened, stream) < 0) ::_exit(127);
+  if (opened < 0 || ::dup2(opened, stream) < 0) ::_exit(Children::not_started);
   ::close(opened);
 }
 
 /// Between fork and exec: only calls that are safe there.
 [[noreturn]] void become(char* const* words, const char* errors, pid_t parent) {
   // The parent may have died before it was asked for.
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(127);
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent)
+    ::_exit(Children::not_started);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -37,7 +38,7 @@ void redirect(int stream, const char* file, int flags) {
   redirect(STDOUT_FILENO, "/dev/null", O_WRONLY);
   redirect(STDERR_FILENO, errors, O_WRONLY | O_CREAT | O_TRUNC);
   ::execv("/proc/self/exe", words);
-  ::_exit(127);
+  ::_exit(Children::not_started);
 }
 
 double seconds(const timeval& time) {
@@ -87,8 +88,10 @@ std::optional<EndedChild> Children::next_ended() {
     rusage used{};
     const pid_t child = ::wait4(-1, &status, WNOHANG, &used);
     if (child < 0) fail("waiting for a worker");
+    // A process may inherit children from the program that it replaced, or be everyone's heir as
+    // the first one of a container.
+    if (child > 0 && std::erase(running_, child) == 0) continue;
     if (child > 0) {
-      std::erase(running_, child);
       return EndedChild{child, WIFEXITED(status) ? WEXITSTATUS(status) : 0,
                         WIFSIGNALED(status) ? WTERMSIG(status) : 0,
                         seconds(used.ru_utime) + seconds(used.ru_stime)};

@@ -31,11 +31,15 @@ class Children {
   /// Ends those that run.
   ~Children();
 
+  /// Exit code of a child that did not become this program: there is no space for the file of its
+  /// errors, or no /proc, which knows the program.
+  static constexpr int not_started = 127;
+
   /// Runs this very program with the words as its arguments.
   /// @param errors  the file for what it says on standard error
   pid_t start(const std::vector<std::string>& words, const std::filesystem::path& errors);
 
-  /// Waits for a child to end; nothing if SIGINT, SIGTERM or SIGHUP came first.
+  /// Waits for one of these children to end; nothing if SIGINT, SIGTERM or SIGHUP came first.
   /// @pre one is running
   std::optional<EndedChild> next_ended();
 

@@ -21,10 +21,11 @@ namespace {
 
 using std::filesystem::path;
 
-/// Whether a file that a folder or an archive holds is taken.
+/// Whether a file that a folder or an archive holds is taken. Those that begin with a dot are
+/// others' notes, such as the ._1abc.pdb that macOS puts beside 1abc.pdb into an archive.
 bool is_taken(const path& file, const std::string& only) {
   const std::string name = file.filename().string();
-  return skin::molecule_format_of(file) &&
+  return !name.starts_with('.') && skin::molecule_format_of(file) &&
          (only.empty() || ::fnmatch(only.c_str(), name.c_str(), 0) == 0);
 }
 
@@ -50,7 +51,7 @@ std::vector<BatchInput> in_folder(const path& folder, const std::string& only) {
     for (Iterator i(folder), end; i != end; ++i) {
       const bool is_hidden = i->path().filename().string().starts_with('.');
       if (i->is_directory() && is_hidden) i.disable_recursion_pending();
-      if (is_hidden || !i->is_regular_file() || !is_taken(i->path(), only)) continue;
+      if (!i->is_regular_file() || !is_taken(i->path(), only)) continue;
       inputs.push_back({i->path().lexically_relative(folder).string(), i->path()});
     }
   } catch (const std::filesystem::filesystem_error& error) {
@@ -65,7 +66,13 @@ std::vector<BatchInput> in_archive(const path& file, const std::string& only) {
   std::vector<BatchInput> inputs;
   Archive archive(file);
   while (const auto name = archive.next()) {
-    if (is_taken(*name, only)) inputs.push_back({*name, file, true});
+    if (!is_taken(*name, only)) continue;
+    if (archive.is_link()) {
+      throw geometry::UnreadableInput(
+          file.string() + ": " + *name + " is a link, which a batch " +
+          "cannot follow there; unpack the archive and name the folder");
+    }
+    inputs.push_back({*name, file, true});
   }
   return inputs;
 }
@@ -81,6 +88,8 @@ std::vector<BatchInput> fitting(const std::string& pattern) {
   if (::glob(pattern.c_str(), 0, nullptr, &found) != 0) return inputs;
   for (std::size_t i = 0; i < found.gl_pathc; ++i) {
     const path file = found.gl_pathv[i];
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) continue;
     inputs.push_back({(base.empty() ? file : file.lexically_relative(base)).string(), file});
   }
   std::ranges::sort(inputs, {}, &BatchInput::name);
@@ -128,7 +137,8 @@ std::vector<BatchInput> batch_inputs(const std::vector<std::string>& words,
         inputs.push_back(std::move(input));
       } else if (input.is_in_archive || other.is_in_archive || input.file != other.file) {
         throw UsageError("what is made of " + place_of(other) + " and of " + place_of(input) +
-                         " would have the same name; take them in two runs, to two folders");
+                         " would have the same name; rename one, or take them in two runs, to " +
+                         "two folders");
       }
     }
   }

@@ -35,6 +35,17 @@ void add_row(std::map<std::string, BatchRow>& rows, const geometry::TextLines& l
   }
 }
 
+std::vector<std::filesystem::path> row_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("rows") && name.ends_with(".jsonl")) files.push_back(entry.path());
+  }
+  return files;
+}
+
+std::string_view whole_lines(std::string_view text) { return text.substr(0, text.rfind('\n') + 1); }
+
 }  // namespace
 
 std::string rows_name(const Shard& shard) {
@@ -44,15 +55,23 @@ std::string rows_name(const Shard& shard) {
 
 std::map<std::string, BatchRow> read_rows(const std::filesystem::path& folder) {
   std::map<std::string, BatchRow> rows;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with("rows") || !name.ends_with(".jsonl")) continue;
-    const geometry::FileBytes bytes = geometry::read_file(entry.path());
-    const std::string_view text = bytes.view();
-    geometry::TextLines lines(text.substr(0, text.rfind('\n') + 1), entry.path().string());
+  for (const std::filesystem::path& file : row_files(folder)) {
+    const geometry::FileBytes bytes = geometry::read_file(file);
+    geometry::TextLines lines(whole_lines(bytes.view()), file.string());
     while (lines.advance()) add_row(rows, lines);
   }
   return rows;
+}
+
+void cut_torn_lines(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& file : row_files(folder)) {
+    const geometry::FileBytes bytes = geometry::read_file(file);
+    if (whole_lines(bytes.view()).size() == bytes.view().size()) continue;
+    try {
+      RowFile{file};
+    } catch (const geometry::UnwritableOutput&) {  // another run's, which is writing that line
+    }
+  }
 }
 
 RowFile::RowFile(std::filesystem::path path)
@@ -73,7 +92,7 @@ RowFile::~RowFile() { ::close(file_); }
 
 void RowFile::cut_torn_line() {
   const geometry::FileBytes bytes = geometry::read_file(path_);
-  const std::size_t whole = bytes.view().rfind('\n') + 1;
+  const std::size_t whole = whole_lines(bytes.view()).size();
   if (whole == bytes.view().size()) return;
   if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) fail(errno);
 }

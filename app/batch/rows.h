@@ -33,6 +33,9 @@ std::string rows_name(const Shard& shard);
 /// @throws geometry::UnreadableInput  for a line that is no row
 std::map<std::string, BatchRow> read_rows(const std::filesystem::path& folder);
 
+/// Cuts off torn last lines of a folder's files of rows, where no run writes them.
+void cut_torn_lines(const std::filesystem::path& folder);
+
 /// The file of one shard, locked.
 class RowFile {
  public:

@@ -15,7 +15,9 @@
 #include "app/exit_codes.h"
 #include "app/output_names.h"
 #include "app/report_lines.h"
+#include "app/sha256.h"
 #include "geometry/error.h"
+#include "geometry/files/atomic_file.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::app {
@@ -130,7 +132,17 @@ std::string options_text(const BatchArguments& arguments) {
   };
   if (arguments.features) add("--features");
   for (const std::string& ending : arguments.endings) add("--format=", ending);
-  for (const std::string& option : arguments.options) add(option);
+  for (const std::string& option : arguments.options) {
+    add(option);
+    // What a table of radii says counts, not its name.
+    constexpr std::string_view radii = "--radii=";
+    std::error_code ignored;
+    if (!option.starts_with(radii)) continue;
+    const path table = option.substr(radii.size());
+    if (std::filesystem::is_regular_file(table, ignored)) {
+      add("sha256:", sha256_of(geometry::read_file(table).view()));
+    }
+  }
   return text;
 }
 
@@ -162,7 +174,9 @@ path Workers::file_of(const BatchInput& input, const path& folder) {
   while (const auto name = archive_->second.next()) {
     if (*name != input.name) continue;
     const path file = folder / "in" / input.file_name();
-    std::filesystem::create_directory(file.parent_path());
+    std::error_code failed;
+    std::filesystem::create_directory(file.parent_path(), failed);
+    if (failed) fail_to_write(file, failed);
     archive_->second.extract(file);
     return file;
   }
@@ -191,6 +205,10 @@ std::optional<ordered_json> Workers::next_row() {
       ++job.attempts;
       run(std::move(job));
       continue;
+    }
+    if (ended->exit_code == Children::not_started) {
+      throw geometry::UnwritableOutput(arguments_.folder.string() +
+                                       ": no worker could be started; is there space, and /proc?");
     }
     if (ended->exit_code == static_cast<int>(ExitCode::UnwritableOutput)) {
       throw geometry::UnwritableOutput(
@@ -224,7 +242,7 @@ ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
   if (!report.empty()) add_figures(row, report);
   row["seconds"] = rounded(job.time.seconds());
   row["cpu_seconds"] = rounded(ended.cpu_seconds);
-  row["options"] = options_text(arguments_);
+  row["options"] = options_;
   return row;
 }
 

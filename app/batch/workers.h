@@ -21,7 +21,7 @@ std::vector<std::string> worker_words(const BatchArguments& arguments,
                                       const std::filesystem::path& input,
                                       const std::filesystem::path& folder);
 
-/// The options that decided what is made, in one line, for rows.
+/// The options that decided what is made, in one line, for rows; a table of radii with its digest.
 std::string options_text(const BatchArguments& arguments);
 
 /// A folder that is empty at the start, whatever was left there, and gone at the end.
@@ -44,10 +44,11 @@ class WorkFolder {
 /// lies in the work folder; from there whole files are moved to the batch's folder.
 class Workers {
  public:
+  /// @param options      for the rows
   /// @param work_folder  in the batch's folder, for this object alone
   /// @throws geometry::UnwritableOutput
-  Workers(const BatchArguments& arguments, std::filesystem::path work_folder)
-      : arguments_(arguments), work_folder_(std::move(work_folder)) {}
+  Workers(const BatchArguments& arguments, std::string options, std::filesystem::path work_folder)
+      : arguments_(arguments), options_(std::move(options)), work_folder_(std::move(work_folder)) {}
 
   bool are_idle() const { return jobs_.empty(); }
   bool have_room() const { return jobs_.size() < arguments_.workers; }
@@ -79,6 +80,7 @@ class Workers {
   std::vector<std::string> move_outputs(const Job& job) const;
 
   const BatchArguments& arguments_;
+  const std::string options_;
   WorkFolder work_folder_;
   std::optional<std::pair<std::filesystem::path, Archive>> archive_;  ///< the one that is read
   std::map<pid_t, Job> jobs_;
