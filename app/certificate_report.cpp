@@ -93,9 +93,12 @@ std::string certificate_text(const Certificate& c, std::string_view source) {
                               brief(c.worst_U, 6) + " (good below 1), " +
                               counted(c.violations_L + c.violations_U, "violation", "violations"));
   }
-  text += line("distance", "no vertex farther than " + brief(c.max_distance_to_skin, 2) +
-                               " A from the skin, " + brief(c.max_relative_distance_to_skin, 2) +
-                               " of the length scale");
+  text += line("distance", !std::isfinite(c.max_distance_to_skin)
+                               ? "no bound is known of a vertex's distance from the skin"
+                               : "no vertex farther than " +
+                                     brief_bound(c.max_distance_to_skin, 2) + " A from the skin, " +
+                                     brief_bound(c.max_relative_distance_to_skin, 2) +
+                                     " of the length scale");
   if (c.is_single_precision) text += line("", "(all coordinates are single precision)");
   return text;
 }

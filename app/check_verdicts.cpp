@@ -1,4 +1,5 @@
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include "app/check_report.h"
@@ -82,8 +83,7 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
         claim != Claim::L || !(c.proved_angle_deg() >= certify::guaranteed_angle_deg);
     verdicts.push_back({name, c.broken_by(claim).empty(), c.broken_by(claim), is_condition});
   }
-  verdicts.push_back({"homeomorphic to the skin, proved", c.is_homeomorphic,
-                      c.is_homeomorphic ? "" : c.reason, true});
+  verdicts.push_back({"homeomorphic to the skin, proved", c.is_homeomorphic, c.objection(), true});
   const certify::RestrictedDelaunay& d = against.delaunay;
   Verdict delaunay{"restricted Delaunay", d.violations + d.undecided == 0, "", false};
   if (d.violations > 0) {
@@ -96,6 +96,14 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
                       " has no surface ball (the first of " + grouped(d.undecided) + ")";
   }
   verdicts.push_back(delaunay);
+}
+
+/// Of a surface that is no skin.
+void call_it_surface(std::string& text) {
+  constexpr std::string_view skin = "the skin", surface = "the surface";
+  for (std::size_t at = 0; (at = text.find(skin, at)) != std::string::npos;) {
+    text.replace(at, skin.size(), surface);
+  }
 }
 
 }  // namespace
@@ -111,6 +119,11 @@ std::vector<Verdict> CheckReport::verdicts() const {
       on_defects(topology, "oriented", {MeshDefect::DisagreeingTriangles})};
   if (intersections) result.push_back(on_intersections(*intersections));
   if (against) add_skin_verdicts(*against, result);
+  for (Verdict& verdict : result) {
+    if (!arguments.surface) break;
+    call_it_surface(verdict.name);
+    call_it_surface(verdict.reason);
+  }
   return result;
 }
 

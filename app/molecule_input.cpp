@@ -64,6 +64,7 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   MoleculeInput input;
   skin::ReadOptions options;
   options.selection = arguments.selection;
+  options.are_weights = arguments.model == skin::Model::Given;
   if (arguments.radii) options.radii = skin::radius_table(*arguments.radii);
   const std::string name = arguments.input.string();
   const geometry::FileBytes file = geometry::read_file(arguments.input, options.max_bytes);

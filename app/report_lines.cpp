@@ -1,6 +1,7 @@
 #include "app/report_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -33,6 +34,13 @@ std::string brief(double number, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, number);
   return text;
+}
+
+std::string brief_bound(double number, int digits) {
+  const double nearest = rounded(number, digits);
+  if (!(nearest < number)) return brief(number, digits);
+  const double step = std::pow(10, std::floor(std::log10(number)) - digits + 1);
+  return brief(nearest + step, digits);
 }
 
 double rounded(double number, int digits) {

@@ -15,6 +15,8 @@ std::string grouped(std::size_t number);
 std::string counted(std::size_t count, const std::string& one, const std::string& more);
 /// At most `digits` significant digits.
 std::string brief(double number, int digits = 4);
+/// The same of a bound: not below the number. @pre number >= 0
+std::string brief_bound(double number, int digits);
 /// The double nearest to `number` with so many significant digits, for JSON that people read.
 double rounded(double number, int digits = 6);
 

@@ -94,6 +94,22 @@ class Completion {
   StatedSkin skin_;
 };
 
+/// Of the keys that are one choice, and the last to be taken.
+bool is_size(std::string_view key) { return key == "C" || key == "Q" || key == "size"; }
+
+/// @throws UsageError, geometry::RefusedInput  for statements that make no sense
+StatedMolecule read_with(const std::filesystem::path& file, const TypedSkin& given,
+                         const Provenance& provenance) {
+  StatedSkin stated = completed(given, provenance);
+  MoleculeArguments molecule{.input = file};
+  certify::Sizing sizing;
+  finish(molecule, molecule.input, stated.typed);
+  finish(sizing, stated.typed, sizing.C);
+  MoleculeInput input = read_input(molecule);
+  return {std::move(input), std::move(molecule), sizing, std::move(stated.taken),
+          std::move(stated.not_taken)};
+}
+
 }  // namespace
 
 std::optional<std::string> stated(const Provenance& provenance, std::string_view key) {
@@ -108,24 +124,41 @@ StatedSkin completed(const TypedSkin& given, const Provenance& provenance) {
 
 StatedMolecule read_stated(MoleculeArguments molecule, const certify::Sizing& sizing,
                            const TypedSkin& given, const Provenance& provenance) {
-  StatedSkin stated = completed(given, provenance);
-  if (!stated.taken.empty()) {
+  StatedSkin all = completed(given, provenance);
+  if (!all.taken.empty()) {
     try {
-      MoleculeArguments by_file{.input = molecule.input};
-      certify::Sizing its_sizing;
-      finish(by_file, by_file.input, stated.typed);
-      finish(its_sizing, stated.typed, its_sizing.C);
-      MoleculeInput input = read_input(by_file);
-      return {std::move(input), std::move(by_file), its_sizing, std::move(stated.taken),
-              std::move(stated.not_taken)};
-    } catch (const UsageError& error) {
-      stated.not_taken.emplace_back(error.what());
-    } catch (const geometry::RefusedInput& error) {
-      stated.not_taken.emplace_back(error.what());
+      return read_with(molecule.input, given, provenance);
+    } catch (const UsageError&) {  // one by one, then, to find what makes no sense
+    } catch (const geometry::RefusedInput&) {
     }
   }
+  Provenance kept;
+  for (std::size_t i = 0; i < all.taken.size();) {
+    const Provenance before = kept;
+    std::string keys;
+    do {
+      keys += (keys.empty() ? "" : ", ") + all.taken[i];
+      kept.entries.push_back({all.taken[i], *stated(provenance, all.taken[i])});
+    } while (++i < all.taken.size() && is_size(all.taken[i - 1]));
+    const auto refuse = [&](const std::exception& error) {
+      kept = before;
+      all.not_taken.push_back(keys + ": " + error.what());
+    };
+    try {
+      read_with(molecule.input, given, kept);
+    } catch (const UsageError& error) {
+      refuse(error);
+    } catch (const geometry::RefusedInput& error) {
+      refuse(error);
+    }
+  }
+  if (!kept.entries.empty()) {
+    StatedMolecule result = read_with(molecule.input, given, kept);
+    result.not_taken = std::move(all.not_taken);
+    return result;
+  }
   MoleculeInput input = read_input(molecule);
-  return {std::move(input), std::move(molecule), sizing, {}, std::move(stated.not_taken)};
+  return {std::move(input), std::move(molecule), sizing, {}, std::move(all.not_taken)};
 }
 
 }  // namespace morskin::app

@@ -33,7 +33,7 @@ struct StatedMolecule {
   std::vector<std::string> taken, not_taken;  ///< as above
 };
 
-/// By what the mesh file states and, where that does not fit the molecule, by the options alone.
+/// By what the mesh file states, but for statements that do not fit the molecule or those before.
 /// @param molecule, sizing  by the options alone
 /// @param given             the same as typed
 /// @throws  as read_input()

@@ -172,7 +172,7 @@ void Certifier::check_vertices() {
   const auto& [v, distance] = *found.first_off_skin;
   out_.fail(Claim::OnSkin,
             "vertex " + std::to_string(v) +
-                (distance > 0 ? " lies " + number(distance) + " Angstrom off the skin"
+                (distance > 0 ? " lies about " + number(distance) + " Angstrom off the skin"
                               : " is not known to lie on the skin"));
 }
 

@@ -85,6 +85,8 @@ struct Certificate {
     return broken[static_cast<std::size_t>(claim)];
   }
   bool holds(Claim claim) const { return broken_by(claim).empty(); }
+  /// What breaks the first broken claim of the proof; empty if none is.
+  const std::string& objection() const;
   /// No angle is smaller, rounding counted, degrees.
   double proved_angle_deg() const;
   /// Records why a claim does not hold; the first reason stays.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/residuals.h"
 #include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
@@ -38,11 +39,10 @@ class Worst {
   std::size_t count_ = 0;
 };
 
-/// The distance to first order, |G| / 2 rho, with a relative error of G / rho^2.
 BadVertex distance(const surface::Surface& surface, const Point& x, surface::CellId cell,
                    std::uint32_t id) {
   const double rho = surface.length_scale(x, cell);
-  const double d = std::abs(surface.jet(x, cell).value) / (2 * rho);
+  const double d = estimated_distance(surface.jet(x, cell).value, rho);
   return {id, d, d / rho};
 }
 

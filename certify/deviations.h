@@ -15,7 +15,7 @@ namespace morskin::certify {
 /// An element and how bad it is.
 struct BadVertex {
   std::uint32_t vertex;
-  double distance;  ///< to the skin, Angstrom
+  double distance;  ///< to the skin, Angstrom, as estimated_distance() has it
   double relative;  ///< the same over the length scale
 };
 struct BadTriangle {
@@ -28,7 +28,7 @@ struct BadEdge {
 };
 
 struct Deviations {
-  /// Distances to the skin, to first order |G| / (2 |grad G / 2|), of vertices and of centroids.
+  /// Distances to the skin, as estimated_distance() has them, of vertices and of centroids.
   double max_vertex_distance = 0, max_vertex_relative = 0, mean_vertex_relative = 0;
   double max_centroid_distance = 0, max_centroid_relative = 0, mean_centroid_relative = 0;
   double max_normal_deg = 0;  ///< between a triangle's normal and the skin's at a corner

@@ -41,7 +41,10 @@ Residuals residuals(std::span<const surface::SurfacePoint> points,
     const double least = std::max({0.0F, bounds[v].low, -bounds[v].high});
     const double tolerance = 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
     const bool is_on_skin = std::isfinite(distance) && least <= tolerance;
-    if (!is_on_skin && !found.first_off_skin) found.first_off_skin = {v, least / (2 * rho)};
+    if (!is_on_skin && !found.first_off_skin) {
+      const double value = bounds[v].low > 0 ? least : -least;
+      found.first_off_skin = {v, estimated_distance(value, rho)};
+    }
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));
   geometry::for_each_block(run.threads(), points.size(), [&](auto begin, auto end, auto block) {

@@ -2,6 +2,8 @@
 
 /// How far the vertices of a mesh lie from the skin.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,11 +16,17 @@ namespace morskin::certify {
 /// Whether every coordinate is a float.
 bool is_single_precision(std::span<const surface::Point> positions);
 
+/// The distance to the surface that a value of G stands for, Angstrom: on the patch of a sphere the
+/// exact one, as |x|^2 - G is its squared radius, elsewhere to first order.
+inline double estimated_distance(double G, double rho) {
+  return std::abs(G) / (rho + std::sqrt(std::max(0.0, rho * rho - G)));
+}
+
 struct Residuals {
   double max_distance = 0;           ///< bound on a vertex's distance to the skin, Angstrom
   double max_relative_distance = 0;  ///< the same over the length scale
-  /// The first vertex farther off than residual_bound() and rounding allow, with its distance; 0
-  /// where nothing is known of it.
+  /// The first vertex farther off than residual_bound() and rounding allow, with its distance by
+  /// the least |G|, estimated; 0 where nothing is known of it.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
 

@@ -29,9 +29,15 @@ double Certificate::proved_angle_deg() const {
   return (1 - rounding) * std::asin(min_sine) * 180 / M_PI;
 }
 
+const std::string& Certificate::objection() const {
+  for (const Claim claim : {Claim::Manifold, Claim::Upright, Claim::Tube, Claim::Degree}) {
+    if (!holds(claim)) return broken_by(claim);
+  }
+  return broken_by(Claim::Counts);
+}
+
 void Certificate::conclude(const Sizing& sizing) {
-  is_homeomorphic = holds(Claim::Manifold) && holds(Claim::Upright) && holds(Claim::Tube) &&
-                    holds(Claim::Degree) && holds(Claim::Counts);
+  is_homeomorphic = objection().empty();
   const double claimed = claimed_angle_deg = sizing.claimed_angle_deg;
   const bool has_angles = claimed > 0
                               ? proved_angle_deg() >= claimed

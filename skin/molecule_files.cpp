@@ -230,7 +230,10 @@ void open(OpenedFile& file, std::string_view bytes, const std::string& source,
   if (trimmed(bytes).empty()) throw UnreadableInput(source + ": is empty; name another file");
   std::optional<MoleculeFormat> format = options.format;
   if (!format) format = molecule_format_of(source);
-  if (!format) format = format_by_content(bytes);
+  if (!format) {
+    format = format_by_content(bytes);
+    if (format == MoleculeFormat::Xyzr && options.are_weights) format = MoleculeFormat::Xyzw;
+  }
   if (!format) {
     throw UnreadableInput(source +
                           ": is no molecule that can be recognised; use PDB, mmCIF, PQR, XYZ, "

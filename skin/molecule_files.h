@@ -28,7 +28,7 @@ enum class MoleculeFormat {
   Pqr,   ///< PDB-like words with charge and radius, separated by white space
   Xyz,   ///< a count, a comment, "element x y z" per line
   Xyzr,  ///< "x y z r" per line, # for comments
-  Xyzw,  ///< "x y z w" per line, w the weight, Angstrom^2; on standard input after "# x y z w"
+  Xyzw,  ///< "x y z w" per line, w the weight, Angstrom^2; without an ending after "# x y z w"
 };
 
 /// The format that a file's ending stands for, in upper or lower case, with or without .gz.
@@ -39,6 +39,7 @@ struct ReadOptions {
   /// Given, it also takes the place of a PQR file's radii. Absent: the file's or "elements".
   std::optional<RadiusTable> radii = {};
   std::optional<MoleculeFormat> format = {};  ///< absent: by the ending, else by the content
+  bool are_weights = false;  ///< the fourth numbers of lines without an ending to tell
   /// Of the unpacked file: 26 million lines of 80 columns, ten times the largest entry of the PDB
   /// (3J3Q, 2.4 million atoms).
   std::size_t max_bytes = std::size_t{1} << 31;

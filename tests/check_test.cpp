@@ -134,7 +134,7 @@ TEST_CASE("a vertex off the surface is named, and first in the list of the farth
   const auto points = certify::locate_vertices(good.mesh, good.skin.surface);
   bad.positions[77] += 1e-5 * points[77].normal;
   const Certificate certificate = good.certify(bad);
-  CHECK(contains(certificate.broken_by(Claim::OnSkin), "vertex 77 lies 1e-05 Angstrom off"));
+  CHECK(contains(certificate.broken_by(Claim::OnSkin), "vertex 77 lies about 1e-05 Angstrom off"));
   const auto deviations = certify::measure_deviations(
       bad, good.skin.surface, certify::locate_vertices(bad, good.skin.surface), {});
   REQUIRE(deviations.farthest_vertices.size() == 10);

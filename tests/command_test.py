@@ -264,6 +264,9 @@ class OtherCommands(CommandTest):
         for words in (("ball.xyzw", "--model", "vdw"), ("ball.xyzw", "--probe", "1"),
                       ("ball.xyzr", "--model", "given"), ("-",)):
             self.run_morskin("info", *words, input=weights, code=2)
+        for numbers in (weights, weights.splitlines()[1]):
+            done = self.run_morskin("info", "-", "--model", "given", input=numbers)
+            self.assertIn(b"model given", done.stdout)
         self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzw", code=2)
         self.run_morskin("balls", "--weights", "ball.xyzr", "-o", "out.xyzr", code=2)
 

@@ -94,6 +94,24 @@ TEST_CASE("STL gives single precision back and joins equal corners") {
   }
 }
 
+TEST_CASE("corners of an STL file are equal whatever the sign of their zeros") {
+  IndexedMesh mesh = plain_tetrahedron();
+  mesh.positions[0] = Point(0, 0, 0);
+  std::string text = serialized(mesh, MeshFormat::Stl);
+  constexpr std::size_t header = 84, triangle = 50, normal = 12, number = 4;
+  int negated = 0;
+  for (std::size_t at = header + normal; at < text.size(); at += 2 * triangle) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      const std::size_t last = at + (k + 1) * number - 1;
+      if (text.substr(at + k * number, number) != std::string(number, '\0')) continue;
+      text[last] = '\x80';  // -0
+      ++negated;
+    }
+  }
+  CHECK(negated > 0);
+  CHECK(parse_mesh(text, "mesh.stl").positions.size() == 4);
+}
+
 TEST_CASE("a large STL mesh comes back with as many vertices as it had") {
   IndexedMesh strip;
   for (std::uint32_t i = 0; i < 5000; ++i) strip.positions.push_back(Point(i, i % 2, 0));

@@ -222,6 +222,25 @@ class Provenance(CommandTest):
                 self.assertFalse(set(said) & set(range(32)) - {10})
                 self.assertLess(len(said), 10000)
 
+    def test_one_statement_that_makes_no_sense_takes_no_other_with_it(self):
+        self.meshed("-o", "m.ply", "--model", "sas", "-C", "0.2", molecule=CRAMBIN)
+        for key, value in (("chain", "Q"), ("voids", "-5"), ("Q", "0.1"), ("model-number", "7")):
+            with self.subTest(key):
+                lines = ply_parts((self.folder / "m.ply").read_bytes())[0]
+                stated = f"comment morskin: {key} {value}"
+                old = [line for line in lines if line.startswith(f"comment morskin: {key} ")]
+                if not old:
+                    old = [line for line in lines if line.startswith("comment morskin: probe ")]
+                    stated = f"{old[0]}\n{stated}"
+                forged = self.altered(old[0].encode(), stated.encode())
+                # With the default C the triangles are too large.
+                origin = self.check(forged, "--against", CRAMBIN,
+                                    code=5 if key == "Q" else 0)["origin"]
+                refused = "C, Q" if key == "Q" else key
+                self.assertEqual([said.split(":")[0] for said in origin["not_taken"]], [refused])
+                self.assertTrue({"model", "probe"} <= set(origin["taken"]))
+                self.assertEqual("C" in origin["taken"], key != "Q")
+
     def test_a_chain_that_the_input_lacks_is_not_taken(self):
         self.meshed("-o", "m.ply", "-C", "0.2", molecule=CRAMBIN)
         for chain in (b"Z", b"%1b%0a", b",", b"A,"):

@@ -112,6 +112,27 @@ class Verify(CommandTest):
         self.input("balls.xyzw", "0 0 0 1\n9 0 0 1\n")
         self.assertEqual(self.run_python(script, *names).returncode, 1)
 
+    def test_a_certificate_that_asks_for_memory_costs_no_other_mesh_its_verdict(self):
+        names = self.made(MOLECULES / "two_balls.xyzr", "--model", "vdw", "-C", "0.3")
+        text = Path(names[2]).read_text()
+        wrongs = []
+        for number in ("2147483648", "1000000000000", "1e300", "-1"):
+            wrongs.append(str(self.input(f"wrong{number}.json",
+                                         text.replace('"dropped_voids":0', f'"dropped_voids":{number}')
+                                         .replace('"dropped_voids": 0', f'"dropped_voids": {number}'))))
+            self.assertNotEqual(Path(wrongs[-1]).read_text(), text)
+        words = [word for wrong in wrongs for word in (*names[:2], wrong)] + names
+        done = self.run_python(Path(verify.__file__), *words)
+        verdicts = [json.loads(line)["homeomorphic"] for line in done.stdout.splitlines()]
+        self.assertEqual((done.returncode, verdicts), (1, [False] * len(wrongs) + [True]))
+
+    def test_vertices_at_a_neck_too_thin_for_doubles_are_not_said_to_be_off(self):
+        for gap in ("1.999999", "2.00000001"):
+            self.input("thin.xyzw", f"0 0 0 1\n{gap} 0 0 1\n")
+            names = self.made(self.folder / "thin.xyzw", "--model", "given", "-C", "0.3")
+            done = self.run_python(Path(verify.__file__), *names)
+            self.assertEqual(json.loads(done.stdout)["on_skin"], True, done.stdout)
+
     def run_python(self, script, *words):
         return subprocess.run([sys.executable, script, *map(str, words)], capture_output=True,
                               text=True, check=False)

@@ -16,10 +16,10 @@ UNIT = 2.0**-53
 TINY = 1e-200
 SLACK = 2.0**-45  # above the relative error of any 200 roundings in a row
 
-# |N - n| <= r, |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; four balls
+# |N - n| <= r, least <= |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; four balls
 # that give these, that of least power at q.
-BOUNDS = np.dtype([("n", "f8", 3), ("r", "f8"), ("g", "f8"), ("low", "f8"), ("high", "f8"),
-                   ("gap", "f8"), ("balls", "i8", 4), ("entering", "i8")])
+BOUNDS = np.dtype([("n", "f8", 3), ("r", "f8"), ("least", "f8"), ("g", "f8"), ("low", "f8"),
+                   ("high", "f8"), ("gap", "f8"), ("balls", "i8", 4), ("entering", "i8")])
 
 
 def up(x):
@@ -98,6 +98,7 @@ class Skin:
         L = power / 2 - ((x - q)**2).sum(1) - (16 * UNIT * S2 + TINY)
         gap = up(np.maximum(U - L, 0))
         result.n, result.g = -m, np.maximum(np.abs(U), np.abs(L))
+        result.least = np.maximum(np.maximum(L, -U), 0)
         result.r = up(up(np.sqrt(2 * gap)) + 8 * UNIT * np.sqrt(S))
         result.low, result.high = down(down(length(m)) - result.r), up(up(length(m)) + result.r)
         result.gap = np.where(gap > 2.0**-46 * (S + S2), gap, 0)

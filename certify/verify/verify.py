@@ -8,9 +8,10 @@ Exit code 0: proved, and the vertices on the skin; 1: not, with the first reason
 
 import argparse
 import json
-import multiprocessing
 import os
 import sys
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
 
@@ -22,13 +23,13 @@ from skin_components import skin_components
 
 
 def are_on_skin(positions, bounds):
-    """By vertex, whether |G| is below 2e-9 rho^2 and what rounding of the coordinates may change:
+    """By vertex, whether |G| may be below 2e-9 rho^2 and what rounding of the coordinates changes:
     a vertex moves 2^-46 of the largest or, if all are floats, 2^-24 of its distance from 0."""
     moved = np.full(len(positions), np.abs(positions).max() * 2.0**-46)
     if (positions.astype(np.float32) == positions).all():
         moved = np.linalg.norm(positions, axis=1) * 2.0**-24
     rho = np.maximum(bounds.low, 0)
-    return bounds.g <= down(2e-9 * rho**2 + (2 * rho + moved) * moved)
+    return bounds.least <= down(2e-9 * rho**2 + (2 * rho + moved) * moved)
 
 
 def prove(balls, positions, triangles, witness, report):
@@ -47,6 +48,8 @@ def prove(balls, positions, triangles, witness, report):
     bodies, voids = skin_components(rows, witness["simplices"], nearest)
     covering.prove_degree(label, witness["component_vertices"])
     dropped = report["dropped_voids"] = witness["dropped_voids"]
+    if not 0 <= dropped <= len(voids):
+        raise NotProved(f"degree: {dropped} voids are said to be left out, of {len(voids)}")
     if dropped or report["components"] != len(bodies) + len(voids):
         # A component is covered if the mesh goes round the parts on its two sides differently.
         inside, found = ([*map(covering.winding_number, points)] for points in (bodies, voids))
@@ -71,7 +74,20 @@ def verify(names):
         prove(balls, positions, triangles, witness, report)
     except NotProved as reason:
         report["reason"] = str(reason)
+    except Exception as error:  # a witness is anyone's, too
+        report.update(homeomorphic=False, reason=f"not proved: {error!r}")
     return {**report, "triangles": len(triangles)}
+
+
+def verify_all(triples):
+    """The reports, in turn. A process that the system ends takes those with it that wait."""
+    with ProcessPoolExecutor(min(len(triples), os.cpu_count())) as pool:
+        for names, future in [(names, pool.submit(verify, names)) for names in triples]:
+            try:
+                yield future.result()
+            except BrokenProcessPool:
+                yield {"mesh": names[1], "homeomorphic": False, "on_skin": None,
+                       "reason": "not proved: a process was ended; is there memory?"}
 
 
 def main():
@@ -81,11 +97,10 @@ def main():
     names, exit_code = parser.parse_args().files, 0
     if len(names) % 3:
         parser.error("a mesh takes three files")
-    with multiprocessing.Pool(min(len(names) // 3, os.cpu_count())) as pool:
-        for report in pool.imap(verify, zip(names[::3], names[1::3], names[2::3])):
-            print(json.dumps(report, default=float), flush=True)
-            reason = report["reason"] or ""
-            exit_code = max(exit_code, 2 if reason.startswith("unreadable") else bool(reason))
+    for report in verify_all([*zip(names[::3], names[1::3], names[2::3])]):
+        print(json.dumps(report, default=float), flush=True)
+        reason = report["reason"] or ""
+        exit_code = max(exit_code, 2 if reason.startswith("unreadable") else bool(reason))
     return int(exit_code)
 
 

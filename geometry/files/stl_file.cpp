@@ -37,8 +37,8 @@ class CornerMerger {
 
  private:
   static std::array<std::uint64_t, 3> bits_of(const Point& position) {
-    return {std::bit_cast<std::uint64_t>(position.x()), std::bit_cast<std::uint64_t>(position.y()),
-            std::bit_cast<std::uint64_t>(position.z())};
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
+    return {bits(position.x()), bits(position.y()), bits(position.z())};
   }
 
   std::size_t slot_of(const Point& position) const {
