@@ -47,7 +47,7 @@ std::string doubts_about(const certify::Sizing& sizing) {
       "Q^2 is not above 2 + 4 C Q, so [L] and [U] may be in each other's way");
   if (!sizing.is_tube_proved()) {
     add(false, "C Q = " + brief(sizing.C * sizing.Q, 3) +
-                   " is above 0.377, so [U] does not imply what the certificate asks of triangles");
+                   " is above 0.378, so [U] does not imply what the certificate asks of triangles");
   } else {
     add(sizing.is_sample_proved_dense(),
         "C Q = " + brief(sizing.C * sizing.Q, 3) +

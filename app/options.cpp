@@ -20,7 +20,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_surface_option(command, mesh.surface);
   command
       .add_option("-o,--output", mesh.outputs,
-                  "The mesh, by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert\n"
+                  "The mesh by its ending: .ply .off .obj .stl .vtu .glb .npz .msh .vert.\n"
                   "Repeat it for several. .stl and .glb have single precision, the others are "
                   "exact; .vert writes\n"
                   ".face too. \"-\", /dev/null and the like take PLY")
@@ -33,7 +33,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->default_str("none");
   command
       .add_option("--for", typed.purpose,
-                  "Set density, voids, data and format for: bem, learning\n"
+                  "Set density, voids, data and format for: bem, learning.\n"
                   "Where no option does: bem, boundary elements; learning, points with all data")
       ->check(CLI::IsMember(preset_names()))
       ->default_str("none");

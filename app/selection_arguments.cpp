@@ -63,18 +63,18 @@ bool is_set(const TypedSelection& typed) {
 void add_selection_options(CLI::App& command, TypedSelection& typed) {
   command
       .add_option("--model-number", typed.model_number,
-                  "The model to read: its number, or several: 1,3-5 or all\n"
+                  "The model to read: its number, or several: 1,3-5 or all.\n"
                   "Several are for mesh: each writes OUT-3.ply and a report, and the exit code\n"
                   "is the largest")
       ->default_str("the first");
   command
       .add_option("--biological-assembly", typed.assembly,
-                  "The copies that make up assembly N, of PDB and mmCIF\n"
+                  "The copies that make up assembly N, of PDB and mmCIF.\n"
                   "PDB has them in REMARK 350. The copies of chain A are A, A-2, A-3 ...")
       ->default_str("none");
   command
       .add_option("--chain", typed.chains,
-                  "Only these chains, A,B,... as the author names them\n"
+                  "Only these chains, A,B,... as the author names them.\n"
                   "_ is the chain without a name")
       ->default_str("all chains");
   command.add_flag("--waters", typed.waters, "Keep the waters, which are left out otherwise");
@@ -85,7 +85,7 @@ void add_selection_options(CLI::App& command, TypedSelection& typed) {
       ->default_str("all");
   command
       .add_option("--altloc", typed.locations,
-                  "Of alternate locations the likeliest, all or a letter's\n"
+                  "Of alternate locations the likeliest, all or a letter's.\n"
                   "An atom that lacks the letter keeps the likeliest")
       ->default_str("likeliest");
   command.add_option("--hydrogens", typed.hydrogens, "Hydrogen, deuterium too: keep or drop")

@@ -27,8 +27,8 @@ void add_molecule_options(CLI::App& command, Typed& typed) {
   command
       .add_option("--radii", typed.skin.radii,
                   "Radii: elements, bondi, alvarez, FILE, C=1.7,...\n"
-                  "elements is Bondi 1964 and, where that has none, Mantina 2009 and Alvarez\n"
-                  "2013; bondi and alvarez are these alone. A FILE has an element or\n"
+                  "Here elements is Bondi 1964 and, where that has none, Mantina 2009 and\n"
+                  "Alvarez 2013; bondi and alvarez are these alone. A FILE has an element or\n"
                   "RESIDUE:ATOM and a radius on each line, # begins a comment")
       ->default_str("elements or INPUT's");
   add_selection_options(command, typed.skin.selection);
@@ -37,7 +37,7 @@ void add_molecule_options(CLI::App& command, Typed& typed) {
 void add_voids_option(CLI::App& command, Typed& typed) {
   command
       .add_option("--voids", typed.skin.voids,
-                  "Voids: keep, drop, or the volume, A^3, below which to drop\n"
+                  "Voids: keep, drop, or the volume, A^3, below which to drop.\n"
                   "A void that is dropped is as if it were filled; with it go the bodies\n"
                   "inside it")
       ->default_str("keep");
@@ -45,13 +45,14 @@ void add_voids_option(CLI::App& command, Typed& typed) {
 
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
-      .add_option("-C", typed.skin.C, "Size over the curvature radius; half makes 4 times as many")
+      .add_option("-C", typed.skin.C,
+                  "Size over the curvature radius; half makes 3 to 4 times as many")
       ->default_str("0.08");
   command.add_option("-Q", typed.skin.Q, "Quality: every angle exceeds asin(1/Q^2)")
       ->default_str("1.65 or, with C above 0.107, the least that C allows");
   command
       .add_option("--size", typed.skin.size,
-                  "Edges of about so many Angstrom where the skin is flat\n"
+                  "Edges of about so many Angstrom where the skin is flat.\n"
                   "Elsewhere what -C allows, 0.4 unless it is given")
       ->default_str("no limit");
 }
@@ -109,17 +110,17 @@ void add_surface_option(CLI::App& command, std::optional<std::string>& surface) 
   command
       .add_option("--surface", surface,
                   "No molecule: sphere:R torus:R,r genus2 formula:... gaussian:...\n"
-                  "formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
-                  "|x|, |y|, |z| <= W; gaussian:MOLECULE[,decay=D][,level=L]")
+                  "Write formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
+                  "|x|, |y|, |z| <= W, or gaussian:MOLECULE[,decay=D][,level=L]")
       ->default_str("none");
 }
 
 void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--vertex-data", typed.vertex_data,
-                  "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all\n"
-                  "normal, curvature, directions, scale, atom, shares, component, patch,\n"
-                  "residue, charge, separated by commas alone")
+                  "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all.\n"
+                  "Choose from normal, curvature, directions, scale, atom, shares, component,\n"
+                  "patch, residue, charge, separated by commas alone")
       ->default_str("none");
   command
       .add_option("--decimals", mesh.decimals,
@@ -144,7 +145,7 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
       ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
   command
       .add_option("--angle-goal", typed.angle_goal,
-                  "No angle below so many degrees\n"
+                  "No angle below so many degrees.\n"
                   "Vertices are moved, taken out and put in for it; 0 for not at all. With 30 or "
                   "more no file\n"
                   "that has one below 30 is certified. From 35 on, up to C = 0.2, also none\n"

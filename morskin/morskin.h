@@ -72,7 +72,7 @@ struct ReadOptions {
   std::optional<std::int64_t> model = {};    ///< as the file numbers them; absent: the first
   std::optional<std::string> assembly = {};  ///< biological, by the file's name; absent: as it is
   /// "elements", "bondi", "alvarez", a list "C=1.7,ALA:CA=1.9", or a file of such lines; absent:
-  /// the file's own radii, or else "elements". papers/library.md has more.
+  /// the file's own radii, or else "elements". papers/molecules.md has more.
   std::optional<std::string> radii = {};
 };
 
@@ -126,9 +126,11 @@ struct RunOptions {
 struct MeshOptions {
   /// The largest C with which nearly every skin is certified.
   static constexpr double coarsest_C = 0.4;
-  double C = 0.08;  ///< how closely the mesh follows the skin; edges are about 2 C / Q to 3.5 C Q
+  double C = 0.08;  ///< how closely the mesh follows the skin; edges are about 2 C / Q to 2 C Q
                     ///< times the local length scale long. 1e-5 <= C < Q / 2
-  std::optional<double> Q = {};  ///< > 1; without one the Q that goes with C: 1.65 up to C = 0.2
+  /// > 1; without one the Q that goes with C: 1.65 up to C = 0.107, above that 0.3 % more than the
+  /// least for which refinement is proved to end.
+  std::optional<double> Q = {};
   /// A larger length scale counts as this one: limits the triangles where the skin is flat.
   double max_length_scale = std::numeric_limits<double>::infinity();
   /// In its place, at most one of these: the median edge where the skin is flat enough, Angstrom;
@@ -144,9 +146,8 @@ struct MeshOptions {
   /// Without one the sweep, or, up to 50,000 balls, the static method with C above 0.25 where no
   /// length limits most edges: it makes as dense a mesh in less time there.
   std::optional<Method> method = {};
-  /// So many subdomains are swept each for itself, 1 to 65,536; of what is no power of two the next
-  /// below. 1: one front from below, the paper's Algorithm 1. Without one, as many as the size of
-  /// the mesh is worth.
+  /// So many subdomains are swept each for itself: a power of two, 1 to 65,536. 1: one front from
+  /// below, the paper's Algorithm 1. Without one, as many as the size of the mesh is worth.
   std::optional<std::size_t> fronts = {};
   std::optional<Point> direction = {};  ///< to sweep along; without one the library finds one
 };
@@ -166,7 +167,9 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// What is proved of a mesh and how good it is.
 struct Certificate {
-  bool certified = false;        ///< homeomorphic, and [L] and [U] of section 2.2 hold everywhere
+  /// Homeomorphic, every vertex on the skin, [U] of section 2.2 everywhere, and either [L]
+  /// everywhere or every angle at least 30 degrees: then size_violations may be above 0.
+  bool certified = false;
   bool is_homeomorphic = false;  ///< to the skin, even isotopic
   std::string reason;            ///< why it is not certified; empty if it is
   std::size_t components = 0;
@@ -285,8 +288,7 @@ class SkinMesh {
   /// C, Q and max_length_scale that it was made with, as Skin::certify takes them.
   MeshOptions sizing() const { return sizing_; }
 
-  /// Writes as write_mesh does, and NPZ and MSH. A mesh that is not certified gets the ending
-  /// .unverified.
+  /// Writes as write_mesh does. A mesh that is not certified gets the ending .unverified.
   /// @param vertex_data  what PLY, VTU, NPZ, MSH and then GLB too hold beside: "normal",
   ///                     "curvature", "directions", "scale", "atom", "shares", "component",
   ///                     "patch"; or "all". papers/vertex-data.md describes them

@@ -14,7 +14,8 @@ namespace morskin::skin {
 /// the probe's, both Angstrom, the weight W (Angstrom^2) and the radius sqrt(W / 2) of the atom's
 /// sphere patch are
 ///
-///     Paper   W = sqrt(2) (r + p)    as printed; the only reading that gives Table 1's counts
+///     Paper   W = sqrt(2) (r + p)    as printed; the reading nearest to Table 1's counts on two
+///                                    molecules of three
 ///     Sas     W = 2 (r + p)^2        patches have the solvent-accessible radius r + p
 ///     Vdw     W = 2 r^2              patches have the radius r; the probe plays no part
 ///     SesLike W = 2 (r + s)^2        s = ses_like_offset: of these skins the one that comes
