@@ -175,7 +175,7 @@ sanitize: deps  ## run the tests with the address and undefined behaviour saniti
 	ctest --test-dir build/sanitize --output-on-failure
 
 install: build  ## install command, library, manual and examples under PREFIX (DESTDIR too)
-	cmake --install build --prefix $(PREFIX)
+	cmake --install build --prefix "$(PREFIX)"
 
 # Only what is installed: the packages and the static binary take no tests.
 installed_targets = morskin_command morskin_manual installed_library
@@ -187,7 +187,7 @@ packaged: deps
 # The address of the maintainer is for whoever gives them to others to put in.
 deb: packaged  ## make Debian packages in build/deb, and have lintian look at them
 	rm -rf build/deb && mkdir -p build/deb/morskin && cp -r packaging/debian build/deb/morskin
-	cd build/deb/morskin && BUILD=$(CURDIR)/build dpkg-buildpackage --build=binary --no-sign
+	cd build/deb/morskin && BUILD="$(CURDIR)/build" dpkg-buildpackage --build=binary --no-sign
 	lintian --allow-root --fail-on error \
 	  --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog build/deb/*.changes
 

@@ -157,9 +157,9 @@ std::string skin_text(const CheckReport& report) {
       measures_text(against.certificate, report.arguments.sizing) +
       (report.arguments.surface ? certificate_text(against.certificate, critical_points_say)
                                 : certificate_text(against.certificate));
-  text += line("centroids", "up to about " + brief(d.max_centroid_distance, 2) +
-                                " A from the skin, " + brief(d.max_centroid_relative, 2) +
-                                " of the length scale");
+  text +=
+      line("centroids", "up to about " + brief(d.max_centroid_distance, 2) + " A from the skin, " +
+                            brief(d.max_centroid_relative, 2) + " of the length scale");
   text += line("normals", "no more than " + brief(d.max_normal_deg) + " degrees off the skin's");
   text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
                                " with a vertex in the surface ball");

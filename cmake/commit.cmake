@@ -1,12 +1,14 @@
 # Writes a C++ file that says which commit is built, and only where it says another than before.
 # Run by every build:  cmake -D SOURCE=... -D OUT=... -P commit.cmake
 #
-# A source tree that is not the top of a checkout of its own, an unpacked archive say, has none.
-execute_process(COMMAND git -C ${SOURCE} rev-parse --show-cdup
+# A source tree that is not the top of a checkout of its own, an unpacked archive say, has none. The
+# checkout may be another user's than who builds.
+set(git git -c safe.directory=${SOURCE} -C ${SOURCE})
+execute_process(COMMAND ${git} rev-parse --show-cdup
                 RESULT_VARIABLE failure OUTPUT_VARIABLE way_up
                 OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(failure EQUAL 0 AND way_up STREQUAL "")
-  execute_process(COMMAND git --no-optional-locks -C ${SOURCE}
+  execute_process(COMMAND ${git} --no-optional-locks
                           describe --always --abbrev=12 --exclude=* "--dirty= with changes"
                   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()

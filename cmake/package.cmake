@@ -41,8 +41,8 @@ install(FILES ${PROJECT_BINARY_DIR}/package/morskin.pc
 
 # What is read, and the examples with their molecules (examples/molecules is a link).
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY examples/cpp examples/learning examples/python examples/shell
-        DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples USE_SOURCE_PERMISSIONS
-        PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY examples/cpp examples/learning examples/python
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples PATTERN __pycache__ EXCLUDE)
+install(PROGRAMS examples/shell/mesh_all.sh DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/shell)
 install(FILES examples/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY bench/molecules DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

@@ -65,7 +65,11 @@ skin::ReadOptions inside(const ReadOptions& options) {
 certify::Sizing sizing_of(const MeshOptions& options) {
   certify::Sizing sizing{options.C, options.Q.value_or(certify::Sizing::quality_for(options.C)),
                          options.max_length_scale};
-  if (options.edge_length) sizing.set_edge_length(*options.edge_length);
+  if (!options.edge_length) return sizing;
+  sizing.set_edge_length(*options.edge_length);
+  if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
+    throw geometry::RefusedInput("the length of edges is too small, or no number");
+  }
   return sizing;
 }
 
@@ -73,8 +77,9 @@ static_assert(MeshOptions::coarsest_C == certify::Sizing::coarsest_C);
 
 /// @throws geometry::RefusedInput  if more than one thing limits the sizes of triangles
 void require_one_size(const MeshOptions& options) {
-  const int sizes = std::isfinite(options.max_length_scale) + options.edge_length.has_value() +
-                    options.density.has_value() + options.triangles.has_value();
+  const bool is_limited = options.max_length_scale != MeshOptions().max_length_scale;
+  const int sizes = is_limited + options.edge_length.has_value() + options.density.has_value() +
+                    options.triangles.has_value();
   if (sizes > 1) {
     throw geometry::RefusedInput(
         "a mesh has a largest length scale, a length of edges, a density or a number of triangles: "
@@ -100,12 +105,13 @@ Error refused(std::size_t atom, const std::string& why) {
 std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms,
                                                      const SkinOptions& options) {
   if (!(options.probe >= 0 && std::isfinite(options.probe))) {
-    throw geometry::RefusedInput("the probe's radius must not be below 0");
+    throw geometry::RefusedInput("the probe's radius must be finite and not below 0");
   }
   std::vector<geometry::WeightedPoint> points;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const Atom& atom = atoms[i];
-    if (!(atom.radius > 0 && std::isfinite(atom.radius))) throw refused(i, "has no radius above 0");
+    if (!(atom.radius > 0 && std::isfinite(atom.radius)))
+      throw refused(i, "has no finite radius above 0");
     const geometry::WeightedPoint p{
         inside(atom.position), skin::weight(atom.radius, inside(options.model), options.probe)};
     const double largest = std::max(p.position.cwiseAbs().maxCoeff(), std::abs(p.weight));
@@ -220,7 +226,14 @@ TriangleMesh read_mesh(const std::filesystem::path& file) {
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
-  with_errors([&] { geometry::write_mesh(file, inside(mesh)); });
+  with_errors([&] {
+    const geometry::IndexedMesh written = inside(mesh);
+    for (std::size_t v = 0; v < written.positions.size(); ++v) {
+      if (written.positions[v].allFinite()) continue;
+      throw geometry::RefusedInput("vertex " + std::to_string(v) + " is not finite");
+    }
+    geometry::write_mesh(file, written);
+  });
 }
 
 Skin::Skin(std::span<const Atom> atoms, const SkinOptions& options, const RunOptions& run)

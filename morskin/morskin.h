@@ -162,7 +162,7 @@ struct TriangleMesh {
 TriangleMesh read_mesh(const std::filesystem::path& file);
 /// Writes PLY (binary), OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or
 /// not at all.
-/// @throws Error  Unwritable; Refused: a corner that is no vertex
+/// @throws Error  Unwritable; Refused: a corner that is no vertex, or a vertex that is not finite
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// What is proved of a mesh and how good it is.

@@ -35,7 +35,7 @@ void check(const SizeGoal& goal) {
     throw geometry::RefusedInput("a mesh has a density or a number of triangles, not both");
   }
   if (!(goal.density.value_or(1) > 0 && std::isfinite(goal.density.value_or(1)))) {
-    throw geometry::RefusedInput("the density must be above 0");
+    throw geometry::RefusedInput("the density must be above 0 and finite");
   }
   if (!(goal.triangles.value_or(4) >= 4 && goal.triangles.value_or(4) <= max_triangles)) {
     throw geometry::RefusedInput("a mesh has at least 4 triangles, and at most " +
@@ -60,7 +60,7 @@ void require_sound(const MeshingOptions& options) {
   if (options.function) require_usable(*options.function);
   if (options.fronts && !(*options.fronts >= 1 && *options.fronts <= front::max_subdomains)) {
     throw geometry::RefusedInput("there may be 1 to " + std::to_string(front::max_subdomains) +
-                                 " fronts, not " + std::to_string(*options.fronts));
+                                 " fronts");
   }
   if (options.fronts && !std::has_single_bit(*options.fronts)) {
     throw geometry::RefusedInput(
@@ -70,11 +70,11 @@ void require_sound(const MeshingOptions& options) {
     throw geometry::RefusedInput("fronts are of the sweep, and the static method has none");
   }
   if (!(options.goal_deg() >= 0 && options.goal_deg() <= 60)) {
-    throw geometry::RefusedInput("no triangle mesh has all its angles above 60 degrees");
+    throw geometry::RefusedInput("the goal for angles must be from 0 to 60 degrees");
   }
   if (!options.grading) return;
   if (!(*options.grading >= min_grading && std::isfinite(*options.grading))) {
-    throw geometry::RefusedInput("the grading must be at least 0.01");
+    throw geometry::RefusedInput("the grading must be at least 0.01 and finite");
   }
   const bool is_other_method =
       options.mesher || options.fronts || options.method.value_or(Method::Static) != Method::Static;

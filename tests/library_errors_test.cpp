@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stop_token>
 #include <string>
@@ -49,6 +50,43 @@ TEST_CASE(
   morskin::RunOptions run;
   run.stop = source.get_token();
   CHECK(kind_of([&] { skin.certify(mesh, {.C = 0.3}, run); }) == Error::Kind::Stopped);
+}
+
+TEST_CASE("what makes no sense is refused in words that name it") {
+  const Skin skin(three_atoms, balls);
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  const auto said = [&](const MeshOptions& options) -> std::string {
+    try {
+      skin.mesh(options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  for (const double length : {0., -1., nan, 1e-300}) {
+    CAPTURE(length);
+    CHECK(said({.C = 0.3, .edge_length = length}) ==
+          "the length of edges is too small, or no number");
+  }
+  for (const double limit : {nan, -infinite, 1.}) {
+    CAPTURE(limit);
+    CHECK(said({.C = 0.3, .max_length_scale = limit, .edge_length = 1}).find("one of them") !=
+          std::string::npos);
+  }
+  CHECK(said({.angle_goal_deg = -1}) == "the goal for angles must be from 0 to 60 degrees");
+  CHECK(said({.density = infinite}) == "the density must be above 0 and finite");
+  CHECK(said({.grading = infinite}) == "the grading must be at least 0.01 and finite");
+}
+
+TEST_CASE("a mesh with a vertex that is not finite is written to no file") {
+  const morskin::support::TemporaryFolder folder;
+  morskin::TriangleMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3}).triangles();
+  mesh.vertices[5][1] = std::nan("");
+  for (const char* name : {"a.ply", "a.off", "a.obj", "a.stl", "a.vtu", "a.msh", "a.npz"}) {
+    CAPTURE(name);
+    CHECK(kind_of([&] { morskin::write_mesh(mesh, folder / name); }) == Error::Kind::Refused);
+    CHECK(!std::filesystem::exists(folder / name));
+  }
 }
 
 TEST_CASE("a wrong name of data is refused beside all, before it or behind") {

@@ -16,8 +16,8 @@ UNIT = 2.0**-53
 TINY = 1e-200
 SLACK = 2.0**-45  # above the relative error of any 200 roundings in a row
 
-# |N - n| <= r, least <= |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0; four balls
-# that give these, that of least power at q.
+# |N - n| <= r, least <= |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0;
+# four balls that give these, that of least power at q.
 BOUNDS = np.dtype([("n", "f8", 3), ("r", "f8"), ("least", "f8"), ("g", "f8"), ("low", "f8"),
                    ("high", "f8"), ("gap", "f8"), ("balls", "i8", 4), ("entering", "i8")])
 
