@@ -62,11 +62,13 @@ std::uint64_t machine_bytes() {
 
 void limit_memory(const Limits& limits) {
   const std::uint64_t most = limits.max_memory.value_or(machine_bytes());
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, held_bytes() + most);
+  rlimit limit{}, space{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || ::getrlimit(RLIMIT_AS, &space) != 0) return;
+  const rlim_t asked = held_bytes() + most;
+  const bool is_felt_first = asked < std::min(limit.rlim_cur, space.rlim_cur);
+  limit.rlim_cur = std::min(limit.rlim_cur, asked);
   ::setrlimit(RLIMIT_DATA, &limit);
-  if (!limits.max_memory) return;
+  if (!limits.max_memory || !is_felt_first) return;
   std::snprintf(memory_text, sizeof memory_text,
                 "the memory limit of %llu bytes (--max-memory) was reached; allow more, or %s",
                 static_cast<unsigned long long>(*limits.max_memory), limits.advice);

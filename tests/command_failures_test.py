@@ -3,6 +3,7 @@
 
 import json
 import re
+import resource
 import signal
 import subprocess
 import time
@@ -182,6 +183,14 @@ class Failures(CommandTest):
             done = subprocess.run([morskin(), "info", self.ring], stdout=full,
                                   stderr=subprocess.PIPE, check=False)
         self.assertEqual(done.returncode, 7)
+
+    def test_memory_that_another_limit_denies_is_not_said_to_be_max_memory_s(self):
+        def little_space():
+            resource.setrlimit(resource.RLIMIT_AS, (100 << 20, 100 << 20))
+        done = self.run_morskin("mesh", MOLECULES / "1crn.pdb", "-o", "out.ply", "-C", "0.03",
+                                "--max-memory", "50G", code=6, preexec_fn=little_space)
+        self.assertIn(b"out of memory", done.stderr)
+        self.assertEqual(self.names(), [])
 
     def test_an_interrupted_run_leaves_nothing(self):
         molecule = MOLECULES / "1crn.pdb"
