@@ -283,7 +283,7 @@ def pattern(text):
     if text.startswith("|"):
         return re.escape(text.split("\n")[0]) + r"\n(?:\|.*\n)*(?:\|.*)?"
     escaped = r"\s+".join(re.escape(word) for word in text.split())
-    number = r"(?:[+−]|\\-)?\d(?:\d|,(?=\d)|\\\.(?=\d))*"
+    number = r"(?:−|\\[+-])?\d(?:\d|,(?=\d)|\\\.(?=\d))*"
     return re.sub(number, lambda _: r"[+−-]?\d(?:\d|[,.](?=\d))*", escaped)
 
 
