@@ -100,9 +100,10 @@ VertexData parsed_vertex_data(std::string_view text) {
     } else if (!datum) {
       std::string known;
       for (const morskin::Datum d : all) known += std::string(morskin::name_of(d)) + ", ";
-      throw UsageError("--vertex-data takes " + known +
-                       "residue, charge or all, with commas between; not " +
-                       geometry::quoted(name));
+      throw UsageError(
+          "--vertex-data takes " + known +
+          "residue or charge, with commas between, or all, that is all but these two; not " +
+          geometry::quoted(name));
     }
     if (name.size() == text.size()) return result;
     text.remove_prefix(name.size() + 1);

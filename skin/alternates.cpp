@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -74,8 +75,17 @@ void number_copies(std::vector<Location>& locations) {
 
 std::size_t keep_one_location(std::vector<AtomRecord>& atoms, std::optional<char> letter) {
   std::vector<Location> locations;
+  std::set<std::tuple<Label, Label, Label>> with_letters;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
-    if (atoms[i].alternate != ' ') locations.push_back(location_of(atoms[i], i));
+    if (atoms[i].alternate == ' ') continue;
+    locations.push_back(location_of(atoms[i], i));
+    with_letters.insert(locations.back().atom_key());
+  }
+  // One without a letter is another location of an atom that has one with.
+  for (std::size_t i = 0; i < atoms.size() && !with_letters.empty(); ++i) {
+    if (atoms[i].alternate != ' ') continue;
+    const Location location = location_of(atoms[i], i);
+    if (with_letters.contains(location.atom_key())) locations.push_back(location);
   }
   std::ranges::stable_sort(locations, {}, [](const Location& location) {
     return std::tuple(location.chain, location.residue_number, location.name,

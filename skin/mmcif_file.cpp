@@ -7,6 +7,7 @@
 #include <exception>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
+#include <map>
 #include <new>
 #include <optional>
 #include <set>
@@ -162,18 +163,41 @@ Label element_of(const std::string& symbol, const std::string& name, std::string
   return Label(element_from_word(name, residue));
 }
 
-AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& source) {
+/// Labels of names that may be longer than these. What they tell apart must stay so.
+class Names {
+ public:
+  explicit Names(const std::string& source) : source_(source) {}
+
+  Label label(const std::string& name) {
+    const Label cut(name);
+    if (cut.view().size() == name.size()) return cut;
+    const auto [place, is_new] = whole_.try_emplace(cut, name);
+    if (!is_new && place->second != name) {
+      throw geometry::RefusedInput(source_ + ": the names " + geometry::quoted(name) + " and " +
+                                   geometry::quoted(place->second) + " differ only behind their " +
+                                   std::to_string(cut.view().size()) + "th character; rename one");
+    }
+    return cut;
+  }
+
+ private:
+  const std::string& source_;
+  std::map<Label, std::string> whole_;
+};
+
+AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& source,
+                   Names& names) {
   AtomRecord record;
   Atom& atom = record.atom;
   const std::string name = table.value(row, Name);
   atom.line = table.line_of(row);
   atom.position = {coordinate(table, row, X, source), coordinate(table, row, Y, source),
                    coordinate(table, row, Z, source)};
-  atom.name = Label(name);
-  atom.residue = Label(table.value(row, Residue));
-  atom.residue_number = Label(table.value(row, Number) + table.value(row, Insertion));
-  atom.chain = Label(table.value(row, Chain));
-  record.assembly_chain = Label(table.value(row, AssemblyChain));
+  atom.name = names.label(name);
+  atom.residue = names.label(table.value(row, Residue));
+  atom.residue_number = names.label(table.value(row, Number) + table.value(row, Insertion));
+  atom.chain = names.label(table.value(row, Chain));
+  record.assembly_chain = names.label(table.value(row, AssemblyChain));
   atom.element = element_of(table.value(row, Symbol), name, atom.residue.view());
   record.is_hetatm = table.value(row, Record) == "HETATM";
   const std::string alternate = table.value(row, Alternate);
@@ -195,6 +219,7 @@ AssemblyTables assembly_tables(std::string_view bytes, const std::string& source
   }
   for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
   for (cif::Block& block : document.blocks) {
+    if (!AtomTable(block, bytes).is_present()) continue;
     for (const auto& row : block.find("_pdbx_struct_assembly_gen.",
                                       {"assembly_id", "oper_expression", "asym_id_list"})) {
       tables.generators.push_back({row.str(0), row.str(1), row.str(2)});
@@ -205,6 +230,7 @@ AssemblyTables assembly_tables(std::string_view bytes, const std::string& source
       int column = 0;
       for (std::string& number : made.numbers) number = row.str(++column);
     }
+    break;  // the block that atoms are read from
   }
   return tables;
 }
@@ -225,6 +251,7 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
     file.has_elements = true;
     file.has_locations = table.has(Alternate);
     file.atoms.reserve(table.size());
+    Names names(source);
     std::set<std::string> begun;
     std::optional<std::string> read;  // the model to read, as the table calls it
     std::string last;
@@ -233,7 +260,7 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
       const bool is_new = (row == 0 || model != last) && begun.insert(model).second;
       if (is_new && models.begin(geometry::parse_integer(model))) read = model;
       last = model;
-      if (model == read) file.atoms.push_back(atom_in(table, row, source));
+      if (model == read) file.atoms.push_back(atom_in(table, row, source, names));
     }
     if (models.has_begun()) return file;
   }

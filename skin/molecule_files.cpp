@@ -287,7 +287,7 @@ std::vector<std::int64_t> model_numbers(std::string_view bytes, const std::strin
   open(file, bytes, source, options);
   ModelSearch models = ModelSearch::of_none();
   parse(file.text, source, file.format, models);
-  return models.numbers();
+  return models.numbers(source);
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options) {

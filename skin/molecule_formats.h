@@ -61,7 +61,8 @@ class ModelSearch {
 
   bool has_begun() const { return !numbers_.empty(); }
   /// Each once, in the file's order.
-  std::vector<std::int64_t> numbers() const;
+  /// @throws RefusedInput  for one that occurs twice: the second could not be asked for
+  std::vector<std::int64_t> numbers(const std::string& source) const;
 
   /// How many models are not to be read.
   /// @throws RefusedInput  the one wanted did not begin, though others did

@@ -38,8 +38,9 @@ constexpr std::array<std::string_view, 60> standard_residues = {
 // The elements of standard residues.
 constexpr std::string_view residue_elements = "HDCNOPS";
 
-// Names of four characters leave no column for the blank before an element of one letter; of those
-// that begin with the letters of a heavier element only these, and then a digit, are taken for it.
+// Names of four characters leave no column for the blank before an element of one letter, and words
+// have no columns; of those that begin with the letters of a heavier element only these, in long
+// names before a digit, are taken for it.
 constexpr std::array<std::string_view, 8> heavy_in_long_names = {"CL", "BR", "FE", "ZN",
                                                                  "MG", "MN", "SE", "SI"};
 
@@ -129,6 +130,14 @@ std::string_view element_from_name(std::string_view name, std::string_view resid
 std::string_view element_from_word(std::string_view name, std::string_view residue) {
   // An ion is called like its residue: "ZN" of "ZN".
   if (name == residue && !symbol_or_empty(name).empty()) return symbol_or_empty(name);
+  // Two letters are one element where the first is none, or in the rest of these: no organic atom's
+  // name begins so, with C, N or O and its place behind.
+  const std::string_view two = name.substr(0, 2);
+  const bool is_heavy = symbol_or_empty(name.substr(0, 1)).empty() ||
+                        std::ranges::find(heavy_in_long_names, two) != heavy_in_long_names.end();
+  if (is_heavy && !is_standard_residue(residue) && !symbol_or_empty(two).empty()) {
+    return symbol_or_empty(two);
+  }
   std::string columns_13_to_16(name.size() < 4 ? 1 : 0, ' ');
   columns_13_to_16 += name;
   return element_from_name(columns_13_to_16, residue);

@@ -144,13 +144,14 @@ std::size_t ModelSearch::others(const std::string& source) const {
                      : "choose from " + std::to_string(least) + " to " + std::to_string(most)));
 }
 
-std::vector<std::int64_t> ModelSearch::numbers() const {
-  std::vector<std::int64_t> distinct;
+std::vector<std::int64_t> ModelSearch::numbers(const std::string& source) const {
   std::set<std::int64_t> seen;
   for (const std::int64_t number : numbers_) {
-    if (seen.insert(number).second) distinct.push_back(number);
+    if (seen.insert(number).second) continue;
+    throw RefusedInput(source + ": two of its models have the number " + std::to_string(number) +
+                       "; renumber one");
   }
-  return distinct;
+  return numbers_;
 }
 
 ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,

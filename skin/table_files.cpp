@@ -32,10 +32,34 @@ std::uint32_t line_number(const TextLines& lines) {
   return static_cast<std::uint32_t>(lines.number());
 }
 
-// record serial name residue [chain] number x y z charge radius; the serial may stick to HETATM.
+/// Whether a line begins with ATOM or HETATM, a serial number sticking to it or not.
+bool is_pqr_record(std::string_view word) {
+  for (const std::string_view record : {"ATOM", "HETATM"}) {
+    if (word.starts_with(record)) {
+      const std::string_view rest = word.substr(record.size());
+      return rest.empty() || record == "HETATM" || parse_integer(rest).has_value();
+    }
+  }
+  return false;
+}
+
+// record serial name residue [chain] number x y z charge radius; the serial may stick to the
+// record, and a number of four digits to the chain's letter.
 AtomRecord pqr_atom(const TextLines& lines) {
   std::vector<std::string_view> fields = fields_of(lines.line());
-  if (fields[0].size() > 6) fields.insert(fields.begin() + 1, fields[0].substr(6));
+  const std::size_t record_size = fields[0].starts_with("ATOM") ? 4 : 6;
+  if (fields[0].size() > record_size) {
+    const std::string_view serial = fields[0].substr(record_size);
+    fields[0] = fields[0].substr(0, record_size);
+    fields.insert(fields.begin() + 1, serial);
+  }
+  const bool has_letter = fields.size() == 10 && fields[4].size() > 1 &&
+                          std::string_view("-0123456789").find(fields[4][0]) == std::string::npos;
+  if (has_letter) {
+    const std::string_view number = fields[4].substr(1);
+    fields[4] = fields[4].substr(0, 1);
+    fields.insert(fields.begin() + 5, number);
+  }
   if (fields.size() < 10 || fields.size() > 11) {
     lines.fail(
         "expected 10 or 11 fields (record, serial, name, residue, chain if any, number, "
@@ -107,10 +131,7 @@ Atom ball(const std::array<double, 4>& row, double radius, const TextLines& line
 }  // namespace
 
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSearch& models) {
-  const auto is_atom = [](std::string_view line) {
-    const std::string_view record = take_field(line);
-    return record == "ATOM" || record.starts_with("HETATM");
-  };
+  const auto is_atom = [](std::string_view line) { return is_pqr_record(take_field(line)); };
   ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom, models);
   file.has_radii = true;
   file.has_charges = true;

@@ -37,6 +37,74 @@ class Selections(CommandTest):
                 self.assertEqual((info["atoms"], info[reason]), (atoms, count))
                 self.assertIn("selection", info)
 
+    def balls(self, name, text, *words):
+        """Places along x and radii of what is read of a file."""
+        self.input(name, text)
+        self.run_morskin("balls", name, "-o", "out.xyzr", *words)
+        rows = [line.split() for line in (self.folder / "out.xyzr").read_text().splitlines()
+                if not line.startswith("#")]
+        return [(float(row[0]), float(row[3])) for row in rows]
+
+    def test_pqr_numbers_may_stick_to_the_word_before(self):
+        text = ("ATOM   99999  N   MET A 999    0.0 0.0 0.0  0.1 1.5\n"
+                "ATOM100000  N   MET A1000    9.0 0.0 0.0  0.1 1.6\n"
+                "HETATM10001  O   MET B   1    20.0 0.0 0.0  0.1 1.7\n")
+        self.assertEqual(self.balls("stuck.pqr", text), [(0, 1.5), (9, 1.6), (20, 1.7)])
+        self.assertEqual(self.balls("stuck.pqr", text, "--chain", "A"), [(0, 1.5), (9, 1.6)])
+
+    def test_heavy_elements_are_read_from_names_that_have_no_columns(self):
+        self.input("heavy.pqr", "HETATM 1 FE HEM A 1 0 0 0 2 1\nHETATM 2 NA HEM A 1 5 0 0 0 1\n"
+                                "ATOM 3 SE MSE A 3 9 0 0 0 1\nATOM 4 CA MSE A 3 13 0 0 0 1\n"
+                                "HETATM 5 CL1 LIG A 4 17 0 0 0 1\nHETATM 6 MG ATP A 5 21 0 0 0 1\n"
+                                "ATOM 7 CD1 LEU A 6 25 0 0 0 1\nATOM 8 HG SER A 7 29 0 0 0 1\n")
+        elements = json.loads(self.run_morskin("info", "heavy.pqr", "--json").stdout)["elements"]
+        self.assertEqual(elements, {"C": 2, "Cl": 1, "Fe": 1, "H": 1, "Mg": 1, "N": 1, "Se": 1})
+
+    def test_a_location_without_a_letter_is_one_of_several(self):
+        line = "ATOM      {} {:<4}{}ALA A   1    {:8.3f}   0.000   0.000{:6.2f}  0.00           C\n"
+        text = (line.format(1, " CA", " ", 0, 0.6) + line.format(2, " CA", "B", 0.5, 0.4) +
+                line.format(3, " CB", " ", 3, 1))
+        for words, places in (((), [0, 3]), (("--altloc", "B"), [0.5, 3]),
+                              (("--altloc", "all"), [0, 0.5, 3])):
+            found = self.balls("blank.pdb", text, *words)
+            self.assertEqual([x for x, _ in found], places)
+
+    def test_models_of_one_number_are_refused_where_all_are_asked_for(self):
+        atom = "ATOM      1  CA  ALA A   1    {:8.3f}   0.000   0.000  1.00  0.00           C\n"
+        self.input("twice.pdb", "".join(f"MODEL        1\n{atom.format(x)}ENDMDL\n"
+                                        for x in (0, 9)))
+        words = ("mesh", "twice.pdb", "-o", "out.ply", "-C", "0.3")
+        self.assertIn(b"two of its models have the number 1",
+                      self.run_morskin(*words, "--model-number", "all", code=4).stderr)
+        self.run_morskin(*words, "--model-number", "1")
+
+    def cif(self, *atoms):
+        keys = ("group_PDB", "type_symbol", "label_atom_id", "label_comp_id", "label_asym_id",
+                "label_seq_id", "Cartn_x", "Cartn_y", "Cartn_z")
+        return "".join(["data_a\nloop_\n", *(f"_atom_site.{key}\n" for key in keys),
+                        *(f"ATOM C {name} ALA {chain} 1 {x} 0 0\n" for name, chain, x in atoms)])
+
+    def test_names_that_differ_only_beyond_what_is_kept_are_refused(self):
+        for atoms in ((("C1", "Heavychain1", 0), ("C1", "Heavychain2", 9)),
+                      (("CARBON_A1", "A", 0), ("CARBON_A2", "A", 9))):
+            self.input("long.cif", self.cif(*atoms))
+            complaint = self.complaint(code=4, file="long.cif")
+            self.assertIn("differ only behind their 8th character", complaint)
+        self.assertEqual(len(self.balls("long.cif", self.cif(("C1", "Heavychain1", 0)),
+                                        "--chain", "Heavychain1")), 1)
+
+    def test_an_assembly_is_of_the_block_that_the_atoms_are_of(self):
+        moves = "".join(f"_pdbx_struct_oper_list.{key} {value}\n" for key, value in [
+            ("id", 1), *((f"matrix[{i}][{j}]", int(i == j)) for i in (1, 2, 3) for j in (1, 2, 3)),
+            ("vector[1]", 50), ("vector[2]", 0), ("vector[3]", 0)])
+        assembly = ("_pdbx_struct_assembly_gen.assembly_id 1\n"
+                    "_pdbx_struct_assembly_gen.oper_expression 1\n"
+                    "_pdbx_struct_assembly_gen.asym_id_list A\n" + moves)
+        block = self.cif(("C1", "A", 0)) + assembly
+        found = self.balls("two.cif", block + block.replace("data_a", "data_b"),
+                           "--biological-assembly", "1")
+        self.assertEqual([x for x, _ in found], [50])
+
     def test_the_defaults_change_nothing_when_they_are_spelt_out(self):
         spelt = self.info("--altloc", "likeliest", "--hydrogens", "keep", "--hetatm", "all")
         self.assertEqual(spelt, self.info())
