@@ -174,8 +174,9 @@ sanitize: deps  ## run the tests with the address and undefined behaviour saniti
 	cmake --build build/sanitize --parallel $(JOBS)
 	ctest --test-dir build/sanitize --output-on-failure
 
+# Others may read what is installed, whatever the umask of who installs.
 install: build  ## install command, library, manual and examples under PREFIX (DESTDIR too)
-	cmake --install build --prefix "$(PREFIX)"
+	umask 022 && cmake --install build --prefix "$(PREFIX)"
 
 # Only what is installed: the packages and the static binary take no tests.
 installed_targets = morskin_command morskin_manual installed_library
