@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <utility>
 
 #include "app/report.h"
 #include "app/selection_arguments.h"
@@ -163,6 +164,7 @@ std::string skin_text(const CheckReport& report) {
   text += line("normals", "no more than " + brief(d.max_normal_deg) + " degrees off the skin's");
   text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
                                " with a vertex in the surface ball");
+  if (report.arguments.surface) text = about_surface(std::move(text));
   text += "the worst ten:\n";
   const auto triangle = [](const certify::BadTriangle& bad) {
     return std::to_string(bad.triangle) + ": " + brief(bad.value);

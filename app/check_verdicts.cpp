@@ -1,9 +1,9 @@
 #include <initializer_list>
-#include <string_view>
 #include <utility>
 
 #include "app/check_report.h"
 #include "app/report.h"
+#include "app/surface_report.h"
 
 namespace morskin::app {
 namespace {
@@ -98,14 +98,6 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
   verdicts.push_back(delaunay);
 }
 
-/// Of a surface that is no skin.
-void call_it_surface(std::string& text) {
-  constexpr std::string_view skin = "the skin", surface = "the surface";
-  for (std::size_t at = 0; (at = text.find(skin, at)) != std::string::npos;) {
-    text.replace(at, skin.size(), surface);
-  }
-}
-
 }  // namespace
 
 std::vector<Verdict> CheckReport::verdicts() const {
@@ -121,8 +113,8 @@ std::vector<Verdict> CheckReport::verdicts() const {
   if (against) add_skin_verdicts(*against, result);
   for (Verdict& verdict : result) {
     if (!arguments.surface) break;
-    call_it_surface(verdict.name);
-    call_it_surface(verdict.reason);
+    verdict.name = about_surface(std::move(verdict.name));
+    verdict.reason = about_surface(std::move(verdict.reason));
   }
   return result;
 }

@@ -33,7 +33,7 @@ morskin::MeshingOptions options_of(const MeshArguments& arguments) {
 void publish(const SurfaceReport& report, const MeshArguments& arguments) {
   if (!report.certificate.certified) {
     std::cerr << "morskin: " << arguments.outputs.front().string()
-              << ": not certified: " << report.certificate.reason << "\n";
+              << ": not certified: " << about_surface(report.certificate.reason) << "\n";
   }
   if (arguments.quiet && !arguments.json) return;
   const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||

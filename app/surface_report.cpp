@@ -46,6 +46,14 @@ std::string json_text(const SurfaceReport& report) {
   return strict_json(json);
 }
 
+std::string about_surface(std::string text) {
+  constexpr std::string_view skin = "the skin", surface = "the surface";
+  for (std::size_t at = 0; (at = text.find(skin, at)) != std::string::npos;) {
+    text.replace(at, skin.size(), surface);
+  }
+  return text;
+}
+
 std::string people_text(const SurfaceReport& report) {
   std::string outputs;
   for (const std::filesystem::path& output : report.outputs) {
@@ -63,7 +71,7 @@ std::string people_text(const SurfaceReport& report) {
                                     ? ", all of them, proved"
                                     : "; undecided " + counted(facts.undecided, "box", "boxes")));
   text += measures_text(report.certificate, report.sizing) +
-          certificate_text(report.certificate, critical_points_say);
+          about_surface(certificate_text(report.certificate, critical_points_say));
   text += quality_text(report.quality, report.certificate.area);
   text += line("time", brief(report.total_seconds, 3) + " s: prepare " +
                            brief(report.prepare_seconds, 2) + ", mesh " +
@@ -71,7 +79,7 @@ std::string people_text(const SurfaceReport& report) {
                            brief(report.certify_seconds, 2));
   text += report.certificate.certified
               ? "certified: homeomorphic to the surface (" + report.certified_file + " read back)\n"
-              : "NOT certified: " + report.certificate.reason + "\n";
+              : "NOT certified: " + about_surface(report.certificate.reason) + "\n";
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
@@ -40,6 +41,9 @@ struct SurfaceReport {
 /// As strict_json writes it.
 std::string json_text(const SurfaceReport& report);
 std::string people_text(const SurfaceReport& report);
+
+/// The same text of a surface that is no skin. What the certificate says is worded for skins.
+std::string about_surface(std::string text);
 
 /// The source of the expected numbers, in certificate_text().
 inline constexpr std::string_view critical_points_say = "the critical points say";

@@ -161,10 +161,11 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
 }
 
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
-                  const Circumcircle& circle, double max_G) {
+                  const Circumcircle& circle) {
   const TriangleBounds triangle{TriangleSides(corners), circle.radius,
                                 circle.doubled_area.normalized(), 0};
-  const double max_error = error_of_mesher * max_length_scale(corners);
+  const double largest = max_length_scale(corners), max_error = error_of_mesher * largest;
+  const double max_G = surface.residual_bound(largest);
   if (prove_quickly(corners, triangle, {{max_G, max_G, max_G}, max_error}).holds()) return true;
   if (is_hopeless(corners, circle.radius)) return false;
   const auto see = [&](const Point& x, CellId cell) {

@@ -40,8 +40,8 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
                      const TriangleBounds& triangle, const CornerBounds& bounds);
 
 /// Whether both conditions hold by the same argument in plain doubles: for a mesher, not for a
-/// proof. @param max_G  bound on |G| at the corners, Angstrom^2
+/// proof. @pre the corners are where Surface::project put them
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
-                  const Circumcircle& circle, double max_G);
+                  const Circumcircle& circle);
 
 }  // namespace morskin::certify

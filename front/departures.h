@@ -47,12 +47,12 @@ class Departures : public FrontMirror {
     }
   }
 
-  /// Keeps a departure for later: one that the guard refused, or one too near the sweep's
-  /// highest or lowest level.
+  /// Keeps a departure for later: one that the guard refused, or one too near the border of
+  /// the sweep's region.
   void defer(const Departure& d) { refused_.push_back(d); }
   void postpone(const Departure& d) { outside_.push_back(d); }
   /// Puts them back: what was refused while the front stood differently may go now; what was
-  /// outside may go once there is no such level.
+  /// outside may go in a larger region.
   void retry_refused() { put_back(std::exchange(refused_, {})); }
   void release_postponed() { put_back(std::exchange(outside_, {})); }
 

@@ -6,7 +6,7 @@
 /// A query at a point of length scale rho looks into the band of rho. Since rho is 1-Lipschitz, a
 /// corner within max_radius() of the point has its own length scale within a known factor,
 /// so a corner is filed in every band from which it can be asked for, its own and perhaps one
-/// more: nothing within the radius is missed.
+/// or two more: nothing within the radius is missed.
 
 #include <algorithm>
 #include <array>

@@ -26,7 +26,7 @@ void Snapshots::finished(Front& front) {
 
 void Snapshots::show_up_to(double value, const Front& front) {
   for (; shown_ < values_.size() && values_[shown_] <= value; ++shown_) {
-    callback_({guide_.function, values_[shown_], front.mesh(), front});
+    callback_({guide_.function, front.mesh(), front});
   }
 }
 

@@ -11,7 +11,6 @@ namespace morskin::front {
 /// The state of a sweep.
 struct Snapshot {
   const morse::MorseFunction& function;
-  double value;  ///< of the function at the departure vertex
   const Mesh& mesh;
   const Front& front;
 };

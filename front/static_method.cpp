@@ -76,10 +76,15 @@ std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
   const geometry::KdTree<SeedId> tree(positions);
   std::vector<char> is_seed(candidates.size(), 0);
   const double share = min_spacing * sizing.C * sizing.Q;
+  double largest = 0;
+  for (const SurfacePoint& p : candidates) {
+    largest = std::max(largest, sizing.scale(p.length_scale));
+  }
   const auto is_free = [&](std::size_t i) {
     const SurfacePoint& p = candidates[i];
-    // rho is 1-Lipschitz: a point nearer than share times its own rho is nearer than this.
-    const double radius = share / (1 - std::min(share, 0.5)) * sizing.scale(p.length_scale);
+    // rho is 1-Lipschitz: a point nearer than share times its own rho has no larger one than this.
+    const double own = sizing.scale(p.length_scale);
+    const double radius = share * (share < 1 ? std::min(own / (1 - share), largest) : largest);
     bool free = true;
     tree.for_each_within(p.position, radius, [&](const auto& near) {
       const SurfacePoint& q = candidates[near.id.index()];

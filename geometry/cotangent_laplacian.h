@@ -20,7 +20,8 @@ struct SparseMatrix {
 /// and b the angles opposite to the edge ij, and L_ii such that rows add up to 0. It is symmetric
 /// to the last bit and positive semidefinite, and x^T L x is the integral of |grad x|^2, the
 /// Dirichlet energy of the function that is x at the vertices and linear on each triangle.
-/// @pre no triangle is degenerate, and a quarter of 2^31 vertices at most
+/// @pre no triangle is degenerate; vertices and twice the edges, some 7 for each vertex, are fewer
+///      than 2^31
 /// Source: Pinkall & Polthier 1993.
 SparseMatrix cotangent_laplacian(const IndexedMesh& mesh);
 

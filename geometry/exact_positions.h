@@ -12,8 +12,8 @@ namespace morskin::geometry {
 /// so that a product of three differences neither overflows nor loses its last bit.
 ///
 /// Positions out of range are scaled by one power of two, which changes no sign, and rounded to
-/// multiples of 2^-300, which changes only coordinates below 2^-248, 2^278 times smaller than the
-/// largest.
+/// multiples of 2^-300, which changes only coordinates below 2^-248, more than 2^277 times smaller
+/// than the largest.
 class ExactPositions {
  public:
   /// @param positions  all finite; must outlive this object.

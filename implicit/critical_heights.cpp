@@ -71,9 +71,6 @@ struct Isolated {
   int index;
 };
 
-bool contains(const Box& outer, const Box& inner) {
-  return (outer.centre - inner.centre).cwiseAbs().maxCoeff() + inner.half < outer.half;
-}
 bool meet(const Box& a, const Box& b) {
   return (a.centre - b.centre).cwiseAbs().maxCoeff() <= a.half + b.half;
 }
@@ -144,7 +141,7 @@ void merge(const std::vector<Isolated>& zeros, CriticalHeights& result) {
     bool is_new = true;
     for (const Isolated& other : kept) {
       if (!meet(zero.at, other.at)) continue;
-      if (!contains(other.only, zero.at) && !contains(zero.only, other.at)) {
+      if (!other.only.contains(zero.at) && !zero.only.contains(other.at)) {
         result.undecided.push_back(zero.at.centre);
       }
       is_new = false;
@@ -160,9 +157,7 @@ void merge(const std::vector<Isolated>& zeros, CriticalHeights& result) {
 
 LevelDirections LevelDirections::of(const Vector& height) {
   const geometry::TangentFrame frame(height.normalized());
-  LevelDirections result{frame.first, frame.second};
-  if (result.height().dot(height) < 0) std::swap(result.u, result.v);
-  return result;
+  return {frame.first, frame.second};
 }
 
 std::array<std::size_t, 3> CriticalHeights::counts() const {

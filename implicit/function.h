@@ -21,6 +21,10 @@ struct Box {
     const double q = half / 2;
     return {centre + q * Vector(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1), q};
   }
+  /// Whether another lies inside, off the boundary.
+  bool contains(const Box& other) const {
+    return (centre - other.centre).cwiseAbs().maxCoeff() + other.half < half;
+  }
   Interval side(int axis) const { return Interval::about(centre[axis], half); }
   /// Upper bound on the distance from the centre.
   double radius() const { return half * (std::sqrt(3.0) * (1 + 0x1p-40)); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/id.h"
 
 namespace morskin::implicit {
 
@@ -77,6 +78,8 @@ Gaussians::Grid Gaussians::grid(double tail) const {
           const double near = std::max(0.0, (middle - ball.centre).norm() - radius);
           if (near * near - ball.radius * ball.radius < least + gap) result.ids.push_back(id);
         }
+        geometry::require_capacity(result.ids.size(), geometry::no_index,
+                                   "pairs of a voxel and a ball near it");
       }
     }
   }
@@ -161,7 +164,8 @@ Gaussians::Terms Gaussians::terms(const Point& x, Ids ids, double tail) const {
 Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
   const auto [shift, reference, weights, sum, mean] = terms(x, near({x, 0}, fine_), fine_tail);
   Jet<Interval, 1> result;
-  const Interval whole_sum{sum.low, Interval::up(sum.high * (1 + 2 * fine_tail))};
+  static_assert(2 * fine_tail < 0x1p-52);  // so that up() counts the balls that are left out
+  const Interval whole_sum{sum.low, Interval::up(sum.high)};
   result.value =
       Interval(shift) - log(whole_sum / Interval(options_.level)) / Interval(options_.decay);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -2,6 +2,9 @@
 
 /// A bound on the second derivatives of a function round its zero set, by branch and bound.
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/run.h"
 #include "implicit/function.h"
 #include "implicit/room.h"
@@ -15,6 +18,12 @@ struct Levelling {
 
   /// The derivative by f, from 1 at the surface down.
   double slope(double f) const { return f > 0 ? std::exp(-rate * f) : 1; }
+  /// Bounds on it, from bounds on f.
+  Interval slope(const Interval& f) const {
+    const Interval outside{std::max(0.0, f.low), std::max(0.0, f.high)};
+    const Interval falling = exp(-(Interval(rate) * outside));
+    return {falling.low, std::min(1.0, falling.high)};
+  }
   double value(double f) const { return f > 0 && rate > 0 ? -std::expm1(-rate * f) / rate : f; }
 };
 

@@ -54,8 +54,7 @@ surface::Enclosure ImplicitSurface::enclose(const Point& x, CellId) const {
     const double G = 2 * levelling_.value(value) / M_;
     return G + side * rounding * std::abs(G);
   };
-  const Interval slope{(1 - rounding) * levelling_.slope(f.value.high),
-                       (1 + rounding) * levelling_.slope(f.value.low)};
+  const Interval slope = levelling_.slope(f.value);
   surface::Enclosure result{levelled(f.value.low, -1), levelled(f.value.high, 1), {}, 0};
   Triple<Interval> radii;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -151,20 +150,22 @@ surface::LineCrossing ImplicitSurface::zero(const Point& p, const Point& q, doub
 surface::Samples ImplicitSurface::samples() const {
   constexpr double most = 4096;
   std::vector<double> integral;  // by box
-  double whole = 0;
+  double whole = 0, met = 0;     // met: boxes that seem to be
   for (const CoverBox& b : cover_.boxes) {
     const double n = std::sqrt(b.min_gradient * b.max_gradient) / M_;
     integral.push_back(area_estimate(*f_, b) / (n * n));
     whole += integral.back();
+    met += integral.back() > 0 ? 1 : 0;
   }
-  const double count = std::min<double>(most, static_cast<double>(cover_.boxes.size()));
-  surface::Samples result{{}, whole / count};
-  double sum = 0, next = result.each / 2;
+  surface::Samples result{{}, whole / std::max(1.0, std::min(most, met))};
+  double due = 0;
   for (std::size_t i = 0; i < cover_.boxes.size(); ++i) {
-    sum += integral[i];
-    if (!(sum > next)) continue;
-    next += result.each;
-    if (const auto p = project(cover_.boxes[i].box.centre, CellId{0U})) result.points.push_back(*p);
+    due += integral[i];
+    if (!(due > result.each / 2)) continue;
+    const auto p = project(cover_.boxes[i].box.centre, CellId{0U});
+    for (; due > result.each / 2; due -= result.each) {
+      if (p) result.points.push_back(*p);
+    }
   }
   return result;
 }

@@ -87,9 +87,6 @@ inline Interval intersection(const Interval& a, const Interval& b) {
   const Interval both{std::max(a.low, b.low), std::min(a.high, b.high)};
   return both.low <= both.high ? both : a;
 }
-inline Interval hull(const Interval& a, const Interval& b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
 
 namespace internal {
 /// Four units in the last place outward, for functions of the C library.

@@ -64,7 +64,7 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
     gradient = std::max(gradient, at.gradient.norm());
   }
   constexpr double step = 1.25, largest = 1e6;
-  for (double M = step * least; M <= largest * least; M *= step) {
+  for (double M = step * least; M > 0 && M <= largest * least; M *= step) {
     if (auto found = room_for(f, cover, gradient, M, run)) return std::move(*found);
   }
   throw geometry::RefusedInput(
@@ -76,10 +76,6 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
 std::vector<Vector> default_heights() {
   return {Vector(0.0231, 1, 0.0137), Vector(1, 0.0443, -0.0291), Vector(-0.0367, 0.0519, 1),
           Vector(0.5711, 0.6133, 0.5453)};
-}
-
-bool contains(const Box& cube, const Box& part) {
-  return (part.centre - cube.centre).cwiseAbs().maxCoeff() + part.half < cube.half;
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
         bounded = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
         radius = found->bounding_ball().radius;
       }
-      if (contains(cube, bounded->room.cube())) break;
+      if (cube.contains(bounded->room.cube())) break;
     }
     if (!space.is_fixed && cube.half < largest) continue;
     char half[32];

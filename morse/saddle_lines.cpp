@@ -27,6 +27,7 @@ SaddleLines::SaddleLines(const skin::SkinSurface& skin, const MorseFunction& f,
 
 /// Traces every line; each block has its own nodes.
 void SaddleLines::trace_all(const geometry::Run& run) {
+  if (lines_.empty()) return;
   // About a millisecond or more a block. Few large blocks of nodes return to the system when freed;
   // many small ones would not.
   constexpr std::size_t min_size = 32, max_blocks = 64;

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Traces one integral line from cell wall to cell wall. Internal to integral_lines.cpp.
+/// Traces one integral line from cell wall to cell wall. Internal to integral_lines.cpp, tracer.cpp
+/// and tracer_steps.cpp.
 
 #include <utility>
 

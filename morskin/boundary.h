@@ -34,7 +34,7 @@ inline std::vector<std::uint32_t> outside(const std::vector<geometry::AtomId>& i
   return numbers;
 }
 
-/// Does a piece of work; whatever it throws comes out as an Error.
+/// Does a piece of work; what the library throws comes out as an Error.
 template <class Work>
 auto with_errors(Work work) {
   using Kind = Error::Kind;

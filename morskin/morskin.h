@@ -6,9 +6,10 @@
 ///     const morskin::SkinMesh mesh = skin.mesh({.C = 0.2});
 ///     if (mesh.certificate().certified) morskin::write_mesh(mesh.triangles(), "1crn.ply");
 ///
-/// All lengths are in Angstrom. The library never prints and never exits; whatever goes wrong is an
-/// Error. The same input gives the same bytes on any number of threads. `papers/library.md` goes
-/// through every function with an example.
+/// All lengths are in Angstrom. The library never prints and never exits; what goes wrong is an
+/// Error, but for std::bad_alloc, std::system_error and what `progress` throws. The same input
+/// gives the same bytes on any number of threads. `papers/library.md` goes through every function
+/// with an example.
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/union_find.h"
+#include "geometry/mesh_shape.h"
 #include "skin/skin_components.h"
 
 namespace morskin {
@@ -33,19 +33,13 @@ struct Piece {
 
 /// What hangs together by triangles, each by itself.
 std::vector<Piece> pieces_of(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) {
-  geometry::UnionFind sets(mesh.positions.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
+  const std::vector<std::uint32_t> piece_of = geometry::vertex_components(mesh);
   std::vector<Piece> pieces;
-  std::vector<std::uint32_t> piece_of(sets.size()), index(sets.size());
-  for (std::uint32_t v = 0; v < sets.size(); ++v) {
-    const std::uint32_t first = sets.root(v);
-    if (first == v) pieces.emplace_back();
-    piece_of[v] = first == v ? static_cast<std::uint32_t>(pieces.size() - 1) : piece_of[first];
+  std::vector<std::uint32_t> index;
+  for (std::size_t v = 0; v < piece_of.size(); ++v) {
+    if (piece_of[v] == pieces.size()) pieces.emplace_back();
     Piece& piece = pieces[piece_of[v]];
-    index[v] = static_cast<std::uint32_t>(piece.cells.size());
+    index.push_back(static_cast<std::uint32_t>(piece.cells.size()));
     piece.mesh.positions.push_back(mesh.positions[v]);
     piece.cells.push_back(cells[v]);
   }

@@ -45,7 +45,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
     } else {
       result.refinement.refused = refined.counts.refused;
     }
-    result.refinement.insert += refined.counts.too_big + refined.counts.topological;
+    result.refinement.insert += refined.counts.too_big + refined.counts.thin;
   });
   observer.refined(result.mesh);
   return result;

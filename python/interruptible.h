@@ -93,8 +93,8 @@ auto interruptible(const RunArguments& run, const Work& work) {
     auto value = result.get();
     interruption.rethrow();
     return value;
-  } catch (const Error& error) {
-    if (error.kind() == Error::Kind::Stopped) interruption.rethrow();
+  } catch (const Error&) {
+    interruption.rethrow();  // whether the run was stopped or had failed before it looked
     throw;
   }
 }

@@ -35,7 +35,7 @@ class AngleGoal {
   }
 
   /// From 0 to 1 and above, where both bounds are kept: the squared sine of the angle that breaks
-  /// one most, over the bound's. NaN for three corners in one point.
+  /// one most, over the bound's. NaN for two corners in one point, which then counts as met.
   double quality(const Point& a, const Point& b, const Point& c) const {
     const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
     return quality((b - a).cross(c - a).squaredNorm(), ab, bc, ca);

@@ -68,8 +68,7 @@ class AngleImprovement {
  public:
   AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                    const AngleGoal& goal, std::span<const TriangleId> below)
-      : sizing_(sizing),
-        mesh_(mesh),
+      : mesh_(mesh),
         goal_(goal),
         operations_(surface, sizing, mesh),
         mover_(surface, sizing, mesh, goal, {}),
@@ -251,7 +250,6 @@ class AngleImprovement {
 
   bool misses_goal(TriangleId t) const { return !goal_.is_met(mesh_, t); }
 
-  const Sizing sizing_;
   Mesh& mesh_;
   const AngleGoal goal_;
   LocalOperations operations_;

@@ -77,6 +77,7 @@ AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizin
   Work broken;
   const auto must_break = [&](TriangleId t) {
     broken.big.clear();
+    broken.too_short.clear();
     operations.inspect(t, broken);
     return !broken.big.empty() || !bound.is_met(mesh, t);
   };

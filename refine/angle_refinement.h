@@ -23,8 +23,8 @@ struct AngleRefinementCounts {
   std::vector<Point> left;  ///< first corners of triangles below the bound that it did not break
 };
 
-/// @param bound_deg  at most 30
-/// @pre the mesh is closed, its edges are Delaunay. It comes out compacted.
+/// @param bound_deg  at most 30, but for rounding
+/// @pre the mesh is closed and compact, its edges are Delaunay. It comes out compacted.
 AngleRefinementCounts refine_angles(const surface::Surface& surface, const Sizing& sizing,
                                     Mesh& mesh, double bound_deg,
                                     const geometry::Run& run = geometry::Run());

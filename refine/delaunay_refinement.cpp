@@ -124,8 +124,7 @@ bool DelaunayRefinement::is_thin(Facet facet) const {
 bool DelaunayRefinement::is_proved(Facet inner) const {
   if (sizing_.is_tube_proved()) return true;
   const FacetGeometry facet = geometry_of(inner);
-  return expects_tube(surface_, facet.corners, facet.circle,
-                      surface_.residual_bound(max_length_scale(facet.corners)));
+  return expects_tube(surface_, facet.corners, facet.circle);
 }
 
 void DelaunayRefinement::push(const Ball& ball, Facet facet) {

@@ -20,11 +20,11 @@
 /// than the facet's shortest edge is farther than that edge from all samples, whatever they are.
 ///
 /// No point is ever deleted. Where Q^2 > 2 + 4 C Q no ball too big for [U] makes a pair too short
-/// for [L], and seeds are kept apart, so short edges could come only from samples that the topology
-/// took; `front/static_method` sees to both. For all other constants the spacing of the points
-/// still has a lower bound, so the process ends. That holds for exact balls; where rounding has the
-/// better of them, samples come to lie nearer to others than their balls' radii. These are counted,
-/// and when they are too many the facets are left as they are.
+/// for [L], and seeds are kept apart, so short edges could come only from coarse seed triangles and
+/// from samples that the topology took; `front/static_method` sees to both. For all other constants
+/// the spacing of the points still has a lower bound, so the process ends. That holds for exact
+/// balls; where rounding has the better of them, samples come to lie nearer to others than their
+/// balls' radii. These are counted, and when they are too many the facets are left as they are.
 ///
 /// Source: Chew 1993; Boissonnat & Oudot 2005; Cheng, Dey, Edelsbrunner & Sullivan 2001 ([L], [U]).
 
@@ -43,11 +43,11 @@ namespace morskin::refine {
 
 struct DelaunayRefinementCounts {
   std::size_t seeds = 0;
-  std::size_t too_big = 0;           ///< insertions into surface balls too big for [U]
-  std::size_t thin = 0;              ///< insertions into facets with too small an angle
-  std::size_t topological = 0;       ///< insertions because the facets at a vertex were no disk
-  std::size_t hidden_crossings = 0;  ///< of these, found only by following whole dual edges
-  std::size_t refused = 0;           ///< balls too big that could not be broken
+  std::size_t too_big = 0;           ///< insertions into balls too big for [U] or not provable
+  std::size_t thin = 0;              ///< other insertions, for angles or the topology
+  std::size_t topological = 0;       ///< corners whose facets were no disk
+  std::size_t hidden_crossings = 0;  ///< balls found only by following whole dual edges
+  std::size_t refused = 0;           ///< balls that could not be broken
   std::size_t misplaced = 0;         ///< nearer to a sample than their ball's radius allows
   std::size_t tetrahedra = 0;        ///< made in all
 };

@@ -56,10 +56,8 @@ LazySurfaceBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
 bool LocalOperations::is_big(const std::array<const SurfacePoint*, 3>& p,
                              const Circumcircle& circle) const {
-  const double rho = min_length_scale(p);
-  if (sizing_.triangle_ratio(circle.radius, rho) >= 1) return true;
-  if (sizing_.is_tube_proved()) return false;
-  return !expects_tube(surface_, p, circle, surface_.residual_bound(rho));
+  if (sizing_.triangle_ratio(circle.radius, min_length_scale(p)) >= 1) return true;
+  return !sizing_.is_tube_proved() && !expects_tube(surface_, p, circle);
 }
 
 bool LocalOperations::is_big(VertexId a, VertexId b, VertexId c) const {

@@ -86,8 +86,7 @@ bool VertexMover::keeps_provable(const SurfacePoint& x) const {
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
     const Circumcircle circle = circumcircle(x.position, p.position, q.position);
-    const double residual = surface_.residual_bound(x.length_scale);
-    if (!expects_tube(surface_, {&x, &p, &q}, circle, residual)) return false;
+    if (!expects_tube(surface_, {&x, &p, &q}, circle)) return false;
   }
   return true;
 }

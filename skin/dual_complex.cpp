@@ -9,6 +9,7 @@
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
 #include "skin/complement.h"
+#include "skin/mixed_complex_internal.h"
 #include "skin/singular_skin.h"
 
 namespace morskin::skin {
@@ -23,13 +24,6 @@ template <std::size_t N>
 AtomId apex_over(const std::array<AtomId, N>& simplex, const std::array<AtomId, N + 1>& coface) {
   return *std::ranges::find_if(
       coface, [&](AtomId a) { return std::ranges::find(simplex, a) == simplex.end(); });
-}
-
-template <std::size_t N>
-std::array<WeightedPoint, N> weighted(const SkinSurface& skin, const std::array<AtomId, N>& ids) {
-  std::array<WeightedPoint, N> result;
-  for (std::size_t i = 0; i < N; ++i) result[i] = skin.points()[ids[i].index()];
-  return result;
 }
 
 /// Whether the orthocentre lies in the closed simplex: no facet's smallest orthosphere contains the
@@ -58,8 +52,8 @@ struct Membership {
   enum class Verdict : std::uint8_t { Out, In, Singular };
 
   Verdict operator()(std::size_t s) const {
-    const auto corners = weighted(skin, simplices[s]);
-    const Sign weight = geometry::orthosphere_weight_sign(corners);
+    const auto simplex = corners(skin.points(), simplices[s]);
+    const Sign weight = geometry::orthosphere_weight_sign(simplex);
     bool is_face = false;  // of a simplex in K
     if constexpr (N < 4) {
       for (const std::uint32_t c : cofaces.of(s)) is_face = is_face || above_in[c];
@@ -72,11 +66,11 @@ struct Membership {
       for (const std::uint32_t c : cofaces.of(s)) {
         const AtomId apex = apex_over(simplices[s], above[c]);
         const bool is_attached = geometry::orthosphere_power_sign(
-                                     corners, skin.points()[apex.index()]) == Sign::Negative;
+                                     simplex, skin.points()[apex.index()]) == Sign::Negative;
         if (is_attached) return is_face ? Verdict::In : Verdict::Out;
       }
     }
-    return weight == Sign::Zero && contains_orthocentre(corners) ? Verdict::Singular : Verdict::In;
+    return weight == Sign::Zero && contains_orthocentre(simplex) ? Verdict::Singular : Verdict::In;
   }
 };
 

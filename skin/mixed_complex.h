@@ -108,8 +108,9 @@ class MixedComplex {
   CellId same(CellId cell, const MixedComplex& other) const { return numbered(other.number(cell)); }
 
   /// Distance, Angstrom, by which a point may be beyond a wall and count as inside: 2^-42 of the
-  /// largest coordinate, above the rounding of a wall's offset. G is C^1 across walls, so at a
-  /// distance d beyond one its value is wrong by 2 d^2 (papers/2.1-molecular-skin.md).
+  /// largest coordinate, above the rounding of a wall's offset but for nearly flat simplices, for
+  /// which 64 of it allow (morse/tracer.h). G is C^1 across walls, so at a distance d beyond one
+  /// its value is wrong by 2 d^2 (papers/2.1-molecular-skin.md).
   double wall_tolerance() const { return wall_tolerance_; }
 
   static constexpr double nearness = 1.0 / 64;

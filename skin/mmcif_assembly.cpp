@@ -92,6 +92,13 @@ class Operators {
     return product;
   }
 
+  /// @param all  the expression that comes to so many copies, with those before it
+  void check_count(std::size_t count, std::string_view all) const {
+    if (count <= max_motions) return;
+    throw RefusedInput(source_ + ": the operators " + quoted(all) +
+                       " make more than 100,000 copies; take another assembly");
+  }
+
  private:
   std::vector<Motion> listed(std::string_view list, std::string_view all) const {
     std::vector<Motion> motions;
@@ -121,12 +128,6 @@ class Operators {
     return found->second;
   }
 
-  void check_count(std::size_t count, std::string_view all) const {
-    if (count <= max_motions) return;
-    throw RefusedInput(source_ + ": the operators " + quoted(all) +
-                       " make more than 100,000 copies; take another assembly");
-  }
-
   [[noreturn]] void fail(std::string_view expression, const std::string& what) const {
     throw UnreadableInput(source_ + ": the expression of operators " + quoted(expression) + " " +
                           what + "; correct it");
@@ -144,12 +145,15 @@ Assembly mmcif_assembly(std::string_view bytes, const std::string& source,
   const Operators operators(tables, source);
   Assembly assembly{name, {}};
   std::vector<std::string> known;
+  std::size_t copies = 0;  // of all parts
   for (const AssemblyTables::Generator& row : tables.generators) {
     if (std::ranges::find(known, row.assembly) == known.end()) known.push_back(row.assembly);
     if (row.assembly != name) continue;
     AssemblyPart& part = assembly.parts.emplace_back();
     for (const std::string_view chain : split(row.chains)) part.chains.insert(Label(chain));
     part.motions = operators.motions(row.expression);
+    copies += part.motions.size();
+    operators.check_count(copies, row.expression);
   }
   if (assembly.parts.empty()) refuse_assembly(source, name, known);
   return assembly;

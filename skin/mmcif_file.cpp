@@ -80,12 +80,14 @@ class AtomTable {
  public:
   AtomTable(cif::Block& block, std::string_view text) {
     for (cif::Item& item : block.items) {
+      if (item.type == cif::ItemType::Pair) take_of_only_row(item.pair);
       if (item.type != cif::ItemType::Loop) continue;
       if (!item.loop.tags.empty() && gemmi::istarts_with(item.loop.tags[0], "_atom_site.")) {
         loop_ = &item.loop;
         find_lines(text, item.line_number);
       }
     }
+    if (loop_ == nullptr && !only_row_.tags.empty()) loop_ = &only_row_;
     if (loop_ == nullptr) return;
     for (std::size_t column = 0; column < ColumnCount; ++column) {
       columns_[column] = column_of(column_tags[column].tag);
@@ -110,6 +112,13 @@ class AtomTable {
   }
 
  private:
+  // A table of one row may be written as tags with their values.
+  void take_of_only_row(const cif::Pair& pair) {
+    if (!gemmi::istarts_with(pair[0], "_atom_site.")) return;
+    only_row_.tags.push_back(pair[0]);
+    only_row_.values.push_back(pair[1]);
+  }
+
   int column_of(std::string_view tag) const {
     if (tag.empty()) return -1;
     return loop_->find_tag("_atom_site." + std::string(tag));
@@ -137,6 +146,7 @@ class AtomTable {
   }
 
   cif::Loop* loop_ = nullptr;
+  cif::Loop only_row_;
   std::array<int, ColumnCount> columns_{};
   std::size_t first_line_ = 0;  // of the first row; 0 if unknown
 };
@@ -170,7 +180,7 @@ class Names {
 
   Label label(const std::string& name) {
     const Label cut(name);
-    if (cut.view().size() == name.size()) return cut;
+    if (name.size() < Label::max_size) return cut;
     const auto [place, is_new] = whole_.try_emplace(cut, name);
     if (!is_new && place->second != name) {
       throw geometry::RefusedInput(source_ + ": the names " + geometry::quoted(name) + " and " +
@@ -201,6 +211,11 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
   atom.element = element_of(table.value(row, Symbol), name, atom.residue.view());
   record.is_hetatm = table.value(row, Record) == "HETATM";
   const std::string alternate = table.value(row, Alternate);
+  if (alternate.size() > 1) {
+    throw geometry::RefusedInput(source + ": the alternate location " +
+                                 geometry::quoted(alternate) +
+                                 " has more than one letter; rename it");
+  }
   record.alternate = alternate.empty() ? ' ' : alternate[0];
   if (table.has(Occupancy)) record.occupancy = cif::as_number(table.raw(row, Occupancy), 1.0);
   return record;

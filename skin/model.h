@@ -18,9 +18,8 @@ namespace morskin::skin {
 ///                                    molecules of three
 ///     Sas     W = 2 (r + p)^2        patches have the solvent-accessible radius r + p
 ///     Vdw     W = 2 r^2              patches have the radius r; the probe plays no part
-///     SesLike W = 2 (r + s)^2        s = ses_like_offset: of these skins the one that comes
-///     nearest
-///                                    to the solvent-excluded surface for a probe of 1.4 Angstrom
+///     SesLike W = 2 (r + s)^2        s = ses_like_offset: of these skins the nearest to the
+///                                    solvent-excluded surface for a probe of 1.4 Angstrom
 ///                                    (bench/ses_like.py); it is none. The probe plays no part
 ///     Given   W as in the file       of a file of weights (XYZW), which has no radii
 ///

@@ -16,6 +16,8 @@ namespace morskin::skin {
 /// Up to eight characters, without allocation; a longer text is cut.
 class Label {
  public:
+  static constexpr std::size_t max_size = 8;  ///< of longer names the first so many characters
+
   Label() = default;
   explicit Label(std::string_view text) { text.copy(letters_.data(), letters_.size()); }
 
@@ -27,7 +29,7 @@ class Label {
   friend auto operator<=>(const Label&, const Label&) = default;
 
  private:
-  std::array<char, 8> letters_{};  // the unused ones are zero
+  std::array<char, max_size> letters_{};  // the unused ones are zero
 };
 
 /// A ball of the molecule with its description in the file; missing fields are empty.
@@ -44,7 +46,7 @@ struct Atom {
 
 /// Atoms and models of a file that were left out, and duplicates that were kept.
 struct ReadingCounts {
-  std::size_t other_chains = 0;  ///< atoms left out for their chain
+  std::size_t other_chains = 0;  ///< atoms left out for their chain, or in no part of the assembly
   std::size_t waters = 0;        ///< atoms of water left out
   std::size_t hetatms = 0;       ///< atoms left out for their HETATM record
   std::size_t alternates = 0;    ///< atoms left out for another of their alternate locations

@@ -56,7 +56,9 @@ bool is_four_numbers(std::string_view line) {
 bool is_pqr_atom(std::string_view line) {
   if (line.size() >= 66 && line[57] == '.' && line[63] == '.') return false;
   const std::vector<std::string_view> fields = geometry::fields_of(line);
-  if (fields.size() < 10 || fields.size() > 11) return false;
+  const bool has_serial_apart = fields[0] == "ATOM" || fields[0] == "HETATM";
+  const std::size_t count = fields.size() + (has_serial_apart ? 0 : 1);
+  if (count < 10 || count > 11) return false;
   return std::all_of(fields.end() - 5, fields.end(),
                      [](std::string_view field) { return parse_double(field).has_value(); });
 }
@@ -70,7 +72,7 @@ std::optional<MoleculeFormat> format_by_content(std::string_view bytes) {
     const std::string_view word = take_field(fields);
     if (trimmed(line) == molecule_formats::weights_line) return MoleculeFormat::Xyzw;
     if (word.empty() || word[0] == '#') continue;
-    if (word == "ATOM" || word.starts_with("HETATM")) {
+    if (molecule_formats::is_pqr_record(word)) {
       return is_pqr_atom(line) ? MoleculeFormat::Pqr : MoleculeFormat::Pdb;
     }
     if (is_pdb) continue;

@@ -89,6 +89,9 @@ ParsedFile parse_records(std::string_view bytes, const std::string& source,
                          AtomRecord (*atom_on)(const geometry::TextLines& lines),
                          ModelSearch& models);
 
+/// Whether a word begins a PQR atom: ATOM or HETATM, a serial number sticking to it or not.
+bool is_pqr_record(std::string_view word);
+
 /// Begins a file of weights, which nothing else tells from one of radii.
 constexpr std::string_view weights_line = "# x y z w";
 
@@ -99,7 +102,9 @@ constexpr std::string_view weights_line = "# x y z w";
 /// @return a symbol as in radii.h, or "" if unknown
 std::string_view element_from_name(std::string_view name, std::string_view residue);
 
-/// The same for a name without its columns: the first letter decides unless the name has four.
+/// The same for a name without its columns. The first letter decides, but in a name that is also
+/// its residue's (an ion), where it is no element, and for the heavier elements listed in
+/// pdb_file.cpp.
 std::string_view element_from_word(std::string_view name, std::string_view residue);
 
 /// Whether the residue is one of the standard amino acids or nucleotides.

@@ -25,8 +25,8 @@ using Simplex = std::span<const WeightedPoint>;
 constexpr double flat = 0x1p-10;
 /// Above this share the sign of a product is right: rounding is below 2^-50.
 constexpr double doubtful = 0x1p-40;
-/// Such a share for a weight against its two terms: 64 - 20 bits remain, less a few for rounding.
-constexpr long double thin = 0x1p-20L;
+/// Such a share for a weight against its terms: of 64 - 10 bits 14 less remain.
+constexpr long double thin = 0x1p-14L;
 
 Wide wide(const Vector& v) { return v.cast<long double>(); }
 
@@ -65,8 +65,8 @@ Fraction<Wide, long double> wide_fraction(Simplex simplex) {
   auto& [edges, powers] = arms;
   for (std::size_t i = 1; i < simplex.size(); ++i) {
     edges[i - 1] = wide(simplex[i].position) - wide(simplex[0].position);
-    powers[i - 1] = edges[i - 1].squaredNorm() + static_cast<long double>(simplex[0].weight) -
-                    simplex[i].weight;
+    const long double more = static_cast<long double>(simplex[0].weight) - simplex[i].weight;
+    powers[i - 1] = edges[i - 1].squaredNorm() + more;
   }
   return fraction(arms, simplex.size());
 }
@@ -124,8 +124,9 @@ Orthocentre orthocentre(Simplex simplex) {
     normal = exact.normal.rounded();
   }
   const long double square = offset.squaredNorm();
+  const long double edge = (wide(simplex[1].position) - first).squaredNorm();
   long double weight = first_weight - square;
-  if (std::abs(weight) < thin * (std::abs(first_weight) + square)) {
+  if (std::abs(weight) < thin * (std::abs(first_weight) + square + edge)) {
     const auto arms = exact_arms(simplex);
     weight = exact_weight(simplex, arms, fraction(arms, simplex.size()));
   }

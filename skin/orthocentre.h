@@ -40,8 +40,8 @@ double rough_weight(const std::array<geometry::WeightedPoint, 4>& tetrahedron);
 std::optional<geometry::Point> point_in_free_ball(
     const std::array<geometry::WeightedPoint, 4>& tetrahedron);
 
-/// The unit vector orthogonal to a facet of a simplex, towards the opposite vertex, right to a few
-/// last bits.
+/// The unit vector orthogonal to a facet of a simplex, towards the opposite vertex, with an error
+/// below 2^-42.
 /// @param points  2 to 4 affinely independent points, the vertex last
 geometry::Vector direction_off_facet(std::span<const geometry::Point> points);
 

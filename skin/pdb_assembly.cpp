@@ -114,7 +114,10 @@ class Reader {
     motion_.name = name_of(motion_);
     motions.push_back(std::exchange(motion_, {}));
     rows_ = 0;
-    if (motions.size() > max_motions) lines_.fail("has more than 100,000 matrices; remove some");
+    if (++motion_count_ > max_motions) {
+      throw geometry::RefusedInput(lines_.location() +
+                                   ": has more than 100,000 matrices; remove some");
+    }
   }
 
   /// By its numbers, so that one motion has one name.
@@ -134,7 +137,8 @@ class Reader {
   TextLines lines_;
   Assembly wanted_;
   std::vector<std::string> known_;
-  bool is_wanted_ = false;  // what is being read
+  bool is_wanted_ = false;        // what is being read
+  std::size_t motion_count_ = 0;  // of all parts
   Motion motion_;
   Eigen::Index rows_ = 0;  // of the motion that have come
 };

@@ -116,7 +116,7 @@ std::string_view element_from_name(std::string_view name, std::string_view resid
 
   // The name begins in column 13.
   const std::string_view two = name.substr(0, 2);
-  const bool is_long = name.size() == 4 && name[3] != ' ';
+  const bool is_long = name.size() >= 4 && name[3] != ' ';
   if (name.size() < 2 || !is_letter(name[1])) return symbol_or_empty(one);
   if (is_long) {
     const bool is_heavy = std::ranges::find(heavy_in_long_names, two) != heavy_in_long_names.end();

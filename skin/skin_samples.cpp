@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/orthogonal.h"
+#include "skin/skin_surface.h"
 
 namespace morskin::skin {
 
@@ -31,8 +32,8 @@ Point on_sphere(const Patch& patch, const Eigen::Vector2d& u) {
 /// The integral of rho^-2 goes evenly with t where, at s along the axis from the middle,
 /// s = sqrt(k / 2) sinh t on one sheet, s = +-sqrt(k / 2) cosh t on two, with k = |w| / 2.
 Point on_hyperboloid(const Patch& patch, double largest, const Eigen::Vector2d& u) {
-  const double k = std::abs(patch.half_weight), radius = std::sqrt(k / 2);
-  const double most = std::asinh(largest / std::sqrt(k)), t = (2 * u.x() - 1) * most;
+  const double waist = waist_radius(patch, largest), k = waist * waist, radius = std::sqrt(k / 2);
+  const double most = std::asinh(largest / waist), t = (2 * u.x() - 1) * most;
   const bool is_one_sheet = patch.sign * patch.half_weight > 0;
   const double vertex = std::acosh(std::sqrt(2.0));
   const double s = is_one_sheet ? radius * std::sinh(t)

@@ -152,13 +152,17 @@ double SkinSurface::max_length_scale() const {
   return std::sqrt(max_weight / 2);
 }
 
+double waist_radius(const Patch& patch, double max_length_scale) {
+  return std::max(std::sqrt(std::abs(patch.half_weight)), 0x1p-100 * max_length_scale);
+}
+
 /// On a hyperboloid of one sheet, at s along the axis from the middle, rho^2 = k + 2 s^2 with k the
 /// square of the waist's radius, and the integral of 2 pi / rho ds over both sides is that of
 /// rho^-2. With two sheets, k the square of half their distance, it is less.
 PatchExtent extent_of(const Patch& patch, double max_length_scale) {
-  const double k = std::abs(patch.half_weight);
-  if (patch.axis.isZero(0)) return {4 * M_PI, std::sqrt(k)};
-  const double area = 2 * std::sqrt(2.0) * M_PI * std::asinh(max_length_scale / std::sqrt(k));
+  if (patch.axis.isZero(0)) return {4 * M_PI, std::sqrt(std::abs(patch.half_weight))};
+  const double waist = waist_radius(patch, max_length_scale);
+  const double area = 2 * std::sqrt(2.0) * M_PI * std::asinh(max_length_scale / waist);
   return {area, max_length_scale};
 }
 

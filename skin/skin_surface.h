@@ -115,6 +115,9 @@ class SkinSurface final : public surface::Surface {
   LeastPower powers_;
 };
 
+/// Of a hyperboloid's waist, or half the distance of its sheets. A cone has neither; it counts as
+/// if it had too narrow a one to tell.
+double waist_radius(const Patch& patch, double max_length_scale);
 /// Bounds on the surface that a patch can describe, up to a length scale.
 PatchExtent extent_of(const Patch& patch, double max_length_scale);
 

@@ -32,17 +32,6 @@ std::uint32_t line_number(const TextLines& lines) {
   return static_cast<std::uint32_t>(lines.number());
 }
 
-/// Whether a line begins with ATOM or HETATM, a serial number sticking to it or not.
-bool is_pqr_record(std::string_view word) {
-  for (const std::string_view record : {"ATOM", "HETATM"}) {
-    if (word.starts_with(record)) {
-      const std::string_view rest = word.substr(record.size());
-      return rest.empty() || record == "HETATM" || parse_integer(rest).has_value();
-    }
-  }
-  return false;
-}
-
 // record serial name residue [chain] number x y z charge radius; the serial may stick to the
 // record, and a number of four digits to the chain's letter.
 AtomRecord pqr_atom(const TextLines& lines) {
@@ -129,6 +118,16 @@ Atom ball(const std::array<double, 4>& row, double radius, const TextLines& line
 }
 
 }  // namespace
+
+bool is_pqr_record(std::string_view word) {
+  for (const std::string_view record : {"ATOM", "HETATM"}) {
+    if (word.starts_with(record)) {
+      const std::string_view rest = word.substr(record.size());
+      return rest.empty() || record == "HETATM" || parse_integer(rest).has_value();
+    }
+  }
+  return false;
+}
 
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSearch& models) {
   const auto is_atom = [](std::string_view line) { return is_pqr_record(take_field(line)); };

@@ -76,7 +76,7 @@ class Measuring {
     if (radius < fineness_ * n) return add_cut(cube, cell, at, slack);
     if (cube.half_side < smallest_) {
       volume_.high += cube.volume();
-      return false;
+      return true;
     }
     bool is_here = false;
     const double half = cube.half_side / 2;
@@ -105,7 +105,7 @@ class Measuring {
     const auto sides = on_skin ? components_.sides(*on_skin) : std::nullopt;
     if (sides && sides->cavity != cavity_) return false;
     volume_.high += shares.high * cube.volume();
-    if (!sides) return false;
+    if (!sides) return true;
     volume_.low += shares.low * cube.volume();
     return shares.high > 0;
   }

@@ -7,6 +7,8 @@
 /// needs: it is at most |N| and 1-Lipschitz, so that the balls of that radius touch the surface
 /// without meeting it. A certificate is of the surface itself.
 
+#include <algorithm>
+
 #include "surface/size_field.h"
 #include "surface/surface.h"
 
@@ -39,10 +41,23 @@ class GradedSurface final : public Surface {
   }
   BoundingBall bounding_ball() const override { return surface_->bounding_ball(); }
   double max_length_scale() const override { return surface_->max_length_scale(); }
+  /// As many as the surface itself has, by the integral of the limited length scales.
   Samples samples() const override {
-    Samples samples = surface_->samples();
-    for (SurfacePoint& x : samples.points) x = graded(x);
-    return samples;
+    const Samples own = surface_->samples();
+    const auto integral = [&](const SurfacePoint& x) {
+      const double ratio = x.length_scale / graded(x).length_scale;
+      return own.each * ratio * ratio;
+    };
+    double whole = 0;
+    for (const SurfacePoint& x : own.points) whole += integral(x);
+    const double count = std::max(1.0, static_cast<double>(own.points.size()));
+    Samples result{{}, whole / count};
+    double due = 0;
+    for (const SurfacePoint& x : own.points) {
+      due += integral(x);
+      for (; due > result.each / 2; due -= result.each) result.points.push_back(graded(x));
+    }
+    return result;
   }
   std::size_t cell_count() const override { return surface_->cell_count(); }
   /// Of the surface itself: the integral of its own length scale.

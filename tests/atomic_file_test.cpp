@@ -21,6 +21,20 @@ TEST_CASE("a file that is replaced keeps its permissions, a link keeps its targe
   CHECK(folder.file_count() == 2);
 }
 
+TEST_CASE("links to a file that does not exist yet lead to where it is made") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "inner");
+  fs::create_symlink("inner/second.json", folder / "first.json");
+  fs::create_symlink("report.json", folder / "inner/second.json");
+  write_file_atomically(folder / "first.json", "new");
+  CHECK(bytes_of(folder / "inner/report.json") == "new");
+  CHECK(fs::is_symlink(folder / "first.json"));
+  CHECK(fs::is_symlink(folder / "inner/second.json"));
+  fs::create_symlink("circle.json", folder / "circle.json");
+  CHECK_THROWS_AS(write_file_atomically(folder / "circle.json", "new"), UnwritableOutput);
+}
+
 TEST_CASE("devices are written to and not replaced") {
   namespace fs = std::filesystem;
   write_file_atomically("/dev/null", "text");

@@ -26,6 +26,25 @@ TEST_CASE("a gzipped file that is cut short, damaged or too large is turned down
                        doctest::Contains("more than 1000 bytes"), UnreadableInput);
   small.max_bytes = small_pdb().size();
   CHECK(parse_molecule(packed, "a.pdb", small).atoms.size() == 3);
+  --small.max_bytes;
+  CHECK_THROWS_AS(parse_molecule(packed, "a.pdb", small), UnreadableInput);
+}
+
+TEST_CASE("names of mmCIF that a short label does not tell apart are refused, not taken for one") {
+  const std::string table =
+      "data_a\nloop_\n_atom_site.label_atom_id\n_atom_site.label_alt_id\n"
+      "_atom_site.auth_asym_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+      "_atom_site.type_symbol\n";
+  const auto with_chains = [&](const std::string& one, const std::string& other) {
+    return table + "C1 . " + one + " 0 0 0 C\nC1 . " + other + " 5 0 0 C\n";
+  };
+  CHECK(parse_molecule(with_chains("ABCDEFGH", "ABCDEFG"), "a.cif").atoms.size() == 2);
+  for (const char* other : {"ABCDEFGH", "ABCDEFGHJ"}) {
+    CHECK_THROWS_AS(parse_molecule(with_chains("ABCDEFGHI", other), "a.cif"), RefusedInput);
+    CHECK_THROWS_AS(parse_molecule(with_chains(other, "ABCDEFGHI"), "a.cif"), RefusedInput);
+  }
+  CHECK_THROWS_WITH_AS(parse_molecule(table + "C1 A1 A 0 0 0 C\nC1 A2 A 0.1 0 0 C\n", "a.cif"),
+                       doctest::Contains("alternate location"), RefusedInput);
 }
 
 TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {

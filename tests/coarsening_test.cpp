@@ -58,9 +58,8 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const auto [a, b, c] = mesh.surface.corners(TriangleId{t});
     const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
-    const double rho = min_length_scale(p);
-    if (sizing.triangle_ratio(circle.radius, rho) >= 1 ||
-        !certify::expects_tube(skin, p, circle, skin.residual_bound(rho))) {
+    if (sizing.triangle_ratio(circle.radius, min_length_scale(p)) >= 1 ||
+        !certify::expects_tube(skin, p, circle)) {
       return false;
     }
   }

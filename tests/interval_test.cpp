@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "implicit/hessian_bound.h"
 #include "implicit/jet.h"
 #include "tests/support/seeds.h"
 #include "tests/support/test.h"
@@ -81,6 +82,25 @@ TEST_CASE("the sine and the cosine reach their turning points") {
   CHECK(sin(Interval{-2, -1}).low == -1);
   CHECK(sin(Interval{0, 7}).low == -1);
   CHECK(sin(Interval{1, 1.2}).high < 0.94);
+}
+
+TEST_CASE("the bounds of a levelling's slope hold however steep it is") {
+  support::for_seeds(3000, [](unsigned seed) {
+    support::Random random(seed);
+    const implicit::Levelling levelling{std::pow(10, random.between(-3, 3))};
+    const double f = random.between(-0.1, 0.7) * 1000 / levelling.rate;
+    const Interval slope = levelling.slope(Interval(f));
+    const long double exact =
+        f > 0 ? std::exp(-static_cast<long double>(levelling.rate) * f) : 1.0L;
+    CHECK(slope.low <= exact);
+    CHECK(slope.high >= exact);
+    const Interval wide = levelling.slope(Interval{f - 1, f + 1});
+    CHECK(wide.low <= slope.low);
+    CHECK(wide.high >= slope.high);
+  });
+  const Interval all = implicit::Levelling{}.slope(Interval::whole());
+  CHECK(all.low <= 0);
+  CHECK(all.high == 1);
 }
 
 TEST_CASE("derivatives of jets are those of differences") {

@@ -38,6 +38,14 @@ TEST_CASE("an old PDB file gives its elements by the columns of the names") {
   CHECK(elements_of(molecule) == "C Ca H Hg H H C N Fe Cl C H O D S");
 }
 
+TEST_CASE("in a longer name without columns the first letter decides as in one of four") {
+  std::string text;
+  for (const char* name : {"HO5''", "NA123", "CA123", "CO123", "CA12", "FE", "CL123"}) {
+    text += "HETATM 1 " + std::string(name) + " LIG 1 0.0 0.0 0.0 0.1 1.7\n";
+  }
+  CHECK(elements_of(parse_molecule(text, "a.pqr")) == "H N C C C Fe Cl");
+}
+
 TEST_CASE("the element columns win where the residue can have that element") {
   const Molecule molecule =
       parse_molecule(pdb_line("HETATM", " X1 ", ' ', "LIG", 1, 0, "  1.00  0.00          BR") +

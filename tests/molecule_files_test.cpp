@@ -2,6 +2,7 @@
 
 #include <clocale>
 
+#include "geometry/error.h"
 #include "skin/radii.h"
 #include "tests/support/molecule_texts.h"
 #include "tests/support/temporary_folder.h"
@@ -40,6 +41,22 @@ TEST_CASE("an mmCIF file gives names, lines, alternates and the first model") {
   CHECK(molecule.counts.other_models == 1);
 }
 
+TEST_CASE("the only atom of an mmCIF file may be written as tags with their values") {
+  const std::string ion =
+      "data_zinc\n"
+      "_atom_site.group_PDB HETATM\n_atom_site.id 1\n_atom_site.type_symbol ZN\n"
+      "_atom_site.label_atom_id ZN\n_atom_site.label_comp_id ZN\n_atom_site.label_asym_id A\n"
+      "_atom_site.Cartn_x 1.5\n_atom_site.Cartn_y -2.25\n_atom_site.Cartn_z 3.0\n";
+  for (const char* name : {"zinc.cif", "-"}) {
+    const Molecule molecule = parse_molecule(ion, name);
+    REQUIRE(molecule.atoms.size() == 1);
+    CHECK(molecule.atoms[0].position == Point(1.5, -2.25, 3));
+    CHECK(describe(molecule, AtomId(0U)) == "atom ZN of ZN chain A (number 1)");
+  }
+  CHECK_THROWS_AS(parse_molecule("data_zinc\n_atom_site.Cartn_x 1.5\n", "zinc.cif"),
+                  UnreadableInput);
+}
+
 TEST_CASE("a PQR file gives its own radii and loses atoms of radius 0") {
   const Molecule molecule = parse_molecule(small_pqr, "a.pqr");
   REQUIRE(molecule.atoms.size() == 3);
@@ -67,6 +84,14 @@ TEST_CASE("without an ending the content tells the format") {
   CHECK(parse_molecule(small_pqr, "-").atoms.size() == 3);
   CHECK(parse_molecule(small_xyz, "-").atoms.size() == 3);
   CHECK(parse_molecule(small_xyzr, "-").atoms.size() == 3);
+}
+
+TEST_CASE("a PQR file is known by its content, a serial number sticking to the record or not") {
+  const std::string rest = " C1 LIG 1 0.0 0.0 0.0 0.1 1.7\n";
+  for (const std::string begin : {"HETATM 1", "HETATM10000", "ATOM 1", "ATOM100000"}) {
+    CAPTURE(begin);
+    CHECK(parse_molecule(begin + rest, "-").atoms.at(0).radius == 1.7);
+  }
 }
 
 TEST_CASE("a byte order mark and other line ends change nothing") {

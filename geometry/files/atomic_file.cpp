@@ -144,9 +144,13 @@ PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)), t
   if (exists && S_ISDIR(status.st_mode)) fail_to_write(path_, EISDIR);
   if (exists && ::access(path_.c_str(), W_OK) != 0) fail_to_write(path_, errno);
   std::error_code error;
-  if (std::filesystem::is_symlink(path_, error)) {
-    target_ = std::filesystem::weakly_canonical(path_, error);
+  constexpr int max_links = 40;  // as many as the system follows
+  // One by one, for the last may lead to a file that does not exist yet.
+  for (int k = 0; std::filesystem::is_symlink(target_, error); ++k) {
+    if (k == max_links) fail_to_write(path_, ELOOP);
+    const std::filesystem::path next = std::filesystem::read_symlink(target_, error);
     if (error) fail_to_write(path_, error.value());
+    target_ = target_.parent_path() / next;  // which an absolute path replaces
   }
   std::string name = create_beside(target_, number_);
   if (number_ < 0) fail_to_write(path_, errno);

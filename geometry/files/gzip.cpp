@@ -31,12 +31,14 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
   std::string text;
   std::size_t taken = 0;  // of bytes
   std::size_t made = 0;   // of text
+  const auto require_limit = [&] {
+    if (made <= limit) return;
+    fail(source, "unpacks from " + std::to_string(bytes.size()) + " to more than " +
+                     std::to_string(limit) + " bytes; unpack it by hand if that is meant");
+  };
   for (;;) {
     if (made == text.size()) {
-      if (made > limit) {
-        fail(source, "unpacks from " + std::to_string(bytes.size()) + " to more than " +
-                         std::to_string(limit) + " bytes; unpack it by hand if that is meant");
-      }
+      require_limit();
       text.resize(std::min(limit + 1, std::max(2 * made, 4 * bytes.size() + 4096)));
     }
     const std::size_t input = std::min(max_at_once, bytes.size() - taken);
@@ -50,6 +52,7 @@ std::string unpack_gzip(std::string_view bytes, const std::string& source, std::
     taken += input - stream.avail_in;
     made += space - stream.avail_out;
     if (state == Z_STREAM_END) {
+      require_limit();
       // Another member follows, or padding, which gzip ignores too.
       if (!is_gzip(bytes.substr(taken))) {
         text.resize(made);

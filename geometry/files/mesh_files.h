@@ -47,8 +47,8 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 /// The bytes of `mesh` in `format`. Numbers spelled in decimal are the shortest that read back as
 /// the same double.
 /// @param attributes  for PlyBinary, Vtu, Npz and Msh, its vertices and triangles; for Glb, its
-///                    vertices; for Glb and Npz, its normals if there are any; for MSMS's files,
-///                    normals and its columns. For all, its provenance
+///                    vertices; for Glb and Npz, its normals if there are any; for Npz, its
+///                    arrays; for MSMS's files, normals and its columns. For all, its provenance
 /// @throws LimitReached  the mesh is too large for Glb
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});

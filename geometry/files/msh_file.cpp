@@ -1,4 +1,4 @@
-// Gmsh's MSH 4.1, as text. Written only: one surface of all triangles, nodes and elements counted
+// Writes Gmsh's MSH 4.1, as text: one surface of all triangles, nodes and elements counted
 // from 1, and a view for each column of numbers.
 
 #include <algorithm>

@@ -70,8 +70,18 @@ def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:
     Residue."""
     if entity.level == "S":
         entity = next(entity.get_models())
-    atoms = [a for a in entity.get_atoms() if waters or a.get_parent().id[0] != "W"]
+    atoms = list(_biopython_atoms(entity, waters))
     return _molecule([a.coord for a in atoms], [a.element for a in atoms])
+
+
+def _biopython_atoms(entity: Any, waters: bool) -> Iterator[Any]:
+    for residue in [entity] if entity.level == "R" else entity.get_residues():
+        if residue.is_disordered() == 2:  # one of several at a site; Bio.PDB shows the last
+            residue = max(residue.disordered_get_list(),
+                          key=lambda one: max(atom.occupancy for atom in one))
+        # Bio.PDB knows no heavy water.
+        if waters or not (residue.id[0] == "W" or residue.resname.strip() == "DOD"):
+            yield from residue
 
 
 def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:

@@ -34,11 +34,14 @@ class GemmiModel(list):
 class BioResidue:
     def __init__(self, *atoms, kind=" "):
         self.id = (kind, 1, " ")
-        self.level = "R"
-        self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element,
-                            get_parent=lambda: self) for x, element in atoms]
+        self.level, self.resname = "R", "HOH" if kind == "W" else "ALA"
+        self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element)
+                      for x, element in atoms]
 
-    def get_atoms(self):
+    def is_disordered(self):
+        return 0
+
+    def __iter__(self):
         return iter(self.atoms)
 
 
@@ -97,7 +100,7 @@ class Adapters(ModuleTest):
 
     def test_of_a_biopython_structure_the_first_model_is_taken_and_no_water(self):
         protein, water = BioResidue((0, "C"), (1.5, "N")), BioResidue((9, "O"), kind="W")
-        chain = Thing(level="C", get_atoms=lambda: iter(protein.atoms + water.atoms))
+        chain = Thing(level="C", get_residues=lambda: iter([protein, water]))
         structure = Thing(level="S", get_models=lambda: iter([chain, None]))
         for entity in (structure, chain, protein):
             np.testing.assert_array_equal(adapters.from_biopython(entity).radii, [1.7, 1.55])

@@ -49,11 +49,14 @@ class Packages(ModuleTest):
                 ("ATOM", " N", " ", "ALA", 1, 0, 1, "N"),
                 ("ATOM", " CA", "A", "ALA", 1, 1.4, 0.3, "C"),
                 ("ATOM", " CA", "B", "ALA", 1, 1.5, 0.7, "C"),
-                ("HETATM", " O", " ", "HOH", 2, 9, 1, "O")], start=1))
+                ("ATOM", " CB", "A", "SER", 2, 4, 0.7, "C"),
+                ("ATOM", " SG", "B", "CYS", 2, 5, 0.3, "S"),
+                ("HETATM", " O", " ", "HOH", 3, 9, 1, "O"),
+                ("HETATM", " O", " ", "DOD", 4, 12, 1, "O")], start=1))
         file = self.folder / "a.pdb"
         file.write_text(text + "END\n")
         molecule = morskin.read(file)
-        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5])
+        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5, 4])
         structure = Bio.PDB.PDBParser(QUIET=True).get_structure("a", str(file))
         for found in (adapters.from_gemmi(gemmi.read_structure(str(file))),
                       adapters.from_biopython(structure)):
