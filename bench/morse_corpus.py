@@ -200,24 +200,20 @@ class Laws:
 
 
 def broken_laws(raw, simplified, default):
-    laws = Laws(raw)
-    laws.check_counts()
-    laws.check_arcs_and_regions()
-    laws.check_components()
-    laws.check_lines(is_monotone=True)
-    laws.check_hierarchy()
-    laws.check_spheres()
-    after = Laws(simplified)
-    after.check_counts()
-    after.check_arcs_and_regions()
-    after.check_components()
-    after.check_lines(is_monotone=False)
+    before, after = Laws(raw), Laws(simplified)
+    for laws in (before, after):
+        laws.check_counts()
+        laws.check_arcs_and_regions()
+        laws.check_components()
+        laws.check_lines(is_monotone=laws is before)
+    before.check_hierarchy()
     after.check_simplified(raw)
-    after.check_spheres()
+    for laws in (before, after):
+        laws.check_spheres()
     for key in ("euler_characteristic", "components"):
         if default and raw[key] != default[key]:
-            laws.broken.append(f"another function has other {key}")
-    return laws.broken + ["simplified: " + what for what in after.broken]
+            before.broken.append(f"another function has other {key}")
+    return before.broken + ["simplified: " + what for what in after.broken]
 
 
 def morse(path, model, function, more, timeout):

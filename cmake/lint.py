@@ -45,7 +45,9 @@ for top in ("bench", "tests"):
 WITHIN_APP = {"pictures": {"pictures"}, "figures": {"pictures", "figures"}}
 
 TEXT_ENDINGS = {".h", ".cpp", ".py", ".pyi", ".cmake", ".in", ".sh"}
+SOURCE_ENDINGS = {".h", ".cpp", ".py"}
 LONGEST_LINE = 100
+LONGEST_SOURCE = 300  # lines
 FORBIDDEN = [
     (re.compile(r"^\s*#\s*if\s+0\b"), "code switched off; remove it"),
     (re.compile(r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X)\b"), "a note to self"),
@@ -89,14 +91,18 @@ def files():
         for path in sorted((ROOT / folder).rglob("*")):
             if path.is_file() and (path.suffix in TEXT_ENDINGS or path.name == "CMakeLists.txt"):
                 yield path
+    yield from sorted(ROOT.glob("*.py"))
 
 
 def complaints(path):
     parts = path.relative_to(ROOT).parts
     module = BASELINES if "/".join(parts[:2]) == BASELINES else parts[0]
-    inner = parts[1]
+    inner = parts[1] if len(parts) > 1 else ""
     within = WITHIN_APP.get(inner) if module == "app" else None
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+    lines = path.read_text(encoding="utf-8").splitlines()
+    if path.suffix in SOURCE_ENDINGS and len(lines) > LONGEST_SOURCE:
+        yield len(lines), f"{len(lines)} lines; at most {LONGEST_SOURCE}"
+    for number, line in enumerate(lines, start=1):
         include = INCLUDE.match(line)
         if include and module in MAY_INCLUDE and include[1] not in MAY_INCLUDE[module]:
             yield number, f"{module} may not include {include[1]}"

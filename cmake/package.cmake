@@ -14,7 +14,8 @@ set_target_properties(installed_library PROPERTIES
 target_compile_features(installed_library INTERFACE cxx_std_20)
 target_link_libraries(installed_library PRIVATE ZLIB::ZLIB zip Threads::Threads)
 target_sources(installed_library PUBLIC FILE_SET headers TYPE HEADERS
-  BASE_DIRS ${PROJECT_SOURCE_DIR} FILES morskin/morskin.h morskin/mesh_method.h morskin/features.h)
+  BASE_DIRS ${PROJECT_SOURCE_DIR}
+  FILES morskin/morskin.h morskin/mesh_method.h morskin/molecule.h morskin/features.h)
 install(TARGETS installed_library EXPORT morskin_targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         FILE_SET headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

@@ -182,12 +182,16 @@ class Mesh(CommandTest):
         self.assertEqual((self.folder / "ring.ply").read_bytes(),
                          (self.folder / "long.ply").read_bytes())
 
-    def test_waters_are_kept_when_asked(self):
-        words = (MOLECULES / "9dna.pdb", "--json")
-        dry = json.loads(self.run_morskin("info", *words).stdout)
-        wet = json.loads(self.run_morskin("info", *words, "--waters").stdout)
-        self.assertEqual(wet["atoms"], dry["atoms"] + dry["skipped_waters"])
-        self.assertGreater(dry["skipped_waters"], 0)
+    def test_a_coarse_mesh_is_certified_and_the_report_says_what_is_not_proved_beforehand(self):
+        result = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18",
+                                  "--json")
+        report = json.loads(result.stdout)
+        self.assertFalse(report["C_Q_in_proved_range"])
+        self.assertGreater(report["Q"], 1.8)
+        self.assertIn(b"the certificate decides", result.stderr)
+        self.run_morskin("check", "out.ply", "--against", MOLECULES / "caffeine.xyz", "-C", "0.18")
+        people = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18")
+        self.assertIn(b"certified all the same", people.stdout)
 
 
 class NotCertified(CommandTest):
@@ -232,69 +236,20 @@ class NotCertified(CommandTest):
         self.assertIn(b"C Q = 1.71 is above", done.stderr)
 
 
-class OtherCommands(CommandTest):
-    def test_the_balls_are_those_of_the_model(self):
-        self.input("ball.xyzr", "1 2 3 1.5\n")
-        for model, radius in (("vdw", 1.5), ("sas", 2.9), ("paper", (2 ** 0.5 * 2.9 / 2) ** 0.5)):
-            self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzr", "--model", model)
-            numbers = [float(w) for w in (self.folder / "out.xyzr").read_text().split()]
-            self.assertEqual(numbers[:3], [1, 2, 3])
-            self.assertAlmostEqual(numbers[3], radius)
-
-    def test_the_weights_written_give_the_very_same_mesh(self):
-        self.run_morskin("balls", "--weights", MOLECULES / "caffeine.xyz", "-o", "out.xyzw")
-        self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "a.ply")
-        mesh = self.without_origin("a.ply")
-        report = self.mesh_json("out.xyzw", "-o", "b.ply")
-        self.assertEqual(self.without_origin("b.ply"), mesh)
-        self.assertEqual(report["model"], "given")
-        self.run_morskin("mesh", "-", "-o", "c.ply", "--model", "given",
-                         input=(self.folder / "out.xyzw").read_bytes())
-        self.assertEqual(self.without_origin("c.ply"), mesh)
-        self.run_morskin("balls", "--weights", "out.xyzw", "-o", "again.xyzw")
-        self.assertEqual((self.folder / "again.xyzw").read_bytes(),
-                         (self.folder / "out.xyzw").read_bytes())
-        people = self.run_morskin("mesh", "out.xyzw", "-o", "b.ply")
-        self.assertIn(b"weights as given", people.stdout)
-
-    def test_the_model_and_the_fourth_column_must_agree(self):
-        weights = b"# x y z w\n0 0 0 2\n"
-        self.input("ball.xyzw", weights.decode())
-        self.input("ball.xyzr", "0 0 0 1\n")
-        for words in (("ball.xyzw", "--model", "vdw"), ("ball.xyzw", "--probe", "1"),
-                      ("ball.xyzr", "--model", "given"), ("-",)):
-            self.run_morskin("info", *words, input=weights, code=2)
-        for numbers in (weights, weights.splitlines()[1]):
-            done = self.run_morskin("info", "-", "--model", "given", input=numbers)
-            self.assertIn(b"model given", done.stdout)
-        self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzw", code=2)
-        self.run_morskin("balls", "--weights", "ball.xyzr", "-o", "out.xyzr", code=2)
-
-    def test_noise_in_the_place_of_zero_is_rounded_and_told(self):
-        self.input("noise.xyzr", "1e-25 0 0 1\n1 -3e-300 0 1\n")
-        self.input("zero.xyzr", "0 0 0 1\n1 0 0 1\n")
-        done = self.run_morskin("mesh", "noise.xyzr", "-o", "noise.ply", "--json")
-        self.assertEqual(json.loads(done.stdout)["coordinates_rounded"], 2)
-        self.assertIn(b"rounded to multiples of 2^-120: 2, the first of ball (line 1)", done.stderr)
-        self.assertEqual(self.mesh_json("zero.xyzr", "-o", "zero.ply")["coordinates_rounded"], 0)
-
-    def test_a_coarse_mesh_is_certified_and_the_report_says_what_is_not_proved_beforehand(self):
-        result = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18",
-                                  "--json")
-        report = json.loads(result.stdout)
-        self.assertFalse(report["C_Q_in_proved_range"])
-        self.assertGreater(report["Q"], 1.8)
-        self.assertIn(b"the certificate decides", result.stderr)
-        self.run_morskin("check", "out.ply", "--against", MOLECULES / "caffeine.xyz", "-C", "0.18")
-        people = self.run_morskin("mesh", MOLECULES / "caffeine.xyz", "-o", "out.ply", "-C", "0.18")
-        self.assertIn(b"certified all the same", people.stdout)
-
+class Info(CommandTest):
     def test_info_counts_the_elements(self):
         info = json.loads(self.run_morskin("info", MOLECULES / "caffeine.xyz", "--json").stdout)
         self.assertEqual(info["elements"], {"C": 8, "H": 10, "N": 4, "O": 2})
         self.assertEqual(info["atoms"], 24)
         self.assertGreater(info["estimated_triangles"], 0)
         self.assertIn(b"about", self.run_morskin("info", MOLECULES / "caffeine.xyz").stdout)
+
+    def test_waters_are_kept_when_asked(self):
+        words = (MOLECULES / "9dna.pdb", "--json")
+        dry = json.loads(self.run_morskin("info", *words).stdout)
+        wet = json.loads(self.run_morskin("info", *words, "--waters").stdout)
+        self.assertEqual(wet["atoms"], dry["atoms"] + dry["skipped_waters"])
+        self.assertGreater(dry["skipped_waters"], 0)
 
 
 if __name__ == "__main__":

@@ -3,27 +3,14 @@
 #include <cstring>
 
 #include "geometry/error.h"
+#include "tests/support/mesh_file_cases.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::support;
 
 namespace {
-
-// Coordinates that decimal text gets wrong unless it is careful.
-IndexedMesh awkward_tetrahedron() {
-  constexpr double tiny = std::numeric_limits<double>::denorm_min();
-  return {{{0.1, -1.0 / 3, 1e-300}, {1e300, 2, -0.0}, {tiny, 123456789.123456789, 0}, {-1, -2, -3}},
-          {{{0, 1, 2}}, {{0, 3, 1}}, {{1, 3, 2}}, {{2, 3, 0}}}};
-}
-
-// Coordinates that single precision holds.
-IndexedMesh plain_tetrahedron() {
-  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}},
-          {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}};
-}
 
 // To the last bit, so that -0 is not 0.
 bool is_identical(const IndexedMesh& a, const IndexedMesh& b) {
@@ -35,31 +22,6 @@ bool is_identical(const IndexedMesh& a, const IndexedMesh& b) {
 
 constexpr MeshFormat exact_formats[] = {MeshFormat::PlyBinary, MeshFormat::PlyAscii,
                                         MeshFormat::Off, MeshFormat::Obj};
-constexpr MeshFormat read_formats[] = {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off,
-                                       MeshFormat::Obj, MeshFormat::Stl};
-
-std::string ending_of(MeshFormat format) {
-  constexpr std::array names{"mesh.ply", "mesh.ply", "mesh.off",
-                             "mesh.obj", "mesh.stl", "mesh.vtu"};  // as they are declared
-  return names[static_cast<std::size_t>(format)];
-}
-
-// The message with which a file is turned down; "" if it is read.
-std::string complaint(const std::string& bytes, const std::string& name) {
-  try {
-    parse_mesh(bytes, name);
-    return "";
-  } catch (const UnreadableInput& error) {
-    return error.what();
-  }
-}
-
-void check_refused(const std::string& bytes, const std::string& name, const std::string& part) {
-  const std::string reason = complaint(bytes, name);
-  CAPTURE(reason);
-  CHECK(!reason.empty());
-  CHECK(contains(reason, part));
-}
 
 }  // namespace
 
@@ -185,106 +147,6 @@ TEST_CASE("the content decides the format where the ending is wrong") {
   for (const MeshFormat format : read_formats) {
     CAPTURE(ending_of(format));
     CHECK(parse_mesh(serialized(plain_tetrahedron(), format), "mesh.bin").triangles.size() == 4);
-  }
-}
-
-TEST_CASE("a bad mesh is turned down with its line and a reason") {
-  check_refused("OFF\n1 0 0\n0 0 nan\n", "a.off", "a.off:3: coordinate \"nan\"");
-  check_refused("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "a.off", "a.off:4: corner \"1\"");
-  check_refused("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "a.off", "a.off:4: corner");
-  check_refused("OFF\n1 1 0\n0 0 0\n2 0 0\n", "a.off", "three corners");
-  check_refused("OFF\n2 0 0\n0 0 0\n", "a.off", "ends before its last vertex");
-  check_refused("v 0 0\nf 1 1 1\n", "a.obj", "a.obj:1:");
-  check_refused("v 0 0 0\nf 1 1 2\n", "a.obj", "a.obj:2: corner 2");
-  check_refused("v 0 0 0\nf 1 1 -2\n", "a.obj", "a.obj:2: corner \"-2\"");
-  check_refused("v 0 0 inf\n", "a.obj", "not finite");
-  check_refused("once upon a time\n", "a.obj", "holds no vertex");
-  check_refused("solid\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid", "a.stl",
-                "a.stl:4: a facet needs three");
-  const std::string facet =
-      "facet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n";
-  check_refused("solid\n" + facet + "endfacet\nendsolid", "a.stl", "a.stl:7: a facet needs three");
-  check_refused("garbage", "a.stl", "no STL file");
-  check_refused("garbage", "a.txt", "recognised");
-  check_refused("", "a.ply", "is empty");
-  check_refused("<VTKFile/>", "a.vtu", "a.vtu: has no array of cells called connectivity");
-  check_refused("PK", "a.npz", "only written");
-}
-
-TEST_CASE("a bad PLY mesh is turned down with a reason") {
-  const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
-  const std::string middle = "\nproperty float x\nproperty float y\nproperty float z\n";
-  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-  check_refused(start + "1" + middle + faces + "0 0 nan\n3 0 0 0\n", "a.ply",
-                "vertex 0 has a coordinate that is not finite");
-  check_refused(start + "1" + middle + faces + "0 0 0\n3 0 0 1\n", "a.ply",
-                "corner 1 but there are only 1");
-  check_refused(start + "1" + middle + faces + "0 0 0\n3 0 0 -1\n", "a.ply", "a.ply:11:");
-  check_refused(start + "1" + middle + faces + "0 0 x\n3 0 0 0\n", "a.ply",
-                "a.ply:10: \"x\" is no number");
-  check_refused(start + "1" + middle + "end_header\n0 0\n", "a.ply", "too");
-  check_refused(start + "1\nproperty float x\nend_header\n0\n", "a.ply", "x, y and z");
-  check_refused(
-      start + "1\nproperty float x\nproperty float x\nproperty float y\n" + "end_header\n0 0 0\n",
-      "a.ply", "x, y and z");
-  check_refused("ply\nformat ascii 1.0\n", "a.ply", "does not end");
-  check_refused("ply\nend_header\n", "a.ply", "no format");
-}
-
-TEST_CASE("a count beyond what the file can hold is turned down and not allocated") {
-  const std::string properties = "\nproperty double x\nproperty double y\nproperty double z\n";
-  for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-    for (const std::string count : {"1000000000000", "9223372036854775807", "4000000000"}) {
-      const std::string header = "ply\nformat " + format + " 1.0\nelement vertex ";
-      check_refused(header + count + properties + "end_header\n", "a.ply", "");
-      check_refused(header + "0" + properties + "element face " + count +
-                        "\nproperty list uchar int vertex_indices\nend_header\n",
-                    "a.ply", "");
-      check_refused(
-          header + "0" + properties + "element edge " + count + "\nproperty int a\nend_header\n",
-          "a.ply", "");
-    }
-  }
-  check_refused("OFF\n1000000000000 0 0\n", "a.off", "");
-  check_refused("OFF\n1 1000000000000 0\n0 0 0\n", "a.off", "");
-  check_refused("OFF\n1 1 0\n0 0 0\n1000000000000 0\n", "a.off", "");
-  check_refused(std::string(80, ' ') + "\xff\xff\xff\xff", "a.stl", "");
-}
-
-TEST_CASE("a mesh cut short anywhere is read or turned down, never worse") {
-  for (const MeshFormat format : read_formats) {
-    const std::string bytes = serialized(plain_tetrahedron(), format);
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-      CAPTURE(ending_of(format));
-      CAPTURE(size);
-      const bool is_binary = format == MeshFormat::PlyBinary || format == MeshFormat::Stl;
-      const std::string reason = complaint(bytes.substr(0, size), ending_of(format));
-      if (is_binary) CHECK_FALSE(reason.empty());
-    }
-  }
-}
-
-TEST_CASE("a mesh with flipped bits is read or turned down, never worse") {
-  for (const MeshFormat format : read_formats) {
-    const std::string bytes = serialized(awkward_tetrahedron(), format);
-    for (unsigned seed = 0; seed < 2000; ++seed) {
-      std::mt19937 random(seed);
-      std::string damaged = bytes;
-      for (unsigned flip = 0; flip <= seed % 4; ++flip) {
-        char& victim = damaged[random() % damaged.size()];
-        victim = static_cast<char>(victim ^ (1 << random() % 8));
-      }
-      CAPTURE(ending_of(format));
-      CAPTURE(seed);
-      try {
-        const IndexedMesh mesh = parse_mesh(damaged, ending_of(format));
-        for (const auto& triangle : mesh.triangles) {
-          for (const std::uint32_t corner : triangle) REQUIRE(corner < mesh.positions.size());
-        }
-        for (const Point& position : mesh.positions) REQUIRE(position.allFinite());
-      } catch (const UnreadableInput&) {
-      }
-    }
   }
 }
 

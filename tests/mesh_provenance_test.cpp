@@ -3,21 +3,15 @@
 #include <algorithm>
 
 #include "geometry/files/atomic_file.h"
-#include "geometry/files/mesh_files.h"
 #include "geometry/files/mesh_formats.h"
+#include "tests/support/mesh_file_cases.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::support;
 
 namespace {
-
-IndexedMesh tetrahedron() {
-  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}},
-          {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}};
-}
 
 // All that the formats need, with two entries and a brief text.
 MeshAttributes told(const IndexedMesh& mesh) {
@@ -44,7 +38,7 @@ void check_entries(const Provenance& read, const Provenance& written) {
 
 TEST_CASE("every format that is read gives back mesh and provenance") {
   const TemporaryFolder folder;
-  const IndexedMesh mesh = tetrahedron();
+  const IndexedMesh mesh = plain_tetrahedron();
   const MeshAttributes beside = told(mesh);
   for (const MeshFormat format :
        {MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off, MeshFormat::Obj}) {
@@ -68,7 +62,7 @@ TEST_CASE("every format that is read gives back mesh and provenance") {
 }
 
 TEST_CASE("provenance changes nothing of a file but its comments") {
-  const IndexedMesh mesh = tetrahedron();
+  const IndexedMesh mesh = plain_tetrahedron();
   MeshAttributes bare = told(mesh);
   bare.provenance = {};
   for (const MeshFormat format : {MeshFormat::PlyBinary, MeshFormat::Off, MeshFormat::Obj}) {
@@ -106,7 +100,7 @@ TEST_CASE("no more than 64 entries are read, and none that is longer than 16 KiB
 }
 
 TEST_CASE("coordinates with a few decimals are those that the file of columns gives back") {
-  IndexedMesh mesh = tetrahedron();
+  IndexedMesh mesh = plain_tetrahedron();
   mesh.positions[0] = {-0.0004, 1.0005, -1234.56789};
   MeshAttributes beside = told(mesh);
   beside.msms.decimals = 3;

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""What cmake/lint.py finds by the closure of the includes, on a made-up project."""
+"""What cmake/lint.py finds by the closure of the includes, and by the length of files, on a made-up
+project."""
 
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -12,7 +14,7 @@ sys.path.insert(0, str(ROOT / "cmake"))
 import lint  # noqa: E402  (from cmake)
 
 
-class Closure(unittest.TestCase):
+class MadeUpProject(unittest.TestCase):
     def setUp(self):
         self.root = lint.ROOT = temporary_folder(self)
         self.addCleanup(setattr, lint, "ROOT", ROOT)
@@ -20,6 +22,8 @@ class Closure(unittest.TestCase):
             cached.cache_clear()
             self.addCleanup(cached.cache_clear)
 
+
+class Closure(MadeUpProject):
     def chains(self, **headers):
         """The forbidden chains from front/a.h, given what each header of a module includes."""
         for module, includes in headers.items():
@@ -41,6 +45,25 @@ class Closure(unittest.TestCase):
         for module in lint.MAY_NOT_REACH:
             for path in (ROOT / module).glob("*.h"):
                 self.assertEqual(list(lint.forbidden_chains(path)), [])
+
+
+class Length(MadeUpProject):
+    def test_a_source_may_have_300_lines_and_no_more(self):
+        (self.root / "geometry").mkdir()
+        for name in ("a.cpp", "a.h", "a.py"):
+            path = self.root / "geometry" / name
+            for lines, expected in ((300, []), (301, [(301, "301 lines; at most 300")])):
+                path.write_text("\n" * lines, encoding="utf-8")
+                self.assertEqual(list(lint.complaints(path)), expected)
+
+    def test_every_source_that_git_tracks_is_looked_at(self):
+        lint.ROOT = ROOT
+        done = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "*.cpp", "*.h", "*.py"],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            self.skipTest("this is no clone")
+        tracked = {ROOT / name for name in done.stdout.split("\0")[:-1]}
+        self.assertEqual({path for path in tracked if path.exists()} - set(lint.files()), set())
 
 
 if __name__ == "__main__":

@@ -1,6 +1,10 @@
-"""What mesh files say of their origin, read without the command."""
+"""What mesh files say of their origin: read without the command, and judged by `check`."""
 
 import numpy
+
+from support.command import MOLECULES, CommandTest
+
+CRAMBIN = MOLECULES / "1crn.pdb"
 
 
 def entries(lines):
@@ -19,3 +23,11 @@ def ply_parts(data):
     rows = numpy.frombuffer(body[24 * vertices:], dtype=[("n", "u1"), ("corners", "<u4", 3)])
     assert len(rows) == faces
     return header, coordinates, rows["corners"].tobytes()
+
+
+class ProvenanceTest(CommandTest):
+    def meshed(self, *words, molecule=None, code=0):
+        self.run_morskin("mesh", molecule or self.ring, "-q", *words, code=code)
+
+    def origin(self, mesh, *words, code=0):
+        return self.check(mesh, *words, code=code)["origin"]
