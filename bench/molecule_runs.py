@@ -61,10 +61,11 @@ def atom_count(path):
     return done.stdout.count(b"\n") if done.returncode == 0 else math.inf
 
 
-def sized_files(folder, only=""):
-    """Pairs of atoms and file, small molecules first; and the files that cannot be read."""
+def sized_files(folder, only="", largest=None):
+    """Pairs of atoms and file, small molecules first, none of more than `largest` atoms; and the
+    files that cannot be read."""
     files = sorted((atom_count(p), p) for p in molecule_files(folder, only))
-    return ([(atoms, p) for atoms, p in files if atoms < math.inf],
+    return ([(atoms, p) for atoms, p in files if atoms < math.inf and atoms <= (largest or atoms)],
             [p for atoms, p in files if atoms == math.inf])
 
 
