@@ -17,6 +17,7 @@ import reproduce_part  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
 
 METHODS = ["sweep", "dynamic"]
+RESULTS = Path(__file__).resolve().parent.parent / "papers" / "results"
 
 
 def run(molecule, method, seconds, **more):
@@ -69,6 +70,15 @@ class Tables(unittest.TestCase):
             "as_printed": "guard", "runs": 5, "certified": 0, "out_of_time": 2,
             "triangles_1grm": "-"}
         self.assertIn("| 0 of 5, 2 not measured |", ablation.table([row]))
+
+
+class Ablation(unittest.TestCase):
+    def test_its_inputs_are_those_of_the_committed_run_whatever_else_is_bundled(self):
+        committed = {int(r["runs"]) for r in molecule_runs.read_rows(RESULTS / "ablation.tsv")}
+        with tempfile.TemporaryDirectory() as folder:
+            pairs = ablation.inputs(Path(folder))
+            self.assertTrue(all(path.exists() for path, _ in pairs))
+        self.assertEqual(({len(pairs)}, committed), ({111}, {111}))
 
 
 class Files(unittest.TestCase):
