@@ -165,9 +165,7 @@ def main():
         for row in pool.map(lambda r: run(r, folder, options), runs):
             rows.add(row)
     failures = print_totals(rows.rows)
-    for path in unreadable:
-        print(f"  {path}: FAILED: morskin info cannot read it")
-    end(failures or unreadable, runs)
+    end(failures, runs, unreadable)
 
 
 if __name__ == "__main__":

@@ -165,8 +165,10 @@ def markdown(head, rows):
     return "\n".join(lines) + "\n"
 
 
-def end(failures, runs):
-    """Ends the script: well if there were runs and no failures."""
+def end(failures, runs, unreadable=()):
+    """Ends the script: well if there were runs, no failures and no unreadable files."""
+    for path in unreadable:
+        print(f"  {path}: FAILED: morskin info cannot read it")
     if not runs:
         print("nothing was run")
-    sys.exit(1 if failures or not runs else 0)
+    sys.exit(1 if failures or unreadable or not runs else 0)

@@ -291,9 +291,7 @@ def main():
             for row in some:
                 rows.add(row)
     failures = print_totals(rows.rows)
-    for path in unreadable:
-        print(f"  {path}: FAILED: morskin info cannot read it")
-    end(failures or unreadable, rows.rows)
+    end(failures, rows.rows, unreadable)
 
 
 if __name__ == "__main__":

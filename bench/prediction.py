@@ -122,7 +122,7 @@ def main():
     files, unreadable = molecule_runs.sized_files(folder, options.only, options.largest)
     runs = [(path, model) for _, path in files for model in options.models.split(",")]
     if not runs:
-        molecule_runs.end(unreadable, runs)
+        molecule_runs.end(0, runs, unreadable)
     study = try_functions if options.functions else compare_guards
     text, failures = study(options, folder, runs)
     options.results.parent.mkdir(parents=True, exist_ok=True)
@@ -130,9 +130,7 @@ def main():
     print("\n" + text)
     print(f"{len(runs)} molecules and models, {failures} failures of the default guard"
           if not options.functions else f"{failures} failures")
-    for path in unreadable:
-        print(f"{path}: FAILED: morskin info cannot read it")
-    molecule_runs.end(failures or unreadable, runs)
+    molecule_runs.end(failures, runs, unreadable)
 
 
 if __name__ == "__main__":
