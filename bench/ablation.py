@@ -147,6 +147,8 @@ def measure(results, timeout=60, repetitions=2, only="", is_quick=False):
         timeout, repetitions = timeout / 6, 1
     with tempfile.TemporaryDirectory() as folder:
         pairs = inputs(Path(folder), only)[::9 if is_quick else 1]
+        if not pairs:
+            return []
         runs = []
         for path, model in pairs:
             runs.append(run_in_turns(path, model, timeout, repetitions))

@@ -53,6 +53,15 @@ def molecule_files(folder, only=""):
     return [p for p in sorted(folder.rglob("*")) if ending(p) in ENDINGS and only in str(p)]
 
 
+def named_files(folder, names):
+    """The file of each name in the folder; ends the script if it lacks one."""
+    found = [next(iter(sorted(folder.rglob(name))), None) for name in names]
+    if None in found:
+        missing = dict.fromkeys(name for name, path in zip(names, found) if not path)
+        sys.exit(f"{folder} has no {', '.join(missing)}")
+    return found
+
+
 @functools.cache
 def atom_count(path):
     """The atoms that a mesh would be made of; infinitely many if `balls` does not say."""
@@ -119,7 +128,8 @@ def brief(value, digits=4):
 
 
 class Rows:
-    """Rows of results, each printed at once; a file of tabs that is there when all are."""
+    """Rows of results, each printed at once; a file of tabs that is there when all are. A run that
+    is cut, or has no rows, leaves an earlier file as it is."""
 
     def __init__(self, path, columns, widths, left):
         """widths: by column, for the eye; the first `left` columns stand to the left."""
@@ -135,7 +145,9 @@ class Rows:
 
     def __exit__(self, error, *_):
         self.file.close()
-        if error in (None, SystemExit):  # end() may be called inside
+        if not self.rows:
+            self.part.unlink()
+        elif error is None:  # SystemExit is one: it may tell that an input is missing
             self.part.replace(self.path)
 
     def show(self, values):

@@ -11,7 +11,20 @@ from unittest import mock
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
+import ablation  # noqa: E402
 import angles  # noqa: E402
+import coarse  # noqa: E402
+import corpus  # noqa: E402
+import counts  # noqa: E402
+import densities  # noqa: E402
+import features  # noqa: E402
+import implicit  # noqa: E402
+import methods  # noqa: E402
+import morse_corpus  # noqa: E402
+import prediction  # noqa: E402
+import replay  # noqa: E402
+import second_order  # noqa: E402
+import subdomains  # noqa: E402
 from molecule_runs import BUNDLED, Run, read_rows  # noqa: E402
 
 REPORT = {"fallbacks": [], "triangles": 10, "smoothing": {"left": 0, "inserted": 0},
@@ -55,9 +68,22 @@ class Ends(unittest.TestCase):
             code, row = self.angles(*runs)
             self.assertEqual((code, row["runs"], row["min_angle"]), (ends, "0", "-"))
 
-    def test_angles_without_a_molecule_ran_nothing(self):
-        code, said = self.code_of(angles, "--only", "no such molecule")
-        self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
+    def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
+        self.table.write_text("earlier", encoding="utf-8")
+        for script in (ablation, angles, coarse, corpus, counts, densities, features, implicit,
+                       methods, morse_corpus, prediction, replay, second_order, subdomains):
+            with self.subTest(script.__name__):
+                code, said = self.code_of(script, "--only", "no such molecule")
+                self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
+                self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+    def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
+        self.table.write_text("earlier", encoding="utf-8")
+        for script in (densities, features, replay, subdomains):
+            with self.subTest(script.__name__):
+                code, _ = self.code_of(script)
+                self.assertRegex(code, r"molecules has no [\w.]+(, [\w.]+)*$")
+                self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
 
 
 if __name__ == "__main__":

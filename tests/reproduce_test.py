@@ -97,8 +97,12 @@ class Files(unittest.TestCase):
                 write(3, error=KeyboardInterrupt())
             self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
             with self.assertRaises(SystemExit):
-                write(4, error=SystemExit(0))
-            self.assertEqual(molecule_runs.read_rows(path), [{"n": "4"}])
+                write(4, error=SystemExit("an input is missing"))
+            write()
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
+            write(5)
+            self.assertEqual([p.name for p in Path(folder).iterdir()], [path.name])
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "5"}])
 
 
 class Order(unittest.TestCase):
