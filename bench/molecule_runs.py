@@ -127,16 +127,29 @@ def brief(value, digits=4):
     return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
 
 
+class Replacement:
+    """A file to write that takes an earlier one's place when it is whole, and has .part behind its
+    name until then: a run that is cut leaves the earlier file as it is."""
+
+    def __init__(self, path, newline=None):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.path, self.part = path, path.with_name(path.name + ".part")
+        self.file = open(self.part, "w", encoding="utf-8", newline=newline)
+
+    def close(self, is_whole):
+        self.file.close()
+        if is_whole:
+            self.part.replace(self.path)
+
+
 class Rows:
-    """Rows of results, each printed at once; a file of tabs that is there when all are. A run that
-    is cut, or has no rows, leaves an earlier file as it is."""
+    """Rows of results, each printed at once; a file of tabs, replaced when all are there."""
 
     def __init__(self, path, columns, widths, left):
         """widths: by column, for the eye; the first `left` columns stand to the left."""
         self.columns, self.widths, self.left, self.rows = columns, widths, left, []
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self.path, self.part = path, path.with_name(path.name + ".part")
-        self.file = open(self.part, "w", encoding="utf-8")
+        self.replacement = Replacement(path)
+        self.file = self.replacement.file
         self.file.write("\t".join(columns) + "\n")
         self.show(columns)
 
@@ -144,11 +157,8 @@ class Rows:
         return self
 
     def __exit__(self, error, *_):
-        self.file.close()
-        if not self.rows:
-            self.part.unlink()
-        elif error is None:  # SystemExit is one: it may tell that an input is missing
-            self.part.replace(self.path)
+        # SystemExit is an error, too: it may tell that an input is missing.
+        self.replacement.close(is_whole=error is None and self.rows)
 
     def show(self, values):
         cells = [brief(v) for v in values]

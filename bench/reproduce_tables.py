@@ -110,15 +110,15 @@ def fit(rows, column, least=1e4, **fixed):
 
 def write_angles(path, meshes, molecules, methods):
     """Counts by whole degrees, of all angles of the meshes that were kept."""
+    rows = [["molecule", "method", "degree", "count"]]
+    for molecule in molecules:
+        for method in methods:
+            mesh = meshes / f"{molecule}.{method}.ply"
+            if mesh.exists():
+                rows += [[molecule, method, degree, count]
+                         for degree, count in enumerate(angle_counts(*read_ply(mesh)))]
     with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["molecule", "method", "degree", "count"])
-        for molecule in molecules:
-            for method in methods:
-                mesh = meshes / f"{molecule}.{method}.ply"
-                if mesh.exists():
-                    for degree, count in enumerate(angle_counts(*read_ply(mesh))):
-                        writer.writerow([molecule, method, degree, count])
+        csv.writer(file, lineterminator="\n").writerows(rows)
 
 
 def read_ply(path):
@@ -144,14 +144,14 @@ def angle_counts(points, triangles):
     return counts
 
 
-def write_environment(path, started, ended, options, parts):
-    """The environment of these parts; that of parts run earlier is kept. Returns both."""
+def write_environment(path, started, ended, options, part):
+    """The environment of this part; that of parts run earlier is kept. Returns both."""
     now = dict(started)
     now["load_at_start"], now["load_at_end"] = now.pop("load"), ended["load"]
     now["date_at_end"] = ended["date"]
     now["quick"], now["repetitions"] = options.quick, options.repetitions
     earlier = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    text = earlier | {part: now for part in parts}
+    text = earlier | {part: now}
     path.write_text(json.dumps(text, indent=2) + "\n", encoding="utf-8")
     return text
 

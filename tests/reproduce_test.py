@@ -2,6 +2,7 @@
 """What bench/reproduce.py says of runs that were out of time, and when it lets them be."""
 
 import argparse
+import json
 import math
 import sys
 import tempfile
@@ -103,6 +104,34 @@ class Files(unittest.TestCase):
             write(5)
             self.assertEqual([p.name for p in Path(folder).iterdir()], [path.name])
             self.assertEqual(molecule_runs.read_rows(path), [{"n": "5"}])
+
+
+    def test_a_cut_run_leaves_the_parts_that_it_did_not_end_with_what_they_were_made_on(self):
+        def mesh(path, model, timeout, *words, keep=None):
+            if "-C" in words:  # the scaling
+                raise KeyboardInterrupt
+            report = {"triangles": 10, "certified": True, "seconds": {"total": 10.0}}
+            return molecule_runs.Run(0, report, "", 10.0, 10.0)
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder)
+            earlier = {part: {"date": "earlier"} for part in reproduce.PARTS}
+            (made / "environment.json").write_text(json.dumps(earlier), encoding="utf-8")
+            for part in ("table1", "scaling"):
+                (made / f"{part}.csv").write_text("earlier", encoding="utf-8")
+            words = ["reproduce.py", "--results", folder, "--repetitions", "1",
+                     "--molecules", str(molecule_runs.BUNDLED)]
+            with (mock.patch.object(sys, "argv", words),
+                  mock.patch.object(reproduce, "methods_there_are", lambda *_: METHODS),
+                  mock.patch.object(reproduce, "sized_files", lambda *_: ([], [])),
+                  mock.patch.object(reproduce_part, "mesh", mesh),
+                  self.assertRaises(KeyboardInterrupt)):
+                reproduce.main()
+            known = json.loads((made / "environment.json").read_text(encoding="utf-8"))
+            self.assertEqual((made / "scaling.csv").read_text(encoding="utf-8"), "earlier")
+            self.assertEqual(known["scaling"], {"date": "earlier"})
+            self.assertEqual(len(tables.read_rows(made / "table1.csv")),
+                             len(METHODS) * len(reproduce.TABLE1))
+            self.assertNotEqual(known["table1"], {"date": "earlier"})
 
 
 class Order(unittest.TestCase):
