@@ -32,7 +32,7 @@ from pathlib import Path
 import ablation
 import reproduce_tables as tables
 from machine import environment
-from molecule_runs import (BUNDLED, argument_parser, atom_count, end, molecule_files,
+from molecule_runs import (BUNDLED, MODELS, argument_parser, atom_count, end, molecule_files,
                            molecule_folder, run_command, sized_files)
 from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
@@ -71,7 +71,8 @@ def arguments():
     parser.add_argument("--parts", default=",".join(PARTS), help="default %(default)s")
     parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
-    for asked, known in ((options.parts, PARTS), (options.methods, METHODS)):
+    for asked, known in ((options.parts, PARTS), (options.methods, METHODS),
+                         (options.models, MODELS)):
         for name in asked.split(","):
             if name not in known:
                 parser.error(f"there is no '{name}', only {', '.join(known)}")

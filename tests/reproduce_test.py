@@ -2,6 +2,8 @@
 """What bench/reproduce.py says of runs that were out of time, and when it lets them be."""
 
 import argparse
+import contextlib
+import io
 import json
 import math
 import sys
@@ -80,6 +82,19 @@ class Ablation(unittest.TestCase):
             pairs = ablation.inputs(Path(folder))
             self.assertTrue(all(path.exists() for path, _ in pairs))
         self.assertEqual(({len(pairs)}, committed), ({111}, {111}))
+
+
+class Arguments(unittest.TestCase):
+    def test_parts_methods_and_models_that_there_are_not_are_refused_at_once(self):
+        for option in ("--parts", "--methods", "--models"):
+            said = io.StringIO()
+            with (self.subTest(option), contextlib.redirect_stderr(said),
+                  mock.patch.object(sys, "argv", ["reproduce.py", option, "vdw,ses-like"]),
+                  self.assertRaises(SystemExit) as ended):
+                reproduce.arguments()
+            self.assertEqual(ended.exception.code, 2)
+            wrong = "ses-like" if option == "--models" else "vdw"
+            self.assertIn(f"there is no '{wrong}', only ", said.getvalue())
 
 
 class Files(unittest.TestCase):
