@@ -71,7 +71,7 @@ class Tables(unittest.TestCase):
     def test_the_ablation_names_what_was_not_measured(self):
         row = dict.fromkeys(ablation.COLUMNS, "0") | {
             "as_printed": "guard", "runs": 5, "certified": 0, "out_of_time": 2,
-            "triangles_1grm": "-"}
+            "triangles_ratio": "-", "triangles_1grm": "-"}
         self.assertIn("| 0 of 5, 2 not measured |", ablation.table([row]))
 
 
@@ -82,6 +82,25 @@ class Ablation(unittest.TestCase):
             pairs = ablation.inputs(Path(folder))
             self.assertTrue(all(path.exists() for path, _ in pairs))
         self.assertEqual(({len(pairs)}, committed), ({111}, {111}))
+
+    def test_a_certified_run_counts_though_another_of_it_is_out_of_time_but_not_if_one_failed(self):
+        late = {"outcome": "out_of_time", "reason": "still running after 60 s"}
+        failed = {"outcome": "failed", "reason": "exit 1"}
+        quick, slow = ({"outcome": "certified", "cpu_seconds": s} for s in (1, 2))
+        for runs, counts in (((quick, late), quick), ((quick, slow), quick), ((slow, quick), quick),
+                             ((quick, failed), failed), ((late,), late)):
+            with (mock.patch.object(ablation, "run", side_effect=runs),
+                  mock.patch.object(ablation, "ROWS", {ablation.NONE: ([], "")}),
+                  contextlib.redirect_stdout(io.StringIO())):
+                reports = ablation.run_in_turns(Path("x"), "vdw", 60, 2)
+            self.assertEqual(reports, {ablation.NONE: counts})
+
+    def test_a_row_whose_certified_runs_are_not_those_of_the_first_row_has_no_ratios(self):
+        good = {"outcome": "certified", "input": "x"}
+        failed = {"outcome": "failed", "reason": "exit 1"}
+        row = ablation.row("guard", [good], [failed])
+        line = ablation.table([row]).splitlines()[-1]
+        self.assertTrue(line.endswith("| 1 of 1 | - | - | - | - | - | - |"), line)
 
 
 class Arguments(unittest.TestCase):
