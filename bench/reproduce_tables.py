@@ -156,6 +156,18 @@ def write_environment(path, started, ended, options, part):
     return text
 
 
+def environments_text(known):
+    """By part the run that its rows are of, from environment.json."""
+    body = []
+    for part, at in known.items():
+        repetitions = 1 if part == "agreement" else at["repetitions"]  # a topology needs no more
+        body.append([part, f"{at['cpu']}, {at['cores']} cores",
+                     f"{at['date'][:10]}, {at['date'][11:16]} to {at['date_at_end'][11:16]}",
+                     repetitions, f"{at['load_at_start'][0]:.1f}, {at['load_at_end'][0]:.1f}"])
+    return markdown(["part", "machine", "its run, UTC", "repetitions", "load before and after"],
+                    body)
+
+
 def molecules_text(rows, methods):
     head = ["molecule", "method", "triangles", "smallest angle", "seconds, median (spread)",
             "CPU seconds", "MiB", "certified"]

@@ -8,6 +8,7 @@ An older table is the one with the same head, an older sentence the one that dif
 """
 
 import argparse
+import json
 import math
 import re
 import statistics
@@ -185,6 +186,10 @@ def table1_texts():
     yield from ((page, text) for text in (
         reproduced_table(rows), scaling_table(scaling), count_sentence(rows), *sentences,
         *agreement_sentence(agreement)))
+    known = json.loads((RESULTS / "environment.json").read_text(encoding="utf-8"))
+    yield page, tables.environments_text(known)
+    exponent, error, _ = tables.fit(scaling, "seconds", series="corpus", method="sweep")[0]
+    yield page, f"{exponent:.3f} ± {error:.3f} over molecules, below"
     slower = [p[3] / median(rows, m, "sweep", "cpu_seconds") for m, p in tables.PAPER.items()]
     yield page, f"processor time here is {span(slower)} times less than the paper's seconds"
     yield "papers/lessons/10-results.md", reproduced_table(rows, LESSON_ROWS)
