@@ -18,6 +18,10 @@ MORSKIN = ROOT / "build" / "morskin"
 BUNDLED = ROOT / "bench" / "molecules"
 ENDINGS = {".pdb", ".ent", ".cif", ".pqr", ".xyz", ".xyzr"}
 MODELS = ["paper", "sas", "vdw"]
+# The stages of a report's seconds, in their order, by what they are for.
+STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "voids"],
+          "mesh": ["critical_points", "sweep", "refine"], "angles": ["smooth"],
+          "certify": ["certify"], "describe": ["describe"], "write": ["write"]}
 
 
 def argument_parser(text, *, timeout, results, largest=None):

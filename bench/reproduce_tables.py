@@ -10,8 +10,7 @@ import ablation
 import molecule_runs
 from molecule_runs import markdown
 
-STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "voids", "critical_points",
-          "sweep", "refine", "smooth", "certify", "describe", "write"]
+STAGES = [stage for stages in molecule_runs.STAGES.values() for stage in stages]
 
 # Table 1 as printed: name, triangles, smallest angle, seconds of the sweep, of the dynamic method.
 PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),

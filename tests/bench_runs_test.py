@@ -10,6 +10,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BENCH = ROOT / "bench"
+sys.path.insert(0, str(BENCH))
+import reproduce_tables  # noqa: E402
+from molecule_runs import STAGES, read_rows, run_command  # noqa: E402
 
 CAFFEINE = ["--only", "caffeine"]
 # By script the words of each run; it takes a second or two.
@@ -57,6 +60,17 @@ class Scripts(unittest.TestCase):
                 done = run(script, *words, "--results", table)
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
                 self.assertGreater(len(table.read_text("utf-8").splitlines()), 1)
+
+    def test_the_stages_are_those_of_a_report_and_the_shares_of_features_make_up_the_whole(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            words = ["mesh", BENCH / "molecules" / "caffeine.xyz", "-o", folder / "x.ply"]
+            seconds = run_command([*words, "--json"], 60).report["seconds"]
+            self.assertEqual([*reproduce_tables.STAGES, "total"], list(seconds))
+            run("features.py", "--only", "1grm", "--results", folder / "table")
+            (row,) = read_rows(folder / "table")
+        self.assertTrue(set(STAGES) <= set(row), row)
+        self.assertAlmostEqual(sum(float(row[stage]) for stage in STAGES), 1)
 
     def test_every_script_is_run_here_or_has_a_reason(self):
         scripts = {s.name for s in BENCH.glob("*.py") if '"__main__"' in s.read_text("utf-8")}
