@@ -58,7 +58,7 @@ def molecule_files(folder, only=""):
 
 
 def named_files(folder, names):
-    """The file of each name in the folder; ends the script if it lacks one."""
+    """The first file of each name, or pattern, in the folder; ends the script if it lacks one."""
     found = [next(iter(sorted(folder.rglob(name))), None) for name in names]
     if None in found:
         missing = dict.fromkeys(name for name, path in zip(names, found) if not path)

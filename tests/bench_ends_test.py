@@ -24,6 +24,7 @@ import morse_corpus  # noqa: E402
 import prediction  # noqa: E402
 import replay  # noqa: E402
 import second_order  # noqa: E402
+import ses_like  # noqa: E402
 import subdomains  # noqa: E402
 from molecule_runs import BUNDLED, Run, read_rows  # noqa: E402
 
@@ -71,7 +72,8 @@ class Ends(unittest.TestCase):
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
         for script in (ablation, angles, coarse, corpus, counts, densities, features, implicit,
-                       methods, morse_corpus, prediction, replay, second_order, subdomains):
+                       methods, morse_corpus, prediction, replay, second_order, ses_like,
+                       subdomains):
             with self.subTest(script.__name__):
                 code, said = self.code_of(script, "--only", "no such molecule")
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
@@ -79,10 +81,10 @@ class Ends(unittest.TestCase):
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
-        for script in (densities, features, replay, subdomains):
+        for script in (densities, features, replay, ses_like, subdomains):
             with self.subTest(script.__name__):
                 code, _ = self.code_of(script)
-                self.assertRegex(code, r"molecules has no [\w.]+(, [\w.]+)*$")
+                self.assertRegex(code, r"molecules has no [\w.*]+(, [\w.*]+)*$")
                 self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
 
 
