@@ -110,15 +110,15 @@ fetch:  ## get the corpus's PDB entries into build/corpus, and check them (see b
 	python3 bench/fetch.py $(FETCH)
 
 # The plots take matplotlib, which Debian installs for its own Python.
-reproduce: command  ## the paper's Table 1, all methods in one run, into build/results (QUICK=1: some 5 minutes)
+reproduce: command  ## the paper's Table 1 by all methods, scaling and topology, into build/results (QUICK=1: some 5 minutes)
 	@cmake/install_packages.sh cmake/plot_packages.txt
 	@cmake --build build --parallel $(JOBS) --target morskin_ablation
 	@python3 bench/reproduce.py --molecules $(MOLECULES) --results $(RESULTS) $(REPRODUCE); \
 	  outcome=$$?; /usr/bin/python3 bench/reproduce_plots.py $(RESULTS) && exit $$outcome
 
 # An hour on a quiet machine. Afterwards: make papers-update.
-reproduce-reference:  ## the same into papers/results, the committed run that the pages show
-	@test "$(QUICK)" != 1 || { echo "the committed run is a whole one: no QUICK=1"; exit 2; }
+reproduce-reference:  ## the same into papers/results, the committed files that the pages show
+	@test "$(QUICK)" != 1 || { echo "the committed files are of whole runs: no QUICK=1"; exit 2; }
 	$(MAKE) reproduce RESULTS=papers/results
 
 papers: build  ## build the course of papers/ as a site, run its commands and check all it says

@@ -3,7 +3,8 @@
 
 One line for each C and goal: runs, triangles, how many stayed below the goal, insertions that the
 last 30 degrees took, edges that break [L], and the smallest and largest angle of all. Fails where a
-run is not certified or fell back. The lines also go to papers/results/angle_goals.tsv.
+run is not certified or fell back; singular skins are left out. The lines also go to
+papers/results/angle_goals.tsv.
 """
 
 from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder, sized_files
@@ -26,32 +27,36 @@ def arguments():
 
 def row(size, goal, paths, options):
     """The runs of all molecules and models with one C and one goal together."""
-    reports, verdict = [], "certified"
+    reports, failures = [], []
     for path in paths:
         for model in options.models.split(","):
             run = mesh(path, model, options.timeout, "-C", size, "--angle-goal", goal)
             if run.code == 0 and not run.report["fallbacks"]:
                 reports.append(run.report)
             elif run.code != 4:  # singular skins are no concern here
-                verdict = f"FAILED: {path.name}, {model}: {run.complaint or 'fell back'}"
+                failures.append(f"{path.name}, {model}: {run.complaint or 'fell back'}")
     return {"C": size, "goal": goal, "runs": len(reports),
             "triangles": sum(r["triangles"] for r in reports),
             "left": sum(r["smoothing"]["left"] for r in reports),
             "inserted": sum(r["smoothing"]["inserted"] for r in reports),
             "violations_L": sum(r["violations_L"] for r in reports),
-            "min_angle": min(r["min_angle_deg"] for r in reports),
-            "max_angle": max(r["max_angle_deg"] for r in reports), "verdict": verdict}
+            "min_angle": min((r["min_angle_deg"] for r in reports), default="-"),
+            "max_angle": max((r["max_angle_deg"] for r in reports), default="-"),
+            "verdict": "FAILED: " + "; ".join(failures) if failures else
+            "certified" if reports else "refused"}
 
 
 def main():
     options = arguments()
-    files, unreadable = sized_files(molecule_folder(options.molecules), options.only)
-    paths = [path for atoms, path in files if atoms <= options.largest]
+    files, unreadable = sized_files(molecule_folder(options.molecules), options.only,
+                                    options.largest)
+    paths = [path for _, path in files]
     with Rows(options.results, COLUMNS, WIDTHS, 2) as rows:
-        for size in options.sizes.split(","):
+        for size in options.sizes.split(",") if paths else []:
             for goal in options.goals.split(","):
                 rows.add(row(size, goal, paths, options))
-        end(unreadable, rows.rows)
+    failed = [r for r in rows.rows if r["verdict"].startswith("FAILED")]
+    end(failed, rows.rows, unreadable)
 
 
 if __name__ == "__main__":

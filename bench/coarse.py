@@ -68,12 +68,12 @@ def main():
                     counts[model, size].update([verdict.split()[0].rstrip(":"), "runs"])
                     counts[model, size]["atoms"] += len(balls)
                     counts[model, size]["triangles"] += run.report.get("triangles", 0)
-        print()
-        for (model, size), count in sorted(counts.items()):
-            print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces, "
-                  f"{count['triangles']} triangles: {count['certified']} certified at once, "
-                  f"{count['fell']} after a fallback, {count['FAILED']} not")
-        end([], rows.rows)
+    print()
+    for (model, size), count in sorted(counts.items()):
+        print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces, "
+              f"{count['triangles']} triangles: {count['certified']} certified at once, "
+              f"{count['fell']} after a fallback, {count['FAILED']} not")
+    end([], rows.rows)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,6 @@ counted, as are edges that break [L]; they fail nothing.
 
 import concurrent.futures
 import dataclasses
-import math
 import subprocess
 import tempfile
 from pathlib import Path
@@ -46,8 +45,7 @@ def arguments():
 
 def plan(options, folder):
     """What to run, small molecules first: file, model, C if it is not the usual one, copies."""
-    files, unreadable = sized_files(folder, options.only)
-    files = [(atoms, p) for atoms, p in files if atoms <= (options.largest or math.inf)]
+    files, unreadable = sized_files(folder, options.only, options.largest)
     models = options.models.split(",")
     runs = [Planned(p, m, max([options.C, *(C for least, C in COARSER.get(m, [])
                                             if atoms > least)]))
@@ -167,9 +165,7 @@ def main():
         for row in pool.map(lambda r: run(r, folder, options), runs):
             rows.add(row)
     failures = print_totals(rows.rows)
-    for path in unreadable:
-        print(f"  {path}: FAILED: morskin info cannot read it")
-    end(failures or unreadable, runs)
+    end(failures, runs, unreadable)
 
 
 if __name__ == "__main__":

@@ -60,8 +60,8 @@ def main():
                                       check=True, timeout=options.timeout)
                 for line in done.stdout.splitlines():
                     rows.add(dict(zip(COLUMNS, [surface, C, *line.split("\t")])))
-        print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
-        end([], rows.rows)
+    print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
+    end([], rows.rows)
 
 
 if __name__ == "__main__":

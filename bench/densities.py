@@ -10,10 +10,10 @@ tenth, or says that C allows nothing so coarse.
 """
 
 import statistics
-import sys
 from pathlib import Path
 
-from molecule_runs import ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder
+from molecule_runs import (ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder,
+                           named_files)
 
 MOLECULES = ["1crn.pdb", "1ejg.pdb", "5pti.pdb", "1ubq.pdb", "1l2y.cif", "1aki.pdb", "1stp.cif",
              "1hpv.pdb", "2buk.pdb", "1brs.pdb", "1j4n.pdb", "2por.pdb", "1atp.pdb",
@@ -94,13 +94,9 @@ def sentence(rows):
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)
-    files = [p for name in MOLECULES for p in sorted(folder.rglob(name))]
-    if len(files) < len(MOLECULES):
-        sys.exit(f"{folder} has {len(files)} of the {len(MOLECULES)} molecules")
+    paths = named_files(folder, [name for name in MOLECULES if options.only in name])
     with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
-        for path in files:
-            if options.only not in str(path):
-                continue
+        for path in paths:
             for asked in DENSITIES:
                 run = mesh(path, "vdw", options.timeout, "--density", str(asked), "--threads", "1")
                 rows.add(row_of(path, asked, run))

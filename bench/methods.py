@@ -92,8 +92,8 @@ def main():
                     first = first or run.report
                     table.add(row_of(name, model, method, run, verdict))
                     failed += verdict != "certified"
-        print(f"\n{len(table.rows)} runs, {failed} failed")
-        molecule_runs.end(failed, len(table.rows))
+    print(f"\n{len(table.rows)} runs, {failed} failed")
+    molecule_runs.end(failed, table.rows)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,10 @@ MORSKIN = ROOT / "build" / "morskin"
 BUNDLED = ROOT / "bench" / "molecules"
 ENDINGS = {".pdb", ".ent", ".cif", ".pqr", ".xyz", ".xyzr"}
 MODELS = ["paper", "sas", "vdw"]
+# The stages of a report's seconds, in their order, by what they are for.
+STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "voids"],
+          "mesh": ["critical_points", "sweep", "refine"], "angles": ["smooth"],
+          "certify": ["certify"], "describe": ["describe"], "write": ["write"]}
 
 
 def argument_parser(text, *, timeout, results, largest=None):
@@ -53,6 +57,15 @@ def molecule_files(folder, only=""):
     return [p for p in sorted(folder.rglob("*")) if ending(p) in ENDINGS and only in str(p)]
 
 
+def named_files(folder, names):
+    """The first file of each name, or pattern, in the folder; ends the script if it lacks one."""
+    found = [next(iter(sorted(folder.rglob(name))), None) for name in names]
+    if None in found:
+        missing = dict.fromkeys(name for name, path in zip(names, found) if not path)
+        sys.exit(f"{folder} has no {', '.join(missing)}")
+    return found
+
+
 @functools.cache
 def atom_count(path):
     """The atoms that a mesh would be made of; infinitely many if `balls` does not say."""
@@ -61,10 +74,11 @@ def atom_count(path):
     return done.stdout.count(b"\n") if done.returncode == 0 else math.inf
 
 
-def sized_files(folder, only=""):
-    """Pairs of atoms and file, small molecules first; and the files that cannot be read."""
+def sized_files(folder, only="", largest=None):
+    """Pairs of atoms and file, small molecules first, none of more than `largest` atoms; and the
+    files that cannot be read."""
     files = sorted((atom_count(p), p) for p in molecule_files(folder, only))
-    return ([(atoms, p) for atoms, p in files if atoms < math.inf],
+    return ([(atoms, p) for atoms, p in files if atoms < math.inf and atoms <= (largest or atoms)],
             [p for atoms, p in files if atoms == math.inf])
 
 
@@ -117,15 +131,29 @@ def brief(value, digits=4):
     return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
 
 
+class Replacement:
+    """A file to write that takes an earlier one's place when it is whole, and has .part behind its
+    name until then: a run that is cut leaves the earlier file as it is."""
+
+    def __init__(self, path, newline=None):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.path, self.part = path, path.with_name(path.name + ".part")
+        self.file = open(self.part, "w", encoding="utf-8", newline=newline)
+
+    def close(self, is_whole):
+        self.file.close()
+        if is_whole:
+            self.part.replace(self.path)
+
+
 class Rows:
-    """Rows of results, each printed at once; a file of tabs that is there when all are."""
+    """Rows of results, each printed at once; a file of tabs, replaced when all are there."""
 
     def __init__(self, path, columns, widths, left):
         """widths: by column, for the eye; the first `left` columns stand to the left."""
         self.columns, self.widths, self.left, self.rows = columns, widths, left, []
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self.path, self.part = path, path.with_name(path.name + ".part")
-        self.file = open(self.part, "w", encoding="utf-8")
+        self.replacement = Replacement(path)
+        self.file = self.replacement.file
         self.file.write("\t".join(columns) + "\n")
         self.show(columns)
 
@@ -133,9 +161,8 @@ class Rows:
         return self
 
     def __exit__(self, error, *_):
-        self.file.close()
-        if error in (None, SystemExit):  # end() may be called inside
-            self.part.replace(self.path)
+        # SystemExit is an error, too: it may tell that an input is missing.
+        self.replacement.close(is_whole=error is None and self.rows)
 
     def show(self, values):
         cells = [brief(v) for v in values]
@@ -164,8 +191,10 @@ def markdown(head, rows):
     return "\n".join(lines) + "\n"
 
 
-def end(failures, runs):
-    """Ends the script: well if there were runs and no failures."""
+def end(failures, runs, unreadable=()):
+    """Ends the script: well if there were runs, no failures and no unreadable files."""
+    for path in unreadable:
+        print(f"  {path}: FAILED: morskin info cannot read it")
     if not runs:
         print("nothing was run")
-    sys.exit(1 if failures or not runs else 0)
+    sys.exit(1 if failures or unreadable or not runs else 0)

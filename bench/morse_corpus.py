@@ -279,18 +279,15 @@ def print_totals(rows):
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)
-    files, unreadable = sized_files(folder, options.only)
-    plan = [(p, model, atoms) for atoms, p in files if atoms <= options.largest
-            for model in options.models.split(",")]
+    files, unreadable = sized_files(folder, options.only, options.largest)
+    plan = [(p, model, atoms) for atoms, p in files for model in options.models.split(",")]
     with Rows(options.results, COLUMNS, WIDTHS, 3) as rows, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for some in pool.map(lambda r: list(runs_of(*r, options, folder)), plan):
             for row in some:
                 rows.add(row)
     failures = print_totals(rows.rows)
-    for path in unreadable:
-        print(f"  {path}: FAILED: morskin info cannot read it")
-    end(failures or unreadable, rows.rows)
+    end(failures, rows.rows, unreadable)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,6 @@ skins (exit code 4) and degenerate functions (2) are left out, with a line each.
 import random
 import subprocess
 
-import corpus
 import molecule_runs
 
 GUARDS = ["everywhere", "adjacent", "spheres"]
@@ -120,7 +119,10 @@ def try_functions(options, folder, runs):
 def main():
     options = arguments()
     folder = molecule_runs.molecule_folder(options.molecules)
-    runs, _ = corpus.plan(options, folder)
+    files, unreadable = molecule_runs.sized_files(folder, options.only, options.largest)
+    runs = [(path, model) for _, path in files for model in options.models.split(",")]
+    if not runs:
+        molecule_runs.end(0, runs, unreadable)
     study = try_functions if options.functions else compare_guards
     text, failures = study(options, folder, runs)
     options.results.parent.mkdir(parents=True, exist_ok=True)
@@ -128,7 +130,7 @@ def main():
     print("\n" + text)
     print(f"{len(runs)} molecules and models, {failures} failures of the default guard"
           if not options.functions else f"{failures} failures")
-    molecule_runs.end(failures, runs)
+    molecule_runs.end(failures, runs, unreadable)
 
 
 if __name__ == "__main__":

@@ -21,8 +21,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from molecule_runs import (Rows, argument_parser, end, markdown, mesh, molecule_files,
-                           molecule_folder, read_rows)
+from molecule_runs import (Rows, argument_parser, end, markdown, mesh, molecule_folder,
+                           named_files, read_rows)
 
 SURFACES = [("1grm_model1.pdb", "paper"), ("1ubq.pdb", "paper"), ("1kx5.pdb", "sas"),
             ("1aon.pdb.gz", "sas")]
@@ -243,13 +243,14 @@ def main():
     if options.plot:
         return draw(read_rows(options.results), options.results)
     folder = molecule_folder(options.molecules)
+    surfaces = [s for s in SURFACES if options.only in s[0]]
+    paths = named_files(folder, [name for name, _ in surfaces])
     copied = bytes_per_second()
     print(f"copies: {copied * 1e-9:.1f} GB a second")
     with Rows(options.results, COLUMNS, WIDTHS, 2) as rows:
-        for name, model in SURFACES:
-            for path in [p for p in molecule_files(folder, options.only) if p.name == name][:1]:
-                for row in rows_of(path, model, options, copied):
-                    rows.add(row)
+        for path, (_, model) in zip(paths, surfaces):
+            for row in rows_of(path, model, options, copied):
+                rows.add(row)
     end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
 
 

@@ -22,6 +22,7 @@ the ratios to the sweep are measured whatever the machine is. Then each part has
 time, with smaller molecules.
 """
 
+import argparse
 import hashlib
 import math
 import os
@@ -31,7 +32,7 @@ from pathlib import Path
 import ablation
 import reproduce_tables as tables
 from machine import environment
-from molecule_runs import (BUNDLED, argument_parser, atom_count, end, molecule_files,
+from molecule_runs import (BUNDLED, MODELS, argument_parser, atom_count, end, molecule_files,
                            molecule_folder, run_command, sized_files)
 from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
@@ -70,7 +71,8 @@ def arguments():
     parser.add_argument("--parts", default=",".join(PARTS), help="default %(default)s")
     parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
-    for asked, known in ((options.parts, PARTS), (options.methods, METHODS)):
+    for asked, known in ((options.parts, PARTS), (options.methods, METHODS),
+                         (options.models, MODELS)):
         for name in asked.split(","):
             if name not in known:
                 parser.error(f"there is no '{name}', only {', '.join(known)}")
@@ -125,6 +127,7 @@ def table1(options, methods, notes, meshes):
                 seconds[molecule, method] = float(row["seconds"])
                 if row["code"] not in (0, 5):
                     hopeless.add((molecule, method))
+    tables.write_angles(options.results / "angles.csv", meshes, list(TABLE1), methods)
     part.end()
     return part
 
@@ -216,58 +219,57 @@ def agreement(options, methods, notes, folder, temporary):
     return part
 
 
-def write_hashes(folder, options):
-    files = {*molecule_files(BUNDLED), *molecule_files(folder)}
-    with open(options.results / "inputs.sha256", "w", encoding="utf-8") as out:
-        for path in sorted(files):
-            digest = hashlib.sha256(path.read_bytes()).hexdigest()
-            base = folder if path.is_relative_to(folder) else BUNDLED
-            out.write(f"{digest}  {path.relative_to(base)}\n")
+def ablated(options):
+    rows = ablation.measure(options.results / "ablation.tsv", repetitions=options.repetitions,
+                            is_quick=options.quick)
+    return argparse.Namespace(rows=rows, failures=ablation.failures(rows))
+
+
+def hashes(folder):
+    for path in sorted({*molecule_files(BUNDLED), *molecule_files(folder)}):
+        digest = hashlib.sha256(path.read_bytes()).hexdigest()
+        base = folder if path.is_relative_to(folder) else BUNDLED
+        yield f"{digest}  {path.relative_to(base)}\n"
 
 
 def main():
     options = arguments()
     options.results.mkdir(parents=True, exist_ok=True)
     notes = Notes()
-    started = environment()
     folder = molecule_folder(options.molecules)
     if folder == BUNDLED.resolve():
         notes.add(f"{options.molecules} is not there: the corpus is bench/molecules only")
     if options.quick:
         notes.add("QUICK=1: smaller molecules, less time; the figures are rougher")
     methods = methods_there_are(options, notes)
-    write_hashes(folder, options)
-    wanted = options.parts.split(",")
+    if not methods:
+        end([], [])
+    inputs = "".join(hashes(folder))
     with tempfile.TemporaryDirectory() as name:
         temporary = Path(name)
+        measures = {"table1": lambda: table1(options, methods, notes, temporary),
+                    "scaling": lambda: scaling(options, methods, notes, folder),
+                    "agreement": lambda: agreement(options, methods, notes, folder, temporary),
+                    "ablation": lambda: ablated(options)}
         parts = {}
-        if "table1" in wanted:
-            parts["table1"] = table1(options, methods, notes, temporary)
-            tables.write_angles(options.results / "angles.csv", temporary, list(TABLE1), methods)
-        if "scaling" in wanted:
-            parts["scaling"] = scaling(options, methods, notes, folder)
-        if "agreement" in wanted:
-            parts["agreement"] = agreement(options, methods, notes, folder, temporary)
+        for part in (p for p in PARTS if p in options.parts.split(",")):
+            started = environment()
+            parts[part] = measures[part]()
+            # At once, or a run that is cut leaves rows with the environment of earlier ones.
+            known = tables.write_environment(options.results / "environment.json", started,
+                                             environment(), options, part)
+            (options.results / "inputs.sha256").write_text(inputs, encoding="utf-8")
     rows = {name: part.rows for name, part in parts.items()}
-    if "ablation" in wanted:
-        rows["ablation"] = ablation.measure(options.results / "ablation.tsv",
-                                            repetitions=options.repetitions,
-                                            is_quick=options.quick)
-    ended = environment()
-    known = tables.write_environment(options.results / "environment.json", started, ended, options,
-                                     rows)
     for name in PARTS:
         if name not in rows and (earlier := tables.earlier_rows(options.results, name)):
             rows[name] = earlier
             at = {"date": "unknown", "cpu": "an unknown machine"} | known.get(name, {})
             notes.add(f"{name}: the rows of an earlier run, of {at['date'][:10]} on {at['cpu']}")
     text = tables.table1_text(rows, methods, notes.lines,
-                              known.get("table1", known[wanted[0]]))
+                              known.get("table1", known[next(iter(parts))]))
     (options.results / "table1.md").write_text(text, encoding="utf-8")
     print("\n" + text + f"\nAll of this is in {options.results}.\n")
     failures = [f for part in parts.values() for f in part.failures]
-    if "ablation" in wanted:
-        failures += ablation.failures(rows["ablation"])
     for failure in failures:
         print("NOT CERTIFIED: " + failure)
     end(failures, any(rows.values()))

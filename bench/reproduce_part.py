@@ -4,7 +4,7 @@ import csv
 import math
 import time
 
-from molecule_runs import brief, mesh
+from molecule_runs import Replacement, brief, mesh
 from reproduce_tables import LEFT_OUT
 
 METHODS = {
@@ -39,9 +39,9 @@ class Part:
         self.left_out = 0
         self.may_run_out = options.quick  # whether a run out of time is no failure
         self.failures = []
-        self.file = open(options.results / f"{name}.csv", "w", encoding="utf-8", newline="")
-        self.writer = csv.DictWriter(self.file, columns, restval="", extrasaction="ignore",
-                                     lineterminator="\n")
+        self.replacement = Replacement(options.results / f"{name}.csv", newline="")
+        self.writer = csv.DictWriter(self.replacement.file, columns, restval="",
+                                     extrasaction="ignore", lineterminator="\n")
         self.writer.writeheader()
         self.rows = []
 
@@ -62,7 +62,7 @@ class Part:
 
     def add(self, row):
         self.writer.writerow(row)
-        self.file.flush()
+        self.replacement.file.flush()
         self.rows.append(row)
 
     def run(self, path, model, method, fixed, *options, keep=None):
@@ -90,4 +90,4 @@ class Part:
     def end(self):
         if self.left_out:
             self.notes.add(f"{self.name}: {self.left_out} runs were left out for lack of time")
-        self.file.close()
+        self.replacement.close(is_whole=True)

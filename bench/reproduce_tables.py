@@ -10,8 +10,7 @@ import ablation
 import molecule_runs
 from molecule_runs import markdown
 
-STAGES = ["read", "triangulate", "mixed_complex", "dual_complex", "voids", "critical_points",
-          "sweep", "refine", "smooth", "certify", "describe", "write"]
+STAGES = [stage for stages in molecule_runs.STAGES.values() for stage in stages]
 
 # Table 1 as printed: name, triangles, smallest angle, seconds of the sweep, of the dynamic method.
 PAPER = {"5TMN": ("pdb7tmn", 24336, 27.02, 5, 600),
@@ -110,15 +109,15 @@ def fit(rows, column, least=1e4, **fixed):
 
 def write_angles(path, meshes, molecules, methods):
     """Counts by whole degrees, of all angles of the meshes that were kept."""
+    rows = [["molecule", "method", "degree", "count"]]
+    for molecule in molecules:
+        for method in methods:
+            mesh = meshes / f"{molecule}.{method}.ply"
+            if mesh.exists():
+                rows += [[molecule, method, degree, count]
+                         for degree, count in enumerate(angle_counts(*read_ply(mesh)))]
     with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["molecule", "method", "degree", "count"])
-        for molecule in molecules:
-            for method in methods:
-                mesh = meshes / f"{molecule}.{method}.ply"
-                if mesh.exists():
-                    for degree, count in enumerate(angle_counts(*read_ply(mesh))):
-                        writer.writerow([molecule, method, degree, count])
+        csv.writer(file, lineterminator="\n").writerows(rows)
 
 
 def read_ply(path):
@@ -144,16 +143,28 @@ def angle_counts(points, triangles):
     return counts
 
 
-def write_environment(path, started, ended, options, parts):
-    """The environment of these parts; that of parts run earlier is kept. Returns both."""
+def write_environment(path, started, ended, options, part):
+    """The environment of this part; that of parts run earlier is kept. Returns both."""
     now = dict(started)
     now["load_at_start"], now["load_at_end"] = now.pop("load"), ended["load"]
     now["date_at_end"] = ended["date"]
     now["quick"], now["repetitions"] = options.quick, options.repetitions
     earlier = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    text = earlier | {part: now for part in parts}
+    text = earlier | {part: now}
     path.write_text(json.dumps(text, indent=2) + "\n", encoding="utf-8")
     return text
+
+
+def environments_text(known):
+    """By part the run that its rows are of, from environment.json."""
+    body = []
+    for part, at in known.items():
+        repetitions = 1 if part == "agreement" else at["repetitions"]  # a topology needs no more
+        body.append([part, f"{at['cpu']}, {at['cores']} cores",
+                     f"{at['date'][:10]}, {at['date'][11:16]} to {at['date_at_end'][11:16]}",
+                     repetitions, f"{at['load_at_start'][0]:.1f}, {at['load_at_end'][0]:.1f}"])
+    return markdown(["part", "machine", "its run, UTC", "repetitions", "load before and after"],
+                    body)
 
 
 def molecules_text(rows, methods):

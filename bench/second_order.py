@@ -91,7 +91,8 @@ def main():
                 rows.add(row_of(path, C, meshed(path, C, options.timeout), exact))
     as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
     print(table(as_text))
-    print(sentence(as_text))
+    if as_text:
+        print(sentence(as_text))
     end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
 
 

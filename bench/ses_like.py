@@ -12,11 +12,11 @@ radii from the surface by the r^-6 integral. Needs python3-numpy and python3-sci
 import gzip
 import statistics
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-from molecule_runs import ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder
+from molecule_runs import (ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder,
+                           named_files)
 
 CHAINS = ["1crn A", "1ejg A", "5pti A", "1ubq A", "1hpv A", "1aki A", "1brs A", "1brs B", "1kx5 A",
           "1kx5 B", "1kx5 C", "1dps A", "1r03 A", "1ake A", "1k4c C", "4hhb A", "4hhb B", "2por A",
@@ -29,9 +29,8 @@ CHARGES = {("LYS", "NZ"): 1, ("ARG", "NH1"): 0.5, ("ARG", "NH2"): 0.5, ("ASP", "
            ("ASP", "OD2"): -0.5, ("GLU", "OE1"): -0.5, ("GLU", "OE2"): -0.5}
 
 
-def chain_lines(folder, name, chain):
+def chain_lines(path, chain):
     """The atoms of a chain of a PDB file, as its lines; no water, no other groups."""
-    path = next(p for p in sorted(folder.rglob(f"{name}*")) if ".pdb" in p.name)
     data = path.read_bytes()
     text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode()
     lines = []
@@ -54,10 +53,10 @@ def charges_of(lines):
     return charges
 
 
-def run_chain(rows, folder, chain, timeout):
+def run_chain(rows, file, chain, timeout):
     from ses_comparison import Comparison  # here, for --help without numpy
 
-    lines = chain_lines(folder, *chain.split())
+    lines = chain_lines(file, chain.split()[1])
     with tempfile.TemporaryDirectory() as place:
         path = Path(place) / "chain.pdb"
         path.write_text("\n".join(lines) + "\nEND\n", encoding="utf-8")
@@ -96,13 +95,16 @@ def table(rows):
 def main():
     options = argument_parser(__doc__, timeout=600,
                               results="papers/results/ses-like.tsv").parse_args()
+    folder = molecule_folder(options.molecules)
+    chains = [chain for chain in CHAINS if options.only in chain]
+    files = named_files(folder, [f"{chain.split()[0]}*.pdb*" for chain in chains])
+    if not chains:
+        end([], chains)
     from ses_comparison import check_on_two_balls  # here, for --help without numpy
     check_on_two_balls()
-    folder = molecule_folder(options.molecules)
     with Rows(Path(options.results), COLUMNS, WIDTHS, 3) as rows:
-        for chain in CHAINS:
-            if options.only in chain:
-                run_chain(rows, folder, chain, options.timeout)
+        for file, chain in zip(files, chains):
+            run_chain(rows, file, chain, options.timeout)
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
     end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
 

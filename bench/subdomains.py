@@ -6,10 +6,9 @@ of the triangles laid the share that lies between subdomains. A run is good when
 without the safety net.
 """
 
-import sys
 from pathlib import Path
 
-from molecule_runs import Rows, argument_parser, end, markdown, mesh, molecule_folder
+from molecule_runs import Rows, argument_parser, end, markdown, mesh, molecule_folder, named_files
 
 SURFACES = [("1grm_model1.pdb", "paper", []), ("1ubq.pdb", "sas", []),
             ("1ubq.pdb", "vdw", ["-C", "0.2"]), ("1kx5.pdb", "sas", [])]
@@ -56,14 +55,13 @@ def table(rows):
 def main():
     options = arguments()
     folder = molecule_folder(options.molecules)
+    surfaces = [s for s in SURFACES if options.only in s[0]]
+    paths = named_files(folder, [name for name, _, _ in surfaces])
     with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
-        for name, model, words in SURFACES:
-            found = sorted(folder.rglob(name))
-            if not found:
-                sys.exit(f"{folder} has no {name}")
+        for path, (_, model, words) in zip(paths, surfaces):
             for count in COUNTS:
-                run = mesh(found[0], model, options.timeout, "--fronts", str(count), *words)
-                rows.add(row_of(found[0], model, words, count, run))
+                run = mesh(path, model, options.timeout, "--fronts", str(count), *words)
+                rows.add(row_of(path, model, words, count, run))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
     end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
 

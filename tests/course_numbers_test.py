@@ -69,6 +69,19 @@ def test_the_report_in_the_readme_is_the_one_printed():
     assert re.fullmatch(pattern, done.stdout.strip(), re.DOTALL), done.stdout
 
 
+def test_the_counts_of_touches_have_the_names_that_the_page_of_morse_functions_tells():
+    page = (PAPERS / "3.1-morse-functions.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`(\w+_protecting)`", page))
+    for method, is_sweep in (("sweep", True), ("static", False)):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([MORSKIN, "mesh", PAPERS.parent / "bench/molecules/caffeine.xyz",
+                                   "--method", method, "-o", Path(folder) / "x.ply", "--json"],
+                                  capture_output=True, text=True, check=True)
+        counts = json.loads(done.stdout)["operations"]
+        assert named == {name for name in counts if name.endswith("_protecting")}, named
+        assert any(counts[name] for name in named) == is_sweep, counts
+
+
 def test_the_table_of_solids_in_lesson_9():
     """R and h of the platonic solids with triangles, in a ball of radius 1."""
     page = (PAPERS / "lessons" / "9-certificate.md").read_text(encoding="utf-8")

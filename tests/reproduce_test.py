@@ -2,6 +2,9 @@
 """What bench/reproduce.py says of runs that were out of time, and when it lets them be."""
 
 import argparse
+import contextlib
+import io
+import json
 import math
 import sys
 import tempfile
@@ -17,6 +20,7 @@ import reproduce_part  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
 
 METHODS = ["sweep", "dynamic"]
+RESULTS = Path(__file__).resolve().parent.parent / "papers" / "results"
 
 
 def run(molecule, method, seconds, **more):
@@ -67,8 +71,49 @@ class Tables(unittest.TestCase):
     def test_the_ablation_names_what_was_not_measured(self):
         row = dict.fromkeys(ablation.COLUMNS, "0") | {
             "as_printed": "guard", "runs": 5, "certified": 0, "out_of_time": 2,
-            "triangles_1grm": "-"}
+            "triangles_ratio": "-", "triangles_1grm": "-"}
         self.assertIn("| 0 of 5, 2 not measured |", ablation.table([row]))
+
+
+class Ablation(unittest.TestCase):
+    def test_its_inputs_are_those_of_the_committed_run_whatever_else_is_bundled(self):
+        committed = {int(r["runs"]) for r in molecule_runs.read_rows(RESULTS / "ablation.tsv")}
+        with tempfile.TemporaryDirectory() as folder:
+            pairs = ablation.inputs(Path(folder))
+            self.assertTrue(all(path.exists() for path, _ in pairs))
+        self.assertEqual(({len(pairs)}, committed), ({111}, {111}))
+
+    def test_a_certified_run_counts_though_another_of_it_is_out_of_time_but_not_if_one_failed(self):
+        late = {"outcome": "out_of_time", "reason": "still running after 60 s"}
+        failed = {"outcome": "failed", "reason": "exit 1"}
+        quick, slow = ({"outcome": "certified", "cpu_seconds": s} for s in (1, 2))
+        for runs, counts in (((quick, late), quick), ((quick, slow), quick), ((slow, quick), quick),
+                             ((quick, failed), failed), ((late,), late)):
+            with (mock.patch.object(ablation, "run", side_effect=runs),
+                  mock.patch.object(ablation, "ROWS", {ablation.NONE: ([], "")}),
+                  contextlib.redirect_stdout(io.StringIO())):
+                reports = ablation.run_in_turns(Path("x"), "vdw", 60, 2)
+            self.assertEqual(reports, {ablation.NONE: counts})
+
+    def test_a_row_whose_certified_runs_are_not_those_of_the_first_row_has_no_ratios(self):
+        good = {"outcome": "certified", "input": "x"}
+        failed = {"outcome": "failed", "reason": "exit 1"}
+        row = ablation.row("guard", [good], [failed])
+        line = ablation.table([row]).splitlines()[-1]
+        self.assertTrue(line.endswith("| 1 of 1 | - | - | - | - | - | - |"), line)
+
+
+class Arguments(unittest.TestCase):
+    def test_parts_methods_and_models_that_there_are_not_are_refused_at_once(self):
+        for option in ("--parts", "--methods", "--models"):
+            said = io.StringIO()
+            with (self.subTest(option), contextlib.redirect_stderr(said),
+                  mock.patch.object(sys, "argv", ["reproduce.py", option, "vdw,ses-like"]),
+                  self.assertRaises(SystemExit) as ended):
+                reproduce.arguments()
+            self.assertEqual(ended.exception.code, 2)
+            wrong = "ses-like" if option == "--models" else "vdw"
+            self.assertIn(f"there is no '{wrong}', only ", said.getvalue())
 
 
 class Files(unittest.TestCase):
@@ -87,8 +132,40 @@ class Files(unittest.TestCase):
                 write(3, error=KeyboardInterrupt())
             self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
             with self.assertRaises(SystemExit):
-                write(4, error=SystemExit(0))
-            self.assertEqual(molecule_runs.read_rows(path), [{"n": "4"}])
+                write(4, error=SystemExit("an input is missing"))
+            write()
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "1"}, {"n": "2"}])
+            write(5)
+            self.assertEqual([p.name for p in Path(folder).iterdir()], [path.name])
+            self.assertEqual(molecule_runs.read_rows(path), [{"n": "5"}])
+
+
+    def test_a_cut_run_leaves_the_parts_that_it_did_not_end_with_what_they_were_made_on(self):
+        def mesh(path, model, timeout, *words, keep=None):
+            if "-C" in words:  # the scaling
+                raise KeyboardInterrupt
+            report = {"triangles": 10, "certified": True, "seconds": {"total": 10.0}}
+            return molecule_runs.Run(0, report, "", 10.0, 10.0)
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder)
+            earlier = {part: {"date": "earlier"} for part in reproduce.PARTS}
+            (made / "environment.json").write_text(json.dumps(earlier), encoding="utf-8")
+            for part in ("table1", "scaling"):
+                (made / f"{part}.csv").write_text("earlier", encoding="utf-8")
+            words = ["reproduce.py", "--results", folder, "--repetitions", "1",
+                     "--molecules", str(molecule_runs.BUNDLED)]
+            with (mock.patch.object(sys, "argv", words),
+                  mock.patch.object(reproduce, "methods_there_are", lambda *_: METHODS),
+                  mock.patch.object(reproduce, "sized_files", lambda *_: ([], [])),
+                  mock.patch.object(reproduce_part, "mesh", mesh),
+                  self.assertRaises(KeyboardInterrupt)):
+                reproduce.main()
+            known = json.loads((made / "environment.json").read_text(encoding="utf-8"))
+            self.assertEqual((made / "scaling.csv").read_text(encoding="utf-8"), "earlier")
+            self.assertEqual(known["scaling"], {"date": "earlier"})
+            self.assertEqual(len(tables.read_rows(made / "table1.csv")),
+                             len(METHODS) * len(reproduce.TABLE1))
+            self.assertNotEqual(known["table1"], {"date": "earlier"})
 
 
 class Order(unittest.TestCase):

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""How the scripts of bench end where runs fail, and where there is nothing to run."""
+
+import contextlib
+import io
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+import ablation  # noqa: E402
+import angles  # noqa: E402
+import coarse  # noqa: E402
+import corpus  # noqa: E402
+import counts  # noqa: E402
+import densities  # noqa: E402
+import features  # noqa: E402
+import implicit  # noqa: E402
+import methods  # noqa: E402
+import morse_corpus  # noqa: E402
+import prediction  # noqa: E402
+import replay  # noqa: E402
+import second_order  # noqa: E402
+import ses_like  # noqa: E402
+import subdomains  # noqa: E402
+from molecule_runs import BUNDLED, Run, read_rows  # noqa: E402
+
+REPORT = {"fallbacks": [], "triangles": 10, "smoothing": {"left": 0, "inserted": 0},
+          "violations_L": 0, "min_angle_deg": 31.0, "max_angle_deg": 100.0}
+GOOD = Run(0, REPORT, "", 1, 1)
+FALLEN = Run(0, REPORT | {"fallbacks": [{"to": "static"}]}, "", 1, 1)
+BAD = Run(5, {}, "not certified", 1, 1)
+SINGULAR = Run(4, {}, "singular", 1, 1)
+
+
+class Ends(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.table = Path(folder.name) / "table.tsv"
+
+    def code_of(self, script, *words):
+        """The exit code of a script's main, and what it says."""
+        words = [script.__name__, "--molecules", str(BUNDLED), "--results", str(self.table), *words]
+        said = io.StringIO()
+        with (mock.patch.object(sys, "argv", words), contextlib.redirect_stdout(said),
+              self.assertRaises(SystemExit) as ended):
+            script.main()
+        return ended.exception.code, said.getvalue()
+
+    def angles(self, *runs):
+        """angles.py where the models of caffeine come to these runs."""
+        with mock.patch.object(angles, "mesh", side_effect=runs):
+            code, _ = self.code_of(angles, "--only", "caffeine", "--sizes", "0.08", "--goals", "30")
+        return code, read_rows(self.table)[0]
+
+    def test_angles_fail_where_a_run_is_not_certified_or_fell_back_and_all_are_named(self):
+        self.assertEqual(self.angles(GOOD, GOOD)[0], 0)
+        for runs in ((GOOD, BAD), (FALLEN, GOOD), (BAD, FALLEN)):
+            code, row = self.angles(*runs)
+            named = [f"caffeine.xyz, {model}: " in row["verdict"] for model in ("paper", "vdw")]
+            self.assertEqual((code, named), (1, [r is not GOOD for r in runs]), row)
+
+    def test_angles_of_no_run_are_none(self):
+        for runs, ends in (((BAD, BAD), 1), ((SINGULAR, SINGULAR), 0)):
+            code, row = self.angles(*runs)
+            self.assertEqual((code, row["runs"], row["min_angle"]), (ends, "0", "-"))
+
+    def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
+        self.table.write_text("earlier", encoding="utf-8")
+        for script in (ablation, angles, coarse, corpus, counts, densities, features, implicit,
+                       methods, morse_corpus, prediction, replay, second_order, ses_like,
+                       subdomains):
+            with self.subTest(script.__name__):
+                code, said = self.code_of(script, "--only", "no such molecule")
+                self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
+                self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+    def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
+        self.table.write_text("earlier", encoding="utf-8")
+        for script in (densities, features, replay, ses_like, subdomains):
+            with self.subTest(script.__name__):
+                code, _ = self.code_of(script)
+                self.assertRegex(code, r"molecules has no [\w.*]+(, [\w.*]+)*$")
+                self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+
+if __name__ == "__main__":
+    unittest.main()
