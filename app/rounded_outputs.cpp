@@ -17,8 +17,16 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
+/// By way of memory: GCC 12 leaves out the rounding of two neighbouring coordinates otherwise.
+double in_single_precision(double x) {
+  const volatile auto rounded = static_cast<float>(x);
+  return static_cast<double>(rounded);
+}
+
 IndexedMesh in_single_precision(IndexedMesh mesh) {
-  for (geometry::Point& p : mesh.positions) p = p.cast<float>().cast<double>();
+  for (geometry::Point& p : mesh.positions) {
+    for (double& x : p) x = in_single_precision(x);
+  }
   return mesh;
 }
 

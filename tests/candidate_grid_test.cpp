@@ -1,5 +1,10 @@
 #include "certify/candidate_grid.h"
 
+#include <cmath>
+
+#include "certify/covering_degree.h"
+#include "skin/skin_surface.h"
+#include "tests/support/ball_sets.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -73,4 +78,43 @@ TEST_CASE("a query visits few of many candidates, however many there are") {
   }
   // 1.6 candidates to a unit cube, 27 cells of width 0.6 or less: nine in the cells themselves.
   CHECK(visits < 20 * questions);
+}
+
+TEST_CASE(
+    "a triangle's image is within its bounds: over the length scale, or from its first corner") {
+  constexpr double sure = 1e-6;
+  FlowBounds near, far;
+  near.add(3, 0.2, 0.1, 1.0, sure);
+  CHECK(near.ratio() >= 0.3);
+  CHECK(near.far().empty());
+  near.add(4, 0.1, 0.1, 1.0, sure);
+  CHECK(near.ratio() >= 0.3);  // the largest stays
+  far.add(5, 0.5, 0.4, 1.0, sure);
+  far.add(6, 0.2, 0.1, 1.0, 1.01 * FlowBounds::max_doubt);
+  far.add(7, 0.2, 0.1, std::nan(""), sure);
+  REQUIRE(far.far().size() == 3);
+  CHECK(far.ratio() == 0);
+  for (std::uint32_t i = 0; i < 3; ++i) CHECK(far.far()[i].triangle == 5 + i);
+  CHECK(far.far()[0].from_first_corner >= 1.4F);
+  CHECK(far.far()[1].from_first_corner >= 0.5F);
+  FlowBounds all;
+  all.add(far);
+  all.add(near);
+  all.add(far);
+  CHECK(all.far().size() == 6);
+  CHECK(all.ratio() == near.ratio());
+}
+
+TEST_CASE("a triangle's corners are bounded together, whichever is the worst") {
+  const IndexedMesh mesh;
+  const skin::SkinSurface skin({ball(0, 0, 0, 1)});
+  for (std::uint32_t worst = 0; worst < 3; ++worst) {
+    std::vector<VertexBounds> bounds(3, VertexBounds{-1, 1, 1});
+    bounds[worst] = {-3, 2, 5};
+    const LocatedMesh located{mesh, {}, bounds, skin};
+    const CornerBounds corners = located.corner_bounds({0, 1, 2});
+    CHECK(corners.max_error == 5);
+    CHECK(corners.max_values[worst] == 3);
+    CHECK(corners.max_value() == 3);
+  }
 }

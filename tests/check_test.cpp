@@ -1,6 +1,9 @@
 // Every way in which a mesh was seen to be wrong, made from a good one, and the reason given.
 
+#include <cmath>
+
 #include "certify/deviations.h"
+#include "certify/residuals.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/mesh_check.h"
 #include "geometry/self_intersections.h"
@@ -241,4 +244,49 @@ TEST_CASE("a missing inner void and a doubled component are told by the skin's c
   CHECK(good.certify(doubled).broken_by(Claim::Counts).find("components") == std::string::npos);
   CHECK(contains(good.certify(doubled).broken_by(Claim::Degree), "could not be shown to cover"));
   CHECK(geometry::self_intersections(doubled).count > 0);
+}
+
+TEST_CASE("a vertex is off the skin where G exceeds the tolerance, the first of them named") {
+  const Good good({support::ball(0, 0, 0, 1)});
+  IndexedMesh mesh = support::sphere_mesh(geometry::Point::Zero(), 1, 6);
+  REQUIRE(mesh.positions.size() > 8192);  // more than a thread takes at once
+  const auto objection = [&](const IndexedMesh& some) {
+    return good.certify(some).broken_by(Claim::OnSkin);
+  };
+  const double tolerance = 100 * good.skin.surface.residual_bound(1);
+  mesh.positions[8000] *= 1 + 0.4 * tolerance;  // G is twice as much
+  CHECK(objection(mesh) == "");
+  for (const double side : {-1.0, 1.0}) {
+    mesh.positions[8000].normalize();
+    mesh.positions[8000] *= 1 + 0.6 * side * tolerance;
+    CHECK(contains(objection(mesh), "vertex 8000 lies"));
+  }
+  mesh.positions[5] *= 1 + 1e-3;
+  const Certificate certificate = good.certify(mesh);
+  CHECK(contains(certificate.broken_by(Claim::OnSkin), "vertex 5 lies"));
+  CHECK(std::abs(certificate.max_distance_to_skin - 1e-3) < 1e-5);
+}
+
+TEST_CASE("a vertex in floats may be off by half a last digit and not by two") {
+  const geometry::Point far(1000, 0, 0);
+  const Good good({{far, 2}});
+  IndexedMesh mesh = support::sphere_mesh(far, 1, 3);
+  // To a float's last digit there; not by casts, which GCC 12 leaves out of pairs of doubles.
+  const auto rounded = [](double x) { return std::nearbyint(x * 0x1p14) / 0x1p14; };
+  for (geometry::Point& x : mesh.positions) x = x.unaryExpr(rounded);
+  REQUIRE(mesh.positions[0] == geometry::Point(1001, 0, 0));
+  CHECK(good.certify(mesh).holds(Claim::OnSkin));
+  mesh.positions[0].x() += 0x1p-13;  // two last digits
+  CHECK_FALSE(good.certify(mesh).holds(Claim::OnSkin));
+  CHECK(certify::is_single_precision(mesh.positions));
+  for (const int axis : {0, 1, 2}) {
+    mesh.positions[7][axis] += 0x1p-40;
+    CHECK_FALSE(certify::is_single_precision(mesh.positions));
+    mesh.positions[7][axis] -= 0x1p-40;
+  }
+  // What is not known of N counts against the vertex.
+  const std::vector<surface::SurfacePoint> at{{far, geometry::Vector(1, 0, 0), 1, {}}};
+  const std::vector<certify::VertexBounds> bounds{{-0.1F, 0.1F, 0.3F}};
+  const auto found = certify::residuals(at, bounds, good.skin.surface, false, geometry::Run(1));
+  CHECK(found.max_distance >= 0.7 - std::sqrt(0.49 - 0.1));
 }

@@ -120,6 +120,57 @@ TEST_CASE("a branched double cover is no proof at whichever vertex, branch point
   }
 }
 
+TEST_CASE(
+    "a component that covers its ball once is no proof for another that covers its own twice") {
+  const Skin skin = two_balls();
+  const IndexedMesh once = support::sphere_mesh(Point::Zero(), 1, 3);
+  const IndexedMesh twice = support::double_cover(support::sphere_mesh(Point(9, 0, 0), 1, 3));
+  for (const IndexedMesh& mesh : {support::together(once, twice), support::together(twice, once)}) {
+    const Certificate certificate = skin.certify(mesh);
+    CHECK(certificate.broken_by(Claim::Manifold) == "");
+    CHECK(certificate.broken_by(Claim::Counts) == "");
+    CHECK(certificate.degree_vertices.size() == 1);
+    CHECK_FALSE(certificate.covering_degree_ok);
+    CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("two icosahedra in one ball, whose triangles are all coarse, are no proof of two balls") {
+  const Skin skin = two_balls();
+  IndexedMesh first;
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  for (const double s : {-1.0, 1.0}) {
+    for (const double t : {-golden, golden}) {
+      for (const Point& p : {Point(0, s, t), Point(s, t, 0), Point(t, 0, s)}) {
+        first.positions.push_back(p.normalized());
+      }
+    }
+  }
+  const auto is_edge = [&](std::uint32_t i, std::uint32_t j) {
+    return (first.positions[i] - first.positions[j]).norm() < 1.1;
+  };
+  for (std::uint32_t a = 0; a < 12; ++a) {
+    for (std::uint32_t b = a + 1; b < 12; ++b) {
+      for (std::uint32_t c = a + 1; c < 12; ++c) {
+        const geometry::Vector n = first.positions[a].cross(first.positions[b]);
+        const bool is_face = is_edge(a, b) && is_edge(b, c) && is_edge(c, a);
+        if (b != c && is_face && n.dot(first.positions[c]) > 0)
+          first.triangles.push_back({a, b, c});
+      }
+    }
+  }
+  REQUIRE(first.triangles.size() == 20);
+  for (const double turn : {0.0, 0.3, 1.0}) {
+    IndexedMesh second = first;
+    const Eigen::AngleAxisd rotation(turn, Point(1, 2, 3).normalized());
+    for (Point& p : second.positions) p = rotation * p;
+    const Certificate certificate = skin.certify(support::together(first, second));
+    CHECK(certificate.holds(Claim::Tube));
+    CHECK(certificate.degree_vertices.empty());
+    CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
 TEST_CASE("a mesh wound twice or thrice round a ring is no proof though all its counts are right") {
   const support::Good ring = support::vdw("ring12.xyzr");
   REQUIRE(ring.skin.topology.skin_genus() == 1);

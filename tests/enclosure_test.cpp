@@ -11,6 +11,7 @@
 
 #include "skin/quad.h"
 #include "tests/support/ball_sets.h"
+#include "tests/support/good_mesh.h"
 #include "tests/support/seeds.h"
 
 using namespace morskin;
@@ -177,5 +178,23 @@ TEST_CASE("a point that is no number, or too far for its square, has no bounds")
       CHECK(found.high == std::numeric_limits<double>::infinity());
       CHECK(found.error == std::numeric_limits<double>::infinity());
     }
+  }
+}
+
+TEST_CASE("a vertex's bounds are an enclosure's, rounded outwards to floats") {
+  const skin::SkinSurface skin(support::molecule("ring12.xyzr", skin::Model::Vdw));
+  support::Random random(1);
+  geometry::IndexedMesh mesh;
+  for (int i = 0; i < 4000; ++i) mesh.positions.push_back(random.in_cube(-6, 6));
+  certify::VertexLocator locator(mesh, skin);
+  locator.locate_rest();
+  const auto points = locator.take_points();
+  const auto bounds = locator.take_bounds();
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const surface::Enclosure about = skin.enclose(mesh.positions[v], points[v].cell);
+    CHECK(bounds[v].low <= about.low);
+    CHECK(bounds[v].high >= about.high);
+    const geometry::Vector N = points[v].length_scale * points[v].normal;
+    CHECK(bounds[v].error >= about.error + (N - about.half_gradient).norm());
   }
 }

@@ -208,3 +208,72 @@ TEST_CASE("an orthocentre scaled by a power of two is that of the scaled balls, 
     CHECK(scaled.normal == z.normal);
   });
 }
+
+TEST_CASE("five points whose weights dwarf their distances are told apart as exactly as others") {
+  // w = |x|^2 + K a . x + c is a tie for any K, and one last digit breaks it.
+  std::size_t ties = 0;
+  support::for_seeds(3000, [&](unsigned seed) {
+    support::Random random(seed);
+    const auto whole = [&](double most) { return std::floor(random.between(-most, most)); };
+    const double K = std::ldexp(1, static_cast<int>(random.below(30)));
+    const Point a(whole(9), whole(9), whole(9));
+    Balls balls;
+    for (int i = 0; i < 5; ++i) {
+      const Point x(whole(1000), whole(1000), whole(1000));
+      balls.push_back({x, x.squaredNorm() + K * a.dot(x)});
+    }
+    const double by = std::ldexp(1, -static_cast<int>(random.below(12)));
+    if (random.below(3) != 0) balls[random.below(5)].weight += random.below(2) == 0 ? by : -by;
+    if (random.below(4) == 0) balls[random.below(5)].weight += whole(1000 * K);
+    const auto& [p, q, r, s, e] = std::array{balls[0], balls[1], balls[2], balls[3], balls[4]};
+    const Sign exact = internal::expanded_orthosphere(p, q, r, s, e);
+    ties += exact == Sign::Zero;
+    for (const auto& sign : {internal::filtered_orthosphere(p, q, r, s, e),
+                             internal::refined_orthosphere(p, q, r, s, e),
+                             internal::integer_orthosphere(p, q, r, s, e)}) {
+      if (sign) CHECK(*sign == exact);
+    }
+  });
+  CHECK(ties > 500);
+}
+
+TEST_CASE("a last digit that only one of two numbers has breaks a tie") {
+  // The corners of a cube about 0 have the distance sqrt 3 from it, e has sqrt 2 or 2.
+  const Balls cube{{{1, 1, 1}, 0}, {{-1, -1, 1}, 0}, {{-1, 1, -1}, 0}, {{1, -1, -1}, 0}};
+  const auto side = [](const Balls& of, const WeightedPoint& e) {
+    const auto [p, q, r, s] = std::array{of[0], of[1], of[2], of[3]};
+    const Sign exact = internal::expanded_orthosphere(p, q, r, s, e);
+    CHECK(internal::integer_orthosphere(p, q, r, s, e).value_or(exact) == exact);
+    return exact;
+  };
+  for (const double little : {0x1p-60, 0x1p-50, 0x1p-44}) {
+    for (const double sign : {-1.0, 1.0}) {
+      Balls heavy = cube, one = cube;
+      for (WeightedPoint& p : heavy) p.weight = 1;
+      CHECK(side(heavy, {{1, 1, 0}, sign * little}) != Sign::Zero);
+      one[2].weight = sign * little;
+      CHECK(side(one, {{2, 0, 0}, 1}) != Sign::Zero);
+    }
+  }
+  const double third = 1.0 / 3;
+  for (const double y : {std::nextafter(third, 0), std::nextafter(third, 1)}) {
+    const Point a(0, 0, 0), b(1, 1, 0), c(0, 0, 1), d(third, y, 0.5);
+    CHECK(orientation(a, b, c, d) == internal::expanded_orientation(a, b, c, d));
+    CHECK(orientation(d, b, c, a) == internal::expanded_orientation(d, b, c, a));
+  }
+}
+
+TEST_CASE("points of a line are collinear though no difference of their coordinates is exact") {
+  support::for_seeds(1000, [](unsigned seed) {
+    support::Random random(seed);
+    std::array<Point, 3> p;
+    for (Point& at : p) {
+      const int exponent = static_cast<int>(random.below(40)) - 71;
+      const double x = std::ldexp(std::floor(random.uniform() * 0x1p51), exponent);
+      at = Point(x, 3 * x, -x);
+    }
+    CHECK(are_collinear(p[0], p[1], p[2]));
+    const double off = std::nextafter(p[1].z(), 1);
+    if (p[0] != p[2]) CHECK_FALSE(are_collinear(p[0], Point(p[1].x(), p[1].y(), off), p[2]));
+  });
+}

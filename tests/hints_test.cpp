@@ -146,6 +146,43 @@ TEST_CASE("hints change nothing in a certificate, right or wrong") {
   }
 }
 
+TEST_CASE(
+    "what is wrong where an edge occurs twice is told the same with twins that part the sheets") {
+  const morskin::PreparedSkin skin = morskin::prepare_skin({ball(0, 0, 0, 1)});
+  const auto both = [](std::uint32_t a, std::uint32_t b) {
+    support::TriangleList list = support::tetrahedron(0, 1, 2, 3);
+    for (const auto& t : support::tetrahedron(a, b, 4, 5)) list.push_back(t);
+    return list;
+  };
+  const SurfaceMesh apart = geometry::glued_mesh(8, both(6, 7)).mesh;
+  REQUIRE(apart.twins().size() == 24);
+  IndexedMesh mesh{{}, both(0, 1)};
+  for (std::uint32_t v = 0; v < 6; ++v)
+    mesh.positions.emplace_back(std::cos(v), std::sin(v), 0.1 * v);
+  REQUIRE(SurfaceMesh::glued_by_twins(6, mesh.triangles, apart.twins()).has_value());
+  const auto certificate = [&](const certify::Hints& hints) {
+    return certify::certify(mesh, hints, skin.surface, skin.topology, {}, geometry::Run(1));
+  };
+  const Certificate expected = certificate({});
+  CHECK_FALSE(expected.holds(certify::Claim::Manifold));
+  std::vector<HalfEdgeId> twins = apart.twins();
+  check_same(certificate({twins, {}}), expected);
+  // The sheets joined crosswise.
+  const auto half_edge = [&](std::uint32_t from, std::uint32_t to) {
+    std::size_t h = 0;
+    while (apart.origin(HalfEdgeId{h}).value != from || apart.target(HalfEdgeId{h}).value != to)
+      ++h;
+    return HalfEdgeId{h};
+  };
+  for (const auto& [h, back] :
+       {std::pair(half_edge(0, 1), half_edge(7, 6)), std::pair(half_edge(6, 7), half_edge(1, 0))}) {
+    twins[h.index()] = back;
+    twins[back.index()] = h;
+  }
+  REQUIRE(SurfaceMesh::glued_by_twins(6, mesh.triangles, twins).has_value());
+  check_same(certificate({twins, {}}), expected);
+}
+
 TEST_CASE("a mesh glued by hinted twins is the one that a search for twins finds") {
   const IndexedMesh sphere = support::sphere_mesh(geometry::Point::Zero(), 1, 3);
   const std::size_t count = sphere.positions.size();

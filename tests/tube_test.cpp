@@ -272,3 +272,28 @@ TEST_CASE("what a mesher expects is proved, even where N is known to 2^-12 of it
   });
   CHECK(expected > 10'000);
 }
+
+TEST_CASE("a proof holds for triangles with corners off the skin too") {
+  support::for_skins(40, [&](unsigned seed, const PreparedSkin& prepared) {
+    const skin::SkinSurface& skin = prepared.surface;
+    const auto samples = skin.samples().points;
+    support::Random random(seed);
+    for (int i = 0; i < 4000; ++i) {
+      const SurfacePoint& a = samples[random.below(samples.size())];
+      const double size = a.length_scale * random.between(0.1, 1);
+      std::array<SurfacePoint, 3> p;
+      double g = 0, error = 0;
+      for (SurfacePoint& at : p) {
+        const Point x = a.position + size * random.direction();
+        at = skin.at(x, skin.locate(x, a.cell));
+        const surface::Enclosure about = skin.enclose(x, at.cell);
+        g = std::max(g, about.max_value());
+        error = std::max(error, about.error + 1e-12 * at.length_scale);
+      }
+      const auto bounds = certify::triangle_bounds(p[0].position, p[1].position, p[2].position);
+      const TubeProof found =
+          certify::prove_tube(skin, {&p[0], &p[1], &p[2]}, bounds, {{g, g, g}, error});
+      if (found.holds()) check_everywhere(skin, p, found, random);
+    }
+  });
+}

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "tests/support/ball_sets.h"
+#include "tests/support/good_mesh.h"
 #include "tests/support/seeds.h"
+#include "tests/support/test.h"
 
 using namespace morskin;
 using geometry::IndexedMesh;
@@ -97,4 +99,26 @@ TEST_CASE("nested cubes add up, and those that face inwards take off") {
       CHECK(found[p] == sum);
     }
   });
+}
+
+TEST_CASE("what a mesh bounds is told by points that no path from it to the skin passes") {
+  const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
+  const IndexedMesh mesh = support::sphere_mesh(Point::Zero(), 1, 3);
+  const auto objection = [&](std::vector<Point> inside, std::vector<Point> outside) {
+    const surface::Topology expected{1, 0, 2, std::move(inside), std::move(outside)};
+    return certify::certify(mesh, skin, expected).broken_by(certify::Claim::Counts);
+  };
+  const Point centre(0, 0, 0), away(0, 3, 0);
+  CHECK(objection({centre}, {away}) == "");
+  CHECK(support::contains(objection({centre, away}, {}), "should go once round 0 3 0"));
+  CHECK(support::contains(objection({centre}, {centre}), "should not go round 0 0 0"));
+  // Between a triangle and the skin: inside the skin, and the mesh does not go round it.
+  for (const std::size_t t : {std::size_t{0}, std::size_t{77}, mesh.triangles.size() - 1}) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Point foot = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    for (const double share : {0.1, 0.9}) {
+      const Point between = foot.normalized() * (share + (1 - share) * foot.norm());
+      CHECK(support::contains(objection({centre}, {between}), "a triangle is too near to"));
+    }
+  }
 }

@@ -8,6 +8,7 @@ An older table is the one with the same head, an older sentence the one that dif
 """
 
 import argparse
+import json
 import re
 import sys
 from pathlib import Path
@@ -55,6 +56,8 @@ def ablation_texts(rows):
 
 def texts():
     """(page, text) of everything that a page has from papers/results."""
+    known = json.loads((RESULTS / "environment.json").read_text(encoding="utf-8"))
+    yield "papers/5-results.md", tables.environments_text(known)
     measured, scaling, agreement = (tables.read_rows(RESULTS / f"{name}.csv")
                                     for name in ("table1", "scaling", "agreement"))
     yield from table1.texts(measured, scaling, agreement)

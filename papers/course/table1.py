@@ -1,7 +1,6 @@
 """What pages say of the paper's Table 1 as it comes out here, and of what the same run measures
 beside it: how time grows with size, and on how many skins each method has the topology right."""
 
-import json
 import math
 import statistics
 
@@ -154,8 +153,6 @@ def texts(rows, scaling, agreement):
     yield from ((page, text) for text in (
         reproduced_table(rows), scaling_table(scaling), count_sentence(rows), *sentences,
         *agreement_sentence(agreement)))
-    known = json.loads((RESULTS / "environment.json").read_text(encoding="utf-8"))
-    yield page, tables.environments_text(known)
     exponent, error, _ = tables.fit(scaling, "seconds", series="corpus", method="sweep")[0]
     yield page, f"{exponent:.3f} ± {error:.3f} over molecules, below"
     slower = [p[3] / median(rows, m, "sweep", "cpu_seconds") for m, p in tables.PAPER.items()]

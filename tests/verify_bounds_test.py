@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""The bounds of the second checker, certify/verify/, each against exact or sampled values, and
+meshes that break one condition only. Usage: verify_bounds_test.py path/to/morskin (not run)"""
+
+import sys
+import unittest
+from fractions import Fraction
+from math import isqrt
+from pathlib import Path
+
+import numpy as np
+
+from support.command import main
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "certify" / "verify"))
+import covering  # noqa: E402
+import verify  # noqa: E402
+from covering import Covering  # noqa: E402
+from enclosure import Skin  # noqa: E402
+from manifold import NotProved, check_manifold  # noqa: E402
+from skin_components import Balls  # noqa: E402
+
+OCTAHEDRON = (np.array([[1., 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]),
+              np.array([[a, c, e] if up else [c, a, e] for a, x in ((0, 1), (1, 0))
+                        for c, y in ((2, 1), (3, 0)) for e, z in ((4, 1), (5, 0))
+                        for up in [(x + y + z) % 2]]))
+ONE, TWO = np.array([[0., 0, 0, 2]]), np.array([[0., 0, 0, 2], [9, 0, 0, 2]])
+
+
+def sphere(levels):
+    """The unit sphere, an octahedron cut into four parts a few times."""
+    p, t = OCTAHEDRON
+    for _ in range(levels):
+        a, b, c = t.T
+        pairs = np.sort(np.vstack([np.column_stack(e) for e in ((a, b), (b, c), (c, a))]), axis=1)
+        edges, number = np.unique(pairs, axis=0, return_inverse=True)
+        middles = p[edges].sum(1)
+        ab, bc, ca = number.reshape(3, -1) + len(p)
+        p = np.vstack([p, middles / np.linalg.norm(middles, axis=1)[:, None]])
+        t = np.vstack([np.column_stack(r) for r in ((a, ab, ca), (b, bc, ab), (c, ca, bc),
+                                                    (bc, ca, ab))])
+    return p, t
+
+
+def reason(balls, p, t):
+    witness = {"simplices": (), "vertex_atoms": np.zeros((len(p), 4), dtype=np.int64),
+               "component_vertices": [], "dropped_voids": 0}
+    try:
+        verify.prove(balls, p, t, witness, {})
+    except NotProved as error:
+        return str(error)
+    return None
+
+
+class VerifyBounds(unittest.TestCase):
+    def test_a_path_is_no_shorter_than_a_straight_one_and_unbounded_beyond(self):
+        n = np.array([1.0, 1e-3, 1e3, 1.0])
+        for share in (1e-12, 0.1, 0.5, 0.99, 1 - 1e-12):
+            found, g = covering.longest_path(n, share * n * n), share * n * n
+            self.assertTrue((found >= (1 - 2e-16) * g / (n + np.sqrt(n * n - g))).all())
+            self.assertTrue(np.isfinite(found).all())
+        self.assertTrue((covering.longest_path(n, n * n) == np.inf).all())
+        self.assertEqual(covering.longest_path(np.float64(-1.0), np.float64(0.1)), np.inf)
+
+    def test_circumradii_and_normals_of_needles_are_bounded(self):
+        chance = np.random.default_rng(1)
+        p, bounded = [], 0
+        for _ in range(400):
+            a, e, f = chance.normal(size=(3, 3))
+            thin = 10.0**chance.uniform(-13, 0)
+            p += [1e3 * a, 1e3 * a + e, 1e3 * a + 0.4 * e + thin * f]
+        for i in range(0, len(p), 3):
+            corners = np.array(p[i:i + 3])
+            try:
+                found = Covering(corners, np.array([[0, 1, 2]]), Skin(ONE),
+                                 np.zeros((3, 4), dtype=np.int64))
+            except NotProved:
+                continue
+            bounded += 1
+            x, y, z = ([Fraction(v) for v in row] for row in corners.tolist())
+            e, f = ([v - u for u, v in zip(x, other)] for other in (y, z))
+            n = [e[k - 2] * f[k - 1] - e[k - 1] * f[k - 2] for k in range(3)]
+            nn, ee, ff = (sum(u * u for u in v) for v in (n, e, f))
+            gg = sum((u - v)**2 for u, v in zip(e, f))
+            self.assertGreaterEqual(Fraction(float(found.R[0]))**2, ee * ff * gg / (4 * nn))
+            root = self.root(nn)
+            m = [Fraction(v) for v in found.normal[0].tolist()]
+            off = sum((u / root - v)**2 for u, v in zip(n, m))
+            self.assertGreaterEqual(Fraction(float(found.normal_error[0]))**2, off)
+        self.assertGreater(bounded, 300)
+
+    def root(self, x):
+        """Of a Fraction, to some 50 digits."""
+        scale = 10**60
+        while x * scale < 10**100:
+            scale *= 10**20
+        return Fraction(isqrt(int(x * scale * scale)), scale)
+
+    def test_only_triangles_in_the_tube_of_a_ball_are_proved(self):
+        # |G| = R^2 and |N|^2 = 1 - R^2 at the circumcentre.
+        for R in (0.3, 0.6, 0.7, 0.7065):
+            self.assertTrue(self.is_proved(R), R)
+        for R in (0.7072, 0.72, 0.8, 0.95):
+            self.assertFalse(self.is_proved(R), R)
+
+    def is_proved(self, R):
+        turn = 2 * np.pi / 3 * np.arange(3)
+        p = np.column_stack([R * np.cos(turn), R * np.sin(turn), np.full(3, np.sqrt(1 - R * R))])
+        found = Covering(p, np.array([[0, 1, 2]]), Skin(ONE), np.zeros((3, 4), dtype=np.int64))
+        try:
+            found.prove_tube()
+        except NotProved:
+            return False
+        self.assertGreaterEqual(found.path[0], 1 - np.sqrt(1 - R * R))
+        return True
+
+    def test_what_is_proved_of_a_triangle_holds_at_each_of_its_points(self):
+        chance = np.random.default_rng(2)
+        skin = Skin(np.array([[0., 0, 0, 2], [1.1, 0, 0, 1.5], [0, 1.2, 0.3, 2.2]]))
+        count, points = 3000, 12
+        p = chance.normal(size=(count, 1, 3)) + np.array([0.4, 0.4, 0.1])
+        p = p + chance.uniform(0.05, 0.6, (count, 1, 1)) * chance.normal(size=(count, 3, 3))
+        every = np.arange(3 * count).reshape(-1, 3)
+        found = Covering(p.reshape(-1, 3), every, skin, np.zeros((3 * count, 4), dtype=np.int64))
+        at, found.path = found.bounds[every], np.zeros(count)
+        t = np.flatnonzero(((found.upright(at, np.arange(count)[:, None]) > 0) &
+                            (at.g < at.low**2)).all(1))
+        t = t[found.hold(t, p[t], at[t], found.R[t], 0)]
+        self.assertGreater(len(t), 100)
+        inside = np.einsum("tij,tjk->tik", chance.dirichlet([0.3] * 3, (len(t), points)), p[t])
+        seen = skin.enclose(inside.reshape(-1, 3), np.zeros((len(t) * points, 4), dtype=np.int64))
+        normal = found.normal[t].repeat(points, 0)
+        self.assertTrue(((seen.n * normal).sum(1) > -seen.r).all())
+        self.assertTrue((seen.least < seen.high**2).all())
+
+    def test_sheets_one_over_the_other_are_no_proof_of_two_components(self):
+        for levels in (2, 3):
+            p, t = sphere(levels)
+            self.assertRegex(reason(TWO, p, t) or "", "^degree")
+            for off, turn in ((0, 0.3), (1e-4, 0.1), (0.03, 0), (0.03, 0.3)):
+                c, s = np.cos(turn), np.sin(turn)
+                q = p @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) * (1 + off)
+                both = np.vstack([p * (1 - off), q]), np.vstack([t, t + len(p)])
+                with self.subTest(levels=levels, off=off, turn=turn):
+                    self.assertRegex(reason(TWO, *both) or "", "^degree: .* more than once")
+
+    def test_a_component_covered_once_does_not_answer_for_another(self):
+        p, t = sphere(2)
+        q = np.vstack([p, p + [9, 0, 0], p + [9, 0, 0]])
+        three = np.vstack([t, t + len(p), t + 2 * len(p)])
+        found = Covering(q, three, Skin(TWO), np.repeat([[0], [1], [1]], len(p), 0).repeat(4, 1))
+        found.prove_tube()
+        label = np.repeat([0, len(p), 2 * len(p)], len(p))
+        found.prove_degree(label[:len(p)], [])
+        with self.assertRaisesRegex(NotProved, f"component of vertex {len(p)} "):
+            found.prove_degree(label, [])
+        with self.assertRaisesRegex(NotProved, f"component of vertex {len(p)} "):
+            found.prove_degree(label, [0, 1, 2])  # what proves one is no witness of another
+
+    def test_triangles_turn_once_round_a_corner_or_not(self):
+        axis = np.array([0., 0, 1])
+
+        def once(angles, height=0.1):
+            ring = np.column_stack([np.cos(angles), np.sin(angles), np.full(len(angles), height)])
+            arms = np.array([[[0, 0, 0], a, b] for a, b in zip(ring, np.roll(ring, -1, 0))])
+            return covering.turn_once(arms, arms * [1, 1, 0], axis)
+        circle = np.arange(7) * 2 * np.pi / 7
+        self.assertTrue(once(circle))
+        self.assertFalse(once(2 * circle))
+        self.assertFalse(once(-circle))
+        self.assertFalse(once(circle, 1e7))  # too steep to tell
+        back = circle.copy()
+        back[3] = circle[1] - 0.1
+        self.assertFalse(once(back))
+
+    def test_no_point_of_a_triangle_is_nearer_than_its_bound_nor_to_an_axis(self):
+        chance = np.random.default_rng(3)
+        arms = chance.normal(size=(300, 3, 3)) * 0.7 + chance.normal(size=(300, 1, 3))
+        shares = chance.dirichlet([0.4] * 3, 300)
+        points = np.einsum("ij,njk->nik", shares, arms)
+        near = np.linalg.norm(points, axis=2).min(1)
+        self.assertTrue((covering.distance_below(arms, arms) <= near).all())
+        axis = np.array([1., 2, 2]) / 3
+        seen = arms - (arms @ axis)[:, :, None] * axis
+        across = points - (points @ axis)[:, :, None] * axis
+        near = np.linalg.norm(across, axis=2).min(1)
+        found = covering.distance_below(seen, arms, axis)
+        self.assertTrue((found <= near).all())
+        self.assertTrue((found[near > 0.5] > 0).any())
+
+    def test_wrong_gluings_are_named(self):
+        def refused(why, vertices, triangles):
+            with self.assertRaisesRegex(NotProved, why):
+                check_manifold(vertices, np.array(triangles))
+        four = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+        check_manifold(4, np.array(four))
+        refused("twice in a triangle", 4, four + [[0, 0, 1], [0, 1, 0]])
+        refused("not there once", 4, four + four)
+        other = [[{0: 0}.get(v, v + 3) for v in row] for row in four]
+        refused("several fans", 7, four + other)
+
+    def test_an_angle_is_no_larger_than_it_is(self):
+        p, t = sphere(2)
+        report = {}
+        verify.prove(ONE, p, t, {"simplices": (), "vertex_atoms": np.zeros((len(p), 4), int),
+                                 "component_vertices": [], "dropped_voids": 0}, report)
+        arms = p[t][:, [1, 2, 0]] - p[t]
+        cosine = -(arms * arms[:, [2, 0, 1]]).sum(2) / (
+            np.linalg.norm(arms, axis=2) * np.linalg.norm(arms[:, [2, 0, 1]], axis=2))
+        smallest = np.degrees(np.arccos(cosine)).min()
+        self.assertLess(report["angle"], smallest + 1e-9)
+        self.assertGreater(report["angle"], smallest - 1e-6)
+
+    def test_a_vertex_off_the_skin_by_a_little_is_named(self):
+        for off in (4e-9, -4e-9, 1e-8):
+            p, t = sphere(3)
+            self.assertIsNone(reason(ONE, p, t))
+            p[9] *= 1 + off
+            self.assertRegex(reason(ONE, p, t) or "", "^on skin: vertex 9 ")
+
+    def test_balls_without_a_body_overlap_nothing(self):
+        balls = Balls([[0, 0, 0, -1], [0.5, 0, 0, -1], [0.2, 0, 0, 1], [0.4, 0, 0, 0]])
+        every = np.array([(i, j) for i in range(4) for j in range(i)]).T
+        self.assertFalse(balls.overlap(*every).any())
+
+
+if __name__ == "__main__":
+    main()
