@@ -95,7 +95,7 @@ class SecondOrder(CommandTest):
             self.assertLess(curved, share * flat)
 
     def test_where_a_triangle_might_fold_over_the_run_is_refused_and_no_file_is_left(self):
-        done = self.run_morskin("mesh", MOLECULES / "1crn.pdb", "-C", "0.6", "--model", "paper",
+        done = self.run_morskin("mesh", MOLECULES / "1crn.pdb", "-C", "0.65", "--model", "paper",
                                 "--order", "2", "-o", "m.vtu", "-o", "m.ply", code=4)
         self.assertIn(b"the Jacobian of the second-order triangle", done.stderr)
         self.assertEqual(self.names(), [])
