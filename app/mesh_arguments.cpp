@@ -54,6 +54,9 @@ void finish_method(MeshArguments& mesh, const Typed& typed) {
   if (!typed.grow) return;
   if (mesh.method != MeshMethod::Dynamic) throw UsageError("--grow is for --method dynamic");
   std::tie(mesh.growth_shown_from, mesh.grow_to) = parsed_growth(*typed.grow);
+  if (mesh.certificate && mesh.grow_to != 0) {
+    throw UsageError("--certificate is of the balls that `balls` writes, so --grow must end at 0");
+  }
 }
 
 /// How a sweep goes, and pictures on its way.

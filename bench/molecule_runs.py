@@ -24,10 +24,20 @@ STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "v
           "certify": ["certify"], "describe": ["describe"], "write": ["write"]}
 
 
+class Parser(argparse.ArgumentParser):
+    """No part of the molecules takes the place of a page's table."""
+
+    def parse_args(self, *words):
+        options = super().parse_args(*words)
+        if options.only and options.results.resolve().is_relative_to(ROOT / "papers"):
+            self.error(f"--only makes a part of {options.results.name}, which a page shows: say "
+                       "with --results where else to write")
+        return options
+
+
 def argument_parser(text, *, timeout, results, largest=None):
     """The arguments that every script takes; it may add its own."""
-    parser = argparse.ArgumentParser(description=text,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
                         help="folder to search (default %(default)s, else bench/molecules)")
     parser.add_argument("--largest", type=int, metavar="N", default=largest,

@@ -17,7 +17,7 @@ bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x
 }  // namespace
 
 bool is_single_precision(std::span<const surface::Point> positions) {
-  return std::ranges::all_of(positions, [](const surface::Point& p) {
+  return !positions.empty() && std::ranges::all_of(positions, [](const surface::Point& p) {
     return std::abs(p.x()) <= FLT_MAX && std::abs(p.y()) <= FLT_MAX && std::abs(p.z()) <= FLT_MAX &&
            is_float(p.x()) && is_float(p.y()) && is_float(p.z());
   });

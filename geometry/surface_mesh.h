@@ -99,9 +99,9 @@ class SurfaceMesh {
   /// follower takes over the values of the other mesh's k-th, if both have one type.
   /// @param threads  at most; one for a big mesh, so that not all is there twice at once
   void append(SurfaceMesh&& other, unsigned threads = 1);
-  /// What append() reserves for a count of elements: refinement adds one vertex to every fifteen,
-  /// and growth would double the arrays.
-  static constexpr std::size_t capacity_for(std::size_t count) { return count + count / 12; }
+  /// What append() reserves for a count of elements: seams add one vertex to every sixty,
+  /// refinement one to every fourteen, and growth would double the arrays.
+  static constexpr std::size_t capacity_for(std::size_t count) { return count + count / 8; }
 
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).

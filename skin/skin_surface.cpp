@@ -18,7 +18,7 @@ const std::vector<WeightedPoint>& checked(const std::vector<WeightedPoint>& poin
                                [](const WeightedPoint& p) { return p.weight > 0; });
   if (!any) {
     throw geometry::RefusedInput(
-        "no atom has a positive weight, so there is no surface; give radii");
+        "no ball has a positive weight, so there is no surface; give larger radii or weights");
   }
   return points;
 }

@@ -26,7 +26,7 @@ import replay  # noqa: E402
 import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
-from molecule_runs import BUNDLED, Run, read_rows  # noqa: E402
+from molecule_runs import BUNDLED, Run, argument_parser, read_rows  # noqa: E402
 
 REPORT = {"fallbacks": [], "triangles": 10, "smoothing": {"left": 0, "inserted": 0},
           "violations_L": 0, "min_angle_deg": 31.0, "max_angle_deg": 100.0}
@@ -78,6 +78,17 @@ class Ends(unittest.TestCase):
                 code, said = self.code_of(script, "--only", "no such molecule")
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
                 self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+    def test_a_part_of_the_molecules_replaces_no_table_of_a_page(self):
+        parser = argument_parser("", timeout=1, results="papers/results/features.tsv")
+        elsewhere = ["--results", str(self.table)]
+        for words in ([], ["--only", "1grm", *elsewhere]):
+            parser.parse_args(words)
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as ended:
+            parser.parse_args(["--only", "1grm"])
+        self.assertEqual(ended.exception.code, 2)
+        self.assertIn("a part of features.tsv", said.getvalue())
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")

@@ -120,6 +120,11 @@ class Mesh(CommandTest):
                       ("--method", "dynamic", "--grow", "x..0")):
             self.run_morskin("mesh", self.ring, "-o", "ring.ply", *words, code=2)
 
+    def test_no_certificate_is_written_of_balls_that_no_file_has(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "dynamic",
+                                "--grow", "-3..-0.5", "--certificate", "c.json", code=2)
+        self.assertIn(b"must end at 0", done.stderr)
+
     def test_snapshots_want_one_front(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--snapshots", "2",
                                 "--fronts", "2", code=2)

@@ -88,6 +88,14 @@ class Verify(CommandTest):
             other = str(self.input("other.json", json.dumps(witness | wrong)))
             self.assertRegex(verify.verify([balls, mesh, other])["reason"], "^unreadable")
 
+    def test_a_mesh_with_data_beside_it_is_proved_like_the_bare_one(self):
+        words = ("--model", "vdw", "-C", "0.3")
+        bare = files.read_mesh(self.made(MOLECULES / "caffeine.xyz", *words)[1])
+        names = self.made(MOLECULES / "caffeine.xyz", *words, "--vertex-data", "all")
+        for a, b in zip(bare, files.read_mesh(names[1])):
+            np.testing.assert_array_equal(a, b)
+        self.assertIsNone(verify.verify(names)["reason"])
+
     def test_check_writes_the_certificate_that_mesh_writes(self):
         words = ("--model", "vdw", "-C", "0.3")
         names = self.made(MOLECULES / "caffeine.xyz", *words)

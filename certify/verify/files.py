@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 
 LARGEST = 2.0**100  # of coordinates and weights: no product can overflow
-PLY = re.compile(rb"ply\nformat binary_little_endian 1.0\n(comment.*\n)*element vertex (\d+)\n"
-                 rb"property double x\nproperty double y\nproperty double z\n"
-                 rb"element face (\d+)\nproperty list uchar int vertex_indices\nend_header\n")
+PLY = re.compile(rb"ply\nformat binary_little_endian 1.0\n(?:comment.*\n)*element vertex (\d+)\n"
+                 rb"((?:property [a-z]+ \w+\n)+)element face (\d+)\nproperty list uchar int "
+                 rb"vertex_indices\n((?:property [a-z]+ \w+\n)*)end_header\n")
+NUMBERS = {b"double": "<f8", b"float": "<f4", b"int": "<i4", b"uchar": "u1"}
 
 
 def read_balls(path):
@@ -20,15 +21,24 @@ def read_balls(path):
     return balls
 
 
+def fields(properties):
+    """Names and NumPy types of PLY's scalar properties."""
+    rows = [line.split() for line in properties.splitlines()]
+    return [(name.decode(), NUMBERS[kind]) for _, kind, name in rows]
+
+
 def read_mesh(path):
-    """Positions, V x 3, and triangles, T x 3, of an OFF file or a PLY file like morskin's."""
+    """Positions, V x 3, and triangles, T x 3, of an OFF file or a PLY file like morskin's,
+    where more data may stand beside both."""
     data = Path(path).read_bytes()
     header = PLY.match(data)
     if header:
-        vertices, faces = int(header[2]), int(header[3])
-        positions = np.frombuffer(data, "<f8", 3 * vertices, header.end()).reshape(vertices, 3)
-        table = np.frombuffer(data, "u1, 3<i4", faces, header.end() + positions.nbytes)
-        faces = np.column_stack([table["f0"], table["f1"]]).astype(np.int64)
+        vertices, at_vertices, faces, at_faces = header.groups()
+        table = np.frombuffer(data, fields(at_vertices), int(vertices), header.end())
+        positions = np.column_stack([table["x"], table["y"], table["z"]]).astype(float)
+        list_and_more = [("size", "u1"), ("corners", "<i4", 3)] + fields(at_faces)
+        table = np.frombuffer(data, list_and_more, int(faces), header.end() + table.nbytes)
+        faces = np.column_stack([table["size"], table["corners"]]).astype(np.int64)
     else:
         off, vertices, faces, _, *words = re.sub(rb"#.*", b"", data).split()
         if off != b"OFF":
