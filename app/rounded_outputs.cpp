@@ -17,23 +17,12 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
-/// By way of memory: GCC 12 leaves out the rounding of two neighbouring coordinates otherwise.
-double in_single_precision(double x) {
-  const volatile auto rounded = static_cast<float>(x);
-  return static_cast<double>(rounded);
-}
-
-IndexedMesh in_single_precision(IndexedMesh mesh) {
-  for (geometry::Point& p : mesh.positions) {
-    for (double& x : p) x = in_single_precision(x);
-  }
-  return mesh;
-}
-
 /// The mesh as a file stores it, if that is another.
 std::optional<IndexedMesh> stored(const IndexedMesh& mesh, MeshFormat format,
                                   const std::optional<int>& decimals) {
-  if (format == MeshFormat::Stl || format == MeshFormat::Glb) return in_single_precision(mesh);
+  if (format == MeshFormat::Stl || format == MeshFormat::Glb) {
+    return geometry::in_single_precision(mesh);
+  }
   if (format != MeshFormat::MsmsVertices || !decimals) return std::nullopt;
   return geometry::with_decimals(mesh, *decimals);
 }

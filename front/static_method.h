@@ -17,11 +17,10 @@ namespace morskin::front {
 /// surface ball stays empty and small enough for [U], so that every component of the skin keeps a
 /// facet from the start, and no refinement is needed for it to be found.
 ///
-/// Law:  two seeds, unless of one triangle, are farther apart than 0.9 C Q times their larger
-/// length
-///       scale, which meets [L] where Q^2 > 2.3. A triangle's own edges shrink when it is
-///       projected, and beyond largest_proved_C may break [L]. Every component has three seeds at
-///       least.
+/// Law:  two seeds, unless of one triangle, are farther apart than 0.9 C Q times the larger of
+///       their length scales, which meets [L] where Q^2 > 2.3. A triangle's own edges shrink when
+///       it is projected, and beyond largest_proved_C may break [L]. Every component has three
+///       seeds at least.
 std::vector<surface::SurfacePoint> delaunay_seeds(const surface::Surface& surface,
                                                   const std::vector<morse::CriticalPoint>& critical,
                                                   const certify::Sizing& sizing);

@@ -9,6 +9,7 @@
 
 #include "certify/certificate.h"
 #include "certify/triangle_geometry.h"
+#include "geometry/files/mesh_files.h"
 #include "skin/dual_complex.h"
 #include "tests/support/good_mesh.h"
 #include "tests/support/wrong_meshes.h"
@@ -41,11 +42,6 @@ Skin two_balls() { return Skin({ball(0, 0, 0, 1), ball(9, 0, 0, 1)}); }
 
 void scale(IndexedMesh& mesh, std::size_t first, std::size_t last, double factor) {
   for (std::size_t v = first; v < last; ++v) mesh.positions[v] *= factor;
-}
-
-IndexedMesh in_floats(IndexedMesh mesh) {
-  for (Point& p : mesh.positions) p = p.cast<float>().cast<double>();
-  return mesh;
 }
 
 }  // namespace
@@ -210,16 +206,17 @@ TEST_CASE("sheets in floats far from the origin are no proof of two components, 
   const IndexedMesh outer = support::sphere_mesh(far, 1.05, 3);
   const IndexedMesh inner = support::sphere_mesh(far, 0.95, 3);
   const certify::Sizing sizing{0.1, 3};
-  CHECK_FALSE(two.certify(in_floats(support::together(outer, inner)), sizing).is_homeomorphic);
+  CHECK_FALSE(two.certify(geometry::in_single_precision(support::together(outer, inner)), sizing)
+                  .is_homeomorphic);
   IndexedMesh cover = support::double_cover(support::sphere_mesh(Point::Zero(), 1, 3));
   const std::size_t simple = outer.positions.size();
   for (std::size_t v = 0; v < cover.positions.size(); ++v) {
     cover.positions[v] = far + (v < simple ? 1.05 : 0.95) * cover.positions[v];
   }
-  CHECK_FALSE(one.certify(in_floats(cover), sizing).is_homeomorphic);
+  CHECK_FALSE(one.certify(geometry::in_single_precision(cover), sizing).is_homeomorphic);
   // A single sheet is proved, as far off as these are.
-  CHECK(one.certify(in_floats(outer), sizing).is_homeomorphic);
-  CHECK(one.certify(in_floats(inner), sizing).is_homeomorphic);
+  CHECK(one.certify(geometry::in_single_precision(outer), sizing).is_homeomorphic);
+  CHECK(one.certify(geometry::in_single_precision(inner), sizing).is_homeomorphic);
 }
 
 TEST_CASE("a tiny pair beside a far ball is told joined from apart") {

@@ -112,6 +112,21 @@ TEST_CASE("coordinates with a few decimals are those that the file of columns gi
   CHECK(parse_msms(vertices, "a.vert", faces, "a.face") == rounded);
 }
 
+TEST_CASE("coordinates of single precision are those that an STL file gives back") {
+  IndexedMesh mesh = plain_tetrahedron();
+  for (Point& p : mesh.positions) p = p / 3 + Point(0.1, 0.2, 0.3);
+  const IndexedMesh rounded = in_single_precision(mesh);
+  const IndexedMesh read = parse_mesh(serialized(mesh, MeshFormat::Stl), "a.stl");
+  REQUIRE(read.triangles.size() == mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = rounded.positions[mesh.triangles[t][k]];
+      CHECK((p.array() != mesh.positions[mesh.triangles[t][k]].array()).all());
+      CHECK(read.positions[read.triangles[t][k]] == p);
+    }
+  }
+}
+
 TEST_CASE("an empty mesh is written in the formats that are only written, too") {
   const IndexedMesh nothing;
   for (const MeshFormat format :

@@ -72,6 +72,8 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
 /// The mesh as a text file holds it whose coordinates have so many decimals.
 IndexedMesh with_decimals(IndexedMesh mesh, int decimals);
+/// The mesh as STL and GLB hold it, whose coordinates have single precision.
+IndexedMesh in_single_precision(IndexedMesh mesh);
 
 /// Reads a mesh of any format above that is not only written, by any program. The content decides
 /// the format, and the ending where the content is ambiguous. `path` may name either file of an

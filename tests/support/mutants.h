@@ -5,8 +5,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "certify/triangle_geometry.h"
+#include "geometry/files/mesh_files.h"
 #include "tests/support/mesh_part.h"
 #include "tests/support/meshes.h"
 #include "tests/support/wrong_meshes.h"
@@ -215,9 +217,7 @@ class Mutant {
     const double share = small();
     for (Point& x : mesh.positions) x += share * half_gradient(x).norm() * random_.direction();
   }
-  void round_to_floats() {
-    for (Point& x : mesh.positions) x = x.cast<float>().cast<double>();
-  }
+  void round_to_floats() { mesh = geometry::in_single_precision(std::move(mesh)); }
   void round_to_decimals() {
     const double unit = small() * half_gradient(mesh.positions[some_vertex()]).norm();
     for (Point& x : mesh.positions) x = ((x / unit).array().round() * unit).matrix();
