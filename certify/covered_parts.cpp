@@ -52,7 +52,8 @@ std::string objection_to_parts(const LocatedMesh& mesh, const surface::Topology&
   if (const auto near = point_on_path(mesh, points)) {
     return "a triangle is too near to " + in_words(points[*near]) + " to tell what it bounds there";
   }
-  const auto windings = winding_numbers(mesh.mesh, points);
+  // None lies on the mesh, for all are farther from each triangle than its path is long.
+  const std::vector<int> windings = winding_numbers(mesh.mesh, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_inside = i < expected.inside.size();
     if (windings[i] == (is_inside ? 1 : 0)) continue;

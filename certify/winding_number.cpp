@@ -37,8 +37,7 @@ Point projected(const Point& p) { return {p.x(), p.y(), 0}; }
 
 }  // namespace
 
-std::vector<std::optional<int>> winding_numbers(const geometry::IndexedMesh& mesh,
-                                                std::span<const Point> points) {
+std::vector<int> winding_numbers(const geometry::IndexedMesh& mesh, std::span<const Point> points) {
   std::vector<Point> all(mesh.positions.begin(), mesh.positions.end());
   all.insert(all.end(), points.begin(), points.end());
   const geometry::ExactPositions exact(all);
@@ -46,7 +45,7 @@ std::vector<std::optional<int>> winding_numbers(const geometry::IndexedMesh& mes
   std::vector<Point> in_plane;
   for (const Point& p : asked) in_plane.push_back(projected(p));
   const geometry::KdTree<geometry::VertexId> tree(in_plane);
-  std::vector<std::optional<int>> windings(points.size(), 0);
+  std::vector<int> windings(points.size(), 0);
   for (const auto& [i, j, k] : mesh.triangles) {
     const Corners triangle{exact[i], exact[j], exact[k]};
     const Point low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
@@ -58,10 +57,8 @@ std::vector<std::optional<int>> winding_numbers(const geometry::IndexedMesh& mes
       const int turns = turns_about(p, triangle);
       if (turns == 0) return;
       const Sign side = geometry::orientation(triangle[0], triangle[1], triangle[2], p);
-      std::optional<int>& winding = windings[near.id.index()];
-      if (side == Sign::Zero) winding.reset();
       const bool is_above = side == (turns > 0 ? Sign::Positive : Sign::Negative);
-      if (winding && is_above) *winding += turns;
+      if (is_above) windings[near.id.index()] += turns;
     });
   }
   return windings;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,12 +8,12 @@
 namespace morskin::certify {
 
 /// How often a closed mesh winds round each of some points: 1 inside what it bounds, 0 outside.
-/// Exact. Nothing for a point that lies on the mesh.
+/// Exact.
 ///
 /// The triangles above a point are counted, +1 where they face upwards, -1 downwards. A vertical
 /// line through an edge or a vertex passes to one side of it, the same for all its triangles.
-/// @pre all coordinates are finite
-std::vector<std::optional<int>> winding_numbers(const geometry::IndexedMesh& mesh,
-                                                std::span<const geometry::Point> points);
+/// @pre all coordinates are finite, and no point lies on the mesh
+std::vector<int> winding_numbers(const geometry::IndexedMesh& mesh,
+                                 std::span<const geometry::Point> points);
 
 }  // namespace morskin::certify

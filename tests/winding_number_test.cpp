@@ -56,15 +56,6 @@ TEST_CASE("a cube goes once round its inside, under its corners and edges too") 
   }
 }
 
-TEST_CASE("a point on the mesh has no winding number") {
-  const IndexedMesh mesh = cube(Point::Zero(), Point::Ones());
-  const std::vector<Point> points{{0.5, 0.25, 1}, {0.25, 0.25, 0}, {0.5, 0.5, 0.5}};
-  const auto found = certify::winding_numbers(mesh, points);
-  CHECK_FALSE(found[0]);
-  CHECK_FALSE(found[1]);
-  CHECK(found[2] == 1);
-}
-
 TEST_CASE("nested cubes add up, and those that face inwards take off") {
   support::for_seeds(100, [&](unsigned seed) {
     support::Random random(seed);
