@@ -69,7 +69,7 @@ class Pieces {
       if (!(at.max_G < at.size * at.size)) return fail(proof_.is_in_tube);
       min_upright = std::min(min_upright, upright - (triangle_.normal_error + margin) * at.size);
       min_N = std::min(min_N, at.size);
-      max_G = std::max(max_G, at.max_G + (2 * at.size + off_) * off_);
+      max_G = std::max(max_G, at.max_G + (2 * (at.size + at.error) + off_) * off_);
       doubt = std::max(doubt, at.error);
       fold = std::max(fold, (next.x - at.x).squaredNorm() - (next.N - at.N).squaredNorm());
     }
