@@ -26,6 +26,10 @@ void check_refused(const std::string& bytes, const std::string& name, const std:
   CHECK(contains(reason, part));
 }
 
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  return text.replace(text.find(old), old.size(), by);
+}
+
 }  // namespace
 
 TEST_CASE("a bad mesh is turned down with its line and a reason") {
@@ -69,6 +73,50 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
       "a.ply", "x, y and z");
   check_refused("ply\nformat ascii 1.0\n", "a.ply", "does not end");
   check_refused("ply\nend_header\n", "a.ply", "no format");
+}
+
+TEST_CASE(
+    "what other readers of VTU files pass over is not read, and what is there twice refused") {
+  const IndexedMesh mesh = plain_tetrahedron();
+  IndexedMesh other = mesh;
+  other.positions[3].z() = 7;
+  const std::string text = serialized(mesh, MeshFormat::Vtu);
+  const auto section = [](const std::string& of, const std::string& name) {
+    const std::size_t begin = of.find("<" + name + ">"), end = of.find("</" + name + ">");
+    return of.substr(begin, end + name.size() + 3 - begin);
+  };
+  const auto with = [&](const std::string& old, const std::string& added) {
+    return replaced(text, old, old + added);
+  };
+  const std::string points = section(serialized(other, MeshFormat::Vtu), "Points");
+  const std::string cells = section(text, "Cells");
+  CHECK(parse_mesh(with("</Cells>", "<!-- <old/>" + points + "-->"), "a.vtu") == mesh);
+  check_refused(with("</Cells>", points), "a.vtu", "several arrays of points");
+  check_refused(with("</Cells>", cells), "a.vtu", "several arrays of cells called \"connect");
+  check_refused(with("</Cells>", "<![CDATA[ <old/>" + points + "]]>"), "a.vtu", "CDATA");
+  check_refused(with("</Cells>", "<?old <old/>" + points + "?>"), "a.vtu", "?old");
+  for (const std::string count : {"NumberOfPoints=\"4", "NumberOfCells=\"4"}) {
+    check_refused(with(count, "0"), "a.vtu", "more or fewer points or cells");
+  }
+}
+
+TEST_CASE(
+    "what other readers of MSH files pass over is not read, and what is there twice refused") {
+  const IndexedMesh mesh = plain_tetrahedron();
+  IndexedMesh other = mesh;
+  other.positions[3].z() = 7;
+  const std::string text = serialized(mesh, MeshFormat::Msh);
+  const auto section = [](const std::string& of, const std::string& name) {
+    const std::size_t begin = of.find("$" + name), end = of.find("$End" + name);
+    return of.substr(begin, end + name.size() + 5 - begin);
+  };
+  const std::string nodes = section(serialized(other, MeshFormat::Msh), "Nodes");
+  CHECK(parse_mesh(replaced(text, "Angstrom\n", "Angstrom\n" + nodes), "a.msh") == mesh);
+  check_refused(text + nodes, "a.msh", "two sections of nodes");
+  check_refused(text + section(text, "Elements"), "a.msh", "two sections of elements");
+  for (const std::string end : {"$EndNodes\n", "$EndElements\n"}) {
+    check_refused(replaced(text, end, ""), "a.msh", "ends too early");
+  }
 }
 
 TEST_CASE("a count beyond what the file can hold is turned down and not allocated") {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "geometry/files/mesh_formats.h"
@@ -37,6 +38,13 @@ std::vector<std::int64_t> integers(TextLines& lines, std::size_t count) {
   std::vector<std::int64_t> result;
   for (std::size_t i = 0; i < count; ++i) result.push_back(take_integer(fields, lines));
   return result;
+}
+
+/// Goes on to the end of a section, over what other readers skip as well.
+void skip_to_end(TextLines& lines, std::string_view section) {
+  const std::string end = "$End" + std::string(section.substr(1));
+  while (trimmed(next_line(lines)) != end) {
+  }
 }
 
 /// Points with Gmsh's tags for them.
@@ -98,21 +106,28 @@ IndexedMesh parse_msh(std::string_view bytes, const std::string& source) {
   TextLines lines(bytes, source);
   std::optional<Nodes> nodes;
   std::optional<CornersOnly> mesh;
+  bool has_elements = false;
   while (lines.advance()) {
     const std::string_view section = trimmed(lines.line());
+    if (!section.starts_with('$')) continue;
     if (section == "$MeshFormat") {
       const std::string_view format = trimmed(next_line(lines));
       if (!format.starts_with("4.1 0 ")) {
         lines.fail("only MSH 4.1 as text is read, not " + quoted(format) +
                    "; write the mesh as that");
       }
-    } else if (section == "$Nodes" && !nodes) {
+    } else if (section == "$Nodes") {
+      if (nodes) lines.fail("there are two sections of nodes; write one mesh");
       nodes = parse_nodes(lines);
       mesh.emplace(nodes->points);
     } else if (section == "$Elements") {
       if (!mesh) lines.fail("elements come before the nodes; write the mesh again");
+      if (std::exchange(has_elements, true)) {
+        lines.fail("there are two sections of elements; write one mesh");
+      }
       parse_elements(lines, *nodes, *mesh);
     }
+    skip_to_end(lines, section);
   }
   if (!mesh) lines.fail("there are no nodes; write the mesh again");
   return std::move(*mesh).take(source);

@@ -48,10 +48,15 @@ std::map<std::string_view, std::string_view> attributes_of(std::string_view insi
   }
 }
 
-/// Calls take(tag) with each tag in turn.
+/// Calls take(tag) with each tag in turn. Comments are passed over, whatever tags they hold.
 void for_each_tag(std::string_view bytes, const std::function<void(const Tag&)>& take) {
+  constexpr std::string_view comment = "<!--";
   std::size_t at = bytes.find('<');
   while (at < bytes.size()) {
+    if (bytes.substr(at).starts_with(comment)) {
+      at = bytes.find('<', bytes.find("-->", at + comment.size()));
+      continue;
+    }
     const std::size_t end = std::min(bytes.find('>', at), bytes.size());
     const std::size_t next = std::min(bytes.find('<', end), bytes.size());
     const std::size_t text = std::min(end + 1, next);
@@ -106,13 +111,22 @@ class Reader {
   explicit Reader(std::string source) : source_(std::move(source)) {}
 
   void take(const Tag& tag) {
+    // What may hold tags that other readers do not see: declarations, CDATA, instructions.
+    if (tag.name.starts_with('!') || (tag.name.starts_with('?') && tag.name != "?xml")) {
+      fail(source_, "holds " + quoted(tag.name) + ", which is not read; write it without");
+    }
     if (tag.name == "VTKFile") check_header(tag);
-    if (tag.name == "Piece" && ++pieces_ > 1) fail(source_, "has several pieces; write one mesh");
+    if (tag.name == "Piece") take_counts(tag);
     if (tag.name == "Points" || tag.name == "Cells" || tag.name == "FieldData") section_ = tag.name;
     if (tag.name.starts_with('/') && tag.name != "/DataArray") section_ = {};
     if (tag.name != "DataArray") return;
-    if (section_ == "Points") points_ = array(tag);
-    if (section_ == "Cells") cells_[std::string(value(tag, "Name"))] = array(tag);
+    if (section_ == "Points") {
+      if (std::exchange(has_points_, true)) fail(source_, "has several arrays of points");
+      points_ = array(tag);
+    }
+    if (section_ == "Cells" && !cells_.emplace(value(tag, "Name"), array(tag)).second) {
+      fail(source_, "has several arrays of cells called " + quoted(value(tag, "Name")));
+    }
     if (section_ == "FieldData") take_field_data(tag);
   }
 
@@ -122,6 +136,9 @@ class Reader {
     const std::vector<double>& ends = cell_array("offsets");
     const std::vector<double>& kinds = cell_array("types");
     if (ends.size() != kinds.size()) fail(source_, "has more or fewer cell types than cells");
+    if (!is_count(point_count_, result.point_count()) || !is_count(cell_count_, ends.size())) {
+      fail(source_, "has more or fewer points or cells than it says; write it again");
+    }
     double start = 0;
     for (std::size_t cell = 0; cell < ends.size(); ++cell) {
       const std::size_t nodes = nodes_of(kinds[cell]);
@@ -153,6 +170,14 @@ class Reader {
       fail(source_, "is big-endian; write it as LittleEndian");
     }
     is_wide_ = tag.attributes.contains("header_type") && value(tag, "header_type") == "UInt64";
+  }
+  void take_counts(const Tag& tag) {
+    if (++pieces_ > 1) fail(source_, "has several pieces; write one mesh");
+    point_count_ = parse_integer(value(tag, "NumberOfPoints"));
+    cell_count_ = parse_integer(value(tag, "NumberOfCells"));
+  }
+  static bool is_count(std::optional<std::int64_t> told, std::size_t count) {
+    return !told || *told == static_cast<std::int64_t>(count);
   }
   /// A number, or a text by its bytes.
   void take_field_data(const Tag& tag) {
@@ -235,6 +260,8 @@ class Reader {
   std::string_view section_;
   bool is_wide_ = false;
   int pieces_ = 0;
+  std::optional<std::int64_t> point_count_, cell_count_;  ///< if the piece says them
+  bool has_points_ = false;
   std::vector<double> points_;
   std::map<std::string, std::vector<double>> cells_;
   Provenance provenance_;
