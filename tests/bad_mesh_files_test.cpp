@@ -71,6 +71,13 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
   check_refused(
       start + "1\nproperty float x\nproperty float x\nproperty float y\n" + "end_header\n0 0 0\n",
       "a.ply", "x, y and z");
+  check_refused(
+      start + "1" + middle + "element vertex 1" + middle + faces + "0 0 0\n0 0 0\n3 0 0 0\n",
+      "a.ply", "two elements \"vertex\"");
+  check_refused(start + "1" + middle +
+                    replaced(faces, "end", "property list uchar int vertex_index\nend") +
+                    "0 0 0\n3 0 0 0 3 0 0 0\n",
+                "a.ply", "two lists of corners");
   check_refused("ply\nformat ascii 1.0\n", "a.ply", "does not end");
   check_refused("ply\nend_header\n", "a.ply", "no format");
 }

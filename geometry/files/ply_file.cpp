@@ -140,7 +140,11 @@ void read_faces(Body& body, const PlyElement& element, IndexedMesh& mesh) {
   const PlyProperty* corners = nullptr;
   for (const PlyProperty& property : element.properties) {
     const bool is_named = property.name == "vertex_indices" || property.name == "vertex_index";
-    if (property.is_list() && is_named) corners = &property;
+    if (!property.is_list() || !is_named) continue;
+    if (corners != nullptr) {
+      throw UnreadableInput(body.location() + ": faces have two lists of corners; write one");
+    }
+    corners = &property;
   }
   if (corners == nullptr) {
     throw UnreadableInput(body.location() +
@@ -197,7 +201,11 @@ IndexedMesh read_body(Body body, const PlyHeader& header, const std::string& sou
     if (element.name == "tristrips") {
       throw UnreadableInput(source + ": triangle strips are not read; write faces instead");
     }
-    if (element.name == "vertex" && !has_vertices) {
+    if ((element.name == "vertex" && has_vertices) || (element.name == "face" && has_faces)) {
+      throw UnreadableInput(source + ": has two elements " + quoted(element.name) +
+                            "; write one mesh");
+    }
+    if (element.name == "vertex") {
       has_vertices = true;
       if constexpr (std::is_same_v<Body, PlyBinaryBody>) {
         if (is_plain(body, element)) {
@@ -206,7 +214,7 @@ IndexedMesh read_body(Body body, const PlyHeader& header, const std::string& sou
         }
       }
       read_vertices(body, element, mesh);
-    } else if (element.name == "face" && !has_faces) {
+    } else if (element.name == "face") {
       has_faces = true;
       read_faces(body, element, mesh);
     } else {
