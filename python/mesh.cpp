@@ -38,7 +38,8 @@ void bind_certificate(py::module_& module) {
   py::class_<Certificate>(module, "Certificate", "What is proved of a mesh, and how good it is.")
       .def_readonly(
           "certified", &Certificate::certified,
-          "bool: homeomorphic to the skin, with [L] and [U], or with angles of 30 degrees")
+          "bool: homeomorphic to the skin, with all vertices on it, [U], and [L] or angles of at "
+          "least 30 degrees")
       .def_readonly("is_homeomorphic", &Certificate::is_homeomorphic,
                     "bool: homeomorphic to the skin, even isotopic")
       .def_readonly("reason", &Certificate::reason,
