@@ -7,8 +7,10 @@ import { Surface } from './surface.js';
 const grey = [200, 200, 200];
 
 export class Growth {
-  constructor(scene) {
+  // plane: the uniform of the plane that cuts, which all frames share with the mesh.
+  constructor(scene, plane) {
     this.scene = scene;
+    this.plane = plane;
     this.frames = scene.page.about.growth.frames; // { name, label, triangles }
     this.made = new Map();
   }
@@ -18,14 +20,11 @@ export class Growth {
     if (!this.made.has(i)) {
       const mesh = new Mesh(this.scene.page, this.frames[i].name, this.scene.centre);
       const surface = new Surface(mesh, mesh.vertexNormals(), null);
+      surface.uniforms.plane = this.plane;
       surface.paint({ colours: () => (t, three) => { three.fill(grey); } });
       this.made.set(i, surface);
     }
     return this.made.get(i);
-  }
-
-  surfaces() {
-    return [...this.made.values()];
   }
 
   show(frame, world, state) {

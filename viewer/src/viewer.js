@@ -25,7 +25,7 @@ export class Viewer {
     this.stage.world.add(this.surface.group);
     this.colourings = colourings(this.scene);
     if (page.has('mesh.birth')) this.sweep = new Sweep(this.scene);
-    if (page.about.growth) this.growth = new Growth(this.scene);
+    if (page.about.growth) this.growth = new Growth(this.scene, this.surface.uniforms.plane);
     if (this.scene.complex) this.section = new SectionLayer(this.scene.complex);
     this.layers = {}; // made when they are first shown
     this.state = {
@@ -61,7 +61,7 @@ export class Viewer {
 
   // Tells of what is under a point of the window; of nothing, where the surface is not.
   inspect(clientX, clientY) {
-    if (this.state.style === 'off') return;
+    if (!this.surface.group.visible) return;
     const box = this.stage.container.getBoundingClientRect();
     const found = pick(this, (2 * (clientX - box.left)) / box.width - 1,
       1 - (2 * (clientY - box.top)) / box.height);
@@ -131,11 +131,8 @@ export class Viewer {
   }
 
   #dress() {
-    this.surface.group.visible = this.state.style !== 'off';
-    for (const surface of [this.surface, ...(this.growth?.surfaces() ?? [])]) {
-      surface.set(this.state);
-      surface.body.visible = this.state.style !== 'off';
-    }
+    this.surface.set(this.state);
+    this.#showFrame();
   }
 
   setAxis(axis) {
@@ -155,9 +152,6 @@ export class Viewer {
     const along = this.normal.reduce((sum, n, k) => sum + n * middle[k], 0);
     const offset = along + this.state.offset * radius;
     this.surface.uniforms.plane.value.set(...this.normal, offset);
-    for (const surface of this.growth?.surfaces() ?? []) {
-      surface.uniforms.plane.value.set(...this.normal, offset);
-    }
     if (this.state.section) this.section.update(this.normal, offset, middle, 1.12 * radius);
   }
 
@@ -239,10 +233,10 @@ export class Viewer {
     this.set({ frame, growing: false });
   }
 
+  // The surface, or the frame of the growth in its place.
   #showFrame() {
-    this.growth.show(this.state.frame, this.stage.world, this.state);
-    const isGrown = this.state.frame === this.growth.frames.length;
-    this.surface.body.visible = isGrown && this.state.style !== 'off';
+    this.growth?.show(this.state.frame, this.stage.world, this.state);
+    const isGrown = this.state.frame === (this.growth?.frames.length ?? 0);
     this.surface.group.visible = isGrown && this.state.style !== 'off';
   }
 

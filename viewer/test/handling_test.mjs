@@ -179,8 +179,24 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     assert.ok(await change(page, () => move(0)) > 0.02);
     assert.match(await page.locator('.player ~ .note').last().textContent(), /coarse/);
     await picture(page, 'growth');
+    // Whatever is switched, the frame is shown alone, and a click tells nothing of the mesh.
+    const isMeshSeen = () => page.evaluate(() => window.viewer.surface.group.visible);
+    // A click at one of many places of the window.
+    const isTold = () => page.evaluate(() => {
+      const { viewer } = window, box = viewer.stage.container.getBoundingClientRect();
+      for (let i = 1; i < 400; ++i) {
+        viewer.inspect(box.left + box.width * (i % 20) / 20, box.top + box.height * Math.floor(i / 20) / 20);
+        if (!viewer.panel.told.hidden) return true;
+      }
+      return false;
+    });
+    for (const key of '2341') await page.keyboard.press(key);
+    await settle(page);
+    await picture(page, 'growth');
+    assert.deepEqual([await isMeshSeen(), await isTold()], [false, false]);
     await page.keyboard.press('g');
     await page.waitForFunction(() => window.viewer.state.frame === 2);
+    assert.deepEqual([await isMeshSeen(), await isTold()], [true, true]);
   });
   await withPage(make('against', fine, '--against', ring), small, async (page) => {
     await check(page, 'lines');
