@@ -2,6 +2,9 @@
 
 const sweepSeconds = 18, growthSeconds = 6;
 
+// What comes next; who starts again forgets it, or two would run at once.
+let nextStep, nextFrame;
+
 export function playSweep(viewer) {
   const { state, sweep } = viewer;
   if (state.playing) {
@@ -17,9 +20,10 @@ export function playSweep(viewer) {
     last = now;
     const isOver = place >= sweep.steps;
     viewer.set({ step: Math.min(Math.round(place), sweep.steps), playing: !isOver });
-    if (!isOver) requestAnimationFrame(tick);
+    if (!isOver) nextStep = requestAnimationFrame(tick);
   };
-  requestAnimationFrame(tick);
+  cancelAnimationFrame(nextStep);
+  nextStep = requestAnimationFrame(tick);
 }
 
 export function playGrowth(viewer) {
@@ -34,7 +38,8 @@ export function playGrowth(viewer) {
     if (!state.growing) return;
     const frame = state.frame + 1;
     viewer.set({ frame, growing: frame < length });
-    if (frame < length) setTimeout(tick, pause);
+    if (frame < length) nextFrame = setTimeout(tick, pause);
   };
-  setTimeout(tick, pause);
+  clearTimeout(nextFrame);
+  nextFrame = setTimeout(tick, pause);
 }

@@ -131,9 +131,9 @@ export class Surface {
     this.along = new THREE.InterleavedBuffer(new Int16Array(12 * count), 4);
     this.geometry.setAttribute('along', new THREE.InterleavedBufferAttribute(this.along, 3, 0, true));
     const perRow = Math.max(512, Math.ceil(count / 4096)); // every graphics card has a row of 2048
-    this.colours = new THREE.DataTexture(
-      new Uint8Array(12 * perRow * Math.ceil(count / perRow)).fill(255), 3 * perRow,
-      Math.ceil(count / perRow));
+    const rows = Math.max(1, Math.ceil(count / perRow)); // a frame may have no triangles
+    this.colours = new THREE.DataTexture(new Uint8Array(12 * perRow * rows).fill(255), 3 * perRow,
+      rows);
 
     this.uniforms = {
       colours: { value: this.colours },
