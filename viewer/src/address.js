@@ -42,12 +42,14 @@ export class Address {
     history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
   }
 
-  // What makes no sense here, in an address from another page, is passed over.
+  // What the address does not tell is as the page opened; what makes no sense here, in an address
+  // from another page, is passed over.
   #read() {
-    const changes = {};
+    const changes = Object.fromEntries(kept.map((name) => [name, this.first[name]]));
+    let eye = this.home;
     for (const [name, word] of new URLSearchParams(location.hash.slice(1))) {
       const was = this.first[name];
-      if (name === 'eye') this.#look(word.split(',').map(Number));
+      if (name === 'eye') eye = word;
       if (!kept.includes(name)) continue;
       if (typeof was === 'boolean') {
         const isThere = name === 'panel' || this.viewer.panel.rows[name];
@@ -60,7 +62,8 @@ export class Address {
         changes[name] = word;
       }
     }
-    if (changes.axis) this.viewer.setAxis(changes.axis);
+    if (eye !== this.#eye()) this.#look(eye.split(',').map(Number));
+    if (changes.axis !== this.viewer.state.axis) this.viewer.setAxis(changes.axis);
     this.viewer.set(changes);
   }
 

@@ -30,6 +30,25 @@ test('a page opened by its own address is the same page again', { timeout: 90000
   });
 });
 
+test('an address put in the place of another opens what a new page would', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const eye = () => page.evaluate(() => window.viewer.stage.camera.position.toArray()
+      .map((x) => x.toFixed(4)));
+    const first = await state(page), home = await eye();
+    for (const key of 'e2mu') await page.keyboard.press(key);
+    await page.keyboard.press('ArrowLeft');
+    await page.locator('section [data-value=view]').click();
+    await settle(page);
+    assert.notDeepEqual(await eye(), home);
+    await page.evaluate(() => { location.hash = '#colouring=scale'; });
+    await page.waitForFunction(() => window.viewer.state.colouring === 'scale');
+    await settle(page);
+    assert.deepEqual(await state(page), { ...first, colouring: 'scale' });
+    assert.deepEqual(await eye(), home);
+    assert.equal(await hash(page), '#colouring=scale');
+  });
+});
+
 test('an address that makes no sense opens the page as it is', { timeout: 900000 }, async () => {
   const nonsense = '#style=none&colouring=7&step=NaN&offset=9&eye=1,2&edges=yes&axis=q&__proto__=1&frame=3';
   await withPage(pages.ligand, small, async (page) => {
