@@ -2,6 +2,7 @@
 // `values`, by vertex from 0 to 1, for the scale; or `colours`, what Surface.paint takes of triangles.
 
 import { AtomParts, CellParts } from './corner_parts.js';
+import { inPrint } from './headline.js';
 import { extent } from './mesh.js';
 import * as palette from './palette.js';
 
@@ -95,7 +96,7 @@ function quality({ mesh, page: { about } }) {
       barsInWords: 'Histogram of the smallest angles: ' + shares().map(([degrees, part]) =>
         `${part} of the triangles below ${degrees} degrees`).join(', ') +
         `; largest: ${obtuse()} above 90`,
-      unit: 'smallest angle' + (about.min_angle_deg
+      unit: 'smallest angle' + (Number.isFinite(about.min_angle_deg)
         ? `; least ${about.min_angle_deg.toFixed(1)}°` : ''),
       more: 'below ' + shares().map(([degrees, part]) => `${degrees}°: ${part}`).join(', ') +
         `; above 90°: ${obtuse()}` }) };
@@ -151,7 +152,7 @@ function functionValue(scene) {
     legend: () => {
       const { low, span } = scale();
       return { scale: [short(low), short(low + span / 2), short(low + span)],
-        unit: words.replace(/ along.*| from.*/, '') + ', ' + unit.replace('A', 'Å') };
+        unit: words.replace(/ along.*| from.*/, '') + ', ' + inPrint(unit) };
     } };
 }
 

@@ -3,16 +3,15 @@
 
 import { ComponentList } from './components.js';
 import { choice, element, histogram, icon, number, section, toggle } from './dom.js';
-import { certificateLine, headline } from './headline.js';
+import { certificateLine, headline, inPrint } from './headline.js';
 import { hex } from './palette.js';
 import { levelColour } from './level.js';
 import * as palette from './palette.js';
 
 const css = (colour) => hex(colour);
 
-// unit: A or A^2.
 function withUnit(value, unit) {
-  return `${value.toFixed(2)} ${unit.replace('A', 'Å').replace('^2', '²')}`.replace('-', '−');
+  return `${value.toFixed(2)} ${inPrint(unit)}`.replace('-', '−');
 }
 
 export class Panel {

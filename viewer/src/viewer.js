@@ -202,7 +202,8 @@ export class Viewer {
     const { low, high } = this.scene.functionRange();
     if (!this.sweep) return low + this.state.share * (high - low);
     if (this.state.step === this.sweep.steps) return high;
-    return Math.max(low, this.sweep.level() || low);
+    const level = this.sweep.level(); // of no triangle none
+    return Number.isNaN(level) ? low : Math.max(low, level);
   }
 
   #showLevel() {

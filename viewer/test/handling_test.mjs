@@ -155,6 +155,17 @@ test('dragging turns the surface', { timeout: 900000 }, async () => {
   });
 });
 
+test('a triangle without an angle is told, not left out', { timeout: 900000 }, async () => {
+  const flat = join(folder, 'flat.ply');
+  writeFileSync(flat, 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n' +
+    'property double y\nproperty double z\nelement face 1\n' +
+    'property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n');
+  await withPage(make('flat', flat), small, async (page) => {
+    assert.match(await page.locator('.counts').textContent(), /smallest angle 0\.00°/);
+    assert.match(await page.locator('.legend').first().textContent(), /least 0\.0°/);
+  });
+});
+
 test('a mesh shows only the layers it has, and a growing one its frames', { timeout: 900000 }, async () => {
   const ring = join(molecules, 'ring12.xyzr');
   const mesh = (name, ...words) => {

@@ -157,5 +157,7 @@ test('of a squared distance the centre is shown, and a sphere through the front'
       assert.ok(Math.abs(radius ** 2 - level) < 1e-6 * level);
       at.forEach((x, k) => assert.ok(Math.abs(x - [3, 1, 2][k]) < 1e-5));
       assert.match(await page.getByText(/^level /).textContent(), /Å²$/);
+      await page.locator('#colour').selectOption('value');
+      assert.match(await page.locator('.legend').first().textContent(), /squared distance, Å²$/);
     });
   });
