@@ -61,7 +61,7 @@ export function listen(viewer) {
     const key = event.key.toLowerCase();
     // Sliders, lists and buttons keep the keys that work them.
     const { target } = event;
-    const isOnControl = target.matches?.('input, select, button, dialog *');
+    const isOnControl = target.matches?.('input, select, button, summary, dialog *');
     if (isOnControl && (key.startsWith('arrow') || key === ' ')) return;
     if (target.matches?.('select') && key.length === 1) return;
     if (styles[key]) {

@@ -76,6 +76,15 @@ test('every key of the help does what it says', { timeout: 900000 }, async () =>
   });
 });
 
+test('the space bar unfolds what is proved and runs no sweep', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { width: 760, height: 600, scale: 0.5 }, async (page) => {
+    await page.locator('summary').focus();
+    await page.keyboard.press(' ');
+    assert.equal(await page.locator('details').getAttribute('open'), '');
+    assert.equal(await page.evaluate(() => window.viewer.state.playing), false);
+  });
+});
+
 test('all of it can be reached with the tabulator', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     const reached = new Set();
