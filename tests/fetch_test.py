@@ -73,6 +73,17 @@ class Fetch(unittest.TestCase):
         self.assertIn("as measured, was there", self.fetch("1crn").stdout)
         self.assertNotIn("/1CRN.pdb.gz", [path for path, _ in self.server.asked[asked:]])
 
+    def test_a_file_that_is_there_and_wrong_gives_way_to_the_right_one_only(self):
+        target, wrong = self.into / "1crn.pdb", CRAMBIN.replace(b" 17.047", b" 17.048")
+        target.write_bytes(wrong)
+        self.server.files["/1CRN.pdb.gz"] = gzip.compress(wrong)
+        self.assertIn("other coordinates than measured", self.fetch("1CRN").stderr)
+        self.assertEqual(target.read_bytes(), wrong)
+        self.server.files["/1CRN.pdb.gz"] = gzip.compress(CRAMBIN)
+        self.assertIn("1crn.pdb: as measured\n", self.fetch("1CRN").stdout)
+        self.assertEqual(target.read_bytes(), CRAMBIN)
+        self.assertEqual(self.there(), ["1crn.pdb"])
+
     def test_other_coordinates_are_not_kept_and_another_header_is(self):
         self.server.files["/1CRN.pdb.gz"] = gzip.compress(CRAMBIN.replace(b" 17.047", b" 17.048"))
         done = self.fetch("1CRN")
