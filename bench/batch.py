@@ -21,7 +21,7 @@ import time
 from pathlib import Path
 
 from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, markdown,
-                           molecule_folder)
+                           molecule_folder, named_files)
 
 RECIPES = ROOT / "bench" / "batch_inputs.txt"
 FILES = ["1aon.pdb.gz", "1bmf.pdb.gz", "1r03_24mer.pdb.gz", "2buk_capsid.pdb.gz", "1dps.pdb",
@@ -75,7 +75,7 @@ def chains_of(residues):
 
 def plan(folder):
     """The recipes: name of a file, first and last residue from 1."""
-    read = {name: residues_of(next(folder.rglob(name))) for name in FILES}
+    read = {path.name: residues_of(path) for path in named_files(folder, FILES)}
     recipes = {}  # as a set that keeps its order
     for name, residues in read.items():
         for first, last in chains_of(residues):
@@ -111,10 +111,12 @@ def recipes_of(sample):
 
 
 def make_inputs(recipes, folder, target):
+    names = sorted({name for name, *_ in recipes})
+    paths = dict(zip(names, named_files(folder, names)))
     shutil.rmtree(target, ignore_errors=True)
     target.mkdir(parents=True)
     for name, group in itertools.groupby(recipes, key=lambda recipe: recipe[0]):
-        residues = residues_of(next(folder.rglob(name)))
+        residues = residues_of(paths[name])
         for _, first, last in group:
             lines = itertools.chain(*residues[int(first) - 1:int(last)])
             path = target / f"{name.partition('.')[0]}_{first}-{last}.pdb"

@@ -13,6 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 import ablation  # noqa: E402
 import angles  # noqa: E402
+import batch  # noqa: E402
 import coarse  # noqa: E402
 import corpus  # noqa: E402
 import counts  # noqa: E402
@@ -92,7 +93,7 @@ class Ends(unittest.TestCase):
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
-        for script in (densities, features, replay, ses_like, subdomains):
+        for script in (batch, densities, features, replay, ses_like, subdomains):
             with self.subTest(script.__name__):
                 code, _ = self.code_of(script)
                 self.assertRegex(code, r"molecules has no [\w.*]+(, [\w.*]+)*$")
