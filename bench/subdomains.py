@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How large should subdomains be? Sweeps four surfaces in 1 to 512 subdomains.
+"""How large should subdomains be? Sweeps four surfaces in 1 to 128 subdomains.
 
 One line for each run, also in papers/results/subdomains.tsv: the subdomains, triangles to each, and
 of the triangles laid the share that lies between subdomains. A run is good when it is certified

@@ -3,8 +3,8 @@
 
     papers/interactive/build.py FOLDER [NAME ...]
 
-A part is NAME.js here, with what it imports; parts with recorded data have it made by the program
-(record.py). Takes esbuild, which Debian has.
+A part is NAME.js here, with what it imports; parts that show something of the real program have it
+made by the command. Takes esbuild, which Debian has.
 """
 
 import argparse
