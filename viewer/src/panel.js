@@ -228,7 +228,7 @@ export class Panel {
     const { viewer } = this, { state } = viewer;
     const counts = viewer.scene.page.about.critical[state.simplified ? 'left' : 'found'];
     this.rows.points.count.textContent = number(counts.reduce((a, b) => a + b));
-    this.rows.spheres.count.textContent = number(viewer.shownPoints().length);
+    this.rows.spheres.count.textContent = number(viewer.shownSpheres().length);
     if (this.rows.lines) {
       const lines = viewer.scene.page.about[state.simplified ? 'kept_lines' : 'lines'];
       this.rows.lines.count.textContent = number(lines.count);

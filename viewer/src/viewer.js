@@ -106,6 +106,11 @@ export class Viewer {
     return this.scene.points.filter(({ survives }) => survives || !this.state.simplified);
   }
 
+  // Those of them that have a protecting sphere: a cancelled one has none.
+  shownSpheres() {
+    return this.shownPoints().filter(({ radius }) => radius > 0);
+  }
+
   set(changes) {
     const what = new Set(Object.keys(changes).filter((name) => this.state[name] !== changes[name]));
     if (what.size === 0) return;
@@ -180,7 +185,7 @@ export class Viewer {
     this.#showForm('points', () => pointLayer(this.shownPoints(), stage.finest));
     this.#showForm('lines', (simplified) =>
       lineLayer(scene.page, simplified ? 'kept_lines' : 'lines', scene.centre));
-    this.#showForm('spheres', () => sphereLayer(this.shownPoints()));
+    this.#showForm('spheres', () => sphereLayer(this.shownSpheres()));
     if (this.section) {
       if (state.section) this.#layer('section', () => this.section.group);
       this.section.group.visible = state.section;

@@ -121,9 +121,11 @@ test('the simplified complex has fewer points, lines and regions', { timeout: 90
     await page.locator('#colour').selectOption('region');
     const count = (id) => page.locator(`label[for=${id}] .count`).textContent().then(Number);
     const before = [await count('points'), await count('lines')];
+    const spheres = await count('spheres');
     assert.ok(await change(page, () => check(page, 'simplified')) > 0.001);
     const left = [await count('points'), await count('lines')];
     assert.ok(left[0] < before[0] && left[1] < before[1], `${before} became ${left}`);
+    assert.deepEqual([spheres, await count('spheres')], [left[0], left[0]], 'a cancelled point has none');
     await picture(page, 'simplified');
   });
 });
