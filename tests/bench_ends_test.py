@@ -3,6 +3,7 @@
 
 import contextlib
 import io
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -27,7 +28,7 @@ import replay  # noqa: E402
 import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
-from molecule_runs import BUNDLED, Run, argument_parser, read_rows  # noqa: E402
+from molecule_runs import BUNDLED, STAGES, Run, argument_parser, read_rows  # noqa: E402
 
 REPORT = {"fallbacks": [], "triangles": 10, "smoothing": {"left": 0, "inserted": 0},
           "violations_L": 0, "min_angle_deg": 31.0, "max_angle_deg": 100.0}
@@ -69,6 +70,20 @@ class Ends(unittest.TestCase):
         for runs, ends in (((BAD, BAD), 1), ((SINGULAR, SINGULAR), 0)):
             code, row = self.angles(*runs)
             self.assertEqual((code, row["runs"], row["min_angle"]), (ends, "0", "-"))
+
+    def test_features_tell_of_a_run_that_fails_beside_those_that_do_not(self):
+        ended = subprocess.CalledProcessError(5, ["morskin"])
+        seconds = {stage: 1.0 for stages in STAGES.values() for stage in stages}
+        report = {"seconds": seconds, "atoms_used": 1, "vertices": 4, "certified": True,
+                  "quality": {"vertices_per_square_angstrom": 2.0}}
+        with (mock.patch.object(features, "MOLECULES", ["caffeine.xyz", "benzene.pdb"]),
+              mock.patch.object(features, "timed", side_effect=[ended, (1, 1), (1, 1), (1, 1)]),
+              mock.patch.object(features, "reported", return_value=report)):
+            code, said = self.code_of(features)
+        failed, good = read_rows(self.table)
+        self.assertEqual((code, failed["verdict"], good["verdict"]),
+                         (1, "FAILED: exit code 5", "certified"))
+        self.assertIn("| benzene.pdb | 1 |", said)
 
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
