@@ -16,7 +16,7 @@ export const inPrint = (unit) => unit.replace('A', 'Å').replace('^2', '²');
 export function headline(about) {
   const lines = [`${number(about.mesh.triangles)} triangles, ${number(about.mesh.vertices)} vertices`];
   if (about.atoms) lines.push(`${number(about.atoms)} atoms, model ${about.model}`);
-  if (about.selection) lines.push(`only ${selectionWords(about.selection)}`);
+  if (about.selection) lines.push(`chosen: ${selectionWords(about.selection)}`);
   if (Number.isFinite(about.min_angle_deg)) lines.push(`smallest angle ${about.min_angle_deg.toFixed(2)}°`);
   return lines.join(' · ');
 }

@@ -53,6 +53,15 @@ test('each component is shown or hidden by itself, with the volume of the report
       assert.equal(await page.locator('.rows').count(), 0, 'one component has no list'));
   });
 
+test('the head names what was chosen of the atoms, and does not say that there is no more',
+  { timeout: 900000 }, async () => {
+    const chosen = make('chosen', join(molecules, '5tmn_ligand.pdb'), '-C', '0.2', '--waters', '--altloc', 'all');
+    await withPage(chosen, small, async (page) => {
+      const head = await page.locator('.counts').textContent();
+      assert.match(head, /32 atoms, model paper · chosen: waters, altloc all · smallest/);
+    });
+  });
+
 // In the page: looks straight at triangles whose corners lie in two cells, and says of points on them
 // the colour seen there and the kind of the cell that holds them, by all of its walls.
 function seenAndTrue(parts) {
