@@ -17,8 +17,7 @@ namespace {
 using geometry::IndexedMesh;
 using geometry::MeshFormat;
 
-/// Whether a file is read back in full: one that `check` reads, without loss. MSMS's two files are
-/// read together.
+/// Whether a file is read back in full: one that `check` reads, without loss.
 bool keeps_coordinates(MeshFormat format, const MeshArguments& arguments) {
   switch (format) {
     case MeshFormat::PlyBinary:
@@ -200,22 +199,32 @@ morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
   return delivery;
 }
 
+const geometry::PendingFile* MeshDelivery::faces_of(const geometry::PendingFile& file) const {
+  const std::filesystem::path partner = msms_partner(file.path());
+  const auto found = std::ranges::find_if(files_, [&](const geometry::PendingFile& other) {
+    return is_same_file(other.path(), partner);
+  });
+  return found == files_.end() ? nullptr : &*found;
+}
+
 IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
   const geometry::FileBytes bytes = geometry::read_file(file.temporary_name());
   if (format_of(file.path()) != MeshFormat::MsmsVertices) {
     return geometry::parse_mesh(bytes.view(), file.path().string());
   }
-  const std::filesystem::path partner = msms_partner(file.path());
-  const auto faces = std::ranges::find(files_, partner, &geometry::PendingFile::path);
+  const geometry::PendingFile& faces = *faces_of(file);
   return geometry::parse_msms(bytes.view(), file.path().string(),
-                              geometry::read_file(faces->temporary_name()).view(),
-                              partner.string());
+                              geometry::read_file(faces.temporary_name()).view(),
+                              faces.path().string());
 }
 
 void MeshDelivery::read_back(Delivery& delivery) {
   certified_file_.clear();
   for (const geometry::PendingFile& file : files_) {
-    if (!keeps_coordinates(format_of(file.path()), arguments_)) continue;
+    const MeshFormat format = format_of(file.path());
+    if (!keeps_coordinates(format, arguments_)) continue;
+    // MSMS's two files are read together; one that goes into a pipe is not there to be read.
+    if (format == MeshFormat::MsmsVertices && faces_of(file) == nullptr) continue;
     if (certified_file_.empty()) {
       certified_file_ = file.path().string();
       delivery.mesh = {};  // one copy at a time

@@ -89,6 +89,8 @@ class MeshDelivery : public morskin::Observer {
   /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
   const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
   void read_back(Delivery& delivery);
+  /// The file of the triangles to MSMS's vertices; nullptr where it goes into a pipe.
+  const geometry::PendingFile* faces_of(const geometry::PendingFile& file) const;
   geometry::IndexedMesh content_of(const geometry::PendingFile& file) const;
 
   const MeshArguments& arguments_;

@@ -46,6 +46,10 @@ void check_not_given_otherwise(const std::filesystem::path& name, const MeshArgu
 
 }  // namespace
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return one_name(a) == one_name(b);
+}
+
 std::string lower_extension(const std::filesystem::path& path) {
   return geometry::lower_case(path.extension().string());
 }
@@ -133,7 +137,7 @@ void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
   for (const std::filesystem::path& path : named) {
     const std::filesystem::path partner = msms_partner(path);
     const bool is_named = std::ranges::any_of(
-        outputs, [&](const auto& other) { return one_name(other) == one_name(partner); });
+        outputs, [&](const auto& other) { return is_same_file(other, partner); });
     if (is_msms(path) && !is_named) outputs.push_back(partner);
   }
 }

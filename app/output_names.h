@@ -22,6 +22,9 @@ void print_beside(const std::filesystem::path& output, const std::string& report
 /// Standard output, a device, a pipe: no regular file.
 bool is_special(const std::filesystem::path& path);
 
+/// Whether two names are of one file, however they are written.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// @throw UsageError if the output has no name or is the molecule's own file.
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule);
 

@@ -130,6 +130,17 @@ class VertexData(CommandTest):
                 for path in ("m.face", "m.vert"):
                     (self.folder / path).unlink()
 
+    def test_msms_s_two_files_are_read_back_however_their_names_are_written(self):
+        report = self.meshed("-o", "m.vert", "-o", "./m.face")
+        self.assertEqual(report["certified_file"], "m.vert")
+        self.assertEqual(self.names(), ["m.face", "m.vert"])
+
+    def test_vertices_beside_a_pipe_of_triangles_are_certified_from_memory(self):
+        (self.folder / "m.face").symlink_to("/dev/null")
+        report = self.meshed("-o", "m.vert")
+        self.assertIn("in memory", report["certified_file"])
+        self.assertTrue(report["certified"])
+
     def test_the_rows_of_a_vert_file_are_those_of_the_ply_file(self):
         self.meshed("-o", "m.vert", "-o", "m.ply", "--vertex-data", "normal,atom")
         vertex, face = self.ply("m.ply")
