@@ -165,7 +165,8 @@ void finish(morskin::SizeGoal& goal, const Typed& typed) {
   }
   constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
   if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {
-    throw UsageError("--triangles must be at least 4");
+    throw UsageError("--triangles must be from 4 to " +
+                     std::to_string(geometry::SurfaceMesh::max_triangles));
   }
   goal.density = typed.density;
   goal.triangles = typed.triangles;

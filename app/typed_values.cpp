@@ -102,7 +102,7 @@ VertexData parsed_vertex_data(std::string_view text) {
       for (const morskin::Datum d : all) known += std::string(morskin::name_of(d)) + ", ";
       throw UsageError(
           "--vertex-data takes " + known +
-          "residue or charge, with commas between, or all, that is all but these two; not " +
+          "residue or charge, with commas between, or all, charge where there are any; not " +
           geometry::quoted(name));
     }
     if (name.size() == text.size()) return result;

@@ -106,6 +106,12 @@ class VertexData(CommandTest):
             self.assertIn(group, said)
         self.assertEqual(self.names(), [])
 
+    def test_all_is_every_group_that_a_complaint_names_charge_where_there_are_any(self):
+        every = ",".join(set(GROUPS) - {"charge"})
+        for name, words in (("all.ply", "all"), ("every.ply", every)):
+            self.meshed("-o", name, "--vertex-data", words)
+        self.assertEqual(*(sorted(self.ply(name)[0]) for name in ("all.ply", "every.ply")))
+
     def test_what_no_output_can_hold_is_refused_and_a_group_named_twice_is_told_once(self):
         said = self.run_morskin("mesh", self.ring, "-o", "m.off", "-o", "m.vert", "--vertex-data",
                                 "normal", code=2).stderr
