@@ -92,7 +92,11 @@ void finish(const CheckArguments& check, const Typed& typed) {
     throw UsageError("--against and --surface are two surfaces; give one of them");
   }
   if (!check.against && !check.surface && is_set(typed.skin)) {
-    throw UsageError("the options of a skin are of a mesh and its surface: add --against");
+    throw UsageError(
+        "the options of a skin are of a mesh and its surface: add --against or --surface");
+  }
+  if (check.surface && is_of_molecules(typed.skin)) {
+    throw UsageError("--surface goes without the options of molecules");
   }
   if (!check.certificate) return;
   if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");

@@ -126,10 +126,8 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
   if (!mesh.molecule.input.empty()) {
     throw UsageError("a molecule and --surface are two surfaces; give one of them");
   }
-  const TypedSkin& skin = typed.skin;
-  const bool is_of_skins = skin.model || skin.probe || skin.radii || mesh.models || skin.voids ||
-                           is_set(skin.selection) || typed.vertex_data || mesh.areas ||
-                           mesh.certificate || mesh.task_trace || mesh.order == 2;
+  const bool is_of_skins = is_of_molecules(typed.skin) || mesh.models || typed.vertex_data ||
+                           mesh.areas || mesh.certificate || mesh.task_trace || mesh.order == 2;
   if (is_of_skins) {
     throw UsageError(
         "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "

@@ -35,8 +35,11 @@ void check_sizing(const certify::Sizing& sizing) {
 }  // namespace
 
 bool is_set(const TypedSkin& typed) {
-  return typed.model || typed.radii || typed.voids || typed.probe || typed.C || typed.Q ||
-         typed.size || is_set(typed.selection);
+  return is_of_molecules(typed) || typed.C || typed.Q || typed.size;
+}
+
+bool is_of_molecules(const TypedSkin& typed) {
+  return typed.model || typed.radii || typed.voids || typed.probe || is_set(typed.selection);
 }
 
 void finish(MoleculeArguments& molecule, const std::filesystem::path& file,

@@ -39,6 +39,8 @@ struct TypedSkin {
 
 /// Whether any of them was typed.
 bool is_set(const TypedSkin& typed);
+/// Whether any was that only skins of molecules have: one but -C, -Q and --size.
+bool is_of_molecules(const TypedSkin& typed);
 
 /// @param file  the molecule; not molecule.input where that is a mesh
 /// @throws UsageError

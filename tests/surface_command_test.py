@@ -47,6 +47,13 @@ class Surfaces(CommandTest):
                 dented = [v if k else [1.02 * x for x in v] for k, v in enumerate(vertices)]
                 self.assertFalse(self.check_mutant(surface, dented, triangles)["certified"])
 
+    def test_check_of_a_surface_takes_no_options_of_molecules(self):
+        self.meshed("sphere:2")
+        for words in (("--model", "sas"), ("--probe", "1"), ("--radii", "bondi"), ("--chain", "A"),
+                      ("--voids", "drop"), ("--waters",)):
+            done = self.run_morskin("check", "mesh.ply", "--surface", "sphere:2", *words, code=2)
+            self.assertIn(b"options of molecules", done.stderr)
+
     def test_wrong_meshes_are_not_homeomorphic(self):
         self.meshed("torus:2.5,1")
         vertices, triangles = self.read_off("mesh.off")
