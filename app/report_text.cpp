@@ -75,7 +75,9 @@ std::string method_text(const MeshReport& report) {
   }
   if (report.growth) return growth_text(*report.growth);
   const bool is_sweep = report.method == MeshMethod::Sweep;
-  const std::string why = report.is_method_chosen ? ", as C is above 0.25" : "";
+  const std::string why = !report.is_method_chosen ? ""
+                          : report.grading         ? ", as --grading needs"
+                                                   : ", as C is above 0.25";
   return (is_sweep ? "" : line("method", std::string(name_of(report.method)) + why)) +
          function_text(report) + (is_sweep ? sweep_text(report.counts.operations) : "") +
          line("refinement",

@@ -103,6 +103,8 @@ class Quality(CommandTest):
         self.assertLess(grading["quantile_99"], 1.6)
         self.assertLessEqual(grading["quantile_99"], grading["largest"])
         self.assertNotIn("grading", json.loads(self.run_morskin(*words).stdout))
+        fine = self.run_morskin("mesh", self.ring, "-o", "m.ply", "-C", "0.1", "--grading", "0.1")
+        self.assertIn(b"static, as --grading needs", fine.stdout)
         sparse = json.loads(self.run_morskin(*words, "--grading", "0.05", "--density", "1").stdout)
         self.assertIn("--grading", sparse["missed_size"])
         for wrong in (("--grading", "0"), ("--grading", "nan"),
