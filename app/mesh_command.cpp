@@ -251,17 +251,18 @@ ExitCode mesh_command(const MeshArguments& arguments) {
     if (areas_file != nullptr) areas_file->commit(suffix);
     if (trace_file != nullptr) trace_file->commit();
   });
-  if (arguments.certificate && certificate_file == nullptr) {
+  const bool is_certified = report.certificate.certified;
+  if (is_certified && arguments.certificate && certificate_file == nullptr) {
     geometry::write_file_atomically(*arguments.certificate, certificate);
   }
-  if (arguments.areas && areas_file == nullptr) {
+  if (is_certified && arguments.areas && areas_file == nullptr) {
     geometry::write_file_atomically(*arguments.areas, areas);
   }
   if (trace && trace_file == nullptr) {
     geometry::write_file_atomically(*arguments.task_trace, trace->json());
   }
   publish(report, arguments);
-  return report.certificate.certified ? ExitCode::Success : ExitCode::NotCertified;
+  return is_certified ? ExitCode::Success : ExitCode::NotCertified;
 }
 
 }  // namespace morskin::app

@@ -219,10 +219,14 @@ class NotCertified(CommandTest):
                                     name + ".unverified", *self.WORDS, code=2)
             self.assertIn("goes when it is not certified", done.stderr.decode())
 
-    def test_a_mesh_that_is_not_certified_does_not_reach_standard_output(self):
+    def test_no_mesh_that_is_not_certified_nor_what_belongs_to_it_reaches_standard_output(self):
         done = self.run_morskin("mesh", self.ring, "-o", "-", "-q", *self.WORDS, code=5)
         self.assertEqual(done.stdout, b"")
         self.assertIn(b"not certified", done.stderr)
+        for option in ("--areas", "--certificate"):
+            done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", option, "-", "-q",
+                                    *self.WORDS, code=5)
+            self.assertEqual(done.stdout, b"")
 
     def test_of_many_components_not_mended_people_are_told_of_a_few(self):
         ring = (MOLECULES / "ring12.xyzr").read_text().splitlines()
