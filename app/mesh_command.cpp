@@ -55,20 +55,6 @@ PendingFile* take_last(std::span<PendingFile>& files,
   return last;
 }
 
-constexpr std::string_view unverified = ".unverified";
-
-// Found out before the long work, as PendingFile does for the name itself.
-void check_unverified_names(std::span<const PendingFile> files) {
-  for (const PendingFile& file : files) {
-    const std::filesystem::path name = file.final_name(unverified);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(name, ignored)) {
-      throw geometry::UnwritableOutput(name.string() + ": is a folder, in the place of a mesh " +
-                                       "that is not certified; remove it or choose another name");
-    }
-  }
-}
-
 // The high-water mark of this program alone; that of getrusage starts with what its parent held.
 long long peak_memory_bytes() {
   std::ifstream status("/proc/self/status");
@@ -195,7 +181,10 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   PendingFile* const areas_file = take_last(files, arguments.areas);
   PendingFile* const certificate_file = take_last(files, arguments.certificate);
   PendingFile* const report_file = take_last(files, arguments.report);
-  check_unverified_names(files);
+  for (const PendingFile& file : files) check_unverified_name(file);
+  for (const PendingFile* file : {certificate_file, areas_file}) {
+    if (file != nullptr) check_unverified_name(*file);
+  }
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());

@@ -1,6 +1,9 @@
 #include "app/staged_outputs.h"
 
 #include <string>
+#include <system_error>
+
+#include "geometry/error.h"
 
 namespace morskin::app {
 
@@ -17,6 +20,15 @@ StagedOutputs::StagedOutputs(const std::vector<std::filesystem::path>& names) {
     }
     return temporary_names;
   });
+}
+
+void check_unverified_name(const geometry::PendingFile& file) {
+  const std::filesystem::path name = file.final_name(unverified);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored)) {
+    throw geometry::UnwritableOutput(name.string() + ": is a folder, in the place of what is not " +
+                                     "certified; remove it or choose another name");
+  }
 }
 
 void write_to_all(StagedOutputs& outputs, std::string_view bytes) {

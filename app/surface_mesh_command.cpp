@@ -19,8 +19,6 @@ namespace {
 
 using geometry::PendingFile;
 
-constexpr std::string_view unverified = ".unverified";
-
 morskin::MeshingOptions options_of(const MeshArguments& arguments) {
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
@@ -56,6 +54,7 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
     report_file = &files.back();
     files = files.first(files.size() - 1);
   }
+  for (const PendingFile& file : files) check_unverified_name(file);
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());

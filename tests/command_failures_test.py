@@ -164,11 +164,15 @@ class Failures(CommandTest):
         self.assertTrue(json.loads(done.stdout)["certified"])
         self.assertIn(b"certified", done.stderr)
 
-    def test_an_uncertified_mesh_needs_its_place_as_well(self):
+    def test_an_uncertified_mesh_and_what_belongs_to_it_need_their_places_as_well(self):
         (self.folder / "b.ply.unverified").mkdir()
-        done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "-o", "b.ply", code=7)
-        self.assertIn(b"b.ply.unverified", done.stderr)
-        self.assertEqual(self.names(), ["b.ply.unverified"])
+        for words in ((self.ring, "-o", "a.ply", "-o", "b.ply"),
+                      (self.ring, "-o", "a.ply", "--areas", "b.ply"),
+                      (self.ring, "-o", "a.ply", "--certificate", "b.ply"),
+                      ("--surface", "sphere:2", "-o", "b.ply")):
+            done = self.run_morskin("mesh", *words, code=7)
+            self.assertIn(b"b.ply.unverified", done.stderr)
+            self.assertEqual(self.names(), ["b.ply.unverified"])
 
     def test_an_unwritable_output_gives_7(self):
         (self.folder / "folder.ply").mkdir()
