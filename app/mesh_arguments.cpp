@@ -8,6 +8,7 @@
 
 #include "app/function_argument.h"
 #include "app/output_names.h"
+#include "app/surface_input.h"
 #include "app/typed_values.h"
 #include "front/subdomains.h"
 #include "morskin/grading.h"
@@ -141,6 +142,8 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
   if (std::ranges::any_of(mesh.outputs, [](const auto& path) { return is_msms(path); })) {
     throw UsageError("MSMS's files are of molecules; write --surface to another format");
   }
+  const auto molecule = molecule_of_surface(*mesh.surface);
+  if (mesh.report && molecule) check_not_input(*mesh.report, {.input = *molecule});
 }
 
 }  // namespace

@@ -129,6 +129,12 @@ SurfaceInput read_surface(const std::string& text) {
   return input;
 }
 
+std::optional<std::filesystem::path> molecule_of_surface(const std::string& text) {
+  const Words words = words_of(text);
+  return words.name == "gaussian" ? std::optional<std::filesystem::path>(words.first)
+                                  : std::nullopt;
+}
+
 implicit::PreparedSurface prepare_surface(const SurfaceInput& input,
                                           const std::optional<implicit::Vector>& height,
                                           const geometry::Run& run) {

@@ -8,6 +8,7 @@
 ///
 /// An expression has no comma, so what follows one are options.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct SurfaceInput {
 /// @throws geometry::UnreadableInput  for a formula, with the column, or a molecule
 /// @throws geometry::RefusedInput
 SurfaceInput read_surface(const std::string& text);
+
+/// The file that such words have read; nothing where they name none.
+std::optional<std::filesystem::path> molecule_of_surface(const std::string& text);
 
 /// implicit::prepare_surface; a refusal of a level of Gaussians tells their sum.
 implicit::PreparedSurface prepare_surface(const SurfaceInput& input,

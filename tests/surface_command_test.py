@@ -47,6 +47,10 @@ class Surfaces(CommandTest):
                 dented = [v if k else [1.02 * x for x in v] for k, v in enumerate(vertices)]
                 self.assertFalse(self.check_mutant(surface, dented, triangles)["certified"])
 
+    def test_a_report_does_not_replace_the_molecule_of_gaussians(self):
+        self.refused(f"gaussian:{self.ring},decay=1", 2, "--report", "./ring.xyzr")
+        self.assertEqual(self.ring.read_bytes(), (MOLECULES / "ring12.xyzr").read_bytes())
+
     def test_check_of_a_surface_takes_no_options_of_molecules(self):
         self.meshed("sphere:2")
         for words in (("--model", "sas"), ("--probe", "1"), ("--radii", "bondi"), ("--chain", "A"),
