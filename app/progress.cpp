@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -20,16 +22,19 @@ void ProgressLine::show(std::string_view stage, double share) {
   has_text_ = true;
   stage_ = stage;
   has_share_ = share >= 0;
-  if (share < 0) {
-    std::fprintf(stderr, "\r%-26s", stage_.c_str());
-  } else {
-    std::fprintf(stderr, "\r%-20s %3.0f %% ", stage_.c_str(), std::floor(100 * share));
+  std::array<char, 16> percent{};
+  if (has_share_) {
+    std::snprintf(percent.data(), percent.size(), " %3.0f %%", std::floor(100 * share));
   }
+  // Padded, so that nothing is left of a longer text.
+  const int length = std::fprintf(stderr, "\r%-20s%s", stage_.c_str(), percent.data());
+  std::fprintf(stderr, "%*s", std::max(width_ - length, 0), "");
   std::fflush(stderr);
+  width_ = std::max(width_, length);
 }
 
 void ProgressLine::wipe() {
-  if (has_text_) std::fprintf(stderr, "\r%26s\r", "");
+  if (has_text_) std::fprintf(stderr, "\r%*s\r", width_, "");
   has_text_ = false;
 }
 

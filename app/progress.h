@@ -30,6 +30,7 @@ class ProgressLine {
   bool is_shown_;
   bool has_text_ = false;
   bool has_share_ = false;  ///< of the stage
+  int width_ = 0;           ///< of the longest text so far
   std::string stage_;
   std::chrono::steady_clock::time_point last_{};
 };

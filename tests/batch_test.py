@@ -3,6 +3,7 @@
 Usage: batch_test.py path/to/morskin"""
 
 import gzip
+import json
 import os
 import resource
 import subprocess
@@ -167,6 +168,20 @@ class Rows(Batch):
         done = self.run_morskin("batch", "in", "-o", "out", *COARSE, "--progress", "always")
         self.assertRegex(done.stderr.decode(), r"\r2 of 3, \d+ s left *\r3 of 3, 0 s left")
         self.assertRegex(done.stdout.decode(), r"^3 molecules, 3 rows, 3 made now in .* s: 3 ok\n")
+
+    def test_no_text_is_left_on_the_line_of_progress_in_the_end_however_long_it_was(self):
+        self.batch("ring.xyzr", "-o", "out", *COARSE)
+        row = self.rows()["ring.xyzr"]
+        names = [f"{k}.pdb" for k in range(100_000)]
+        self.input("list", "\n".join(names))
+        rows = (json.dumps({**row, "input": name}) + "\n" for name in names[1:])
+        self.input("out/rows.jsonl", "".join(rows))
+        done = self.run_morskin("batch", "list", "-o", "out", *COARSE, "--progress", "always")
+        texts = done.stderr.decode().split("\r")
+        self.assertIn("100,000 of 100,000, 0 s left", [text.rstrip() for text in texts])
+        for text in (line := "", *texts):  # a terminal keeps what is not written over
+            line = text + line[len(text):]
+        self.assertEqual(line.strip(), "")
 
 
 class Sources(Batch):
