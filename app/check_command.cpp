@@ -74,12 +74,10 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
   return covered;
 }
 
-// Writes the certificate file too, if one is asked for.
+/// @param certificate  for the file's text, if one is asked for
 AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
-                          const MoleculeInput& input, const CheckArguments& arguments) {
-  std::vector<std::filesystem::path> names;
-  if (arguments.certificate) names.push_back(*arguments.certificate);
-  StagedOutputs outputs(names);
+                          const MoleculeInput& input, const CheckArguments& arguments,
+                          std::string& certificate) {
   const morskin::Run run(arguments.threads);
   const morskin::PreparedSkin skin = prepare_skin(input, *arguments.against, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
@@ -91,8 +89,8 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
-    write_to_all(outputs, certificate_text(mesh, points, result.certificate.degree_vertices, skin,
-                                           arguments.sizing));
+    certificate =
+        certificate_text(mesh, points, result.certificate.degree_vertices, skin, arguments.sizing);
   }
   return result;
 }
@@ -242,7 +240,10 @@ void check_agreement(const CheckReport& report) {
 
 ExitCode check_command(const CheckArguments& asked) {
   const geometry::Stopwatch stopwatch;
-  const TimeLimit time_limit(asked.limits, asked.mesh);
+  TimeLimit time_limit(asked.limits, asked.mesh);
+  std::optional<StagedOutputs> outputs;
+  if (asked.certificate) outputs.emplace(std::vector{*asked.certificate});
+  std::string certificate;
   CheckReport report;
   CheckArguments& arguments = report.arguments = asked;
   geometry::MeshFile file = geometry::read_mesh_file(arguments.mesh);
@@ -268,7 +269,7 @@ ExitCode check_command(const CheckArguments& asked) {
     report.origin.taken = std::move(stated.taken);
     report.origin.not_taken = std::move(stated.not_taken);
     report.origin.compare_input(stated.input.sha256);
-    report.against = check_against(mesh, report.topology, stated.input, arguments);
+    report.against = check_against(mesh, report.topology, stated.input, arguments, certificate);
     find_what_fits(mesh, arguments, report);
   }
   if (const std::optional<SurfaceInput> input = surface_of(arguments, report.origin)) {
@@ -277,6 +278,8 @@ ExitCode check_command(const CheckArguments& asked) {
     report.against = check_surface(mesh, *input, arguments);
   }
   check_agreement(report);
+  time_limit.cancel();
+  if (outputs) write_to_all(*outputs, certificate);  // last, for a limit leaves no file
   report.seconds = stopwatch.seconds();
   std::cout << (arguments.json ? json_text(report) : people_text(report));
   const std::vector<Verdict> verdicts = report.verdicts();

@@ -184,6 +184,16 @@ class CheckOfFiles(CommandTest):
                 told = self.check("m.ply", "--against", ring, "--model", "vdw", code=5)
                 self.assertNotIn("fitting_model", told)  # it was said, and is not doubted
 
+    def test_a_certificate_is_there_only_after_all_that_time_may_not_suffice_for(self):
+        self.run_morskin("mesh", MOLECULES / "1crn.pdb", "--model", "ses-like", "-o", "m.ply", "-q")
+        self.forget_origin("m.ply")  # then the other models are tried, which takes long
+        for k in range(9):
+            done = self.run_morskin("check", "m.ply", "--against", MOLECULES / "1crn.pdb",
+                                    "--certificate", "c.json", "--no-self-intersections",
+                                    "--timeout", 0.1 * 1.5**k, code=None)
+            self.assertIn(done.returncode, (5, 6))
+            self.assertEqual(self.names(), ["c.json"] * (done.returncode == 5) + ["m.ply"])
+
     def test_a_C_that_was_forgotten_is_found(self):
         ring = MOLECULES / "ring12.xyzr"
         self.run_morskin("mesh", ring, "-o", "m.ply", "-q", "-C", "0.2")
