@@ -136,7 +136,10 @@ void finish(RenderArguments& render, const TypedPicture& typed) {
         "--inset needs x,y,factor: a point, 0 to 1 from the top left, and a factor above 0, at "
         "most 1e6";
     const std::vector<double> v = numbers(typed.inset, 3, ',', complaint);
-    if (!(v[2] > 0 && v[2] <= max_zoom)) throw UsageError(complaint);
+    const auto is_share = [](double x) { return x >= 0 && x <= 1; };
+    if (!(is_share(v[0]) && is_share(v[1]) && v[2] > 0 && v[2] <= max_zoom)) {
+      throw UsageError(complaint);
+    }
     render.inset = Inset{v[0], v[1], v[2]};
   }
   if (!typed.colour.empty()) render.colour = parsed_colour(typed.colour);

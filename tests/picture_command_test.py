@@ -73,7 +73,8 @@ class PictureCommand(CommandTest):
         for words in (("--size", "0"), ("--size", "9x"), ("--size", "100000x100000"),
                       ("--view", "0,0,0"), ("--view", "1,2"), ("--up", "1,x,0"), ("--zoom", "0"),
                       ("--colour", "red"), ("--by", "mood"), ("--inset", "0.5,0.5"),
-                      ("--inset", "0.5,0.5,-1"), ("--columns", "0"), ("--zoom", "nan")):
+                      ("--inset", "0.5,0.5,-1"), ("--inset", "0.5,1.5,2"),
+                      ("--inset", "-0.1,0.5,2"), ("--columns", "0"), ("--zoom", "nan")):
             self.run_morskin("render", mesh, "-o", "x.png", *words, code=2)
         self.run_morskin("render", mesh, "-o", "x.jpg", code=2)
         self.run_morskin("render", mesh, "-o", "x.png", "--size", "2000000x1", code=2)
