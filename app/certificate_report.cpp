@@ -10,6 +10,8 @@ using certify::Certificate;
 using nlohmann::ordered_json;
 
 ordered_json certificate_json(const Certificate& c) {
+  const double distance = rounded_bound(c.max_distance_to_skin);
+  const double relative_distance = rounded_bound(c.max_relative_distance_to_skin);
   ordered_json json = {{"vertices", c.vertices},
                        {"triangles", c.triangles},
                        {"components", c.components},
@@ -25,8 +27,8 @@ ordered_json certificate_json(const Certificate& c) {
                        {"worst_U", c.worst_U},
                        {"violations_L", c.violations_L},
                        {"violations_U", c.violations_U},
-                       {"max_distance_to_skin", rounded(c.max_distance_to_skin)},
-                       {"max_relative_distance_to_skin", rounded(c.max_relative_distance_to_skin)},
+                       {"max_distance_to_skin", distance},
+                       {"max_relative_distance_to_skin", relative_distance},
                        {"single_precision", c.is_single_precision},
                        {"area", rounded(c.area, 12)},
                        {"volume", rounded(c.volume, 12)},

@@ -37,14 +37,18 @@ std::string brief(double number, int digits) {
 }
 
 std::string brief_bound(double number, int digits) {
-  const double nearest = rounded(number, digits);
-  if (!(nearest < number)) return brief(number, digits);
-  const double step = std::pow(10, std::floor(std::log10(number)) - digits + 1);
-  return brief(nearest + step, digits);
+  return brief(rounded_bound(number, digits), digits);
 }
 
 double rounded(double number, int digits) {
   return std::strtod(brief(number, digits).c_str(), nullptr);
+}
+
+double rounded_bound(double number, int digits) {
+  const double nearest = rounded(number, digits);
+  if (!(nearest < number)) return nearest;
+  const double step = std::pow(10, std::floor(std::log10(number)) - digits + 1);
+  return rounded(nearest + step, digits);
 }
 
 }  // namespace morskin::app

@@ -19,5 +19,7 @@ std::string brief(double number, int digits = 4);
 std::string brief_bound(double number, int digits);
 /// The double nearest to `number` with so many significant digits, for JSON that people read.
 double rounded(double number, int digits = 6);
+/// The same of a bound: not below the number. @pre number >= 0
+double rounded_bound(double number, int digits = 6);
 
 }  // namespace morskin::app

@@ -23,7 +23,7 @@ std::string json_text(const SurfaceReport& report) {
                        {"C", report.sizing.C},
                        {"Q", report.sizing.Q},
                        {"cover_boxes", report.facts.boxes},
-                       {"second_derivative_bound", rounded(report.facts.hessian_bound)},
+                       {"second_derivative_bound", rounded_bound(report.facts.hessian_bound)},
                        {"max_length_scale", rounded(report.facts.max_length_scale)},
                        {"undecided_boxes", report.facts.undecided}};
   if (std::isfinite(report.sizing.largest_length_scale)) {
@@ -61,10 +61,11 @@ std::string people_text(const SurfaceReport& report) {
   }
   const SurfaceFacts& facts = report.facts;
   std::string text = report.surface + " -> " + (outputs.empty() ? "-" : outputs) + "\n";
-  text += line("surface", counted(facts.boxes, "box covers", "boxes cover") +
-                              " it; second derivatives up to " + brief(facts.hessian_bound) +
-                              ", length scales up to " + brief(facts.max_length_scale) + "; C " +
-                              brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
+  text +=
+      line("surface", counted(facts.boxes, "box covers", "boxes cover") +
+                          " it; second derivatives up to " + brief_bound(facts.hessian_bound, 4) +
+                          ", length scales up to " + brief(facts.max_length_scale) + "; C " +
+                          brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
   text += line("function", in_words(report.counts.function));
   text += line("critical", critical_text(facts.critical) +
                                (facts.undecided == 0
