@@ -107,6 +107,13 @@ class Radii(CommandTest):
             self.assertNotIn("radii", origin["taken"])
             self.assertTrue(any(why.startswith("radii: ") for why in origin["not_taken"]))
 
+    def test_a_batch_without_its_table_makes_no_rows_that_blame_molecules(self):
+        self.input("bad.txt", "C one\n")
+        for table in ("missing.txt", "bad.txt"):
+            said = self.run_morskin("batch", "a.pdb", "-o", "out", "--radii", table, code=3).stderr
+            self.assertIn(table.encode(), said)
+            self.assertFalse((self.folder / "out").exists())
+
     def test_no_output_replaces_the_radii(self):
         self.input("my.off", "C 1.5\nN 1.6\nH 1.25\n")
         said = self.run_morskin("mesh", "a.pdb", "-o", "my.off", "--radii", "my.off", code=2)

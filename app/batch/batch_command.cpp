@@ -15,11 +15,14 @@
 #include "app/report_lines.h"
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
+#include "skin/radius_table.h"
 
 namespace morskin::app {
 namespace {
 
 /// Whether the workers will understand their options; prints a complaint if not.
+/// @throws UsageError
+/// @throws geometry::UnreadableInput, geometry::RefusedInput  of a table of radii
 bool are_options_sound(const BatchArguments& arguments) {
   const std::vector<std::string> words = worker_words(arguments, "molecule.pdb", ".");
   std::vector<const char*> pointers{"morskin"};
@@ -30,6 +33,10 @@ bool are_options_sound(const BatchArguments& arguments) {
       features != nullptr ? &features->mesh : std::get_if<MeshArguments>(&parsed);
   if (mesh != nullptr && mesh->molecule.radii == "-") {
     throw UsageError("workers have no standard input: give --radii a file or a list");
+  }
+  // Only for what it throws: else each row would call its molecule unreadable.
+  if (mesh != nullptr && mesh->molecule.radii) {
+    static_cast<void>(skin::radius_table(*mesh->molecule.radii));
   }
   return !std::holds_alternative<Finished>(parsed);
 }
