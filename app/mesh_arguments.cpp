@@ -23,10 +23,7 @@ void check_several(const MeshArguments& mesh) {
     throw UsageError("several models cannot " + what + "; choose one with --model-number");
   };
   if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
-  if (std::ranges::any_of(mesh.outputs, is_standard_output)) refuse("go to standard output");
-  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas, mesh.task_trace}) {
-    if (path && is_standard_output(*path)) refuse("go to standard output");
-  }
+  if (takes_standard_output(mesh)) refuse("go to standard output");
   if (mesh.has_snapshots()) refuse("all have snapshots");
 }
 

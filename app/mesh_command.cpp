@@ -137,14 +137,10 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
               << ": not certified: " << report.certificate.reason << "; see "
               << (report.outputs.empty() ? "the report" : report.outputs.front().string()) << "\n";
   }
-  if (arguments.is_brief && !arguments.quiet) {
-    print_beside(arguments.outputs.front(), brief_text(report));
-  }
+  std::ostream& free_stream = takes_standard_output(arguments) ? std::cerr : std::cout;
+  if (arguments.is_brief && !arguments.quiet) free_stream << brief_text(report);
   if (!prints_report(arguments)) return;
-  // A mesh, or the report as JSON, on standard output sends the report for people elsewhere.
-  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
-                        (arguments.report && is_standard_output(*arguments.report));
-  (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
+  free_stream << (arguments.json ? json_text(report) : people_text(report));
 }
 
 }  // namespace
@@ -170,12 +166,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   std::vector<geometry::NamedArray> arrays;
   if (arguments.vertex_data.features) arrays = atom_arrays(input.molecule);
 
-  std::vector<std::filesystem::path> names = arguments.outputs;
-  if (arguments.report) names.push_back(*arguments.report);
-  if (arguments.certificate) names.push_back(*arguments.certificate);
-  if (arguments.areas) names.push_back(*arguments.areas);
-  if (arguments.task_trace) names.push_back(*arguments.task_trace);
-  StagedOutputs outputs(names);
+  StagedOutputs outputs(all_outputs(arguments));
   std::span<PendingFile> files = outputs.files();
   PendingFile* const trace_file = take_last(files, arguments.task_trace);
   PendingFile* const areas_file = take_last(files, arguments.areas);

@@ -58,6 +58,18 @@ bool is_standard_output(const std::filesystem::path& path) {
   return path == "-" || path == "/dev/stdout";
 }
 
+std::vector<std::filesystem::path> all_outputs(const MeshArguments& mesh) {
+  std::vector<std::filesystem::path> names = mesh.outputs;
+  for (const auto& path : {mesh.report, mesh.certificate, mesh.areas, mesh.task_trace}) {
+    if (path) names.push_back(*path);
+  }
+  return names;
+}
+
+bool takes_standard_output(const MeshArguments& mesh) {
+  return std::ranges::any_of(all_outputs(mesh), is_standard_output);
+}
+
 void print_beside(const std::filesystem::path& output, const std::string& report) {
   (is_standard_output(output) ? std::cerr : std::cout) << report;
 }
@@ -80,11 +92,7 @@ void check_not_input(const std::filesystem::path& output, const MoleculeArgument
 }
 
 void check_outputs(const MeshArguments& mesh) {
-  std::vector<std::filesystem::path> names = mesh.outputs;
-  if (mesh.report) names.push_back(*mesh.report);
-  if (mesh.certificate) names.push_back(*mesh.certificate);
-  if (mesh.task_trace) names.push_back(*mesh.task_trace);
-  if (mesh.areas) names.push_back(*mesh.areas);
+  const std::vector<std::filesystem::path> names = all_outputs(mesh);
   std::size_t standard_outputs = mesh.json ? 1 : 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     check_not_input(names[i], mesh.molecule);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/arguments.h"
 #include "geometry/files/mesh_files.h"
@@ -15,6 +16,13 @@ std::string lower_extension(const std::filesystem::path& path);
 
 /// "-" and /dev/stdout.
 bool is_standard_output(const std::filesystem::path& path);
+
+/// The outputs of `mesh`: meshes, then the report, the certificate, the areas and the trace.
+std::vector<std::filesystem::path> all_outputs(const MeshArguments& mesh);
+
+/// Whether one of the outputs of `mesh` goes to standard output, so that the report for people goes
+/// elsewhere.
+bool takes_standard_output(const MeshArguments& mesh);
 
 /// Prints a report on standard output, or on standard error where the output takes that.
 void print_beside(const std::filesystem::path& output, const std::string& report);

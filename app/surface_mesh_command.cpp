@@ -34,9 +34,8 @@ void publish(const SurfaceReport& report, const MeshArguments& arguments) {
               << ": not certified: " << about_surface(report.certificate.reason) << "\n";
   }
   if (arguments.quiet && !arguments.json) return;
-  const bool is_taken = std::ranges::any_of(arguments.outputs, is_standard_output) ||
-                        (arguments.report && is_standard_output(*arguments.report));
-  (is_taken ? std::cerr : std::cout) << (arguments.json ? json_text(report) : people_text(report));
+  (takes_standard_output(arguments) ? std::cerr : std::cout)
+      << (arguments.json ? json_text(report) : people_text(report));
 }
 
 }  // namespace

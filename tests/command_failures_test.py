@@ -159,10 +159,16 @@ class Failures(CommandTest):
         self.input("huge.xyzr", "0 0 0 900000\n")
         self.run_morskin("mesh", "huge.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
 
-    def test_a_report_on_standard_output_is_all_that_is_there(self):
+    def test_what_goes_to_standard_output_is_all_that_is_there(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--report", "-")
         self.assertTrue(json.loads(done.stdout)["certified"])
         self.assertIn(b"certified", done.stderr)
+        for option in ("--areas", "--certificate"):
+            words = ("mesh", self.ring, "-o", "ring.ply", option)
+            done = self.run_morskin(*words, "-")
+            self.assertIn(b"certified", done.stderr)
+            self.run_morskin(*words, "file", "-q")
+            self.assertEqual(done.stdout, (self.folder / "file").read_bytes())
 
     def test_an_uncertified_mesh_and_what_belongs_to_it_need_their_places_as_well(self):
         (self.folder / "b.ply.unverified").mkdir()

@@ -2,6 +2,7 @@
 """What `features` writes, read by NumPy without pickles.
 Usage: features_test.py path/to/morskin"""
 
+import json
 import math
 
 import numpy
@@ -177,6 +178,15 @@ class Features(CommandTest):
         said = self.run_morskin("features", self.ring, "-o", "m.npz").stdout.decode()
         self.assertRegex(said, r"^m\.npz: [\d,]+ vertices, .* certified\n$")
         self.assertEqual(self.run_morskin("features", self.ring, "-o", "m.npz", "-q").stdout, b"")
+
+    def test_the_line_stays_out_of_a_report_or_mesh_on_standard_output(self):
+        words = ("features", MOLECULES / "benzene.pdb", "-o", "m.npz")
+        done = self.run_morskin(*words, "--report", "-")
+        self.assertTrue(json.loads(done.stdout)["certified"])
+        self.assertRegex(done.stderr, b"^m.npz: .*, certified\n$")
+        done = self.run_morskin(*words, "-o", "m.ply", "-q")
+        self.assertEqual(self.run_morskin(*words, "-o", "-").stdout,
+                         (self.folder / "m.ply").read_bytes())
 
     def test_other_endings_and_bad_densities_are_refused_and_nothing_is_left(self):
         for words in (["-o", "m.off"], ["-o", "m.vtu"], ["-o", "m.npz", "--density", "0"],
