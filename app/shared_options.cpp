@@ -93,7 +93,8 @@ void add_limit_options(CLI::App& command, Limits& limits, Typed& typed) {
 
 void add_threads_option(CLI::App& command, unsigned& threads) {
   threads = std::max(1U, std::thread::hardware_concurrency());
-  command.add_option("--threads", threads, "Threads at most; the mesh is the same for any number")
+  command
+      .add_option("--threads", threads, "Threads at most; the result is the same for any number")
       ->default_str("all cores")
       ->check(CLI::Range(1U, 1024U));
 }
