@@ -102,6 +102,7 @@ void finish(const CheckArguments& check, const Typed& typed) {
   if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");
   check_not_input(*check.certificate, *check.against);
   check_not_input(*check.certificate, {.input = check.mesh});
+  if (is_msms(check.mesh)) check_not_input(*check.certificate, {.input = msms_partner(check.mesh)});
 }
 
 /// The arguments of the command that was given, checked.
