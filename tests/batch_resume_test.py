@@ -131,11 +131,13 @@ class Resume(Batch):
                     if process == run.pid:
                         run.wait()
                         self.assert_ended(workers)
-            if run.returncode == 0:
+            if run.returncode == 0 and kills > 1:
                 break
+            if run.returncode == 0:  # too quick to be killed twice: once more from the start
+                shutil.rmtree(self.folder / "out")
+                continue
             self.assertEqual(run.returncode, -signal.SIGKILL)
             self.rows()  # whole lines, none twice
-        self.assertGreater(kills, 1)
         self.assertEqual(sorted(self.rows()), names)
         self.assertEqual((self.rows(), self.made()), (self.rows("whole"), self.made("whole")))
 
