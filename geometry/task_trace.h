@@ -56,7 +56,7 @@ class TaskTrace {
   std::vector<Span> spans_;
 };
 
-/// A span from here to the end of the scope. Costs nothing where nobody records.
+/// A span from here to the end of the scope. Costs nothing where none is recorded.
 class Traced {
  public:
   /// @param name  must outlive the trace, as a literal does

@@ -100,7 +100,7 @@ surface::Topology expected_topology(const geometry::IndexedMesh& mesh,
     if (component) {
       reached.insert(*component);
     } else {
-      missed = 1;  // some are missing, nobody knows how many
+      missed = 1;  // some are missing, it is not known how many
     }
   }
   surface::Topology result;
