@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -25,59 +24,24 @@ namespace morskin::app {
 namespace {
 
 using geometry::IndexedMesh;
-using skin::SkinComponents;
 
 constexpr std::size_t max_triangles = geometry::SurfaceMesh::max_triangles;
 
-// The skin's components by their two sides, named.
-std::map<SkinComponents::Sides, CoveredComponent> named_components(
-    const MoleculeInput& input, const morskin::PreparedSkin& skin) {
-  std::map<SkinComponents::Sides, CoveredComponent> named;
-  const auto body_with = [&](std::uint32_t body) {
-    return "the body with " + skin::describe(input.molecule, skin.topology.bodies[body]);
-  };
-  for (const std::uint32_t body : skin.topology.outer_bodies) {
-    named[{body, std::nullopt}] = {"the outer surface of " + body_with(body), false, {}};
-  }
-  for (std::uint32_t cavity = 0; cavity < skin.topology.voids.size(); ++cavity) {
-    const skin::Void& v = skin.topology.voids[cavity];
-    const std::string at = "the void at " + brief(v.centre.x()) + " " + brief(v.centre.y()) + " " +
-                           brief(v.centre.z());
-    for (const std::uint32_t body : v.bodies) {
-      const std::string name = v.bodies.size() == 1
-                                   ? "the wall of " + at
-                                   : "the surface between " + at + " and " + body_with(body);
-      named[{body, cavity}] = {name, skin.has_dropped(cavity), {}};
-    }
-  }
-  return named;
-}
-
-// The mesh's components on each of the skin's, by their first vertex. Empty if rounding makes the
-// skin's indistinguishable.
-std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
-                                                 const morskin::PreparedSkin& skin,
-                                                 const IndexedMesh& mesh,
-                                                 const geometry::MeshCheck& topology,
-                                                 std::span<const surface::SurfacePoint> points) {
-  const SkinComponents parts(skin.surface, skin.topology);
-  auto named = named_components(input, skin);
-  for (std::uint32_t c = 0; c < topology.components.size(); ++c) {
-    const std::uint32_t first = mesh.triangles[topology.components[c].first_triangle][0];
-    const auto sides = parts.sides(points[first]);
-    const auto found = sides ? named.find(*sides) : named.end();
-    if (found == named.end()) return {};
-    found->second.by.push_back(c);
-  }
-  std::vector<CoveredComponent> covered;
-  for (auto& [sides, component] : named) covered.push_back(std::move(component));
-  return covered;
+/// What does not need the surface's topology.
+void measure(AgainstSkin& result, const geometry::MeshFile& file, const surface::Surface& surface,
+             std::span<const surface::SurfacePoint> points, const certify::Sizing& sizing,
+             const morskin::Run& run) {
+  result.deviations = certify::measure_deviations(file.mesh, surface, points, sizing);
+  result.delaunay = certify::restricted_delaunay(file.mesh, surface, points, 10, run);
+  if (!file.curved) return;
+  result.in_edges = certify::node_residuals(*file.curved, file.mesh.positions.size(), surface, run);
 }
 
 /// @param certificate  for the file's text, if one is asked for
-AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& topology,
+AgainstSkin check_against(const geometry::MeshFile& file, const geometry::MeshCheck& topology,
                           const MoleculeInput& input, const CheckArguments& arguments,
                           std::string& certificate) {
+  const IndexedMesh& mesh = file.mesh;
   const morskin::Run run(arguments.threads);
   const morskin::PreparedSkin skin = prepare_skin(input, *arguments.against, run);
   const auto points = certify::locate_vertices(mesh, skin.surface);
@@ -85,8 +49,7 @@ AgainstSkin check_against(const IndexedMesh& mesh, const geometry::MeshCheck& to
   const std::vector<surface::CellId> cells = certify::cells_of(points);
   result.certificate =
       certify::certify(mesh, {{}, cells}, skin.surface, skin.expected(), arguments.sizing, run);
-  result.deviations = certify::measure_deviations(mesh, skin.surface, points, arguments.sizing);
-  result.delaunay = certify::restricted_delaunay(mesh, skin.surface, points, 10, run);
+  measure(result, file, skin.surface, points, arguments.sizing, run);
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
     certificate =
@@ -139,30 +102,9 @@ void take_stated_sizes(CheckArguments& arguments, OriginReport& origin) {
   }
 }
 
-/// The surface's components by their minima, and those of the mesh that cover them.
-std::vector<CoveredComponent> components_by_minima(const IndexedMesh& mesh,
-                                                   const implicit::PreparedSurface& prepared) {
-  std::vector<CoveredComponent> covered;
-  const auto components = morskin::components_at_minima(mesh, prepared);
-  std::size_t minimum = 0;
-  for (const implicit::CriticalHeight& p : prepared.critical.points) {
-    if (p.index != 0) continue;
-    const auto& component = components[minimum++];
-    const auto is_same = [&](const CoveredComponent& c) {
-      return component && c.by == std::vector{*component};
-    };
-    if (std::ranges::any_of(covered, is_same)) continue;
-    covered.push_back({"the component with the minimum at " + brief(p.position.x()) + " " +
-                           brief(p.position.y()) + " " + brief(p.position.z()),
-                       false,
-                       {}});
-    if (component) covered.back().by.push_back(*component);
-  }
-  return covered;
-}
-
-AgainstSkin check_surface(const IndexedMesh& mesh, const SurfaceInput& input,
+AgainstSkin check_surface(const geometry::MeshFile& file, const SurfaceInput& input,
                           const CheckArguments& arguments) {
+  const IndexedMesh& mesh = file.mesh;
   const morskin::Run run(arguments.threads);
   const implicit::PreparedSurface prepared = prepare_surface(input, std::nullopt, run);
   const auto points = certify::locate_vertices(mesh, prepared.surface);
@@ -170,8 +112,7 @@ AgainstSkin check_surface(const IndexedMesh& mesh, const SurfaceInput& input,
   AgainstSkin result;
   result.certificate =
       morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
-  result.deviations = certify::measure_deviations(mesh, prepared.surface, points, arguments.sizing);
-  result.delaunay = certify::restricted_delaunay(mesh, prepared.surface, points, 10, run);
+  measure(result, file, prepared.surface, points, arguments.sizing, run);
   result.covered = components_by_minima(mesh, prepared);
   return result;
 }
@@ -260,6 +201,7 @@ ExitCode check_command(const CheckArguments& asked) {
   report.angles = geometry::angle_histogram(mesh);
   report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
   report.topology = geometry::check_mesh(mesh);
+  if (file.curved) report.curved = curved_report(*file.curved);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
   if (arguments.against) {
     StatedMolecule stated =
@@ -269,13 +211,13 @@ ExitCode check_command(const CheckArguments& asked) {
     report.origin.taken = std::move(stated.taken);
     report.origin.not_taken = std::move(stated.not_taken);
     report.origin.compare_input(stated.input.sha256);
-    report.against = check_against(mesh, report.topology, stated.input, arguments, certificate);
+    report.against = check_against(file, report.topology, stated.input, arguments, certificate);
     find_what_fits(mesh, arguments, report);
   }
   if (const std::optional<SurfaceInput> input = surface_of(arguments, report.origin)) {
     take_stated_sizes(arguments, report.origin);
     report.origin.compare_input(input->sha256);
-    report.against = check_surface(mesh, *input, arguments);
+    report.against = check_surface(file, *input, arguments);
   }
   check_agreement(report);
   time_limit.cancel();

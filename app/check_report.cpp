@@ -241,6 +241,7 @@ std::string json_text(const CheckReport& report) {
     json["self_intersections_complete"] = report.intersections->is_complete;
     json["self_intersecting_pairs"] = report.intersections->pairs;
   }
+  if (report.curved) json["second_order"] = curved_json(*report.curved);
   if (report.against) add_skin_json(json, *report.against);
   json["seconds"] = rounded(report.seconds);
   return strict_json(json);
@@ -269,6 +270,7 @@ std::string people_text(const CheckReport& report) {
     text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
                                brief(report.shape.volume, 6) + " A^3");
   }
+  if (report.curved) text += curved_text(*report.curved);
   text += quality_text(report.quality, report.shape.area);
   if (report.triangles > 0) text += line("all angles", histogram_text(report));
   if (!report.intersections) text += line("crossings", "not searched");

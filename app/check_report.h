@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/arguments.h"
+#include "app/covered_components.h"
+#include "app/curved_report.h"
 #include "app/molecule_input.h"
 #include "app/origin_report.h"
 #include "certify/certificate.h"
@@ -16,7 +18,6 @@
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/self_intersections.h"
-#include "skin/skin_components.h"
 
 namespace morskin::app {
 
@@ -28,22 +29,14 @@ struct Verdict {
   bool is_required = true;  ///< whether the mesh fails if it is broken
 };
 
-/// A component of the skin and the mesh's components that lie on it: one, if all is well, or none
-/// if it is dropped.
-struct CoveredComponent {
-  std::string name;  ///< "outer surface of the body with atom CA of ALA 12"
-  bool is_dropped;
-  std::vector<std::uint32_t> by;
-
-  bool is_well() const { return by.size() == (is_dropped ? 0 : 1); }
-};
-
 /// The part of the report that needs the molecule.
 struct AgainstSkin {
   certify::Certificate certificate;
   certify::Deviations deviations;
   certify::RestrictedDelaunay delaunay;
   std::vector<CoveredComponent> covered;  ///< empty if the components are indistinguishable
+  std::optional<certify::Residuals>
+      in_edges;  ///< of the nodes in edges, where triangles are curved
 };
 
 struct CheckReport {
@@ -60,6 +53,7 @@ struct CheckReport {
   /// with which [U] holds.
   std::optional<skin::Model> fitting_model;
   std::optional<double> fitting_C;
+  std::optional<CurvedReport> curved;  ///< where triangles are
   double seconds = 0;
 
   std::vector<Verdict> verdicts() const;

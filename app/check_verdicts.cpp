@@ -65,6 +65,16 @@ Verdict on_components(const AgainstSkin& against) {
   return verdict;
 }
 
+Verdict on_nodes(const certify::Residuals& found) {
+  Verdict verdict{"nodes in edges on the skin", !found.first_off_skin, "", true};
+  if (verdict.holds) return verdict;
+  const auto& [node, distance] = *found.first_off_skin;
+  verdict.reason = "node " + std::to_string(node) +
+                   (distance > 0 ? " lies about " + brief(distance) + " Angstrom off the skin"
+                                 : " is not known to lie on the skin");
+  return verdict;
+}
+
 void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdicts) {
   const certify::Certificate& c = against.certificate;
   verdicts.push_back(on_components(against));
@@ -96,6 +106,18 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
                       " has no surface ball (the first of " + grouped(d.undecided) + ")";
   }
   verdicts.push_back(delaunay);
+  if (against.in_edges) verdicts.push_back(on_nodes(*against.in_edges));
+}
+
+void add_curved_verdicts(const CurvedReport& curved, std::vector<Verdict>& verdicts) {
+  verdicts.push_back({"one node in each edge", curved.objection.empty(), curved.objection, true});
+  Verdict regular{"curved triangles regular, proved", true, "", true};
+  if (const auto unproved = curved.measures.first_unproved) {
+    regular.holds = false;
+    regular.reason =
+        "the Jacobian of triangle " + std::to_string(*unproved) + " is not proved positive";
+  }
+  verdicts.push_back(regular);
 }
 
 }  // namespace
@@ -110,6 +132,7 @@ std::vector<Verdict> CheckReport::verdicts() const {
                  {MeshDefect::CrowdedEdge, MeshDefect::SplitVertex, MeshDefect::UnusedVertex}),
       on_defects(topology, "oriented", {MeshDefect::DisagreeingTriangles})};
   if (intersections) result.push_back(on_intersections(*intersections));
+  if (curved) add_curved_verdicts(*curved, result);
   if (against) add_skin_verdicts(*against, result);
   for (Verdict& verdict : result) {
     if (!arguments.surface) break;

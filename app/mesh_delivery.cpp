@@ -103,11 +103,11 @@ void MeshDelivery::curve(const IndexedMesh& mesh, std::span<const geometry::Cell
   }
 }
 
-std::optional<CurvedSizes> MeshDelivery::curved() const {
+std::optional<CurvedReport> MeshDelivery::curved() const {
   if (arguments_.order != 2) return std::nullopt;
   if (!curved_)
     throw geometry::RefusedInput(arguments_.molecule.input.string() + ": " + not_curved_);
-  return CurvedSizes{curved_->mesh.nodes.size(), curved_->area, curved_->least_jacobian};
+  return CurvedReport{curved_->mesh.nodes.size(), curved_->measures, ""};
 }
 
 std::string MeshDelivery::bytes(const IndexedMesh& mesh, MeshFormat format,
@@ -209,8 +209,15 @@ const geometry::PendingFile* MeshDelivery::faces_of(const geometry::PendingFile&
 
 IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
   const geometry::FileBytes bytes = geometry::read_file(file.temporary_name());
-  if (format_of(file.path()) != MeshFormat::MsmsVertices) {
-    return geometry::parse_mesh(bytes.view(), file.path().string());
+  const MeshFormat format = format_of(file.path());
+  if (format != MeshFormat::MsmsVertices) {
+    const std::string name = file.path().string();
+    geometry::MeshFile content = geometry::parse_mesh_file(bytes.view(), name);
+    const bool is_curved = curved_ && geometry::has_second_order(format);
+    if (is_curved ? content.curved != curved_->mesh : content.curved.has_value()) {
+      throw geometry::UnreadableInput(name + ": does not hold the curved triangles");
+    }
+    return std::move(content.mesh);
   }
   const geometry::PendingFile& faces = *faces_of(file);
   return geometry::parse_msms(bytes.view(), file.path().string(),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/arguments.h"
+#include "app/curved_report.h"
 #include "app/mesh_origin.h"
 #include "app/staged_outputs.h"
 #include "front/snapshots.h"
@@ -17,13 +18,6 @@
 #include "morskin/second_order.h"
 
 namespace morskin::app {
-
-/// What a report tells of curved triangles.
-struct CurvedSizes {
-  std::size_t nodes;      ///< vertices and nodes in edges
-  double area;            ///< Angstrom^2
-  double least_jacobian;  ///< over the flat triangles'
-};
 
 /// Writes a mesh to its files, so that what is certified is what they hold; on the way it takes the
 /// snapshots that were asked for.
@@ -70,7 +64,7 @@ class MeshDelivery : public morskin::Observer {
   double seconds_writing() const { return seconds_writing_; }
   /// What the last mesh is with curved triangles; nothing unless they were asked for.
   /// @throws geometry::RefusedInput  there are none, with the reason
-  std::optional<CurvedSizes> curved() const;
+  std::optional<CurvedReport> curved() const;
 
  private:
   void write(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells,

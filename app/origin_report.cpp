@@ -49,6 +49,7 @@ std::string values(const ordered_json& selection) {
 
 void OriginReport::compare_mesh(const geometry::MeshFile& file, unsigned threads) {
   if (stated.is_empty()) return;
+  has_curves = file.curved.has_value();
   if (file.is_single_precision) {
     coordinates_match = matches(in_brief(stated, "corners"),
                                 hashes_of(file.mesh, Stored::FloatCorners, threads).coordinates);
@@ -103,8 +104,9 @@ std::string origin_text(const OriginReport& origin) {
   for (const std::string& why : origin.not_taken) text += line("not taken", why);
   std::vector<std::string> same, other;
   for (const auto& [what, match] :
-       {std::pair("coordinates", origin.coordinates_match), std::pair("faces", origin.faces_match),
-        std::pair("input", origin.input_matches)}) {
+       {std::pair(origin.has_curves ? "coordinates of corners" : "coordinates",
+                  origin.coordinates_match),
+        std::pair("faces", origin.faces_match), std::pair("input", origin.input_matches)}) {
     if (match) (*match ? same : other).emplace_back(what);
   }
   if (!same.empty()) {

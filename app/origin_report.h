@@ -18,6 +18,7 @@ struct OriginReport {
   std::vector<std::string> not_taken;  ///< with their reasons
   /// Whether the hashes that are stated are those found; absent where none is stated or found.
   std::optional<bool> coordinates_match, faces_match, input_matches;
+  bool has_curves = false;  ///< the hashes are those of the corners alone
 
   /// Compares the hashes of the mesh.
   void compare_mesh(const geometry::MeshFile& file, unsigned threads);

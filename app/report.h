@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/curved_report.h"
 #include "app/mesh_delivery.h"
 #include "app/molecule_input.h"
 #include "app/report_lines.h"
@@ -59,7 +60,7 @@ struct MeshReport {
   morskin::RunCounts counts;
   std::optional<double> grid_step;                ///< of marching cubes, Angstrom
   std::optional<baselines::GrowthCounts> growth;  ///< of the dynamic method
-  std::optional<CurvedSizes> curved;              ///< where triangles are curved
+  std::optional<CurvedReport> curved;             ///< where triangles are curved
   double angle_goal_deg = 0;
   std::vector<morskin::Fallback> fallbacks;
   RunSeconds seconds;

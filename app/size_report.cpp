@@ -60,9 +60,7 @@ void add_sizes(nlohmann::ordered_json& json, const MeshReport& report) {
                     {"forced_triangles", std::round(report.bent->forced_triangles)}};
   }
   if (report.curved) {
-    json["second_order"] = {{"nodes", report.curved->nodes},
-                            {"area", rounded(report.curved->area, 12)},
-                            {"least_jacobian", rounded(report.curved->least_jacobian)}};
+    json["second_order"] = curved_json(*report.curved);
   }
   if (report.grading) {
     json["grading"] = {{"allowed", rounded(report.grading->allowed)},
@@ -79,11 +77,7 @@ std::string sizes_text(const MeshReport& report) {
   }
   if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
   if (report.grading) text += grading_text(*report.grading);
-  if (report.curved) {
-    text += line("curved", grouped(report.curved->nodes) + " nodes, area " +
-                               brief(report.curved->area, 6) + " A^2, Jacobians at least " +
-                               brief(report.curved->least_jacobian) + " of the flat triangles'");
-  }
+  if (report.curved) text += curved_text(*report.curved);
   return text;
 }
 

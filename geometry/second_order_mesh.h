@@ -17,6 +17,8 @@ using SecondOrderTriangle = std::array<std::uint32_t, 6>;
 struct SecondOrderMesh {
   std::vector<Point> nodes;  ///< Angstrom; the vertices of a flat mesh, then one for each edge
   std::vector<SecondOrderTriangle> triangles;  ///< each index < nodes.size()
+
+  bool operator==(const SecondOrderMesh&) const = default;
 };
 
 }  // namespace morskin::geometry

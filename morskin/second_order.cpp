@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "certify/curved_triangle.h"
 #include "geometry/error.h"
 #include "geometry/orthogonal.h"
 
@@ -102,12 +101,6 @@ SecondOrderTriangle curved(const geometry::TriangleCorners& t, std::size_t verti
   return result;
 }
 
-certify::CurvedTriangle nodes_of(const SecondOrder& curved, const SecondOrderTriangle& triangle) {
-  certify::CurvedTriangle nodes;
-  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = curved.mesh.nodes[triangle[k]];
-  return nodes;
-}
-
 /// Moves the nodes of triangles that are not proved to where the middles of their edges lead; again
 /// for triangles that this leaves unproved.
 void center_unproved(SecondOrder& to, const surface::Surface& surface,
@@ -117,7 +110,7 @@ void center_unproved(SecondOrder& to, const surface::Surface& surface,
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
     for (const SecondOrderTriangle& triangle : to.mesh.triangles) {
-      if (certify::least_jacobian(nodes_of(to, triangle))) continue;
+      if (certify::least_jacobian(certify::nodes_of(to.mesh, triangle))) continue;
       for (const std::uint32_t node : std::span(triangle).last<3>()) {
         if (std::exchange(is_centered[node - vertices], 1) != 0) continue;
         const SurfacePoint moved = node_of(surface, to, edges[node - vertices], 0);
@@ -129,18 +122,17 @@ void center_unproved(SecondOrder& to, const surface::Surface& surface,
   }
 }
 
-/// Adds a triangle's area and Jacobian. @throws geometry::RefusedInput
-void measure(SecondOrder& to, std::size_t number) {
-  const SecondOrderTriangle& triangle = to.mesh.triangles[number];
-  const certify::CurvedTriangle nodes = nodes_of(to, triangle);
-  const std::optional<double> jacobian = certify::least_jacobian(nodes);
-  if (!jacobian) {
-    refuse("the Jacobian of the second-order triangle " + std::to_string(number) +
-           ", with corners " + std::to_string(triangle[0]) + ", " + std::to_string(triangle[1]) +
-           " and " + std::to_string(triangle[2]) + ", is not proved positive");
+/// @throws geometry::RefusedInput
+void check_and_measure(SecondOrder& curved) {
+  curved.measures = certify::measure_curved(curved.mesh);
+  if (const auto t = curved.measures.first_unproved) {
+    const SecondOrderTriangle& triangle = curved.mesh.triangles[*t];
+    refuse("the Jacobian of the second-order triangle " + std::to_string(*t) + ", with corners " +
+           std::to_string(triangle[0]) + ", " + std::to_string(triangle[1]) + " and " +
+           std::to_string(triangle[2]) + ", is not proved positive");
   }
-  to.least_jacobian = std::min(to.least_jacobian, *jacobian);
-  to.area += certify::curved_area(nodes);
+  const std::string objection = certify::objection_to_nodes(curved.mesh);
+  if (!objection.empty()) refuse(objection);
 }
 
 }  // namespace
@@ -156,7 +148,7 @@ SecondOrder second_order(const surface::Surface& surface, const IndexedMesh& mes
     result.mesh.triangles.push_back(curved(t, mesh.positions.size(), edges));
   }
   center_unproved(result, surface, edges);
-  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) measure(result, t);
+  check_and_measure(result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "certify/curved_mesh.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/second_order_mesh.h"
 #include "surface/surface.h"
@@ -17,16 +18,15 @@ struct SecondOrder {
   geometry::SecondOrderMesh mesh;
   std::vector<geometry::CellId> cells;  ///< by node, vertices first
   std::vector<std::uint32_t> ends;      ///< by node in an edge, a vertex of the edge
-  double area = 0;                      ///< Angstrom^2
-  double least_jacobian = 1;            ///< over the flat triangles' (certify/curved_triangle.h)
+  certify::CurvedMeasures measures;
 };
 
 /// From the middle of each edge, or an eighth of its half beside it at most, a node goes along the
 /// gradient onto the surface: so that the parabola over the edge fits the surface at both ends.
 /// Nodes of triangles that are not proved regular then come from the middles themselves.
 /// @param cells  by vertex, the cell that it lies in
-/// @throws geometry::RefusedInput  a triangle whose Jacobian is not proved positive, or an edge
-///         whose middle does not reach the surface; it names the first of them
+/// @throws geometry::RefusedInput  a triangle whose Jacobian is not proved positive, an edge whose
+///         middle does not reach the surface, or objection_to_nodes(); it names the first of them
 SecondOrder second_order(const surface::Surface& surface, const geometry::IndexedMesh& mesh,
                          std::span<const geometry::CellId> cells);
 

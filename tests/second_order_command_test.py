@@ -44,6 +44,56 @@ class SecondOrder(CommandTest):
                 origin = found["origin"]
                 self.assertTrue(origin["coordinates_match"] and origin["faces_match"])
 
+    def test_check_refuses_files_whose_nodes_in_edges_are_wrong(self):
+        report = self.meshed("-o", "m.vtu")
+        mesh = meshio.read(self.folder / "m.vtu")
+        cells = mesh.cells_dict["triangle6"]
+
+        def verdicts(points, cells):
+            meshio.Mesh(points, [("triangle6", cells)]).write(
+                self.folder / "bad.vtu", binary=True, compression=None)
+            meshio.Mesh(points, [("triangle6", cells)]).write(
+                self.folder / "bad.msh", file_format="gmsh", binary=False)
+            found = []
+            for name in ("bad.vtu", "bad.msh"):
+                told = self.check(name, "--against", MOLECULES / "benzene.pdb", "-C", "0.35",
+                                  code=5)
+                self.assertTrue(told["homeomorphic"])  # the corners are untouched
+                found.append({v["name"] for v in told["verdicts"]
+                              if v["required"] and not v["holds"]})
+            self.assertEqual(*found)
+            return found[0]
+
+        def with_node(place):
+            points = mesh.points.copy()
+            points[cells[7, 3]] = place
+            return points
+
+        a, b, c, ab, bc = (mesh.points[cells[7, k]] for k in range(5))
+        up = numpy.cross(b - a, c - a)
+        up /= numpy.linalg.norm(up)
+        self.assertEqual(verdicts(with_node(ab + 1e-6 * up), cells), {"nodes in edges on the skin"})
+        self.assertIn("one node in each edge", verdicts(with_node(ab + 1e3 * up), cells))
+        self.assertIn("curved triangles regular, proved",
+                      verdicts(with_node(a + (c - a) * 0.7), cells))
+        swapped = cells.copy()
+        swapped[7, 3], swapped[7, 4] = cells[7, 4], cells[7, 3]
+        self.assertIn("one node in each edge", verdicts(mesh.points, swapped))
+        own = cells.copy()
+        own[7, 3] = len(mesh.points)  # a node of its own, at the same place: a crack
+        self.assertEqual(verdicts(numpy.vstack([mesh.points, ab]), own), {"one node in each edge"})
+        self.assertEqual(report["second_order"]["nodes"], len(mesh.points))
+
+    def test_check_tells_of_curved_triangles_what_mesh_told(self):
+        report = self.meshed("-o", "m.vtu", "-o", "m.msh")
+        for name in KINDS:
+            with self.subTest(name):
+                found = self.check(name, "--against", MOLECULES / "benzene.pdb")
+                self.assertEqual(found["second_order"], report["second_order"])
+                self.assertIn("nodes in edges on the skin", {v["name"] for v in found["verdicts"]})
+                said = self.run_morskin("check", name).stdout
+                self.assertIn(b"coordinates of corners, faces, by SHA-256", said)
+
     def test_flat_vtu_and_msh_files_are_read_back_and_checked_too(self):
         for name in KINDS:
             with self.subTest(name):

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "certify/curved_triangle.h"
+#include "certify/curved_mesh.h"
 #include "geometry/error.h"
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
@@ -72,8 +72,7 @@ double mean_distance(const SecondOrder& curved, const surface::Surface& skin) {
   double sum = 0;
   std::size_t points = 0;
   for (const geometry::SecondOrderTriangle& t : curved.mesh.triangles) {
-    CurvedTriangle nodes;
-    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = curved.mesh.nodes[t[k]];
+    const CurvedTriangle nodes = certify::nodes_of(curved.mesh, t);
     for (int i = 0; i <= grid; ++i) {
       for (int j = 0; i + j <= grid; ++j, ++points) {
         const Point x =
@@ -173,7 +172,7 @@ TEST_CASE("every node lies on the skin, and two triangles share the one of their
       const auto jet = skin.surface.jet(curved.mesh.nodes[v], curved.cells[v]);
       CHECK(std::abs(jet.value) <= skin.surface.residual_bound(jet.half_gradient.norm()));
     }
-    CHECK(curved.least_jacobian > 0.3);
+    CHECK(curved.measures.least_jacobian > 0.3);
   });
 }
 
@@ -187,8 +186,34 @@ TEST_CASE(
     const double lacking = 1 - geometry::measure_shape(made.mesh).area / exact;
     const SecondOrder curved = second_order(skin.surface, made.mesh, made.cells);
     CHECK(lacking > 0);
-    CHECK(std::abs(1 - curved.area / exact) < lacking * lacking);
+    CHECK(std::abs(1 - curved.measures.area / exact) < lacking * lacking);
   }
+}
+
+TEST_CASE("nodes that do not fit the edges are objected to") {
+  // Two triangles back to back, in the plane.
+  const geometry::SecondOrderMesh good{
+      {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+      {{0, 1, 2, 3, 4, 5}, {0, 2, 1, 5, 4, 3}}};
+  CHECK(certify::objection_to_nodes(good).empty());
+  CHECK(certify::objection_to_nodes({}).empty());
+  geometry::SecondOrderMesh cracked = good;
+  cracked.nodes.emplace_back(1, 0, 0);
+  cracked.triangles[1][5] = 6;
+  CHECK(certify::objection_to_nodes(cracked) ==
+        "the edge between the vertices 0 and 1 has the nodes 3 and 6");
+  geometry::SecondOrderMesh shared = good;
+  shared.nodes[3] = {0.5, 0.5, 0};
+  for (const auto& [t, k] : {std::pair(0, 5), std::pair(1, 3)}) shared.triangles[t][k] = 3;
+  CHECK(certify::objection_to_nodes(shared) ==
+        "node 3 lies in the edge between the vertices 0 and 1 and in the edge between the "
+        "vertices 0 and 2");
+  geometry::SecondOrderMesh far = good;
+  far.nodes[4] = {1, 1, 1.4};
+  CHECK(certify::objection_to_nodes(far).empty());
+  far.nodes[4] = {1, 1, 1.42};
+  CHECK(certify::objection_to_nodes(far) ==
+        "node 4 is as far from the middle of the edge between the vertices 1 and 2 as they are");
 }
 
 TEST_CASE("on a ball the node is where the middle leads") {
@@ -216,7 +241,7 @@ TEST_CASE("nodes of the parabola bring triangles nearer to the skin than those o
       const SecondOrder curved = second_order(skin.surface, made.mesh, made.cells);
       const SecondOrder middles = centered(curved, skin.surface);
       CHECK(mean_distance(curved, skin.surface) < 0.95 * mean_distance(middles, skin.surface));
-      CHECK(curved.least_jacobian > 0);
+      CHECK(curved.measures.least_jacobian > 0);
     }
   }
 }

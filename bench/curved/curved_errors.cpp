@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/curved_triangle.h"
+#include "certify/curved_mesh.h"
 #include "geometry/error.h"
 #include "morskin/pipeline.h"
 #include "morskin/second_order.h"
@@ -128,8 +128,7 @@ using ByPatches = std::array<Errors, 4>;
 ByPatches errors_of(const SecondOrder& curved, const surface::Surface& skin) {
   ByPatches result;
   for (const geometry::SecondOrderTriangle& triangle : curved.mesh.triangles) {
-    CurvedTriangle nodes;
-    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = curved.mesh.nodes[triangle[k]];
+    const CurvedTriangle nodes = certify::nodes_of(curved.mesh, triangle);
     std::size_t patches = 0;
     const Errors errors = errors_of(nodes, skin, curved.cells[triangle[0]], patches);
     result[std::min<std::size_t>(patches, 3) - 1] += errors;

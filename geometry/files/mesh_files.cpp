@@ -65,15 +65,21 @@ constexpr std::size_t max_bytes = 1ULL << 34;  // of a mesh file, packed or not
 struct KnownFormat {
   std::string_view ending;
   MeshFormat format;
-  IndexedMesh (*parse)(std::string_view bytes, const std::string& source) = nullptr;
+  mesh_formats::ParsedMesh (*parse)(std::string_view bytes, const std::string& source) = nullptr;
   Provenance (*provenance)(std::string_view bytes) = nullptr;
 };
 
+/// The parser of a format whose triangles are flat.
+template <IndexedMesh (*parse)(std::string_view, const std::string&)>
+mesh_formats::ParsedMesh flat(std::string_view bytes, const std::string& source) {
+  return {parse(bytes, source), std::nullopt};
+}
+
 constexpr std::array<KnownFormat, 10> known_formats = {{
-    {".ply", MeshFormat::PlyBinary, mesh_formats::parse_ply, mesh_formats::ply_provenance},
-    {".off", MeshFormat::Off, mesh_formats::parse_off, mesh_formats::off_provenance},
-    {".obj", MeshFormat::Obj, mesh_formats::parse_obj, mesh_formats::obj_provenance},
-    {".stl", MeshFormat::Stl, mesh_formats::parse_stl, mesh_formats::stl_provenance},
+    {".ply", MeshFormat::PlyBinary, flat<mesh_formats::parse_ply>, mesh_formats::ply_provenance},
+    {".off", MeshFormat::Off, flat<mesh_formats::parse_off>, mesh_formats::off_provenance},
+    {".obj", MeshFormat::Obj, flat<mesh_formats::parse_obj>, mesh_formats::obj_provenance},
+    {".stl", MeshFormat::Stl, flat<mesh_formats::parse_stl>, mesh_formats::stl_provenance},
     {".vtu", MeshFormat::Vtu, mesh_formats::parse_vtu, mesh_formats::vtu_provenance},
     {".msh", MeshFormat::Msh, mesh_formats::parse_msh, mesh_formats::msh_provenance},
     {".glb", MeshFormat::Glb},
@@ -199,7 +205,7 @@ MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
                                      partner.string()};
   const bool names_vertices = is_msms(path, ".vert");
   const mesh_formats::MsmsFile& vertices = names_vertices ? named : found;
-  return {mesh_formats::parse_msms(vertices, names_vertices ? found : named),
+  return {mesh_formats::parse_msms(vertices, names_vertices ? found : named), std::nullopt,
           mesh_formats::msms_provenance(vertices.bytes)};
 }
 
@@ -231,21 +237,26 @@ const KnownFormat& readable_format(std::string_view bytes, const std::string& so
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {
   const FileBytes file = read_file(path, max_bytes);
+  if (!is_msms(path, ".vert") && !is_msms(path, ".face")) {
+    return parse_mesh_file(file.view(), path.string());
+  }
   std::string buffer;
-  const std::string_view bytes = unpacked(file.view(), path.string(), buffer);
-  if (is_msms(path, ".vert") || is_msms(path, ".face")) return read_msms(path, bytes);
-  const KnownFormat& known = readable_format(bytes, path.string());
-  MeshFile result{known.parse(bytes, path.string()), known.provenance(bytes)};
-  result.is_single_precision = known.format == MeshFormat::Stl;
-  return result;
+  return read_msms(path, unpacked(file.view(), path.string(), buffer));
 }
 
 IndexedMesh read_mesh(const std::filesystem::path& path) { return read_mesh_file(path).mesh; }
 
-IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
+MeshFile parse_mesh_file(std::string_view bytes, const std::string& source) {
   std::string buffer;
   bytes = unpacked(bytes, source, buffer);
-  return readable_format(bytes, source).parse(bytes, source);
+  const KnownFormat& known = readable_format(bytes, source);
+  auto [mesh, curved] = known.parse(bytes, source);
+  return {std::move(mesh), std::move(curved), known.provenance(bytes),
+          known.format == MeshFormat::Stl};
+}
+
+IndexedMesh parse_mesh(std::string_view bytes, const std::string& source) {
+  return parse_mesh_file(bytes, source).mesh;
 }
 
 IndexedMesh parse_msms(std::string_view vertices, const std::string& vertices_source,

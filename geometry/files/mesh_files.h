@@ -89,18 +89,21 @@ IndexedMesh read_mesh(const std::filesystem::path& path);
 /// A mesh with what its file says of its origin, true or not.
 struct MeshFile {
   IndexedMesh mesh;
-  Provenance provenance;             ///< empty if the file says nothing
-  bool is_single_precision = false;  ///< by its format
+  std::optional<SecondOrderMesh> curved;  ///< if its triangles are; the mesh's vertices go first
+  Provenance provenance;                  ///< empty if the file says nothing
+  bool is_single_precision = false;       ///< by its format
 };
 
 /// The same, with the provenance.
 /// @throws UnreadableInput  as above
 MeshFile read_mesh_file(const std::filesystem::path& path);
 
-/// The mesh in `bytes`, gzipped or not; not MSMS, which has two files.
+/// What `bytes` hold, gzipped or not; not MSMS, which has two files.
 ///
 /// @param source  the name for messages; its ending may decide the format.
 /// @throws UnreadableInput  as above
+MeshFile parse_mesh_file(std::string_view bytes, const std::string& source);
+/// The mesh alone.
 IndexedMesh parse_mesh(std::string_view bytes, const std::string& source);
 
 /// The mesh in the two files of MSMS.

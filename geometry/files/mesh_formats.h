@@ -3,6 +3,7 @@
 // Inside mesh_files: one parser and one writer per format, and their common parts.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,13 +15,19 @@
 
 namespace morskin::geometry::mesh_formats {
 
+/// What a file holds of a mesh.
+struct ParsedMesh {
+  IndexedMesh mesh;
+  std::optional<SecondOrderMesh> curved;  ///< if the triangles are; the mesh's vertices go first
+};
+
 /// Each parses all bytes of a file; `source` is its name for messages. @throws UnreadableInput
 IndexedMesh parse_ply(std::string_view bytes, const std::string& source);
 IndexedMesh parse_off(std::string_view bytes, const std::string& source);
 IndexedMesh parse_obj(std::string_view bytes, const std::string& source);
 IndexedMesh parse_stl(std::string_view bytes, const std::string& source);
-IndexedMesh parse_vtu(std::string_view bytes, const std::string& source);
-IndexedMesh parse_msh(std::string_view bytes, const std::string& source);
+ParsedMesh parse_vtu(std::string_view bytes, const std::string& source);
+ParsedMesh parse_msh(std::string_view bytes, const std::string& source);
 /// The two files of an MSMS mesh, each by its bytes and its name.
 struct MsmsFile {
   std::string_view bytes;

@@ -1,5 +1,5 @@
-// Reads Gmsh's MSH 4.1 as text: triangles of three or six nodes, of these the corners. Points and
-// lines are skipped, as are sections other than nodes and elements.
+// Reads Gmsh's MSH 4.1 as text: triangles of three nodes, or of six where they are curved. Points
+// and lines are skipped, as are sections other than nodes and elements.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/second_order_corners.h"
 #include "geometry/files/text_lines.h"
+#include "geometry/files/triangle_collector.h"
 
 namespace morskin::geometry::mesh_formats {
 namespace {
@@ -79,7 +79,7 @@ std::uint32_t take_node(std::string_view& fields, const Nodes& nodes, const Text
   return found->second;
 }
 
-void parse_elements(TextLines& lines, const Nodes& nodes, CornersOnly& mesh) {
+void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mesh) {
   const std::int64_t blocks = integers(lines, 4)[0];
   for (std::int64_t block = 0; block < blocks; ++block) {
     const std::vector<std::int64_t> head = integers(lines, 4);
@@ -92,20 +92,23 @@ void parse_elements(TextLines& lines, const Nodes& nodes, CornersOnly& mesh) {
       std::string_view fields = next_line(lines);
       if (head[0] < 2) continue;
       take_integer(fields, lines);  // its tag
-      TriangleCorners corners;
-      for (std::uint32_t& corner : corners) corner = take_node(fields, nodes, lines);
-      mesh.add(corners);
-      for (int k = 0; is_curved && k < 3; ++k) mesh.add_middle(take_node(fields, nodes, lines));
+      const auto take_three = [&] {
+        TriangleCorners three;
+        for (std::uint32_t& node : three) node = take_node(fields, nodes, lines);
+        return three;
+      };
+      const TriangleCorners corners = take_three();
+      is_curved ? mesh.add(corners, take_three()) : mesh.add(corners);
     }
   }
 }
 
 }  // namespace
 
-IndexedMesh parse_msh(std::string_view bytes, const std::string& source) {
+ParsedMesh parse_msh(std::string_view bytes, const std::string& source) {
   TextLines lines(bytes, source);
   std::optional<Nodes> nodes;
-  std::optional<CornersOnly> mesh;
+  std::optional<TriangleCollector> mesh;
   bool has_elements = false;
   while (lines.advance()) {
     const std::string_view section = trimmed(lines.line());

@@ -1,5 +1,5 @@
 // Reads VTU as this program and others write it by default: one piece, arrays inline, as base64
-// without compression or as text. Of triangles with three or six nodes the corners are taken.
+// without compression or as text. Triangles have three nodes, or six where they are curved.
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@
 
 #include "geometry/error.h"
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/second_order_corners.h"
 #include "geometry/files/text_lines.h"
+#include "geometry/files/triangle_collector.h"
 #include "geometry/files/vtu_grid.h"
 
 namespace morskin::geometry::mesh_formats {
@@ -130,8 +130,8 @@ class Reader {
     if (section_ == "FieldData") take_field_data(tag);
   }
 
-  IndexedMesh mesh() const {
-    CornersOnly result(positions());
+  ParsedMesh mesh() const {
+    TriangleCollector result(positions());
     const std::vector<double>& corners = cell_array("connectivity");
     const std::vector<double>& ends = cell_array("offsets");
     const std::vector<double>& kinds = cell_array("types");
@@ -151,8 +151,8 @@ class Reader {
       for (std::size_t k = 0; k < nodes; ++k) {
         at[k] = index(corners[static_cast<std::size_t>(start) + k], result.point_count());
       }
-      result.add({at[0], at[1], at[2]});
-      for (std::size_t k = 3; k < nodes; ++k) result.add_middle(at[k]);
+      const TriangleCorners at_corners{at[0], at[1], at[2]};
+      nodes == 3 ? result.add(at_corners) : result.add(at_corners, {at[3], at[4], at[5]});
       start = end;
     }
     return std::move(result).take(source_);
@@ -269,7 +269,7 @@ class Reader {
 
 }  // namespace
 
-IndexedMesh parse_vtu(std::string_view bytes, const std::string& source) {
+ParsedMesh parse_vtu(std::string_view bytes, const std::string& source) {
   Reader reader(source);
   for_each_tag(bytes, [&](const Tag& tag) { reader.take(tag); });
   return reader.mesh();
