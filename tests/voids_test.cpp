@@ -80,8 +80,39 @@ TEST_CASE("a void that is a ball has a ball's volume, within bounds that cubes m
         last_low = found.low;
         last_high = found.high;
       }
+      const auto found = skin::void_volume(skin->surface, skin->topology, 0, 1.0 / 64);
+      CHECK(found.low <= volume * (1 + 1e-9));
+      CHECK(found.high >= volume * (1 - 1e-9));
     }
   }
+}
+
+TEST_CASE(
+    "a void's volume lies within its bounds at every fineness, whichever way its walls bend") {
+  // Those of a ball are hollow seen from inside, those of a shell of balls bulge.
+  std::vector<std::vector<WeightedPoint>> sets{
+      four_about_a_void(1, 0.1), support::molecule("shell_hollow.xyzr", skin::Model::Vdw),
+      support::molecule("c60.xyz", skin::Model::Vdw)};
+  support::for_seeds(200, [&](unsigned seed) { sets.push_back(support::ball_set(seed)); });
+  std::size_t compared = 0;
+  for (const auto& points : sets) {
+    const auto skin = support::prepared(points);
+    if (!skin) continue;
+    for (std::uint32_t v = 0; v < skin->topology.voids.size(); ++v) {
+      const auto at = [&](double fineness) {
+        return skin::void_volume(skin->surface, skin->topology, v, fineness);
+      };
+      const skin::VolumeBounds fine = at(1.0 / 32);
+      for (const double fineness : {1.0, 0.5, 0.25, 0.125}) {
+        CAPTURE(fineness);
+        const skin::VolumeBounds coarse = at(fineness);
+        CHECK(coarse.low <= fine.high);
+        CHECK(coarse.high >= fine.low);
+      }
+      ++compared;
+    }
+  }
+  CHECK(compared >= 8);
 }
 
 TEST_CASE("the volumes of voids are those that a fine mesh encloses") {
