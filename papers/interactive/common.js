@@ -39,6 +39,25 @@ export function button(text, click, attributes = {}) {
   return element('button', { type: 'button', onclick: click, ...attributes }, text);
 }
 
+// A button that plays a part until `advance`, a step, says that there is no more, or isPlaying falls.
+// @param begin  called first: goes back to the start where there is nothing left to play
+export function player(state, pause, begin, advance) {
+  let next; // what comes next; who starts again forgets it, or two would run at once
+  const play = button('play', () => {
+    clearTimeout(next);
+    state.isPlaying = !state.isPlaying;
+    begin();
+    const tick = () => {
+      play.textContent = state.isPlaying ? 'pause' : 'play';
+      if (!state.isPlaying) return;
+      state.isPlaying = advance();
+      next = setTimeout(tick, pause);
+    };
+    tick();
+  });
+  return play;
+}
+
 export function check(text, isOn, change) {
   const box = element('input', { type: 'checkbox', onchange: () => change(box.checked) });
   box.checked = isOn;

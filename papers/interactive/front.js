@@ -4,7 +4,7 @@
 import { PageData } from '../../viewer/src/page_data.js';
 import { hex, operations as colours } from '../../viewer/src/palette.js';
 import { operationNames, Scene } from '../../viewer/src/scene.js';
-import { button, data, element, question, ready, slider } from './common.js';
+import { button, data, element, player, question, ready, slider } from './common.js';
 import { ballAround, Solid } from './solid.js';
 
 // Algorithm 1 with its numbers, and what stands before, in and after it; `by` are the operations that
@@ -78,18 +78,10 @@ function build(all) {
     }
     return go(steps);
   };
-  const play = button('play', () => {
-    state.isPlaying = !state.isPlaying;
-    if (state.step >= steps) state.step = 0;
-    const tick = () => {
-      play.textContent = state.isPlaying ? 'pause' : 'play';
-      if (!state.isPlaying) return;
-      state.step += 1;
-      state.isPlaying = state.step < steps;
-      show();
-      setTimeout(tick, 40);
-    };
-    tick();
+  const play = player(state, 40, () => { if (state.step >= steps) state.step = 0; }, () => {
+    state.step += 1;
+    show();
+    return state.step < steps;
   });
   const present = operationNames.map((_, kind) => kind).filter((kind) => operation.includes(kind));
   document.getElementById('part').append(

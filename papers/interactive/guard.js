@@ -1,7 +1,7 @@
 // Part (d), second half: two sweeps of one molecule, with the collision guard and without, on the triangles
 // that the program laid. Where the second first lays one over finished ones is found here (guard_math.js).
 
-import { button, check, data, element, question, ready, slider } from './common.js';
+import { button, check, data, element, player, question, ready, slider } from './common.js';
 import { commonStart, firstOverlap, frontEdges, triangleOf } from './guard_math.js';
 import { ballAround, Solid } from './solid.js';
 
@@ -71,18 +71,12 @@ const closeUp = check('close up', false, (is) => {
   show();
 });
 
-const play = button('play', () => {
-  state.isPlaying = !state.isPlaying;
+const play = player(state, 60, () => {
   if (sweeps.every((sweep) => laid(sweep) < state.step)) state.step = 1;
-  const tick = () => {
-    play.textContent = state.isPlaying ? 'pause' : 'play';
-    if (!state.isPlaying) return;
-    state.step += state.isNear ? 1 : 6;
-    show();
-    state.isPlaying = sweeps.some((sweep) => laid(sweep) === state.step);
-    setTimeout(tick, 60);
-  };
-  tick();
+}, () => {
+  state.step += state.isNear ? 1 : 6;
+  show();
+  return sweeps.some((sweep) => laid(sweep) === state.step);
 });
 
 document.getElementById('part').append(
