@@ -204,7 +204,7 @@ def markdown(head, rows):
 def end(failures, runs, unreadable=()):
     """Ends the script: well if there were runs, no failures and no unreadable files."""
     for path in unreadable:
-        print(f"  {path}: FAILED: morskin info cannot read it")
+        print(f"  {path}: FAILED: morskin balls cannot read it")
     if not runs:
         print("nothing was run")
     sys.exit(1 if failures or unreadable or not runs else 0)
