@@ -15,6 +15,7 @@ import argparse
 import dataclasses
 import hashlib
 import json
+import math
 import os
 import shutil
 import statistics
@@ -115,7 +116,8 @@ def compare(base, here, bound):
     for label, name, unit, digits in ROWS:
         before, now = (statistics.median(getattr(s, name) for s in samples) / unit
                        for samples in (base, here))
-        ratio = now / before
+        # Of a run too short for the clock, all of its time may count as the system's.
+        ratio = now / before if before > 0 else math.nan
         is_above = name in BOUNDED and ratio > bound
         if is_above:
             above.append(label.partition(",")[0])

@@ -41,6 +41,13 @@ class Tables(unittest.TestCase):
         self.assertEqual(compare.compare(samples(), slower, 1.01)[1], ["user time"])
         self.assertEqual(compare.compare(samples(), slower, float("inf"))[1], [])
 
+    def test_where_the_base_took_no_user_time_that_was_measured_nothing_is_above_the_bound(self):
+        base = samples(user_seconds=0.0)
+        for here in (samples(user_seconds=0.0), samples(user_seconds=0.01)):
+            lines, above = compare.compare(base, here, 1.05)
+            self.assertEqual(above, [])
+            self.assertIn("nan", lines[0])
+
     def test_one_slow_run_among_three_changes_no_median(self):
         _, above = compare.compare(samples(), samples()[:2] + samples(user_seconds=9.0)[:1], 1.05)
         self.assertEqual(above, [])
