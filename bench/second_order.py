@@ -31,14 +31,19 @@ def meshed(path, C, timeout):
                     Path(folder) / "curved.vtu")
 
 
+def failed(path, C, run):
+    return dict.fromkeys(COLUMNS, "") | {"molecule": path.name, "C": C,
+                                         "verdict": f"FAILED: {run.complaint}"}
+
+
 def row_of(path, C, run, exact):
     """A run that is refused, exit code 4, has no triangle to tell of."""
-    row = dict.fromkeys(COLUMNS, "") | {"molecule": path.name, "C": C}
+    row = failed(path, C, run)
     if run.code == 4 and "Jacobian" in run.complaint:
         return row | {"verdict": "refused"}
     report = run.report
     if not report or not report["certified"]:
-        return row | {"verdict": f"FAILED: {run.complaint}"}
+        return row
     curved = report["second_order"]
     return row | {"triangles": report["triangles"], "flat_lacks": 1 - report["area"] / exact,
                   "curved_lacks": 1 - curved["area"] / exact,
@@ -49,7 +54,9 @@ def table(rows):
     body = []
     for r in rows:
         values = ["refused", "", "", "not proved positive"]
-        if r["verdict"] != "refused":
+        if r["verdict"].startswith("FAILED"):
+            values = ["FAILED", "", "", ""]
+        elif r["verdict"] != "refused":
             values = [f"{int(r['triangles']):,}", f"{100 * float(r['flat_lacks']):.3f} %",
                       f"{100 * float(r['curved_lacks']):.4f} %",
                       f"{float(r['least_jacobian']):.2f}"]
@@ -86,14 +93,19 @@ def main():
             path = folder / name
             if options.only not in str(path):
                 continue
-            exact = meshed(path, REFERENCE, options.timeout).report["second_order"]["area"]
+            finest = meshed(path, REFERENCE, options.timeout)
+            if finest.code != 0:
+                rows.add(failed(path, REFERENCE, finest))
+                continue
+            exact = finest.report["second_order"]["area"]
             for C in SIZES:
                 rows.add(row_of(path, C, meshed(path, C, options.timeout), exact))
     as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
     print(table(as_text))
-    if as_text:
+    failures = [r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")]
+    if not failures and all(shares(as_text, C) for C in SIZES):
         print(sentence(as_text))
-    end([r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")], rows.rows)
+    end(failures, rows.rows)
 
 
 if __name__ == "__main__":

@@ -48,7 +48,8 @@ def table(rows):
         for what, column, form in (("triangles to each", "triangles_to_each", "{:,.0f}"),
                                    ("of all, between them", "seam_share", "{:.1%}"),
                                    ("triangles in the end", "triangles", "{:,.0f}")):
-            body.append([f"{label}: {what}", *(form.format(float(r[column])) for r in of_it)])
+            cells = (form.format(float(r[column])) if r[column] else "FAILED" for r in of_it)
+            body.append([f"{label}: {what}", *cells])
     return markdown(["subdomains", *map(str, COUNTS)], body)
 
 

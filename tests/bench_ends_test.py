@@ -95,6 +95,25 @@ class Ends(unittest.TestCase):
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
                 self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
 
+    def test_where_all_runs_fail_the_table_says_so(self):
+        for script, only, count in ((subdomains, "1grm", 8), (second_order, "benzene", 1)):
+            with (self.subTest(script.__name__), mock.patch.object(script, "mesh",
+                                                                   return_value=BAD)):
+                code, said = self.code_of(script, "--only", only)
+                self.assertEqual(code, 1)
+                self.assertIn("FAILED |", said)
+                verdicts = [r["verdict"] for r in read_rows(self.table)]
+                self.assertEqual(verdicts, ["FAILED: not certified"] * count)
+
+    def test_a_second_order_run_that_fails_leaves_the_others_in_the_table(self):
+        report = {"certified": True, "triangles": 10, "area": 1.9,
+                  "second_order": {"area": 2.0, "least_jacobian": 0.5}}
+        runs = [Run(0, report, "", 1, 1)] * len(second_order.SIZES) + [BAD]
+        with mock.patch.object(second_order, "mesh", side_effect=runs):
+            code, said = self.code_of(second_order, "--only", "benzene")
+        self.assertEqual((code, said.count("FAILED |")), (1, 1))
+        self.assertEqual(len(read_rows(self.table)), len(second_order.SIZES))
+
     def test_a_part_of_the_molecules_replaces_no_table_of_a_page(self):
         parser = argument_parser("", timeout=1, results="papers/results/features.tsv")
         elsewhere = ["--results", str(self.table)]
