@@ -117,6 +117,13 @@ TEST_CASE("no point of a triangle is nearer than its distance's bound, nor to a 
     }
     CHECK(distance <= nearest + 1e-14 * longest);
     CHECK(from_line <= nearest_to_line + 1e-14 * longest);
+    // To the last digit: offsets were rounded, and the direction may be no unit vector.
+    const Wide along = direction.cast<long double>().normalized();
+    for (const Point& p : corners) {
+      const Wide to = p.cast<long double>() - x.cast<long double>();
+      CHECK(distance <= to.norm());
+      CHECK(from_line <= (to - to.dot(along) * along).norm());
+    }
     // Not far below either, unless rounding hides the shape.
     CHECK(distance >= nearest - size);
   });
