@@ -113,3 +113,26 @@ TEST_CASE("what a mesh bounds is told by points that no path from it to the skin
     }
   }
 }
+
+TEST_CASE("a point on a path is found however far it lies from the first corner of its triangle") {
+  const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
+  for (const double radius : {0.8, 0.99}) {
+    const IndexedMesh mesh = support::sphere_mesh(Point::Zero(), radius, 3);
+    for (std::uint32_t v = 0; v < mesh.positions.size(); v += 7) {
+      IndexedMesh begun_elsewhere = mesh;
+      for (auto& triangle : begun_elsewhere.triangles) {
+        if (triangle[0] == v) std::ranges::rotate(triangle, triangle.begin() + 1);
+      }
+      for (const double share : {0.1, 0.9}) {
+        CAPTURE(radius);
+        CAPTURE(v);
+        CAPTURE(share);
+        const Point on_path = mesh.positions[v] * ((1 - share) + share / radius);
+        const surface::Topology expected{1, 0, 2, {Point::Zero()}, {on_path}};
+        const auto certificate = certify::certify(begun_elsewhere, skin, expected);
+        CHECK(support::contains(certificate.broken_by(certify::Claim::Counts),
+                                "a triangle is too near to"));
+      }
+    }
+  }
+}
