@@ -17,9 +17,8 @@ using Corners = std::array<Point, 3>;
 /// How often the triangle, seen from above, goes round p: 1, -1 or 0. Of a horizontal line through
 /// p an edge counts where it crosses it to the right of p.
 int turns_about(const Point& p, const Corners& triangle) {
-  constexpr double top = 0x1p30;  // of the range of the exact predicates
-  const Point above(p.x(), p.y(), p.z() < top ? top : -top);
-  const Sign left = p.z() < top ? Sign::Positive : Sign::Negative;
+  constexpr double top = 0x1p30;  // of the range of the exact predicates: no triangle is above it
+  const Point above(p.x(), p.y(), top);
   int turns = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point &a = triangle[k], &b = triangle[k == 2 ? 0 : k + 1];
@@ -27,8 +26,8 @@ int turns_about(const Point& p, const Corners& triangle) {
     const bool is_downwards = a.y() > p.y() && b.y() <= p.y();
     if (!is_upwards && !is_downwards) continue;
     const Sign side = geometry::orientation(a, b, above, p);
-    if (is_upwards && side == left) ++turns;
-    if (is_downwards && side == -left) --turns;
+    if (is_upwards && side == Sign::Positive) ++turns;
+    if (is_downwards && side == Sign::Negative) --turns;
   }
   return turns;
 }

@@ -37,7 +37,7 @@ IndexedMesh cube(const Point& low, const Point& high, bool faces_out = true) {
 }  // namespace
 
 TEST_CASE("a cube goes once round its inside, under its corners and edges too") {
-  for (const double scale : {1.0, 1e-200, 1e200}) {
+  for (const double scale : {1.0, 1e-200, 1e200, 0x1p29}) {
     const IndexedMesh mesh = cube(Point::Constant(-scale), Point::Constant(scale));
     std::vector<Point> points;
     std::vector<int> expected;
@@ -51,6 +51,8 @@ TEST_CASE("a cube goes once round its inside, under its corners and edges too") 
         }
       }
     }
+    points.push_back(scale * Point(0.25, 0.5, 2));  // once where the predicates' range ends
+    expected.push_back(0);
     const auto found = certify::winding_numbers(mesh, points);
     for (std::size_t p = 0; p < points.size(); ++p) CHECK(found[p] == expected[p]);
   }
