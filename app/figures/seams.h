@@ -19,7 +19,10 @@ class SeamObserver : public front::SweepObserver {
   /// By the births of triangles; those beyond the end lie on none.
   const std::vector<bool>& by_birth() const { return by_birth_; }
   /// Forgets all, for another sweep.
-  void clear() { by_birth_.clear(); }
+  void clear() {
+    by_birth_.clear();
+    is_across_.clear();
+  }
 
  private:
   bool is_across(front::FrontEdgeId e) const {
