@@ -133,6 +133,7 @@ ParsedMesh parse_msh(std::string_view bytes, const std::string& source) {
     skip_to_end(lines, section);
   }
   if (!mesh) lines.fail("there are no nodes; write the mesh again");
+  if (!has_elements) lines.fail("there are no elements; write the mesh again");
   return std::move(*mesh).take(source);
 }
 

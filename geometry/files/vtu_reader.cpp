@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -18,53 +17,13 @@
 #include "geometry/files/text_lines.h"
 #include "geometry/files/triangle_collector.h"
 #include "geometry/files/vtu_grid.h"
+#include "geometry/files/xml_tags.h"
 
 namespace morskin::geometry::mesh_formats {
 namespace {
 
 [[noreturn]] void fail(const std::string& source, const std::string& what) {
   throw UnreadableInput(source + ": " + what);
-}
-
-/// An XML tag and the text up to the next one.
-struct Tag {
-  std::string_view name;  ///< "/Points" where it closes
-  std::map<std::string_view, std::string_view> attributes;
-  std::string_view text;
-};
-
-/// The attributes name="value" of a tag's inside.
-std::map<std::string_view, std::string_view> attributes_of(std::string_view inside) {
-  std::map<std::string_view, std::string_view> result;
-  while (true) {
-    const std::size_t equals = inside.find('=');
-    const std::size_t open = inside.find_first_of("\"'", equals);
-    if (equals == inside.npos || open == inside.npos) return result;
-    const std::size_t close = inside.find(inside[open], open + 1);
-    if (close == inside.npos) return result;
-    std::string_view name = inside.substr(0, equals);
-    result.emplace(take_field(name), inside.substr(open + 1, close - open - 1));
-    inside.remove_prefix(close + 1);
-  }
-}
-
-/// Calls take(tag) with each tag in turn. Comments are passed over, whatever tags they hold.
-void for_each_tag(std::string_view bytes, const std::function<void(const Tag&)>& take) {
-  constexpr std::string_view comment = "<!--";
-  std::size_t at = bytes.find('<');
-  while (at < bytes.size()) {
-    if (bytes.substr(at).starts_with(comment)) {
-      at = bytes.find('<', bytes.find("-->", at + comment.size()));
-      continue;
-    }
-    const std::size_t end = std::min(bytes.find('>', at), bytes.size());
-    const std::size_t next = std::min(bytes.find('<', end), bytes.size());
-    const std::size_t text = std::min(end + 1, next);
-    std::string_view inside = bytes.substr(at + 1, end - at - 1);
-    const std::string_view name = take_field(inside);
-    take({name, attributes_of(inside), bytes.substr(text, next - text)});
-    at = next;
-  }
 }
 
 /// The bytes that base64 stands for, without what follows padding.
@@ -110,7 +69,7 @@ class Reader {
  public:
   explicit Reader(std::string source) : source_(std::move(source)) {}
 
-  void take(const Tag& tag) {
+  void take(const XmlTag& tag) {
     // What may hold tags that other readers do not see: declarations, CDATA, instructions.
     if (tag.name.starts_with('!') || (tag.name.starts_with('?') && tag.name != "?xml")) {
       fail(source_, "holds " + quoted(tag.name) + ", which is not read; write it without");
@@ -161,7 +120,7 @@ class Reader {
   const Provenance& provenance() const { return provenance_; }
 
  private:
-  void check_header(const Tag& tag) {
+  void check_header(const XmlTag& tag) {
     if (value(tag, "type") != "UnstructuredGrid") fail(source_, "is no unstructured grid");
     if (tag.attributes.contains("compressor")) {
       fail(source_, "is compressed; write it without compression");
@@ -171,7 +130,7 @@ class Reader {
     }
     is_wide_ = tag.attributes.contains("header_type") && value(tag, "header_type") == "UInt64";
   }
-  void take_counts(const Tag& tag) {
+  void take_counts(const XmlTag& tag) {
     if (++pieces_ > 1) fail(source_, "has several pieces; write one mesh");
     point_count_ = parse_integer(value(tag, "NumberOfPoints"));
     cell_count_ = parse_integer(value(tag, "NumberOfCells"));
@@ -180,7 +139,7 @@ class Reader {
     return !told || *told == static_cast<std::int64_t>(count);
   }
   /// A number, or a text by its bytes.
-  void take_field_data(const Tag& tag) {
+  void take_field_data(const XmlTag& tag) {
     const std::vector<double> numbers = array(tag);
     std::string text;
     if (value(tag, "type") == "UInt8") {
@@ -190,12 +149,12 @@ class Reader {
     }
     take_entry(provenance_, std::string(value(tag, "Name")) + ' ' + text);
   }
-  static std::string_view value(const Tag& tag, std::string_view name) {
+  static std::string_view value(const XmlTag& tag, std::string_view name) {
     const auto found = tag.attributes.find(name);
     return found == tag.attributes.end() ? std::string_view() : found->second;
   }
 
-  std::vector<double> array(const Tag& tag) const {
+  std::vector<double> array(const XmlTag& tag) const {
     const std::string_view format = value(tag, "format");
     if (format == "ascii") return ascii_array(tag);
     if (format != "binary") fail(source_, "has arrays that are not inline; write it as binary");
@@ -215,7 +174,7 @@ class Reader {
     if (type == "UInt8") return numbers_of<std::uint8_t>(numbers);
     fail(source_, "has numbers of the type " + quoted(type) + ", which are not read");
   }
-  std::vector<double> ascii_array(const Tag& tag) const {
+  std::vector<double> ascii_array(const XmlTag& tag) const {
     std::vector<double> numbers;
     std::string_view rest = tag.text;
     for (std::string_view field = take_field(rest); !field.empty(); field = take_field(rest)) {
@@ -271,7 +230,8 @@ class Reader {
 
 ParsedMesh parse_vtu(std::string_view bytes, const std::string& source) {
   Reader reader(source);
-  for_each_tag(bytes, [&](const Tag& tag) { reader.take(tag); });
+  const std::string complaint = for_each_tag(bytes, [&](const XmlTag& tag) { reader.take(tag); });
+  if (!complaint.empty()) fail(source, complaint + "; write it again");
   return reader.mesh();
 }
 
@@ -280,7 +240,7 @@ Provenance vtu_provenance(std::string_view bytes) {
   if (end == bytes.npos) return {};
   Reader reader("");
   try {
-    for_each_tag(bytes.substr(0, end), [&](const Tag& tag) { reader.take(tag); });
+    for_each_tag(bytes.substr(0, end), [&](const XmlTag& tag) { reader.take(tag); });
   } catch (const UnreadableInput&) {  // what is damaged says nothing
   }
   return reader.provenance();

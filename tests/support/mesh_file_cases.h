@@ -22,13 +22,14 @@ inline IndexedMesh plain_tetrahedron() {
           {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}};
 }
 
-inline constexpr MeshFormat read_formats[] = {MeshFormat::PlyBinary, MeshFormat::PlyAscii,
-                                              MeshFormat::Off, MeshFormat::Obj, MeshFormat::Stl};
+inline constexpr MeshFormat read_formats[] = {
+    MeshFormat::PlyBinary, MeshFormat::PlyAscii, MeshFormat::Off, MeshFormat::Obj,
+    MeshFormat::Stl,       MeshFormat::Vtu,      MeshFormat::Msh};
 
 inline std::string ending_of(MeshFormat format) {
-  constexpr std::array names{"mesh.ply", "mesh.ply", "mesh.off",
-                             "mesh.obj", "mesh.stl", "mesh.vtu"};  // as they are declared
-  return names[static_cast<std::size_t>(format)];
+  constexpr std::array names{"mesh.ply", "mesh.ply", "mesh.off", "mesh.obj", "mesh.stl",
+                             "mesh.vtu", "mesh.glb", "mesh.npz", "mesh.msh"};  // as declared
+  return names.at(static_cast<std::size_t>(format));
 }
 
 }  // namespace morskin::support
