@@ -224,6 +224,23 @@ class Assemblies(CommandTest):
         self.input("long.cif", cif([("A", "LONGNAME", "C", 0, 0, 0)], many, [("1", "1,2", "A")]))
         self.assertIn("more than 8 characters", self.positions("long.cif", *asked, code=4))
 
+    def test_copies_are_limited_for_all_parts_of_an_assembly_together(self):
+        text, _ = self.two_fold()
+        many = {str(i): ([*IDENTITY[0]], [i, 0, 0]) for i in range(60)}
+        atoms = [("A", "A", "C", 0, 0, 0), ("B", "B", "C", 0, 0, 0)]
+        half = "(0-59)(0-59)(0-13)"  # 50,400 copies
+        self.input("many.cif", cif(atoms, many, [("1", half, "A"), ("1", half, "B")]))
+        self.input("many.pdb", 2 * remark_350(50_001 * [IDENTITY]) + text)
+        for name, words in (("many.cif", "more than 100,000 copies"),
+                            ("many.pdb", "more than 100,000 matrices")):
+            with self.subTest(name):
+                said = self.positions(name, "--biological-assembly", "1", code=4)
+                self.assertIn(words, said)
+        # What belongs to another assembly does not count.
+        self.input("other.cif", cif(atoms, many, [("2", half, "A"), ("2", half, "B"),
+                                                  ("1", "1", "A")]))
+        self.assertEqual(self.positions("other.cif", "--biological-assembly", "1"), [[1, 0, 0]])
+
     def test_a_damaged_remark_is_refused_with_its_line(self):
         text, motion = self.two_fold()
         good = remark_350([IDENTITY, motion]).splitlines()
