@@ -57,6 +57,32 @@ print(skin.mesh(C=0.3).certificate.certified)
         self.assertLess(time.monotonic() - start, 10)
         self.assertEqual(len(stages), 20)
 
+    def test_what_ends_a_run_comes_out_even_where_the_run_had_failed_by_itself(self):
+        class Enough(Exception):
+            pass
+
+        def reports(call, last):
+            """How many are made when the last of them raises; `call` fails without that."""
+            count = 0
+
+            def progress(*_):
+                nonlocal count
+                count += 1
+                if count == last:
+                    raise Enough
+            with self.assertRaises(Enough if last else morskin.Error):
+                call(progress)
+            return count
+        for call in (lambda progress: morskin.Skin([[0, 0, 0], [2, 2, 0]], [1, 1], threads=1,
+                                                   progress=progress),  # touches itself
+                     lambda progress: morskin.Skin(*BALLS).mesh(
+                         C=0.2, Q=1.1, angle_goal_deg=0, threads=1, progress=progress)):
+            all_reports = reports(call, None)
+            self.assertGreater(all_reports, 1)
+            for last in range(1, all_reports + 1):
+                with self.subTest(last=last, of=all_reports):
+                    self.assertEqual(reports(call, last), last)
+
     def test_what_the_handler_of_any_signal_raises_ends_the_run(self):
         def enough(*_):
             raise TimeoutError
