@@ -1,0 +1,46 @@
+// Numbers in reports: bounds stay bounds.
+
+#include "app/report_lines.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/report.h"
+#include "tests/support/ball_sets.h"
+#include "tests/support/seeds.h"
+
+using namespace morskin;
+
+TEST_CASE("a bound is rounded to no less than it was, by less than one of its last digit") {
+  std::size_t raised = 0;
+  support::for_seeds(20'000, [&](unsigned seed) {
+    support::Random random(seed);
+    const double number = std::pow(10, random.between(-12, 6));
+    const auto digits = static_cast<int>(1 + random.below(8));
+    CAPTURE(number);
+    CAPTURE(digits);
+    const double bound = app::rounded_bound(number, digits);
+    CHECK(bound >= number);
+    CHECK(bound < number + 1.000001 * std::pow(10, std::floor(std::log10(number)) - digits + 1));
+    CHECK(bound == app::rounded(bound, digits));  // it has no more digits
+    CHECK(app::brief_bound(number, digits) == app::brief(bound, digits));
+    CHECK(app::rounded_bound(bound, digits) == bound);
+    raised += bound > app::rounded(number, digits);
+  });
+  CHECK(raised > 5000);  // where the nearest is below
+  for (const int digits : {1, 4, 6}) CHECK(app::rounded_bound(0, digits) == 0);
+  CHECK(app::brief_bound(0.99991, 3) == "1");
+  CHECK(app::brief_bound(1.0001, 3) == "1.01");
+}
+
+TEST_CASE("a certificate's distances are no shorter in JSON than they were proved") {
+  support::for_seeds(1000, [&](unsigned seed) {
+    support::Random random(seed);
+    certify::Certificate certificate;
+    certificate.max_distance_to_skin = std::pow(10, random.between(-9, 1));
+    certificate.max_relative_distance_to_skin = std::pow(10, random.between(-9, 0));
+    const auto json = app::certificate_json(certificate);
+    CHECK(json.at("max_distance_to_skin") >= certificate.max_distance_to_skin);
+    CHECK(json.at("max_relative_distance_to_skin") >= certificate.max_relative_distance_to_skin);
+  });
+}
