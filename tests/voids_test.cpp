@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -216,17 +217,38 @@ TEST_CASE("voids are not dropped where no stored point is surely in one") {
 TEST_CASE("voids are dropped by their volume, and none that might be larger") {
   const PreparedSkin whole = prepare_skin(support::molecule("1crn.pdb", skin::Model::Vdw));
   const auto volumes = void_volumes(whole);
+  REQUIRE(volumes.size() > 1);
+  std::size_t some = 0;  // bounds between the volumes
   for (const double bound : {0.0, 0.01, 0.1, 1.0, 1e3}) {
     PreparedSkin skin = whole;
     drop_voids(skin, bound);
+    const auto dropped = std::ranges::count(skin.is_dropped, 1);
+    some += dropped > 0 && static_cast<std::size_t>(dropped) < volumes.size();
     for (std::uint32_t v = 0; v < volumes.size(); ++v) {
       if (skin.has_dropped(v)) CHECK(volumes[v].low < bound);
       if (!skin.has_dropped(v)) CHECK(volumes[v].high >= bound);
     }
   }
+  CHECK(some > 0);
   PreparedSkin skin = whole;
   CHECK_THROWS_AS(drop_voids(skin, -1), geometry::RefusedInput);
   CHECK_THROWS_AS(drop_voids(skin, std::nan("")), geometry::RefusedInput);
+}
+
+TEST_CASE("a void stays where the finest cubes leave doubt whether it is smaller than asked for") {
+  const PreparedSkin whole = prepare_skin(four_about_a_void(1, 0.15));
+  REQUIRE(whole.topology.voids.size() == 1);
+  const auto volume = skin::void_volume(whole.surface, whole.topology, 0, 1.0 / 64);
+  REQUIRE(volume.low < volume.high);
+  const auto is_dropped_below = [&](double bound) {
+    PreparedSkin skin = whole;
+    drop_voids(skin, bound);
+    return skin.has_dropped(0);
+  };
+  CHECK_FALSE(is_dropped_below(volume.low));
+  CHECK_FALSE(is_dropped_below(volume.middle()));
+  CHECK_FALSE(is_dropped_below(volume.high));
+  CHECK(is_dropped_below(volume.high * (1 + 1e-9)));
 }
 
 TEST_CASE("each component of the skin lies between a body and a void or the outside, once") {
