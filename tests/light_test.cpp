@@ -18,6 +18,7 @@ TEST_CASE("a ball in the open casts no shadow on itself") {
       {100, 100}, Vector(50, 50, 0), 40, [&](int x, int y, double depth, const Vector& normal) {
         spots.push_back({Vector(x + 0.5, y + 0.5, depth).cast<float>(), normal.cast<float>()});
       });
+  CHECK(spots.size() > 4900);  // pi 40^2 = 5027
   const Illumination with = illuminated(ball, spots, 100, true);
   const Illumination without = illuminated(ball, spots, 100, false);
   double largest = 0;

@@ -1,7 +1,7 @@
 #include "geometry/regular_triangulation.h"
 
 #include <Eigen/LU>
-#include <chrono>
+#include <ctime>
 
 #include "geometry/predicates.h"
 #include "tests/support/triangulations.h"
@@ -151,17 +151,18 @@ TEST_CASE("cospherical points are triangulated without a hidden corner") {
   CHECK(volume(octahedron, o) == doctest::Approx(4.0 / 3));
 }
 
-TEST_CASE("a lattice of eight thousand points takes less than three seconds") {
+TEST_CASE("a lattice of eight thousand points takes less than three seconds of a processor") {
   for (const double step : {1.0, 0.1}) {
     CAPTURE(step);
     const Points points = lattice(20, 20, 20, step);
-    const auto start = std::chrono::steady_clock::now();
+    // Processor time, for others may use the machine too.
+    const std::clock_t start = std::clock();
     const RegularTriangulation t = checked_triangulation(points);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double elapsed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 #ifdef NDEBUG
-    CHECK(elapsed.count() < 3);
+    CHECK(elapsed < 3);
 #endif
-    CHECK(elapsed.count() < 60);
+    CHECK(elapsed < 60);
     CHECK(t.vertices.size() == 8000);
     CHECK(volume(points, t) == doctest::Approx(std::pow(19 * step, 3)));
   }
