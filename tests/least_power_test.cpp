@@ -10,23 +10,16 @@
 #include "geometry/exact_range.h"
 #include "geometry/regular_triangulation.h"
 #include "tests/support/nasty_sets.h"
+#include "tests/support/powers.h"
 #include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::AtomId;
 using geometry::Point;
 using geometry::WeightedPoint;
+using support::power;
 
 namespace {
-
-long double power(const WeightedPoint& atom, const Point& q) {
-  long double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const long double d = static_cast<long double>(atom.position[k]) - q[k];
-    square += d * d;
-  }
-  return square - atom.weight;
-}
 
 /// A point where some of the atoms tie, or any other.
 Point some_point(support::Random& random, const std::vector<WeightedPoint>& points) {

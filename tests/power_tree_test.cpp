@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "tests/support/ball_sets.h"
+#include "tests/support/powers.h"
 #include "tests/support/seeds.h"
 
 using namespace morskin;
 using geometry::Point;
 using geometry::WeightedPoint;
+using support::power;
 
 namespace {
 
@@ -30,15 +32,6 @@ std::vector<WeightedPoint> atoms(support::Random& random, double scale, const Po
     result.push_back(atom);
   }
   return result;
-}
-
-long double power(const WeightedPoint& atom, const Point& q) {
-  long double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const long double d = static_cast<long double>(atom.position[k]) - q[k];
-    square += d * d;
-  }
-  return square - atom.weight;
 }
 
 }  // namespace
