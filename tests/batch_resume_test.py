@@ -159,8 +159,11 @@ class Resume(Batch):
             return workers
         self.kill_at_random(first_worker, seed=2)
 
-    def test_a_worker_that_is_always_killed_fails_after_three_attempts(self):
+    def test_a_worker_that_is_always_killed_fails_after_three_attempts_and_leaves_no_file(self):
         self.chains(1, balls=400)
+        (self.folder / "out").mkdir()
+        for ending in ("ply", "ply.unverified"):
+            self.input(f"out/chain00.xyzr.{ending}", "of an earlier run")
         run = self.started("in", "-o", "out", "-C", "0.05")
         killed = set()
         while run.poll() is None:
@@ -173,6 +176,7 @@ class Resume(Batch):
         row = self.rows()["chain00.xyzr"]
         self.assertEqual(row["status"], "failed")
         self.assertIn("ended by signal 9, 3 times", row["reason"])
+        self.assertEqual((row["outputs"], self.made()), ([], {}))
 
     def test_a_signal_ends_the_workers_and_leaves_nothing_unfinished(self):
         self.chains(4, balls=400)

@@ -238,7 +238,7 @@ ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
     row["reason"] = last_words(job.folder / errors_name, job.file, job.input.name);
     if (report.contains("reason")) row["reason"] = report["reason"];
   }
-  row["outputs"] = is_killed ? std::vector<std::string>() : move_outputs(job);
+  row["outputs"] = move_outputs(job, is_killed);
   if (!report.empty()) add_figures(row, report);
   row["seconds"] = rounded(job.time.seconds());
   row["cpu_seconds"] = rounded(ended.cpu_seconds);
@@ -246,13 +246,13 @@ ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
   return row;
 }
 
-std::vector<std::string> Workers::move_outputs(const Job& job) const {
+std::vector<std::string> Workers::move_outputs(const Job& job, bool is_killed) const {
   std::vector<std::string> moved;
   for (const path& name : output_names(arguments_, job.file.filename().string())) {
     for (const path& made : {name, path(name.string() + ".unverified")}) {
       const path target = arguments_.folder / made;
       std::error_code failed;
-      if (!std::filesystem::exists(job.folder / made)) {
+      if (is_killed || !std::filesystem::exists(job.folder / made)) {
         std::filesystem::remove(target, failed);
         continue;
       }

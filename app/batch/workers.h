@@ -77,7 +77,8 @@ class Workers {
   void run(Job job);
   std::filesystem::path file_of(const BatchInput& input, const std::filesystem::path& folder);
   nlohmann::ordered_json row_of(const Job& job, const EndedChild& ended) const;
-  std::vector<std::string> move_outputs(const Job& job) const;
+  /// @param is_killed  what the worker made does not count
+  std::vector<std::string> move_outputs(const Job& job, bool is_killed) const;
 
   const BatchArguments& arguments_;
   const std::string options_;
