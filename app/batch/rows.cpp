@@ -44,6 +44,11 @@ std::vector<std::filesystem::path> row_files(const std::filesystem::path& folder
   return files;
 }
 
+/// Another run writes the file.
+struct IsLocked : geometry::UnwritableOutput {
+  using UnwritableOutput::UnwritableOutput;
+};
+
 std::string_view whole_lines(std::string_view text) { return text.substr(0, text.rfind('\n') + 1); }
 
 }  // namespace
@@ -69,7 +74,7 @@ void cut_torn_lines(const std::filesystem::path& folder) {
     if (whole_lines(bytes.view()).size() == bytes.view().size()) continue;
     try {
       RowFile{file};
-    } catch (const geometry::UnwritableOutput&) {  // another run's, which is writing that line
+    } catch (const IsLocked&) {  // by another run, which is writing that line
     }
   }
 }
@@ -82,8 +87,7 @@ RowFile::RowFile(std::filesystem::path path)
     const int error = errno;
     ::close(file_);
     if (error != EWOULDBLOCK) fail(error);
-    throw geometry::UnwritableOutput(path_.string() +
-                                     ": another run writes it; wait for its end, or take shards");
+    throw IsLocked(path_.string() + ": another run writes it; wait for its end, or take shards");
   }
   cut_torn_line();
 }
@@ -102,12 +106,13 @@ void RowFile::append(const ordered_json& row) {
   struct stat before {};
   if (::fstat(file_, &before) != 0) fail(errno);
   const ssize_t written = ::write(file_, line.data(), line.size());
-  const int error = written < 0 ? errno : ENOSPC;
-  if (written != static_cast<ssize_t>(line.size())) {
-    static_cast<void>(::ftruncate(file_, before.st_size));
-    fail(error);
+  int error = written < 0 ? errno : ENOSPC;
+  if (written == static_cast<ssize_t>(line.size())) {
+    if (::fsync(file_) == 0) return;
+    error = errno;
   }
-  if (::fsync(file_) != 0) fail(errno);
+  static_cast<void>(::ftruncate(file_, before.st_size));
+  fail(error);
 }
 
 void RowFile::fail(int error) const {

@@ -34,6 +34,7 @@ std::string rows_name(const Shard& shard);
 std::map<std::string, BatchRow> read_rows(const std::filesystem::path& folder);
 
 /// Cuts off torn last lines of a folder's files of rows, where no run writes them.
+/// @throws geometry::UnwritableOutput  one has such a line and cannot be written
 void cut_torn_lines(const std::filesystem::path& folder);
 
 /// The file of one shard, locked.
@@ -47,7 +48,7 @@ class RowFile {
   ~RowFile();
 
   /// Adds a row, by one write of one line, and waits until it is on the disk.
-  /// @throws geometry::UnwritableOutput  the file is then as it was
+  /// @throws geometry::UnwritableOutput  the file is then as it was, as far as it can be written
   void append(const nlohmann::ordered_json& row);
 
  private:
