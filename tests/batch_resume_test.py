@@ -68,8 +68,10 @@ class Resume(Batch):
     def test_other_options_are_refused_and_other_limits_are_not(self):
         self.chains(2)
         self.batch("in", "-o", "out", *COARSE)
-        complaint = self.batch("in", "-o", "out", "-C", "0.25", code=2)
-        self.assertIn("-C0.3", complaint)
+        for shard in ([], ["--shard", "1/2"]):
+            complaint = self.batch("in", "-o", "out", "-C", "0.25", *shard, code=2)
+            self.assertIn("-C0.3", complaint)
+        self.assertEqual([p.name for p in (self.folder / "out").glob("*.jsonl")], ["rows.jsonl"])
         self.assertEqual(self.batch("in", "-o", "out", *COARSE, "--timeout", "60")["made"], 0)
 
     def test_rows_are_still_true_where_the_folders_were_moved(self):

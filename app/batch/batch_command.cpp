@@ -150,10 +150,12 @@ ExitCode batch_command(const BatchArguments& given) {
   check_lengths(arguments, all);
   const std::vector<BatchInput> inputs = shard_of(all, arguments.shard);
   make_folder(arguments.folder);
+  const std::string options = options_text(arguments);
+  // Once before there is a file of rows, so that a refusal leaves none, and once when it is locked.
+  check_rows(read_rows(arguments.folder), arguments, options, all);
   RowFile file(arguments.folder / rows_name(arguments.shard));
   cut_torn_lines(arguments.folder);
   const std::map<std::string, BatchRow> rows = read_rows(arguments.folder);
-  const std::string options = options_text(arguments);
   check_rows(rows, arguments, options, all);
   BatchSummary done;
   if (const int signal = work(arguments, options, inputs, rows, file, done); signal != 0) {
