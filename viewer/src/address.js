@@ -29,9 +29,11 @@ export class Address {
   text() {
     const { state } = this.viewer, words = new URLSearchParams();
     for (const name of kept) {
-      if (state[name] === this.first[name] || (name === 'axis' && state.axis === 'view')) continue;
+      if (state[name] === this.first[name]) continue;
       words.set(name, typeof state[name] === 'boolean' ? Number(state[name]) : state[name]);
     }
+    // The eye may have moved since.
+    if (state.axis === 'view') words.set('axis', digits(this.viewer.normal));
     if (this.#eye() !== this.home) words.set('eye', this.#eye());
     return words.toString().replaceAll('%2C', ',');
   }
@@ -46,7 +48,7 @@ export class Address {
   // from another page, is passed over.
   #read() {
     const changes = Object.fromEntries(kept.map((name) => [name, this.first[name]]));
-    let eye = this.home;
+    let eye = this.home, normal;
     for (const [name, word] of new URLSearchParams(location.hash.slice(1))) {
       const was = this.first[name];
       if (name === 'eye') eye = word;
@@ -58,12 +60,15 @@ export class Address {
         if (word !== '' && Number.isFinite(Number(word))) changes[name] = this.#within(name, Number(word));
       } else if (name === 'hidden') {
         if (this.#areComponents(word)) changes[name] = word;
+      } else if (name === 'axis' && this.#isNormal(word)) {
+        changes.axis = 'view';
+        normal = word.split(',').map(Number);
       } else if (this.#choices(name).includes(word)) {
         changes[name] = word;
       }
     }
     if (eye !== this.#eye()) this.#look(eye.split(',').map(Number));
-    if (changes.axis !== this.viewer.state.axis) this.viewer.setAxis(changes.axis);
+    if (normal || changes.axis !== this.viewer.state.axis) this.viewer.setAxis(changes.axis, normal);
     this.viewer.set(changes);
   }
 
@@ -80,6 +85,13 @@ export class Address {
     const count = this.viewer.scene.components().list.length;
     return word.split(',').every((part, i, all) => /^\d{1,9}$/.test(part) && part < count &&
       (i === 0 || Number(all[i - 1]) < Number(part)));
+  }
+
+  // Three numbers, of length 1 as far as an address tells.
+  #isNormal(word) {
+    const numbers = word.split(',').map(Number);
+    return Boolean(this.viewer.section) && numbers.length === 3 &&
+      Math.abs(Math.hypot(...numbers) - 1) < 1e-5;
   }
 
   #choices(name) {

@@ -140,16 +140,17 @@ export class Viewer {
     this.#showFrame();
   }
 
-  setAxis(axis) {
-    if (axis === 'view') {
-      const off = this.stage.camera.position.clone().sub(this.stage.controls.target).normalize();
-      this.normal = off.toArray();
-    } else {
-      this.normal = axes[axis];
-    }
+  // The plane's normal: x, y or z; or `view`, for which it is given or points to the eye.
+  setAxis(axis, normal = axes[axis] ?? this.#towardsEye()) {
+    this.normal = normal;
     // The same name again, for a new view, is a change too.
     if (axis === this.state.axis) this.state.axis = '';
     this.set({ axis });
+  }
+
+  #towardsEye() {
+    const { camera, controls } = this.stage;
+    return camera.position.clone().sub(controls.target).normalize().toArray();
   }
 
   #cut() {

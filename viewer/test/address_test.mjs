@@ -17,12 +17,17 @@ test('a page opened by its own address is the same page again', { timeout: 90000
     for (const key of 'emucaxk2') await page.keyboard.press(key);
     await page.keyboard.press('ArrowLeft');
     await page.locator('#step').press('PageDown');
+    await page.locator('section [data-value=view]').click();
+    await page.keyboard.press('ArrowUp'); // the plane is that of the view before
     await settle(page);
     const address = await hash(page), was = await state(page), seen = await stage(page);
-    assert.match(address, /edges=1.*eye=/);
+    const normal = await page.evaluate(() => window.viewer.normal);
+    assert.match(address, /edges=1.*axis=.*eye=/);
     await withPage(pages.ligand + address, small, async (again) => {
       const { playing, ...kept } = await state(again);
       assert.deepEqual({ ...kept, playing }, was);
+      const other = await again.evaluate(() => window.viewer.normal);
+      assert.ok(normal.every((x, k) => Math.abs(x - other[k]) < 1e-6), other);
       // Thin lines fall a little differently, as in the stored pictures.
       assert.ok(difference(seen, await stage(again)) < 0.02);
       assert.equal(await hash(again), address);
@@ -50,7 +55,7 @@ test('an address put in the place of another opens what a new page would', { tim
 });
 
 test('an address that makes no sense opens the page as it is', { timeout: 900000 }, async () => {
-  const nonsense = '#style=none&colouring=7&step=NaN&offset=9&eye=1,2&edges=yes&axis=q&__proto__=1&frame=3';
+  const nonsense = '#style=none&colouring=7&step=NaN&offset=9&eye=1,2&edges=yes&axis=q&axis=1,1,NaN&__proto__=1&frame=3';
   await withPage(pages.ligand, small, async (page) => {
     const first = await state(page);
     await withPage(pages.ligand + nonsense, small, async (again) => {
