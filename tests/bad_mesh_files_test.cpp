@@ -58,6 +58,22 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("PK", "a.npz", "only written");
 }
 
+TEST_CASE("a carriage return alone, which ends a line for some programs only, is turned down") {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  check_refused("# by hand\rv 9 9 9\n" + obj, "a.obj", "a.obj:1: a carriage return");
+  check_refused("OFF\n1 0 0\n# first\r7 7 7\n0 0 0\n", "a.off", "a.off:3: a carriage return");
+  check_refused("solid a\rendsolid\n", "a.stl", "a.stl:1: a carriage return");
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n0 0 0\n";
+  check_refused(replaced(ply, "element", "comment\relement"), "a.ply",
+                "a.ply:3: a carriage return");
+  check_refused(replaced(ply, "0 0 0", "0\r0 0"), "a.ply", "a.ply:8: a carriage return");
+  CHECK_THROWS_WITH_AS(parse_msms("0 0 0 0 0 1 0 1 1\r0 0 0 0 0 1 0 1 1\n", "a.vert", "", "a.face"),
+                       doctest::Contains("a.vert:1: a carriage return"), UnreadableInput);
+  CHECK(parse_mesh(obj + "# at the end\r\n", "a.obj").positions.size() == 3);
+}
+
 TEST_CASE("a bad PLY mesh is turned down with a reason") {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
   const std::string middle = "\nproperty float x\nproperty float y\nproperty float z\n";

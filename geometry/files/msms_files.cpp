@@ -59,14 +59,14 @@ std::string first_line(const MeshAttributes& attributes) {
 
 IndexedMesh parse_msms(const MsmsFile& vertices, const MsmsFile& faces) {
   IndexedMesh mesh;
-  TextLines vertex_lines(vertices.bytes, vertices.source);
+  TextLines vertex_lines(vertices.bytes, vertices.source, LoneReturn::IsRefused);
   for_each_row(vertex_lines, "vertices", [&](std::string_view fields) {
     if (mesh.positions.size() == std::numeric_limits<std::uint32_t>::max()) {
       vertex_lines.fail("too many vertices; at most 2^32 - 1 are read");
     }
     mesh.positions.push_back(take_position(fields, vertex_lines));
   });
-  TextLines face_lines(faces.bytes, faces.source);
+  TextLines face_lines(faces.bytes, faces.source, LoneReturn::IsRefused);
   for_each_row(face_lines, "faces", [&](std::string_view fields) {
     std::array<std::uint32_t, 3> triangle;
     for (std::uint32_t& corner : triangle) {

@@ -59,7 +59,7 @@ std::uint32_t obj_corner(std::string_view field, std::size_t vertices, const Tex
 }  // namespace
 
 IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
-  TextLines lines(bytes, source);
+  TextLines lines(bytes, source, LoneReturn::IsRefused);
   std::string_view fields = next_off_line(lines);
   const std::string_view word = take_field(fields);
   if (!word.ends_with("OFF") || word.find_first_of("4n") != std::string_view::npos) {
@@ -99,7 +99,7 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
 }
 
 IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
-  TextLines lines(bytes, source);
+  TextLines lines(bytes, source, LoneReturn::IsRefused);
   IndexedMesh mesh;
   std::vector<std::uint32_t> polygon;
   std::uint32_t last_corner = 0;

@@ -89,34 +89,27 @@ class PlyBinaryBody {
 class PlyAsciiBody {
  public:
   PlyAsciiBody(const PlyHeader& header, std::string source)
-      : lines_(header.body, {}), header_lines_(header.line_count), source_(std::move(source)) {}
+      : lines_(header.body, std::move(source), LoneReturn::IsRefused, header.line_count) {}
 
   std::string_view rest() const { return lines_.rest(); }
   std::size_t min_size(PlyScalar) const { return 1; }
-  std::string location() const {
-    return source_ + ":" + std::to_string(header_lines_ + lines_.number());
-  }
+  std::string location() const { return lines_.location(); }
 
   double take(PlyScalar) {
     std::string_view field = take_field(fields_);
     while (field.empty()) {
-      if (!lines_.advance())
-        throw UnreadableInput(location() + ": the file ends too early; write it again");
+      if (!lines_.advance()) lines_.fail("the file ends too early; write it again");
       fields_ = lines_.line();
       field = take_field(fields_);
     }
     const std::optional<double> value = parse_double(field);
-    if (!value)
-      throw UnreadableInput(location() + ": " + quoted(field) +
-                            " is no number; write the mesh again");
+    if (!value) lines_.fail(quoted(field) + " is no number; write the mesh again");
     return *value;
   }
 
  private:
   TextLines lines_;
   std::string_view fields_;  // what is left of the current line
-  std::size_t header_lines_;
-  std::string source_;
 };
 
 }  // namespace morskin::geometry::mesh_formats

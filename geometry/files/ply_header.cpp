@@ -75,7 +75,7 @@ std::size_t size_of(PlyScalar type) {
 }
 
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& source) {
-  TextLines lines(bytes, source);
+  TextLines lines(bytes, source, LoneReturn::IsRefused);
   std::optional<PlyEncoding> encoding;
   PlyHeader header{};
   while (lines.advance()) {

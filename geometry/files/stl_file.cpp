@@ -96,7 +96,7 @@ IndexedMesh parse_binary_stl(std::string_view bytes, const std::string& source) 
 }
 
 IndexedMesh parse_ascii_stl(std::string_view bytes, const std::string& source) {
-  TextLines lines(bytes, source);
+  TextLines lines(bytes, source, LoneReturn::IsRefused);
   IndexedMesh mesh;
   CornerMerger merger(mesh);
   std::vector<std::uint32_t> corners;  // of the facet being read

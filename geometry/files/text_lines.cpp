@@ -42,8 +42,9 @@ void append(std::string& text, Number value) {
 
 }  // namespace
 
-TextLines::TextLines(std::string_view text, std::string source)
-    : rest_(text), source_(std::move(source)) {
+TextLines::TextLines(std::string_view text, std::string source, LoneReturn lone_return,
+                     std::size_t before)
+    : rest_(text), source_(std::move(source)), lone_return_(lone_return), number_(before) {
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
 }
 
@@ -52,13 +53,18 @@ bool TextLines::advance() {
   std::size_t end = 0;
   while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
   line_ = rest_.substr(0, end);
+  ++number_;
   if (end == rest_.size()) {
     rest_ = {};
-  } else {
-    const bool two_characters = rest_.substr(end, 2) == "\r\n";
-    rest_.remove_prefix(end + (two_characters ? 2 : 1));
+    return true;
   }
-  ++number_;
+  const bool two_characters = rest_.substr(end, 2) == "\r\n";
+  if (lone_return_ == LoneReturn::IsRefused && rest_[end] == '\r' && !two_characters) {
+    fail(
+        "a carriage return without a line feed ends a line for some programs only; write the mesh "
+        "again");
+  }
+  rest_.remove_prefix(end + (two_characters ? 2 : 1));
   return true;
 }
 

@@ -9,15 +9,22 @@
 
 namespace morskin::geometry {
 
+/// What a carriage return without a line feed is: the end of a line, as on old Macs, or refused,
+/// where programs that read the same file disagree about it.
+enum class LoneReturn { EndsLine, IsRefused };
+
 /// The lines of a text file, one by one, with their numbers for messages. Skips a byte order mark;
 /// lines end in \n, \r\n or \r.
 class TextLines {
  public:
   /// @param text    must outlive this object.
   /// @param source  the file's name, for messages.
-  TextLines(std::string_view text, std::string source);
+  /// @param before  lines of the file that come before the text
+  TextLines(std::string_view text, std::string source,
+            LoneReturn lone_return = LoneReturn::EndsLine, std::size_t before = 0);
 
   /// Moves to the next line. @return false if there is none
+  /// @throws UnreadableInput  for a lone return that is refused
   bool advance();
 
   std::string_view line() const { return line_; }  ///< without its end
@@ -34,7 +41,8 @@ class TextLines {
   std::string_view rest_;
   std::string_view line_;
   std::string source_;
-  std::size_t number_ = 0;
+  LoneReturn lone_return_;
+  std::size_t number_;
 };
 
 /// Removes and returns the next field, up to white space, from the front of `rest`; empty if there
