@@ -45,6 +45,7 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("v 0 0 0\nf 1 1 2\n", "a.obj", "a.obj:2: corner 2");
   check_refused("v 0 0 0\nf 1 1 -2\n", "a.obj", "a.obj:2: corner \"-2\"");
   check_refused("v 0 0 inf\n", "a.obj", "not finite");
+  check_refused("v 0 0 0\nv 2 0 0 2\n", "a.obj", "a.obj:2: a vertex has the weight \"2\"");
   check_refused("once upon a time\n", "a.obj", "holds no vertex");
   check_refused("solid\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid", "a.stl",
                 "a.stl:4: a facet needs three");

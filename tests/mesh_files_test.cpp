@@ -127,9 +127,10 @@ TEST_CASE("a PLY file whose triangles turn into polygons midway is read") {
         decltype(square.triangles){{{0, 1, 2}}, {{0, 1, 2}}, {{0, 2, 3}}});
 }
 
-TEST_CASE("an OBJ file with texture, normals, negative numbers and polygons is read") {
+TEST_CASE("an OBJ file with texture, colours, normals, negative numbers and polygons is read") {
   const IndexedMesh mesh = parse_mesh(
-      "# by hand\nmtllib a.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+      "# by hand\nmtllib a.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0\nvt 0 0\nvn 0 0 "
+      "1\n"
       "f 1/1/1 2//1 3/1 \\\n 4\nf -4 -3 -1 # a comment\n",
       "mesh.obj");
   CHECK(mesh.triangles == decltype(mesh.triangles){{{0, 1, 2}}, {{0, 2, 3}}, {{0, 1, 3}}});

@@ -56,6 +56,15 @@ std::uint32_t obj_corner(std::string_view field, std::size_t vertices, const Tex
   return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : known + *number);
 }
 
+// Weights are of rational curves, which are not read; some programs divide a vertex by its own.
+void check_obj_weight(std::string_view fields, const TextLines& lines) {
+  const std::string_view weight = take_field(fields);
+  const bool is_last = take_field(fields).empty();  // else colours
+  if (weight.empty() || !is_last || parse_double(weight) == 1.0) return;
+  lines.fail("a vertex has the weight " + quoted(weight) +
+             ", which programs read in two ways; write it without");
+}
+
 }  // namespace
 
 IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
@@ -120,6 +129,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
     const std::string_view word = take_field(fields);
     if (word == "v") {
       mesh.positions.push_back(take_position(fields, lines));
+      check_obj_weight(fields, lines);
       if (mesh.positions.size() > max_vertices) lines.fail("too many vertices");
     } else if (word == "f") {
       polygon.clear();
