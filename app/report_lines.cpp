@@ -44,11 +44,23 @@ double rounded(double number, int digits) {
   return std::strtod(brief(number, digits).c_str(), nullptr);
 }
 
+namespace {
+
+/// By how much such numbers differ at least.
+double step_of(double number, int digits) {
+  return std::pow(10, std::floor(std::log10(number)) - digits + 1);
+}
+
+}  // namespace
+
 double rounded_bound(double number, int digits) {
   const double nearest = rounded(number, digits);
-  if (!(nearest < number)) return nearest;
-  const double step = std::pow(10, std::floor(std::log10(number)) - digits + 1);
-  return rounded(nearest + step, digits);
+  return nearest < number ? rounded(nearest + step_of(number, digits), digits) : nearest;
+}
+
+double rounded_lower_bound(double number, int digits) {
+  const double nearest = rounded(number, digits);
+  return nearest > number ? rounded(nearest - step_of(number, digits), digits) : nearest;
 }
 
 }  // namespace morskin::app

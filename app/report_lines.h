@@ -21,5 +21,7 @@ std::string brief_bound(double number, int digits);
 double rounded(double number, int digits = 6);
 /// The same of a bound: not below the number. @pre number >= 0
 double rounded_bound(double number, int digits = 6);
+/// The same of a lower bound: not above the number. @pre number >= 0
+double rounded_lower_bound(double number, int digits = 6);
 
 }  // namespace morskin::app

@@ -36,6 +36,12 @@ ordered_json point_json(const geometry::Point& p) {
   return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
+/// Outwards where they are bounds; of a mesh both are its volume.
+ordered_json volume_json(const skin::VolumeBounds& volume) {
+  if (volume.low == volume.high) return {rounded(volume.low), rounded(volume.high)};
+  return {rounded_lower_bound(volume.low), rounded_bound(volume.high)};
+}
+
 ordered_json waists_json(const std::vector<skin::Waist>& waists) {
   constexpr std::size_t most = 20;
   ordered_json narrowest = ordered_json::array();
@@ -156,7 +162,7 @@ void add_skin_parts(ordered_json& json, const SkinParts& parts) {
   for (const SkinParts::Cavity& v : parts.voids) {
     ordered_json cavity = {
         {"at", point_json(v.at)}, {"bodies_inside", v.bodies_inside}, {"dropped", v.is_dropped}};
-    if (v.volume) cavity["volume"] = {rounded(v.volume->low), rounded(v.volume->high)};
+    if (v.volume) cavity["volume"] = volume_json(*v.volume);
     json["voids"].push_back(std::move(cavity));
   }
   json["necks"] = waists_json(parts.necks);

@@ -33,6 +33,21 @@ TEST_CASE("a bound is rounded to no less than it was, by less than one of its la
   CHECK(app::brief_bound(1.0001, 3) == "1.01");
 }
 
+TEST_CASE("rounded bounds lie on their sides of a number, a unit of the last digit apart") {
+  support::for_seeds(10'000, [&](unsigned seed) {
+    support::Random random(seed);
+    double number = std::pow(10, random.between(-12, 12));
+    // Every second one beside what rounding to the nearest gives.
+    if (seed % 2 == 0) number = std::nextafter(app::rounded(number), seed % 4 == 0 ? 0 : INFINITY);
+    CAPTURE(number);
+    const double low = app::rounded_lower_bound(number), high = app::rounded_bound(number);
+    CHECK(low <= number);
+    CHECK(number <= high);
+    CHECK(high - low < 1.001e-5 * number);
+  });
+  CHECK(app::rounded_lower_bound(0) == 0);
+}
+
 TEST_CASE("a certificate's distances are no shorter in JSON than they were proved") {
   support::for_seeds(1000, [&](unsigned seed) {
     support::Random random(seed);
