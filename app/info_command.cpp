@@ -165,8 +165,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A, " +
                             (radii == "input" ? "as in the file" : "of the table " + radii));
   text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +
-                              " A, model " + std::string(skin::name_of(arguments.molecule.model)) +
-                              ", probe " + brief(arguments.molecule.probe) + " A");
+                              " A, " + model_text(arguments.molecule));
   text += line("duplicates", grouped(counts.duplicates));
   text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
   text += info.parts ? skin_parts_text(*info.parts) : line("refused", info.refusal);

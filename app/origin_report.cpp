@@ -123,9 +123,7 @@ std::string origin_text(const OriginReport& origin) {
 std::string skin_text(const MoleculeArguments& molecule, const certify::Sizing& sizing) {
   ordered_json chosen;
   add_selection(chosen, molecule.selection);
-  std::string text =
-      "of " + molecule.input.string() + ": model " + std::string(skin::name_of(molecule.model));
-  if (molecule.model != skin::Model::Given) text += ", probe " + brief(molecule.probe) + " A";
+  std::string text = "of " + molecule.input.string() + ": " + model_text(molecule);
   if (molecule.radii) text += ", radii " + *molecule.radii;
   if (chosen.contains("selection")) text += values(chosen["selection"]);
   const double volume = molecule.drop_voids_below;

@@ -107,10 +107,7 @@ std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
 std::string skin_text(const MeshReport& report) {
   const MoleculeArguments& molecule = report.molecule;
   std::string text = "weights as given";
-  if (molecule.model != skin::Model::Given) {
-    text = "model " + std::string(skin::name_of(molecule.model)) + ", probe " +
-           brief(molecule.probe) + " A";
-  }
+  if (molecule.model != skin::Model::Given) text = model_text(molecule);
   if (molecule.radii) text += ", radii " + *molecule.radii;
   if (molecule.selection.assembly) text += ", biological assembly " + *molecule.selection.assembly;
   text += ", patch radii " + brief(report.patch_radius_min) + " to " +

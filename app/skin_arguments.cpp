@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/report_lines.h"
 #include "app/typed_values.h"
 #include "geometry/error.h"
 #include "skin/molecule_files.h"
@@ -33,6 +34,12 @@ void check_sizing(const certify::Sizing& sizing) {
 }
 
 }  // namespace
+
+std::string model_text(const MoleculeArguments& molecule) {
+  const std::string model = "model " + std::string(skin::name_of(molecule.model));
+  return skin::has_probe(molecule.model) ? model + ", probe " + brief(molecule.probe) + " A"
+                                         : model;
+}
 
 bool is_set(const TypedSkin& typed) {
   return is_of_molecules(typed) || typed.C || typed.Q || typed.size;

@@ -30,6 +30,9 @@ struct MoleculeArguments {
   double drop_voids_below = 0;            ///< Angstrom^3; infinite for all
 };
 
+/// "model sas, probe 1.4 A"; the probe only where it plays a part.
+std::string model_text(const MoleculeArguments& molecule);
+
 /// The options as typed, before they are checked; absent where the default holds.
 struct TypedSkin {
   std::optional<std::string> model, radii, voids;

@@ -47,6 +47,8 @@ std::optional<Model> parse_model(std::string_view name) {
 
 std::string_view name_of(Model model) { return names[static_cast<std::size_t>(model)].first; }
 
+bool has_probe(Model model) { return model == Model::Paper || model == Model::Sas; }
+
 double weight(double radius, Model model, double probe) {
   assert(radius > 0 && probe >= 0);
   switch (model) {

@@ -33,6 +33,8 @@ inline constexpr double ses_like_offset = 0.25;
 /// The model called "paper", "sas", "vdw", "ses-like" or "given"; nothing for other words.
 std::optional<Model> parse_model(std::string_view name);
 std::string_view name_of(Model model);
+/// Whether the probe plays a part.
+bool has_probe(Model model);
 
 /// The weight of an atom, Angstrom^2.
 ///

@@ -71,6 +71,17 @@ class Mesh(CommandTest):
         self.assertIn("certified: homeomorphic", text)
         self.assertIn("genus", text)
 
+    def test_a_report_for_people_names_the_probe_only_of_models_that_have_one(self):
+        for model, has_probe in (("vdw", False), ("ses-like", False), ("sas", True),
+                                 ("paper", True)):
+            self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--model", model, "-q")
+            for words in (("info", self.ring, "--model", model),
+                          ("mesh", self.ring, "-o", "again.ply", "--model", model),
+                          ("check", "ring.ply", "--against", self.ring)):
+                text = self.run_morskin(*words).stdout.decode()
+                self.assertEqual(f"model {model}, probe 1.4 A" in text, has_probe, words)
+                self.assertRegex(text, rf"model {model}\b")
+
     def test_the_report_file_holds_what_json_prints(self):
         printed = self.mesh_json(self.ring, "-o", "ring.off", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text()), printed)
