@@ -91,9 +91,9 @@ void finish(const CheckArguments& check, const Typed& typed) {
   if (check.surface && check.against) {
     throw UsageError("--against and --surface are two surfaces; give one of them");
   }
-  if (!check.against && !check.surface && is_set(typed.skin)) {
-    throw UsageError(
-        "the options of a skin are of a mesh and its surface: add --against or --surface");
+  // -C, -Q and --size may be of the surface that the mesh states.
+  if (!check.against && !check.surface && is_of_molecules(typed.skin)) {
+    throw UsageError("the options of a skin are of a mesh and its molecule: add --against");
   }
   if (check.surface && is_of_molecules(typed.skin)) {
     throw UsageError("--surface goes without the options of molecules");

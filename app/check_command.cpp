@@ -194,6 +194,10 @@ ExitCode check_command(const CheckArguments& asked) {
                                     std::to_string(max_triangles) + " triangles; cut it up");
   }
   report.origin.stated = std::move(file.provenance);
+  if (!arguments.against && !arguments.surface && is_set(arguments.typed) &&
+      !stated(report.origin.stated, "surface")) {
+    throw UsageError("-C, -Q and --size are of a mesh and its surface: add --against or --surface");
+  }
   report.origin.compare_mesh(file, arguments.threads);
   report.vertices = mesh.positions.size();
   report.triangles = mesh.triangles.size();

@@ -58,6 +58,17 @@ class Surfaces(CommandTest):
             done = self.run_morskin("check", "mesh.ply", "--surface", "sphere:2", *words, code=2)
             self.assertIn(b"options of molecules", done.stderr)
 
+    def test_sizes_are_of_the_surface_that_the_mesh_states(self):
+        self.meshed("sphere:2")
+        checked = self.check("mesh.ply", "-C", "0.25")
+        self.assertEqual((checked["surface"], checked["C"]), ("sphere:2", 0.25))
+        self.assertEqual(self.check("mesh.ply", "-C", "0.05", code=5)["C"], 0.05)
+        lines = (self.folder / "mesh.off").read_text().splitlines(keepends=True)
+        self.input("bare.off", "".join(line for line in lines if not line.startswith("#")))
+        for words in (("bare.off", "-C", "0.2"), ("mesh.ply", "--model", "sas")):
+            done = self.run_morskin("check", *words, code=2)
+            self.assertIn(b"add --against", done.stderr)
+
     def test_wrong_meshes_are_not_homeomorphic(self):
         self.meshed("torus:2.5,1")
         vertices, triangles = self.read_off("mesh.off")
