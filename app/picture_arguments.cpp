@@ -40,10 +40,10 @@ geometry::Vector vector(std::string_view text, const std::string& option) {
 
 geometry::Vector direction(std::string_view text, const std::string& option) {
   const geometry::Vector v = vector(text, option);
-  if (!(v.norm() > 0) || !std::isfinite(v.norm())) {
-    throw UsageError(option + " needs a direction that is not zero");
-  }
-  return v.normalized();
+  if (v.isZero(0)) throw UsageError(option + " needs a direction that is not zero");
+  // Of any length, by a power of two first: exact, and its square no overflow.
+  const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
+  return v.unaryExpr([=](double x) { return std::scalbn(x, -exponent); }).normalized();
 }
 
 pictures::Colour parsed_colour(std::string_view text) {

@@ -32,7 +32,11 @@ class PictureCommand(CommandTest):
     def test_the_same_mesh_gives_the_same_bytes(self):
         mesh = self.mesh()
         words = ("render", mesh, "--size", "120x80", "--view", "1,2,3")
-        self.assertEqual(self.picture(*words), self.picture(*words))
+        first = self.picture(*words)
+        self.assertEqual(self.picture(*words), first)
+        for factor in (2.0**-1070, 2.0**1022):  # a direction may have any length
+            view = ",".join(repr(factor * x) for x in (1, 2, 3))
+            self.assertEqual(self.picture(*words[:-1], view), first)
 
     def test_several_meshes_get_a_panel_each_and_an_inset_one_more(self):
         mesh = self.mesh()
