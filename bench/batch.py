@@ -20,8 +20,8 @@ import sys
 import time
 from pathlib import Path
 
-from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, markdown,
-                           molecule_folder, named_files)
+from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, end,
+                           markdown, molecule_folder, named_files)
 
 RECIPES = ROOT / "bench" / "batch_inputs.txt"
 FILES = ["1aon.pdb.gz", "1bmf.pdb.gz", "1r03_24mer.pdb.gz", "2buk_capsid.pdb.gz", "1dps.pdb",
@@ -177,8 +177,11 @@ def main():
         lines = [f"{name} {first} {last}\n" for name, first, last in plan(folder)]
         RECIPES.write_text("".join(lines), encoding="utf-8")
         return
+    recipes = [r for r in recipes_of(options.sample) if options.only in r[0]]
+    if not recipes:
+        end([], recipes)
     inputs = ROOT / "build" / "batch" / "inputs"
-    make_inputs(recipes_of(options.sample), folder, inputs)
+    make_inputs(recipes, folder, inputs)
     with Rows(options.results, COLUMNS, WIDTHS, 1) as rows:
         for model in options.models.split(","):
             rows.add(row_of(model, options, inputs))

@@ -11,7 +11,8 @@ of the angle to its normal, degrees.
 import subprocess
 from pathlib import Path
 
-from molecule_runs import BUNDLED, ROOT, Rows, argument_parser, end, markdown
+from molecule_runs import (BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_folder,
+                           named_files)
 
 PROGRAM = ROOT / "build" / "bench" / "morskin_curved_errors"
 SURFACES = ["ball", "caffeine.xyz", "5tmn_ligand.pdb"]
@@ -24,8 +25,9 @@ WIDTHS = [16, 5, 9, 7, 10, 10, 10, 12, 10, 9]
 
 
 def arguments():
-    return argument_parser(__doc__, timeout=600,
-                           results="papers/results/curved-errors.tsv").parse_args()
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/curved-errors.tsv")
+    parser.set_defaults(molecules=BUNDLED)
+    return parser.parse_args()
 
 
 def table(rows):
@@ -52,9 +54,11 @@ def table(rows):
 
 def main():
     options = arguments()
+    folder = molecule_folder(options.molecules)
+    surfaces = [s for s in SURFACES if options.only in s]
+    paths = [s if s == "ball" else named_files(folder, [s])[0] for s in surfaces]
     with Rows(Path(options.results), COLUMNS, WIDTHS, 4) as rows:
-        for surface in SURFACES:
-            path = surface if surface == "ball" else BUNDLED / surface
+        for surface, path in zip(surfaces, paths):
             for C in SIZES:
                 done = subprocess.run([PROGRAM, path, str(C)], capture_output=True, text=True,
                                       check=True, timeout=options.timeout)

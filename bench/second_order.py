@@ -10,7 +10,8 @@ certified, which means that every Jacobian was proved positive, or refused since
 import tempfile
 from pathlib import Path
 
-from molecule_runs import Rows, argument_parser, end, markdown, mesh, molecule_folder
+from molecule_runs import (BUNDLED, Rows, argument_parser, end, markdown, mesh, molecule_folder,
+                           named_files)
 
 MOLECULES = ["benzene.pdb", "caffeine.xyz", "5tmn_ligand.pdb", "1crn.pdb"]
 SIZES = [0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1, 0.08]
@@ -22,6 +23,7 @@ WIDTHS = [18, 6, 10, 12, 12, 14, 12]
 
 def arguments():
     parser = argument_parser(__doc__, timeout=600, results="papers/results/second-order.tsv")
+    parser.set_defaults(molecules=BUNDLED)
     return parser.parse_args()
 
 
@@ -87,12 +89,10 @@ def sentence(rows):
 
 def main():
     options = arguments()
-    folder = molecule_folder(Path("bench/molecules"))
+    folder = molecule_folder(options.molecules)
+    paths = named_files(folder, [name for name in MOLECULES if options.only in name])
     with Rows(Path(options.results), COLUMNS, WIDTHS, 1) as rows:
-        for name in MOLECULES:
-            path = folder / name
-            if options.only not in str(path):
-                continue
+        for path in paths:
             finest = meshed(path, REFERENCE, options.timeout)
             if finest.code != 0:
                 rows.add(failed(path, REFERENCE, finest))
@@ -101,8 +101,8 @@ def main():
             for C in SIZES:
                 rows.add(row_of(path, C, meshed(path, C, options.timeout), exact))
     as_text = [{k: str(v) for k, v in r.items()} for r in rows.rows]
-    print(table(as_text))
     failures = [r["verdict"] for r in rows.rows if r["verdict"].startswith("FAILED")]
+    print(table(as_text))
     if not failures and all(shares(as_text, C) for C in SIZES):
         print(sentence(as_text))
     end(failures, rows.rows)

@@ -79,7 +79,9 @@ def table(rows):
     """The rows of the page: by offset, medians over the chains."""
     body = []
     for offset in OFFSETS:
-        these = [r for r in rows if float(r["offset"]) == offset]
+        these = [r for r in rows if float(r["offset"]) == offset and r["verdict"] == "certified"]
+        if not these:
+            continue
         far = sum(float(r["to_ses_95"]) > 1 or float(r["from_ses_95"]) > 1 for r in these)
 
         def of(column):

@@ -44,6 +44,8 @@ def table(rows):
     for name, model, options in SURFACES:
         of_it = [r for r in rows if (r["molecule"], r["model"], r["options"])
                  == (name, model, " ".join(options))]
+        if not of_it:
+            continue
         label = " ".join([name.split(".")[0].split("_")[0].upper(), model, *options])
         for what, column, form in (("triangles to each", "triangles_to_each", "{:,.0f}"),
                                    ("of all, between them", "seam_share", "{:.1%}"),

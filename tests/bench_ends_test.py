@@ -18,6 +18,7 @@ import batch  # noqa: E402
 import coarse  # noqa: E402
 import corpus  # noqa: E402
 import counts  # noqa: E402
+import curved_errors  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
 import implicit  # noqa: E402
@@ -85,10 +86,21 @@ class Ends(unittest.TestCase):
                          (1, "FAILED: exit code 5", "certified"))
         self.assertIn("| benzene.pdb | 1 |", said)
 
+    def test_tables_are_made_of_the_runs_that_do_not_fail(self):
+        name, model, words = subdomains.SURFACES[0]
+        failed = subdomains.row_of(Path(name), model, words, 1, BAD)
+        self.assertIn("| FAILED |", subdomains.table([failed]))
+        row = dict.fromkeys(ses_like.COLUMNS, "1") | {"offset": "0.1", "verdict": "certified"}
+        failed = dict.fromkeys(ses_like.COLUMNS, "") | {"offset": "0.1", "verdict": "FAILED: so"}
+        self.assertEqual(ses_like.table([row, failed]), ses_like.table([row]))
+        ses_like.table([failed])
+        failed = second_order.row_of(Path("caffeine.xyz"), 0.2, BAD, 1)
+        self.assertIn("| FAILED |", second_order.table([failed]))
+
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
-        for script in (ablation, angles, coarse, corpus, counts, densities, features, implicit,
-                       methods, morse_corpus, prediction, replay, second_order, ses_like,
+        for script in (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities,
+                       features, implicit, methods, morse_corpus, prediction, replay, second_order, ses_like,
                        subdomains):
             with self.subTest(script.__name__):
                 code, said = self.code_of(script, "--only", "no such molecule")
