@@ -18,13 +18,13 @@ namespace {
 struct Location {
   std::size_t index;  // in the file
   Label chain;
-  Label residue_number;
+  Label place;       // in the chain: the residue's number or, where it has none, its name
   Label name;        // deuterium as hydrogen: where H and D share a site, it is one atom
   std::size_t copy;  // files made by symmetry may repeat chain, number and letter
   const AtomRecord* record;
 
-  auto residue_key() const { return std::tie(chain, residue_number); }
-  auto atom_key() const { return std::tie(chain, residue_number, name); }
+  auto residue_key() const { return std::tie(chain, place); }
+  auto atom_key() const { return std::tie(chain, place, name); }
 };
 
 // Whether `a` is to be kept rather than `b`.
@@ -40,7 +40,9 @@ Location location_of(const AtomRecord& record, std::size_t index) {
   if (record.atom.element.view() == "D" && letter != std::string::npos && name[letter] == 'D') {
     name[letter] = 'H';
   }
-  return {index, record.atom.chain, record.atom.residue_number, Label(name), 0, &record};
+  const Atom& atom = record.atom;
+  const Label& place = atom.residue_number.is_empty() ? atom.residue : atom.residue_number;
+  return {index, atom.chain, place, Label(name), 0, &record};
 }
 
 // Marks the locations of all identities but each residue's best.
@@ -88,15 +90,15 @@ std::size_t keep_one_location(std::vector<AtomRecord>& atoms, std::optional<char
     if (with_letters.contains(location.atom_key())) locations.push_back(location);
   }
   std::ranges::stable_sort(locations, {}, [](const Location& location) {
-    return std::tuple(location.chain, location.residue_number, location.name,
-                      location.record->atom.residue, location.record->alternate);
+    return std::tuple(location.chain, location.place, location.name, location.record->atom.residue,
+                      location.record->alternate);
   });
   std::vector<bool> is_out(atoms.size(), false);
   mark_other_residues(locations, letter, is_out);
   number_copies(locations);
   std::erase_if(locations, [&](const Location& location) { return is_out[location.index]; });
   std::ranges::stable_sort(locations, {}, [](const Location& location) {
-    return std::tuple(location.chain, location.residue_number, location.name, location.copy);
+    return std::tuple(location.chain, location.place, location.name, location.copy);
   });
   for (std::size_t i = 1, best = 0; i < locations.size(); ++i) {
     if (locations[i].atom_key() != locations[best].atom_key() ||

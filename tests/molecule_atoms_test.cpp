@@ -76,6 +76,20 @@ TEST_CASE("a residue with two identities keeps the atoms of one") {
   CHECK(names_of(molecule) == "CB CG");
 }
 
+TEST_CASE("two ligands without a number are two residues, each with its own alternate places") {
+  std::string text;
+  for (const char* residue : {"LIG", "GOL"}) {
+    for (const char letter : {'A', 'B'}) {
+      std::string line = alternate(" C1 ", letter, residue, letter == 'A' ? "  0.70" : "  0.30");
+      text += line.replace(22, 5, "     ");
+    }
+  }
+  const Molecule molecule = parse_molecule(text, "a.pdb");
+  CHECK(names_of(molecule) == "C1 C1");
+  CHECK(molecule.atoms[0].position.x() == 'A');
+  CHECK(molecule.atoms[1].position.x() == 'A');
+}
+
 TEST_CASE("hydrogen and deuterium at one site are one atom") {
   const Molecule molecule =
       parse_molecule(pdb_line("ATOM", " H  ", 'A', "ALA", 1, 0, "  0.20  0.00           H") +
