@@ -190,6 +190,14 @@ class Names {
     return cut;
   }
 
+  std::set<std::string> long_names() const {
+    std::set<std::string> names;
+    for (const auto& [cut, name] : whole_) {
+      if (name.size() > Label::max_size) names.insert(name);
+    }
+    return names;
+  }
+
  private:
   const std::string& source_;
   std::map<Label, std::string> whole_;
@@ -277,6 +285,7 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
       last = model;
       if (model == read) file.atoms.push_back(atom_in(table, row, source, names));
     }
+    file.long_names = names.long_names();
     if (models.has_begun()) return file;
   }
   throw geometry::UnreadableInput(source + ": has no table _atom_site with atoms; is it mmCIF?");

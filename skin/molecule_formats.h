@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,8 @@ struct ParsedFile {
   bool has_hetatms = false;  ///< which come from HETATM records
   bool has_elements = false;
   bool has_locations = false;  ///< alternate ones
+  /// The names that labels cut, whole, where the format has such.
+  std::set<std::string> long_names = {};
 };
 
 /// Finds the model to read among a file's, which a parser tells it of in the file's order.

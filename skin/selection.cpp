@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <set>
 
 #include "geometry/error.h"
@@ -30,30 +29,37 @@ Label chain_of(const AtomRecord& record) {
   return record.atom.chain.is_empty() ? Label("_") : record.atom.chain;
 }
 
-// Cut as the file's names are, with which they are compared.
+// Cut as the file's names are.
 std::set<Label> labels_of(const std::vector<std::string>& names) {
   std::set<Label> labels;
   for (const std::string& name : names) labels.insert(Label(name));
   return labels;
 }
 
-std::string listed(const std::set<Label>& names) {
+std::string_view text_of(const Label& name) { return name.view(); }
+std::string_view text_of(const std::string& name) { return name; }
+
+template <class Name>
+std::string listed(const std::set<Name>& names) {
   constexpr std::size_t max_names = 60;
   std::string text;
   std::size_t count = 0;
-  for (const Label& name : names) {
+  for (const Name& name : names) {
     if (++count > max_names) break;
-    text += (text.empty() ? "" : ", ") + std::string(name.view());
+    text += (text.empty() ? "" : ", ") + std::string(text_of(name));
   }
   if (count > max_names) text += " and " + std::to_string(names.size() - max_names) + " more";
   return text;
 }
 
 // A name that the file does not have is a slip more often than a wish.
-void require_all(const std::set<Label>& chosen, const std::set<Label>& present,
-                 const std::string& what, const std::string& source) {
-  std::set<Label> missing;
-  std::ranges::set_difference(chosen, present, std::inserter(missing, missing.end()));
+void require_all(const std::vector<std::string>& chosen, const std::set<Label>& present,
+                 const ParsedFile& file, const std::string& what, const std::string& source) {
+  std::set<std::string> missing;
+  for (const std::string& name : chosen) {
+    const bool is_other = name.size() > Label::max_size && !file.long_names.contains(name);
+    if (is_other || !present.contains(Label(name))) missing.insert(name);
+  }
   if (missing.empty()) return;
   throw RefusedInput(source + ": has no " + what + " " + listed(missing) + "; " +
                      (present.empty() ? "leave the name out" : "choose from " + listed(present)));
@@ -62,15 +68,15 @@ void require_all(const std::set<Label>& chosen, const std::set<Label>& present,
 // Leaves atoms out for one reason after the other, but never the last.
 class Selector {
  public:
-  Selector(std::vector<AtomRecord>& atoms, const Selection& selection, const std::string& source)
-      : atoms_(atoms), selection_(selection), source_(source) {}
+  Selector(ParsedFile& file, const Selection& selection, const std::string& source)
+      : file_(file), atoms_(file.atoms), selection_(selection), source_(source) {}
 
   std::size_t leave_out_other_chains() {
     if (selection_.chains.empty()) return 0;
     std::set<Label> present;
     for (const AtomRecord& record : atoms_) present.insert(chain_of(record));
     const std::set<Label> chosen = labels_of(selection_.chains);
-    require_all(chosen, present, "chain", source_);
+    require_all(selection_.chains, present, file_, "chain", source_);
     return leave_out("the other chains",
                      [&](const AtomRecord& record) { return !chosen.contains(chain_of(record)); });
   }
@@ -80,7 +86,7 @@ class Selector {
   std::size_t leave_out_hetatms(const std::set<Label>& present) {
     if (!selection_.hetatms) return 0;
     const std::set<Label> chosen = labels_of(*selection_.hetatms);
-    require_all(chosen, present, "HETATM record of a residue", source_);
+    require_all(*selection_.hetatms, present, file_, "HETATM record of a residue", source_);
     return leave_out("the HETATM records", [&](const AtomRecord& record) {
       return record.is_hetatm && !is_water(record) && !chosen.contains(record.atom.residue);
     });
@@ -101,6 +107,7 @@ class Selector {
                        "; leave less out");
   }
 
+  const ParsedFile& file_;
   std::vector<AtomRecord>& atoms_;
   const Selection& selection_;
   const std::string& source_;
@@ -170,7 +177,7 @@ ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,
       if (record.is_hetatm && !is_water(record)) hetatms.insert(record.atom.residue);
     }
   }
-  Selector selector(file.atoms, selection, source);
+  Selector selector(file, selection, source);
   counts.other_chains = selector.leave_out_other_chains();
   if (!selection.waters && has_others) counts.waters = selector.leave_out_waters();
   counts.hetatms = selector.leave_out_hetatms(hetatms);
