@@ -98,20 +98,11 @@ bool is_pqr_record(std::string_view word);
 /// Begins a file of weights, which nothing else tells from one of radii.
 constexpr std::string_view weights_line = "# x y z w";
 
-/// The element of an atom in a PDB file whose element columns are missing or wrong.
-///
-/// @param name     columns 13-16 untrimmed: an element of one letter starts in the second.
-/// @param residue  in standard residues the first letter decides, wherever the name begins.
+/// The element of an atom by its name, where neither a symbol nor the name's columns tell it. The
+/// first letter decides, but in a name that is also its residue's (an ion), where it is no element,
+/// and for the heavier elements listed in pdb_file.cpp.
 /// @return a symbol as in radii.h, or "" if unknown
-std::string_view element_from_name(std::string_view name, std::string_view residue);
-
-/// The same for a name without its columns. The first letter decides, but in a name that is also
-/// its residue's (an ion), where it is no element, and for the heavier elements listed in
-/// pdb_file.cpp.
 std::string_view element_from_word(std::string_view name, std::string_view residue);
-
-/// Whether the residue is one of the standard amino acids or nucleotides.
-bool is_standard_residue(std::string_view residue);
 
 /// Keeps of every atom's alternate locations the one with the letter, if it is given and the atom
 /// has it; otherwise that with the highest occupancy, of equals the one with the first letter. Of a

@@ -35,6 +35,11 @@ constexpr std::array<std::string_view, 60> standard_residues = {
     "I",   "T",   "U",   "DA",  "DC",  "DG",  "DI",  "DT",  "DU",  "ADE", "CYT", "GUA",
     "THY", "URA", "RA",  "RC",  "RG",  "RU",  "DA5", "DC5", "DG5", "DA3", "DC3", "DG3"};
 
+// Whether the residue is one of the standard amino acids or nucleotides.
+bool is_standard_residue(std::string_view residue) {
+  return std::ranges::find(standard_residues, residue) != standard_residues.end();
+}
+
 // The elements of standard residues.
 constexpr std::string_view residue_elements = "HDCNOPS";
 
@@ -56,6 +61,29 @@ std::string_view element_from_columns(std::string_view line, std::string_view re
   const std::string_view symbol = symbol_or_empty(field);
   const bool is_usual = residue_elements.find(symbol) != std::string_view::npos;
   return is_usual || !is_standard_residue(residue) ? symbol : std::string_view();
+}
+
+// The element of an atom whose element columns are missing or wrong; "" if unknown. The name is
+// that of columns 13-16, untrimmed: an element of one letter starts in the second. In standard
+// residues the first letter decides, wherever the name begins.
+std::string_view element_from_name(std::string_view name, std::string_view residue) {
+  const auto first = std::ranges::find_if(name, is_letter);
+  if (first == name.end()) return {};
+  const std::string_view from_first(first, name.end());
+  const std::string_view one = from_first.substr(0, 1);
+  if (is_standard_residue(residue) || first != name.begin()) return symbol_or_empty(one);
+
+  // The name begins in column 13.
+  const std::string_view two = name.substr(0, 2);
+  const bool is_long = name.size() >= 4 && name[3] != ' ';
+  if (name.size() < 2 || !is_letter(name[1])) return symbol_or_empty(one);
+  if (is_long) {
+    const bool is_heavy = std::ranges::find(heavy_in_long_names, two) != heavy_in_long_names.end();
+    if (is_heavy && is_digit(name[2])) return symbol_or_empty(two);
+    if (!symbol_or_empty(one).empty()) return symbol_or_empty(one);
+  }
+  const std::string_view element = symbol_or_empty(two);
+  return element.empty() ? symbol_or_empty(one) : element;
 }
 
 bool is_atom(std::string_view line) {
@@ -102,30 +130,6 @@ AtomRecord atom_on(const TextLines& lines) {
 }
 
 }  // namespace
-
-bool is_standard_residue(std::string_view residue) {
-  return std::ranges::find(standard_residues, residue) != standard_residues.end();
-}
-
-std::string_view element_from_name(std::string_view name, std::string_view residue) {
-  const auto first = std::ranges::find_if(name, is_letter);
-  if (first == name.end()) return {};
-  const std::string_view from_first(first, name.end());
-  const std::string_view one = from_first.substr(0, 1);
-  if (is_standard_residue(residue) || first != name.begin()) return symbol_or_empty(one);
-
-  // The name begins in column 13.
-  const std::string_view two = name.substr(0, 2);
-  const bool is_long = name.size() >= 4 && name[3] != ' ';
-  if (name.size() < 2 || !is_letter(name[1])) return symbol_or_empty(one);
-  if (is_long) {
-    const bool is_heavy = std::ranges::find(heavy_in_long_names, two) != heavy_in_long_names.end();
-    if (is_heavy && is_digit(name[2])) return symbol_or_empty(two);
-    if (!symbol_or_empty(one).empty()) return symbol_or_empty(one);
-  }
-  const std::string_view element = symbol_or_empty(two);
-  return element.empty() ? symbol_or_empty(one) : element;
-}
 
 std::string_view element_from_word(std::string_view name, std::string_view residue) {
   // An ion is called like its residue: "ZN" of "ZN".
