@@ -12,9 +12,6 @@
 #include "morskin/morskin.h"
 #include "python/interruptible.h"
 
-// A class of its own, not a list.
-PYBIND11_MAKE_OPAQUE(std::vector<morskin::CriticalPoint>)
-
 namespace morskin::python {
 
 namespace py = pybind11;
@@ -37,6 +34,45 @@ class Mesh {
   mutable std::once_flag are_found_;
   mutable std::vector<SkinPoint> points_;
 };
+
+}  // namespace morskin::python
+
+namespace pybind11::detail {
+
+/// Of a class that is bound. An object that its __new__ made and nothing filled raises TypeError,
+/// where pybind11 would take memory as it happens to be for one.
+template <class Bound>
+class filled_caster : public type_caster_base<Bound> {
+ public:
+  bool load(handle source, bool convert) {
+    const type_info* const type = get_type_info(typeid(Bound));
+    if (type != nullptr && PyObject_TypeCheck(source.ptr(), type->type) != 0 &&
+        reinterpret_cast<instance*>(source.ptr())->get_value_and_holder(type).value_ptr() ==
+            nullptr) {
+      throw type_error("the object was made without its __init__");
+    }
+    return type_caster_base<Bound>::load(source, convert);
+  }
+};
+
+template <>
+class type_caster<morskin::Skin> : public filled_caster<morskin::Skin> {};
+template <>
+class type_caster<morskin::python::Mesh> : public filled_caster<morskin::python::Mesh> {};
+template <>
+class type_caster<morskin::Certificate> : public filled_caster<morskin::Certificate> {};
+template <>
+class type_caster<morskin::MorseSmaleComplex> : public filled_caster<morskin::MorseSmaleComplex> {};
+template <>
+class type_caster<morskin::ReadOptions> : public filled_caster<morskin::ReadOptions> {};
+// A class of its own, not a list.
+template <>
+class type_caster<std::vector<morskin::CriticalPoint>>
+    : public filled_caster<std::vector<morskin::CriticalPoint>> {};
+
+}  // namespace pybind11::detail
+
+namespace morskin::python {
 
 /// The library's errors become the exceptions of morskin/errors.py.
 void bind_errors();

@@ -81,6 +81,18 @@ class Errors(ModuleTest):
             with self.assertRaises(TypeError):
                 call()
 
+    def test_an_object_that_no_init_has_filled_raises_a_type_error_whatever_is_asked_of_it(self):
+        asked = (("Skin", "components"), ("Skin", "mesh"), ("Skin", "__repr__"),
+                 ("Mesh", "vertices"), ("Mesh", "normals"), ("Mesh", "__repr__"),
+                 ("Certificate", "reason"), ("CriticalPoints", "positions"),
+                 ("CriticalPoints", "__len__"), ("MorseSmaleComplex", "arcs"),
+                 ("MorseSmaleComplex", "points"))
+        for name, attribute in asked:
+            made = getattr(morskin, name).__new__(getattr(morskin, name))
+            with self.subTest(name, attribute=attribute), self.assertRaises(TypeError):
+                value = getattr(made, attribute)
+                value()
+
     def test_errors_are_named_like_the_exit_codes(self):
         text = (ROOT / "app" / "exit_codes.h").read_text("utf-8")
         for name in ("UnreadableInput", "RefusedInput", "NotCertified", "LimitReached",
