@@ -4,7 +4,6 @@
 #include <iostream>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "app/complex_files.h"
 #include "app/features_options.h"

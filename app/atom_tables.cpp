@@ -2,7 +2,6 @@
 
 #include <map>
 #include <numeric>
-#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/molecule_input.h"
 #include "app/output_names.h"
-#include "app/report.h"
+#include "app/report_lines.h"
 #include "app/staged_outputs.h"
 
 namespace morskin::app {

@@ -1,6 +1,5 @@
 #include "app/complex_files.h"
 
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>

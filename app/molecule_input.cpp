@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <span>
 #include <utility>
 
 #include "app/sha256.h"

@@ -1,7 +1,6 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
 
 #include "app/features_options.h"

@@ -18,7 +18,6 @@
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
-#include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
 #include "morse/validate_complex.h"
 

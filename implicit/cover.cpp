@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <string>
-#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/parallel.h"

@@ -1,7 +1,6 @@
 #include "implicit/gaussians.h"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "geometry/error.h"

@@ -1,9 +1,7 @@
 #include "morskin/grading.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "morskin/pipeline.h"

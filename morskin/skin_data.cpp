@@ -1,7 +1,6 @@
 // What the library's face tells of a skin beside meshes: of its points, and of heights on it.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "python/arrays.h"
 
-#include <limits>
 #include <string>
 #include <string_view>
 

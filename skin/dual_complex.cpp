@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
-#include <span>
-#include <utility>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"

@@ -1,7 +1,6 @@
 // mmCIF: gemmi parses the grammar. The table of atoms is read here, because few of its columns are
 // needed and small files lack some that gemmi's own reader requires.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>

@@ -1,7 +1,6 @@
 #include "skin/power_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <type_traits>

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "geometry/error.h"
-#include "geometry/stopwatch.h"
 #include "skin/enclosure.h"
 #include "skin/line_crossings.h"
 #include "skin/slide.h"

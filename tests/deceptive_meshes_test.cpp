@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "certify/certificate.h"

@@ -1,6 +1,5 @@
 #include "certify/delaunay_filter.h"
 
-#include "certify/located_vertices.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;

@@ -1,6 +1,5 @@
 #include "refine/journal.h"
 
-#include <map>
 #include <set>
 
 #include "refine/local_operations.h"

@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 
 #include "app/certificate_file.h"
 #include "certify/located_vertices.h"

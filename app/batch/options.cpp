@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "app/features_options.h"
-#include "app/output_names.h"
 #include "app/shared_options.h"
 #include "app/typed_values.h"
 

@@ -4,7 +4,6 @@
 //   morskin_ablation INPUT MODEL [SWITCH ...]     prints what came of it as JSON
 //   morskin_ablation --switches                   prints the names of all switches
 
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>

@@ -1,7 +1,6 @@
 #include "bench/ablation/as_printed.h"
 
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "bench/ablation/contraction_by_distance.h"

@@ -1,6 +1,5 @@
 #include "bench/ablation/breaches.h"
 
-#include <array>
 #include <cmath>
 
 #include "certify/triangle_geometry.h"

@@ -1,7 +1,6 @@
 // Writes Gmsh's MSH 4.1, as text: one surface of all triangles, nodes and elements counted
 // from 1, and a view for each column of numbers.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Where each format holds its provenance.
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 
 #include "geometry/files/mesh_formats.h"
