@@ -1,6 +1,5 @@
 #include "implicit/critical_heights.h"
 
-
 #include "geometry/orthogonal.h"
 #include "geometry/parallel.h"
 #include "implicit/linear_algebra.h"

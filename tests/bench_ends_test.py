@@ -100,8 +100,8 @@ class Ends(unittest.TestCase):
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
         for script in (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities,
-                       features, implicit, methods, morse_corpus, prediction, replay, second_order, ses_like,
-                       subdomains):
+                       features, implicit, methods, morse_corpus, prediction, replay,
+                       second_order, ses_like, subdomains):
             with self.subTest(script.__name__):
                 code, said = self.code_of(script, "--only", "no such molecule")
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))

@@ -1,6 +1,5 @@
 // What mesh files say of their origin: written and read again in each format's place for it.
 
-
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/mesh_formats.h"
 #include "tests/support/mesh_file_cases.h"

@@ -1,5 +1,6 @@
 // Which atoms of a file are read, and as which element.
 
+#include "geometry/error.h"
 #include "tests/support/molecule_texts.h"
 #include "tests/support/test.h"
 
@@ -120,6 +121,19 @@ TEST_CASE("water is left out unless asked for or alone") {
   CHECK(parse_molecule(pqr, "a.pqr").atoms.size() == 1);
   CHECK(parse_molecule(pqr, "a.pqr").counts.waters == 0);
   CHECK(parse_molecule(pqr, "a.pqr").counts.zero_radii == 1);
+}
+
+TEST_CASE("a chain of a long name is chosen by all of it or by what an error tells of it") {
+  const std::string text =
+      "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n_atom_site.Cartn_x\n"
+      "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC heavychain1 0 0 0\nC B 5 0 0\n";
+  const auto chosen = [&](const std::string& chain) {
+    return parse_molecule(text, "a.cif", {.selection = {.chains = {chain}}}).atoms.size();
+  };
+  CHECK(chosen("heavychain1") == 1);
+  CHECK(chosen("heavycha") == 1);
+  CHECK_THROWS_WITH_AS(chosen("heavychain2"),
+                       "a.cif: has no chain heavychain2; choose from B, heavycha", RefusedInput);
 }
 
 TEST_CASE("only the first model is read") {

@@ -157,19 +157,6 @@ TEST_CASE("a chain that no atom has is refused and the chains that there are nam
   }
 }
 
-TEST_CASE("a chain of a long name is chosen by all of it or by what an error tells of it") {
-  const std::string text =
-      "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n_atom_site.Cartn_x\n"
-      "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC heavychain1 0 0 0\nC B 5 0 0\n";
-  const auto chosen = [&](const std::string& chain) {
-    return parse_molecule(text, "a.cif", {.selection = {.chains = {chain}}}).atoms.size();
-  };
-  CHECK(chosen("heavychain1") == 1);
-  CHECK(chosen("heavycha") == 1);
-  CHECK_THROWS_WITH_AS(chosen("heavychain2"),
-                       "a.cif: has no chain heavychain2; choose from B, heavycha", RefusedInput);
-}
-
 TEST_CASE("what a format does not tell cannot be chosen by") {
   for (const File& file :
        {File{"a.xyz", small_xyz}, File{"a.xyzr", small_xyzr}, File{"a.xyzw", "0 0 0 2\n"}}) {
