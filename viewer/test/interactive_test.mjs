@@ -164,6 +164,15 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
     await press('play');
     await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
     await press('pause');
+    const { laid, milliseconds } = await page.evaluate(async () => {
+      const play = [...document.querySelectorAll('button')].find((b) => b.textContent === 'play');
+      const start = performance.now(), from = window.part.state.step;
+      for (let k = 0; k < 5; ++k) play.click();
+      await new Promise((resolve) => { setTimeout(resolve, 400); });
+      play.click();
+      return { laid: window.part.state.step - from, milliseconds: performance.now() - start };
+    });
+    assert.ok(laid <= 3 + milliseconds / 40, `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
   });
 });
 
