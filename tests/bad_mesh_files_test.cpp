@@ -72,6 +72,8 @@ TEST_CASE("a carriage return alone, which ends a line for some programs only, is
   check_refused(replaced(ply, "0 0 0", "0\r0 0"), "a.ply", "a.ply:8: a carriage return");
   CHECK_THROWS_WITH_AS(parse_msms("0 0 0 0 0 1 0 1 1\r0 0 0 0 0 1 0 1 1\n", "a.vert", "", "a.face"),
                        doctest::Contains("a.vert:1: a carriage return"), UnreadableInput);
+  const std::string msh = serialized(plain_tetrahedron(), MeshFormat::Msh);
+  check_refused(replaced(msh, "$Nodes\n", "$Nodes\r"), "a.msh", "a carriage return");
   CHECK(parse_mesh(obj + "# at the end\r\n", "a.obj").positions.size() == 3);
 }
 

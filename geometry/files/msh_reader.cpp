@@ -106,7 +106,7 @@ void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mes
 }  // namespace
 
 ParsedMesh parse_msh(std::string_view bytes, const std::string& source) {
-  TextLines lines(bytes, source);
+  TextLines lines(bytes, source, LoneReturn::IsRefused);
   std::optional<Nodes> nodes;
   std::optional<TriangleCollector> mesh;
   bool has_elements = false;
