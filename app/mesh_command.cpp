@@ -1,5 +1,6 @@
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -18,6 +19,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/rounded_outputs.h"
+#include "app/side_file.h"
 #include "app/staged_outputs.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
@@ -33,27 +35,18 @@ namespace {
 using geometry::PendingFile;
 using geometry::Stopwatch;
 
-// Feeds what is no regular file, which gets certified meshes only.
-std::vector<std::filesystem::path> feed(const MeshArguments& arguments, MeshDelivery& delivery,
-                                        const morskin::MeshResult& result) {
-  std::vector<std::filesystem::path> names;
-  const bool is_certified = result.certificate.certified;
-  for (const std::filesystem::path& path : arguments.outputs) {
-    if (!is_certified || !geometry::is_written_directly(path)) continue;
-    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
-    names.push_back(path);
-  }
-  return names;
-}
+/// The texts beside the mesh, whose files stand behind the mesh's in all_outputs().
+struct SideFiles {
+  SideFile trace, areas, certificate, report;
 
-// The last of the files if it is the one named, no longer among them then.
-PendingFile* take_last(std::span<PendingFile>& files,
-                       const std::optional<std::filesystem::path>& name) {
-  if (!name || geometry::is_written_directly(*name)) return nullptr;
-  PendingFile* const last = &files.back();
-  files = files.first(files.size() - 1);
-  return last;
-}
+  SideFiles(const MeshArguments& arguments, std::span<PendingFile>& files)
+      : trace(arguments.task_trace, SideFile::IfUnverified::Same, files),
+        areas(arguments.areas, SideFile::IfUnverified::Marked, files),
+        certificate(arguments.certificate, SideFile::IfUnverified::Marked, files),
+        report(arguments.report, SideFile::IfUnverified::Same, files) {}
+
+  std::array<SideFile*, 4> all() { return {&certificate, &areas, &trace, &report}; }
+};
 
 // The high-water mark of this program alone; that of getrusage starts with what its parent held.
 long long peak_memory_bytes() {
@@ -90,9 +83,18 @@ bool makes_report(const MeshArguments& arguments) {
   return prints_report(arguments) || arguments.report.has_value();
 }
 
+MeshMethod method_of(const MeshArguments& arguments, const morskin::MeshResult& result) {
+  if (arguments.method != MeshMethod::Auto) return arguments.method;
+  return result.method == morskin::Method::Static ? MeshMethod::Static : MeshMethod::Sweep;
+}
+
 void describe_run(MeshReport& report, const MeshArguments& arguments,
                   const morskin::PreparedSkin& skin, const morskin::MeshResult& result,
-                  const MeshDelivery& delivery, const morskin::Run& run) {
+                  MeshDelivery& delivery, const morskin::Run& run) {
+  report.method = method_of(arguments, result);
+  report.is_method_chosen = arguments.method == MeshMethod::Auto;
+  report.provenance = delivery.provenance(result);
+  report.atoms_hidden = skin.surface.triangulation().hidden.size();
   report.certificate = result.certificate;
   report.sizing = result.sizing;
   report.size_goal = arguments.size_goal;
@@ -129,9 +131,6 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
 }
 
 void publish(const MeshReport& report, const MeshArguments& arguments) {
-  if (arguments.report && geometry::is_written_directly(*arguments.report)) {
-    geometry::write_file_atomically(*arguments.report, json_text(report));
-  }
   if (!report.certificate.certified) {
     std::cerr << "morskin: " << arguments.outputs.front().string()
               << ": not certified: " << report.certificate.reason << "; see "
@@ -143,6 +142,49 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
   free_stream << (arguments.json ? json_text(report) : people_text(report));
 }
 
+void note_doubts(const MeshArguments& arguments) {
+  const std::string doubts = doubts_about(arguments.sizing);
+  if (doubts.empty() || arguments.quiet || arguments.is_brief) return;
+  std::cerr << "morskin: note: " << doubts << "\n";
+}
+
+MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
+  const Stopwatch reading;
+  MoleculeInput input = read_input(arguments.molecule);
+  for (auto& p : input.points) p.weight += arguments.grow_to;
+  report.seconds.read = reading.seconds();
+  describe_input(report, arguments, input);
+  return input;
+}
+
+/// Writes what is no regular file, or says in files that they are not certified; and tells what
+/// the files are called.
+/// @return whether there is a mesh to name
+bool write_mesh(MeshReport& report, const MeshArguments& arguments, MeshDelivery& delivery,
+                const morskin::MeshResult& result, std::span<const PendingFile> files) {
+  const Stopwatch writing;
+  const bool is_certified = result.certificate.certified;
+  const bool is_written = is_certified || delivery.mark_not_certified(result);
+  if (is_written) {
+    for (const PendingFile& file : files) {
+      report.outputs.push_back(file.final_name(is_certified ? "" : unverified));
+    }
+  }
+  for (const std::filesystem::path& path : arguments.outputs) {
+    if (!is_certified || !geometry::is_written_directly(path)) continue;
+    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
+    report.outputs.push_back(path);
+  }
+  report.seconds.write += writing.seconds();
+  report.peak_memory_bytes = peak_memory_bytes();
+  return is_written;
+}
+
+std::string certificate_of(const morskin::MeshResult& result, const morskin::PreparedSkin& skin) {
+  return certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
+                          result.certificate.degree_vertices, skin, result.sizing);
+}
+
 }  // namespace
 
 ExitCode mesh_command(const MeshArguments& arguments) {
@@ -151,96 +193,50 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   std::optional<geometry::TaskTrace> trace;
   if (arguments.task_trace) trace.emplace();
   TimeLimit time_limit(arguments.limits, arguments.molecule.input);
+  note_doubts(arguments);
   MeshReport report;
-  const std::string doubts = doubts_about(arguments.sizing);
-  const bool is_talkative = !arguments.quiet && !arguments.is_brief;
-  if (!doubts.empty() && is_talkative) std::cerr << "morskin: note: " << doubts << "\n";
-
-  const Stopwatch reading;
-  MoleculeInput input = read_input(arguments.molecule);
-  for (auto& p : input.points) p.weight += arguments.grow_to;
-  report.seconds.read = reading.seconds();
-  describe_input(report, arguments, input);
-  std::vector<morskin::AtomProperty> properties =
-      atom_properties(input.molecule, arguments.vertex_data);
+  MoleculeInput input = read(arguments, report);
+  auto properties = atom_properties(input.molecule, arguments.vertex_data);
   std::vector<geometry::NamedArray> arrays;
   if (arguments.vertex_data.features) arrays = atom_arrays(input.molecule);
-
   StagedOutputs outputs(all_outputs(arguments));
   std::span<PendingFile> files = outputs.files();
-  PendingFile* const trace_file = take_last(files, arguments.task_trace);
-  PendingFile* const areas_file = take_last(files, arguments.areas);
-  PendingFile* const certificate_file = take_last(files, arguments.certificate);
-  PendingFile* const report_file = take_last(files, arguments.report);
+  SideFiles side(arguments, files);
   for (const PendingFile& file : files) check_unverified_name(file);
-  for (const PendingFile* file : {certificate_file, areas_file}) {
-    if (file != nullptr) check_unverified_name(*file);
-  }
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::Run run(arguments.threads, line.callback());
   const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
-  const std::vector<skin::Atom> atoms =
-      arguments.areas ? std::move(input.molecule.atoms) : std::vector<skin::Atom>();
   MeshOrigin origin(arguments, input);
+  std::vector<skin::Atom> atoms;
+  if (side.areas.is_asked()) atoms = std::move(input.molecule.atoms);
   input = {};  // only the skin is needed from here on
-  report.atoms_hidden = skin.surface.triangulation().hidden.size();
   const morskin::MeshingOptions options = options_of(skin, arguments, outputs, report);
   MeshDelivery delivery(arguments, outputs, files, &skin.surface, std::move(origin),
                         std::move(properties), std::move(arrays));
   const morskin::MeshResult result = along_function(
       arguments.function, [&] { return morskin::make_mesh(skin, options, delivery, run); });
-  if (result.certificate.certified) check_rounded_outputs(result.mesh, arguments);
-  const bool is_static = result.method == morskin::Method::Static;
-  report.is_method_chosen = arguments.method == MeshMethod::Auto;
-  report.method = !report.is_method_chosen ? arguments.method
-                  : is_static              ? MeshMethod::Static
-                                           : MeshMethod::Sweep;
-  report.provenance = delivery.provenance(result);
+  const bool is_certified = result.certificate.certified;
+  if (is_certified) check_rounded_outputs(result.mesh, arguments);
   describe_run(report, arguments, skin, result, delivery, run);
   line.wipe();
+
   // First what may fail or take time: then no file has its name yet.
-  const Stopwatch delivering;
-  if (!result.certificate.certified && !delivery.mark_not_certified(result)) files = {};
-  const std::vector<std::filesystem::path> fed = feed(arguments, delivery, result);
-  report.seconds.write += delivering.seconds();
+  if (!write_mesh(report, arguments, delivery, result, files)) files = {};
   report.seconds.total = total.seconds();
-  const std::string_view suffix = report.certificate.certified ? "" : unverified;
-  for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
-  report.outputs.insert(report.outputs.end(), fed.begin(), fed.end());
-  report.peak_memory_bytes = peak_memory_bytes();
   if (makes_report(arguments)) report.floor_seconds = morskin::floor_seconds(skin.surface, result);
-  if (report_file != nullptr) report_file->write(json_text(report));
-  std::string certificate;
-  if (arguments.certificate) {
-    certificate = certificate_text(result.mesh, certify::locate_vertices(result.mesh, skin.surface),
-                                   report.certificate.degree_vertices, skin, result.sizing);
-    if (certificate_file != nullptr) certificate_file->write(certificate);
+  if (side.report.is_asked()) side.report.write(json_text(report));
+  if (side.certificate.is_asked()) side.certificate.write(certificate_of(result, skin));
+  if (side.areas.is_asked()) {
+    side.areas.write(areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells)));
   }
-  std::string areas;
-  if (arguments.areas) {
-    areas = areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells));
-    if (areas_file != nullptr) areas_file->write(areas);
-  }
-  if (trace_file != nullptr) trace_file->write(trace->json());
+  if (trace) side.trace.write(trace->json());
   time_limit.cancel();
   outputs.undisturbed([&] {
-    for (PendingFile& file : files) file.commit(suffix);
-    if (report_file != nullptr) report_file->commit();
-    if (certificate_file != nullptr) certificate_file->commit(suffix);
-    if (areas_file != nullptr) areas_file->commit(suffix);
-    if (trace_file != nullptr) trace_file->commit();
+    for (PendingFile& file : files) file.commit(is_certified ? "" : unverified);
+    for (SideFile* text : side.all()) text->commit(is_certified);
   });
-  const bool is_certified = report.certificate.certified;
-  if (is_certified && arguments.certificate && certificate_file == nullptr) {
-    geometry::write_file_atomically(*arguments.certificate, certificate);
-  }
-  if (is_certified && arguments.areas && areas_file == nullptr) {
-    geometry::write_file_atomically(*arguments.areas, areas);
-  }
-  if (trace && trace_file == nullptr) {
-    geometry::write_file_atomically(*arguments.task_trace, trace->json());
-  }
+  for (const SideFile* text : side.all()) text->write_directly(is_certified);
   publish(report, arguments);
   return is_certified ? ExitCode::Success : ExitCode::NotCertified;
 }

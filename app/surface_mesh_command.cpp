@@ -8,6 +8,7 @@
 #include "app/output_names.h"
 #include "app/progress.h"
 #include "app/rounded_outputs.h"
+#include "app/side_file.h"
 #include "app/staged_outputs.h"
 #include "app/surface_input.h"
 #include "app/surface_report.h"
@@ -48,11 +49,7 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   if (arguments.report) names.push_back(*arguments.report);
   StagedOutputs outputs(names);
   std::span<PendingFile> files = outputs.files();
-  PendingFile* report_file = nullptr;
-  if (arguments.report && !geometry::is_written_directly(*arguments.report)) {
-    report_file = &files.back();
-    files = files.first(files.size() - 1);
-  }
+  SideFile report_file(arguments.report, SideFile::IfUnverified::Same, files);
   for (const PendingFile& file : files) check_unverified_name(file);
 
   ProgressLine line(arguments.quiet ? ShowProgress::Never : arguments.progress);
@@ -89,15 +86,13 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
     report.outputs.push_back(path);
   }
   report.total_seconds = total.seconds();
-  if (report_file != nullptr) report_file->write(json_text(report));
+  if (report_file.is_asked()) report_file.write(json_text(report));
   time_limit.cancel();
   outputs.undisturbed([&] {
     for (PendingFile& file : files) file.commit(suffix);
-    if (report_file != nullptr) report_file->commit();
+    report_file.commit(is_certified);
   });
-  if (arguments.report && report_file == nullptr) {
-    geometry::write_file_atomically(*arguments.report, json_text(report));
-  }
+  report_file.write_directly(is_certified);
   publish(report, arguments);
   return is_certified ? ExitCode::Success : ExitCode::NotCertified;
 }

@@ -201,6 +201,23 @@ void Tracer::run() {
   }
 }
 
+Tracer::ArcExit Tracer::exit_of_arc(const Vector& pole, const Vector& side, double from) const {
+  const double rho = u_.norm();
+  ArcExit exit;
+  for (const LocalWall& wall : walls_) {
+    const double a = rho * wall.normal.dot(pole), b = rho * wall.normal.dot(side),
+                 c = wall.offset + tolerance_;
+    const double m2 = a * a + b * b;
+    if (m2 <= c * c) continue;
+    const double root = std::sqrt(m2 - c * c);
+    const double x = (c * a - root * b) / m2, y = (c * b + root * a) / m2;
+    if (y <= 0) continue;
+    const double t = half_tangent(x, y);
+    if (t < from && t > exit.half_tangent) exit = {t, &wall};
+  }
+  return exit;
+}
+
 // u = rho (cos t pole + sin t side), with the pole at the line's end: t falls to 0.
 bool Tracer::follow_great_circle() {
   const double rho = u_.norm();
@@ -213,22 +230,7 @@ bool Tracer::follow_great_circle() {
   if (!(gradient > 0 && sine > 0)) return false;
   side /= sine;
   const double from = half_tangent(height, sine);
-  double to = 0;
-  const LocalWall* exit = nullptr;
-  for (const LocalWall& wall : walls_) {
-    const double a = rho * wall.normal.dot(pole), b = rho * wall.normal.dot(side),
-                 c = wall.offset + tolerance_;
-    const double m2 = a * a + b * b;
-    if (m2 <= c * c) continue;
-    const double root = std::sqrt(m2 - c * c);
-    const double x = (c * a - root * b) / m2, y = (c * b + root * a) / m2;
-    if (y <= 0) continue;
-    const double t = half_tangent(x, y);
-    if (t < from && t > to) {
-      to = t;
-      exit = &wall;
-    }
-  }
+  const auto [to, exit] = exit_of_arc(pole, side, from);
   const double angle = 2 * std::atan(from);
   if (stop_) {
     const double x = sign * (*stop_ - level_here(u_) + gradient * u_.x()) / (gradient * rho);

@@ -50,6 +50,12 @@ class Tracer {
   double level_here(const Vector& u) const { return centre_value_ + flow_.value(u); }
   std::optional<std::size_t> wall_passed() const;
   bool follow_great_circle();
+  /// Where such a line leaves the cell, as it falls from a half tangent to 0.
+  struct ArcExit {
+    double half_tangent = 0;          ///< of t
+    const LocalWall* wall = nullptr;  ///< nothing if the line ends at its pole
+  };
+  ArcExit exit_of_arc(const Vector& pole, const Vector& side, double from) const;
   void add_arc_nodes(const Vector& pole, const Vector& side, double from, double to);
   bool step();
   double step_time();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
@@ -100,6 +101,21 @@ std::size_t count(const std::vector<char>& in) {
   return static_cast<std::size_t>(std::count(in.begin(), in.end(), 1));
 }
 
+/// The components of the vertices and edges in the complex.
+void find_bodies(DualComplex& result, const RegularTriangulation& t,
+                 std::span<const std::uint32_t> vertex_of_atom, std::span<const char> in0,
+                 std::span<const char> in1) {
+  geometry::UnionFind body(in0.size());
+  for (std::size_t e = 0; e < t.edges.size(); ++e) {
+    if (!in1[e]) continue;
+    body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
+  }
+  result.body_of_vertex = numbered(body, in0.size(), [&](std::uint32_t v) { return in0[v] == 1; });
+  for (std::uint32_t v = 0; v < in0.size(); ++v) {
+    if (result.body_of_vertex[v] == result.bodies.size()) result.bodies.push_back(t.vertices[v]);
+  }
+}
+
 }  // namespace
 
 DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
@@ -145,16 +161,7 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
                         [](std::size_t s) { return static_cast<std::uint32_t>(s); });
   }
   result.simplices = {count(in0), count(in1), count(in2), count(in3)};
-
-  geometry::UnionFind body(in0.size());
-  for (std::size_t e = 0; e < t.edges.size(); ++e) {
-    if (!in1[e]) continue;
-    body.join(vertex_of_atom[t.edges[e][0].index()], vertex_of_atom[t.edges[e][1].index()]);
-  }
-  result.body_of_vertex = numbered(body, in0.size(), [&](std::uint32_t v) { return in0[v] == 1; });
-  for (std::uint32_t v = 0; v < in0.size(); ++v) {
-    if (result.body_of_vertex[v] == result.bodies.size()) result.bodies.push_back(t.vertices[v]);
-  }
+  find_bodies(result, t, vertex_of_atom, in0, in1);
   complement->give_to(result);
   for (std::uint32_t& v : result.void_of_tetrahedron)
     v = v == Complement::outside ? DualComplex::no_part : v;

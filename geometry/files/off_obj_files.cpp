@@ -65,6 +65,18 @@ void check_obj_weight(std::string_view fields, const TextLines& lines) {
              ", which programs read in two ways; write it without");
 }
 
+/// The line with those that continue it, joined in `buffer` if there are any.
+std::string_view joined_line(TextLines& lines, std::string& buffer) {
+  std::string_view line = lines.line();
+  if (!line.ends_with('\\')) return line;
+  buffer.assign(line.substr(0, line.size() - 1));
+  while (line.ends_with('\\') && lines.advance()) {
+    line = lines.line();
+    buffer.append(line.substr(0, line.size() - (line.ends_with('\\') ? 1 : 0)));
+  }
+  return buffer;
+}
+
 }  // namespace
 
 IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
@@ -116,15 +128,7 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
   bool is_other = false;             // some line was neither vertex nor face nor comment
   std::string joined;                // a line and its continuations
   while (lines.advance()) {
-    std::string_view fields = lines.line();
-    if (fields.ends_with('\\')) {
-      joined.assign(fields.substr(0, fields.size() - 1));
-      while (fields.ends_with('\\') && lines.advance()) {
-        fields = lines.line();
-        joined.append(fields.substr(0, fields.size() - (fields.ends_with('\\') ? 1 : 0)));
-      }
-      fields = joined;
-    }
+    std::string_view fields = joined_line(lines, joined);
     fields = fields.substr(0, fields.find('#'));
     const std::string_view word = take_field(fields);
     if (word == "v") {
