@@ -1,6 +1,5 @@
 #include "skin/skin_components.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace morskin::skin {
@@ -18,14 +17,17 @@ void for_each_wall_to(const MixedComplex& complex, CellId cell, int dimension, V
 }  // namespace
 
 /// Goes from cell to cell, away from the orthocentres, to one of the last dimension, 0 or 3.
+///
+/// c or q moves, along a ray from the orthocentre in each cell, but x need not be moved with it:
+/// the orthocentre of a simplex projects to those of its facets, so that x and the moved point
+/// project to one ray in the next cell, and have its walls before them in the same order.
 std::optional<SkinComponents::End> SkinComponents::path_end(const Point& x, CellId cell,
                                                             int last_dimension) const {
   const MixedComplex& complex = skin_.complex();
   const bool is_down = last_dimension == 0;
-  Point at = x;
   for (int d = complex.dimension(cell); d != last_dimension; d += is_down ? -1 : 1) {
     const Patch& patch = complex.patch(cell);
-    const Vector u = at - patch.centre;
+    const Vector u = x - patch.centre;
     // c or q moves alone, along one half of u.
     Vector line = is_down ? Vector(u - patch.reflect(u)) : Vector(u + patch.reflect(u));
     std::optional<CellId> nearest;
@@ -34,7 +36,7 @@ std::optional<SkinComponents::End> SkinComponents::path_end(const Point& x, Cell
       if (line.isZero(0)) line = wall.normal;  // at the orthocentre any direction will do
       const double slope = wall.normal.dot(line);
       if (!(slope > 0)) return;
-      const double to_wall = std::max(0.0, (wall.offset - wall.normal.dot(at)) / slope);
+      const double to_wall = (wall.offset - wall.normal.dot(x)) / slope;
       if (to_wall >= step) return;
       step = to_wall;
       nearest = wall.beyond;
@@ -43,7 +45,6 @@ std::optional<SkinComponents::End> SkinComponents::path_end(const Point& x, Cell
       if (is_down) return std::nullopt;  // lost to rounding: a simplex is bounded
       return End{cell, true};
     }
-    at += step * line;
     cell = *nearest;
   }
   return End{cell, false};
