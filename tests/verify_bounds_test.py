@@ -2,6 +2,7 @@
 """The bounds of the second checker, certify/verify/, each against exact or sampled values, and
 meshes that break one condition only. Usage: verify_bounds_test.py path/to/morskin (not run)"""
 
+import random
 import sys
 import unittest
 from fractions import Fraction
@@ -18,28 +19,11 @@ import verify  # noqa: E402
 from covering import Covering  # noqa: E402
 from enclosure import Skin  # noqa: E402
 from manifold import NotProved, check_manifold  # noqa: E402
-from skin_components import Balls  # noqa: E402
+from skin_components import Balls, skin_components  # noqa: E402
+from support.exact_skin import exact_values, nasty_set  # noqa: E402
+from support.told_skin import sphere  # noqa: E402
 
-OCTAHEDRON = (np.array([[1., 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]),
-              np.array([[a, c, e] if up else [c, a, e] for a, x in ((0, 1), (1, 0))
-                        for c, y in ((2, 1), (3, 0)) for e, z in ((4, 1), (5, 0))
-                        for up in [(x + y + z) % 2]]))
 ONE, TWO = np.array([[0., 0, 0, 2]]), np.array([[0., 0, 0, 2], [9, 0, 0, 2]])
-
-
-def sphere(levels):
-    """The unit sphere, an octahedron cut into four parts a few times."""
-    p, t = OCTAHEDRON
-    for _ in range(levels):
-        a, b, c = t.T
-        pairs = np.sort(np.vstack([np.column_stack(e) for e in ((a, b), (b, c), (c, a))]), axis=1)
-        edges, number = np.unique(pairs, axis=0, return_inverse=True)
-        middles = p[edges].sum(1)
-        ab, bc, ca = number.reshape(3, -1) + len(p)
-        p = np.vstack([p, middles / np.linalg.norm(middles, axis=1)[:, None]])
-        t = np.vstack([np.column_stack(r) for r in ((a, ab, ca), (b, bc, ab), (c, ca, bc),
-                                                    (bc, ca, ab))])
-    return p, t
 
 
 def reason(balls, p, t):
@@ -88,6 +72,12 @@ class VerifyBounds(unittest.TestCase):
             off = sum((u / root - v)**2 for u, v in zip(n, m))
             self.assertGreaterEqual(Fraction(float(found.normal_error[0]))**2, off)
         self.assertGreater(bounded, 300)
+
+    def test_a_triangle_whose_area_rounding_hides_is_refused(self):
+        needle = np.array([[1e3, 0, 0], [1e3, 1, 2], [1e3, 2, 4 + 1e-15], [1e3, 2, 5]])
+        with self.assertRaisesRegex(NotProved, "^upright: triangle 1 has no area$"):
+            Covering(needle, np.array([[0, 1, 3], [0, 1, 2]]), Skin(ONE),
+                     np.zeros((4, 4), dtype=np.int64))
 
     def root(self, x):
         """Of a Fraction, to some 50 digits."""
@@ -217,6 +207,37 @@ class VerifyBounds(unittest.TestCase):
             self.assertIsNone(reason(ONE, p, t))
             p[9] *= 1 + off
             self.assertRegex(reason(ONE, p, t) or "", "^on skin: vertex 9 ")
+
+    def test_enclosures_contain_the_exact_values_however_few_balls_are_tried(self):
+        chance = random.Random(1)
+        for number in range(160):
+            balls, points = nasty_set(chance)
+            skin, x = Skin(np.array(balls)), np.array(points)
+            nobody = np.zeros((len(points), 4), dtype=np.int64)
+            some = np.array([[chance.randrange(len(balls)) for _ in range(4)] for _ in points])
+            values = [exact_values(balls, point) for point in points]
+            for bounds in (skin.enclose(x, nobody), skin.bounds(x, some)):
+                for (G, N), at in zip(values, bounds):
+                    n, r, least, g, low, high = (
+                        np.vectorize(Fraction, otypes=[object])(at[name].tolist())
+                        for name in ("n", "r", "least", "g", "low", "high"))
+                    with self.subTest(number=number):
+                        self.assertLessEqual(least, abs(G))
+                        self.assertLessEqual(abs(G), g)
+                        self.assertLessEqual(sum((n - N)**2), r**2)
+                        self.assertLessEqual(max(low, 0)**2, min(sum(n**2), sum(v * v for v in N)))
+                        self.assertLessEqual(max(sum(n**2), sum(v * v for v in N)), high**2)
+
+    def test_a_triangulation_covers_space_once_with_tetrahedra_that_are_not_flat(self):
+        def refused(why, balls, simplices):
+            with self.assertRaisesRegex(NotProved, f"^triangulation: {why}"):
+                skin_components(tuple(map(tuple, balls)), simplices, ())
+        corners = [(x, y, z, 0.5) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        inner, *outer = (0, 3, 5, 6), (0, 1, 3, 5), (0, 2, 3, 6), (0, 4, 5, 6), (3, 5, 6, 7)
+        skin_components(tuple(corners), (inner, *outer), ())
+        refused("ends or overlaps", corners, (inner, *outer, inner))
+        refused("ends or overlaps", [corners[k] for k in inner], ((0, 1, 2, 3), (0, 1, 2, 3)))
+        refused("tetrahedron 0 is flat", corners, ((0, 1, 2, 3),))
 
     def test_balls_without_a_body_overlap_nothing(self):
         balls = Balls([[0, 0, 0, -1], [0.5, 0, 0, -1], [0.2, 0, 0, 1], [0.4, 0, 0, 0]])
