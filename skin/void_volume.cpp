@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include "skin/void_volume_internal.h"
+
 namespace morskin::skin {
 
 namespace {
@@ -36,8 +38,8 @@ double positive_share(const Vector& widths, double value) {
   return std::clamp(1 - sum / (6 * widths.prod()), 0.0, 1.0);
 }
 
-/// The shares of a cube that are surely, and may be, in the complement.
-/// @param slack  bound on what the linear function errs by in the cube
+}  // namespace
+
 VolumeBounds cut_shares(const surface::Enclosure& at, double half_side, double slack) {
   constexpr double smallest_width = 1e-3;  // beside the largest, for the sum not to cancel
   const Vector exact = 4 * half_side * at.half_gradient.cwiseAbs();
@@ -46,6 +48,8 @@ VolumeBounds cut_shares(const surface::Enclosure& at, double half_side, double s
   return {std::max(positive_share(widths, at.low - slack) - share_rounding, 0.0),
           std::min(positive_share(widths, at.high + slack) + share_rounding, 1.0)};
 }
+
+namespace {
 
 struct Cube {
   Point centre;
