@@ -171,8 +171,9 @@ class VerifyLimits(unittest.TestCase):
             farthest = change(1 - error, 1 / np.sqrt(3) - error) - 2 / 3
             for share in SHARES:
                 with self.subTest(error=error, at_top=at_top, share=share):
-                    for other in range(4):  # a corner of two of the four triangles
+                    for other, first in product(range(4), range(3)):
                         octahedron = Top(error, at_top, levels=0)
+                        octahedron.t = np.roll(octahedron.t, first, 1)
                         octahedron.bounds.g[other] = share * farthest - at_top
                         self.assertEqual(octahedron.is_proved(), share < 1)
 
