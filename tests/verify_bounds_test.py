@@ -228,6 +228,19 @@ class VerifyBounds(unittest.TestCase):
                         self.assertLessEqual(max(low, 0)**2, min(sum(n**2), sum(v * v for v in N)))
                         self.assertLessEqual(max(sum(n**2), sum(v * v for v in N)), high**2)
 
+    def test_no_ball_has_less_power_than_the_least(self):
+        chance, sharp = random.Random(2), 0
+        for _ in range(300):
+            balls, _ = nasty_set(chance)
+            *z, w = balls[0]
+            q = [v + chance.choice([1e-3, 0.05, 1, 1e3]) * chance.gauss(0, 1) * w**0.5 for v in z]
+            least = min(sum((Fraction(a) - Fraction(b))**2 for a, b in zip(q, ball)) -
+                        Fraction(ball[3]) for ball in balls)
+            found = Fraction(float(Skin(np.array(balls)).least_power(np.array([q]))[0][0]))
+            self.assertLessEqual(found, least)
+            sharp += least - found < 2**-45 * (abs(least) + sum(Fraction(v)**2 for v in q))
+        self.assertGreater(sharp, 200)
+
     def test_a_triangulation_covers_space_once_with_tetrahedra_that_are_not_flat(self):
         def refused(why, balls, simplices):
             with self.assertRaisesRegex(NotProved, f"^triangulation: {why}"):

@@ -273,7 +273,13 @@ class Verify(CommandTest):
                 ((1, 0), [[0, 0, 0, 1], [1, 1, 0, 1], [1, 0, 0, 1], [0, 1, 0, 1]]),
                 ((8, 0), [[x, y, z, 1] for x in (0, 3) for y in (0, 3) for z in (0, 3)]),
                 ((1, 1), [[x, y, z, 0.65] for x in (0, 1) for y in (0, 1) for z in (0, 1)]),
-                ((1, 0), [[x, y, z, 0.80] for x in (0, 1) for y in (0, 1) for z in (0, 1)])]:
+                ((1, 0), [[x, y, z, 0.80] for x in (0, 1) for y in (0, 1) for z in (0, 1)]),
+                # At 3/4 the power at the centre is 0, and no void; at 1/2 those at faces, no doors.
+                ((1, 0), [[x, y, z, 0.75] for x in (0, 1) for y in (0, 1) for z in (0, 1)]),
+                ((1, 1), [[x, y, z, 0.50] for x in (0, 1) for y in (0, 1) for z in (0, 1)]),
+                # The outside comes in by a facet at whose orthocentre another ball is.
+                ((1, 0), [[0, 2, -2, 14], [-1, 0, 3, 16], [-2, -2, -4, 17], [1, 4, -3, 16],
+                          [-4, 3, -4, 11]])]:
             every = range(len(balls))
             lower = tuple((i, j) for i in every for j in range(i + 1))
             found = skin_components(balls, tetrahedra_of(balls) or lower, every)
