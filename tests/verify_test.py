@@ -279,7 +279,12 @@ class Verify(CommandTest):
                 ((1, 1), [[x, y, z, 0.50] for x in (0, 1) for y in (0, 1) for z in (0, 1)]),
                 # The outside comes in by a facet at whose orthocentre another ball is.
                 ((1, 0), [[0, 2, -2, 14], [-1, 0, 3, 16], [-2, -2, -4, 17], [1, 4, -3, 16],
-                          [-4, 3, -4, 11]])]:
+                          [-4, 3, -4, 11]]),
+                # Two such facets of one tetrahedron join nothing if the power is below 0 within.
+                ((1, 1), [[x, y, 0, w] for x in (0.375, -0.375) for y, w in ((2.5, 5.5625),
+                                                                             (-3.5, 11.5))] +
+                 [[0, -0.5, 1, 2], [0, -0.5, -1, 2], [-5, -0.25, 1.75, 9], [-3, 1.75, 3.75, 15],
+                  [-3.25, -1.5, -3.75, 14], [-2.25, 3.75, -3, 19.5]])]:
             every = range(len(balls))
             lower = tuple((i, j) for i in every for j in range(i + 1))
             found = skin_components(balls, tetrahedra_of(balls) or lower, every)
