@@ -2,13 +2,14 @@
 """The types in _morskin.pyi are those of the extension, and everything has a docstring; the slow
 packages_test.py asks mypy. Usage: types_test.py folder-of-the-package"""
 
-from support import BALLS, ROOT, ModuleTest, main
+from support import BALLS, MOLECULES, ROOT, ModuleTest, main
 
 import ast
 import inspect
 import re
 
 import morskin
+import numpy as np
 from morskin import _morskin
 
 STUBS = ast.parse((ROOT / "python" / "morskin" / "_morskin.pyi").read_text("utf-8"))
@@ -58,11 +59,21 @@ class Types(ModuleTest):
                     self.assertTrue(getattr(thing, member).__doc__, f"{name}.{member}")
 
     def test_every_array_s_text_has_its_shape_and_type(self):
-        for thing in (morskin.Mesh, morskin.CriticalPoints, morskin.MorseSmaleComplex):
-            for name, member in vars(thing).items():
-                text = member.__doc__ or ""
-                if isinstance(member, property) and re.match(r"\(", text):
-                    self.assertRegex(text, r"^\([a-z0-9 +]+,.*\) (float64|u?int32): ")
+        skin = morskin.read(MOLECULES / "ring12.xyzr").skin()
+        for thing in (skin.mesh(C=0.3), skin.critical_points(), skin.morse_smale()):
+            arrays = {name: getattr(thing, name) for name, member in vars(type(thing)).items()
+                      if isinstance(getattr(thing, name), np.ndarray)}
+            self.assertGreater(len(arrays), 2)
+            for name, array in arrays.items():
+                with self.subTest(type(thing).__name__, array=name):
+                    text = getattr(type(thing), name).__doc__
+                    shape, kind = re.match(r"\(([a-z][a-z0-9 +,]*)\) (\w+): ", text).groups()
+                    self.assertEqual(kind, array.dtype.name)
+                    sizes = [size.strip() for size in shape.rstrip(",").split(",")]
+                    self.assertEqual(len(sizes), array.ndim)
+                    for size, length in zip(sizes, array.shape):
+                        if size.isdigit():
+                            self.assertEqual(int(size), length)
 
     def test_the_version_is_the_project_s(self):
         text = (ROOT / "CMakeLists.txt").read_text("utf-8")
