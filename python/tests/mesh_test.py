@@ -182,16 +182,17 @@ class Meshes(ModuleTest):
     def test_check_says_what_is_wrong_with_a_mesh(self):
         skin = morskin.Skin(*BALLS)
         mesh = skin.mesh(C=0.2)
-        for vertices, faces in ((mesh.vertices, mesh.faces[1:]),
-                                (mesh.vertices, mesh.faces[:, ::-1]),
-                                (mesh.vertices * 1.01, mesh.faces),
-                                (mesh.vertices * math.nan, mesh.faces),
-                                (mesh.vertices * 1e300, mesh.faces),
-                                (mesh.vertices, mesh.faces * 0),
-                                (np.zeros((0, 3)), np.zeros((0, 3), int))):
+        for vertices, faces, reason in (
+                (mesh.vertices, mesh.faces[1:], "manifold: edge .* has only one triangle"),
+                (mesh.vertices, mesh.faces[:, ::-1], "does not face the way the skin does"),
+                (mesh.vertices * 1.01, mesh.faces, "vertex .* lies .* off the skin"),
+                (mesh.vertices * math.nan, mesh.faces, "vertex 0 is not known to lie on the skin"),
+                (mesh.vertices * 1e300, mesh.faces, "vertex 0 is not known to lie on the skin"),
+                (mesh.vertices, mesh.faces * 0, "manifold: triangle 0 repeats a corner"),
+                (np.zeros((0, 3)), np.zeros((0, 3), int), "manifold: no triangles")):
             found = morskin.check(vertices, faces, skin, C=0.2)
             self.assertFalse(found.certified)
-            self.assertNotEqual(found.reason, "")
+            self.assertRegex(found.reason, reason)
         self.assertTrue(morskin.check(mesh.vertices.tolist(), mesh.faces.astype("i8"), skin,
                                       C=0.2).certified)
         other = morskin.Skin([[0, 0, 0]], [1.5])
@@ -220,12 +221,15 @@ class Arrays(ModuleTest):
         mesh = morskin.Skin(*BALLS).mesh(**COARSE)
         kept = {name: getattr(mesh, name) for name in self.NAMES}
         copies = {name: array.copy() for name, array in kept.items()}
+        gone = weakref.ref(mesh)
         del mesh
         gc.collect()
         others = [morskin.Skin(*BALLS).mesh(**COARSE) for _ in range(5)]
         for name, array in kept.items():
             np.testing.assert_array_equal(array, copies[name])
-        del others
+        del others, kept, array
+        gc.collect()
+        self.assertIsNone(gone())
 
     def test_a_run_keeps_no_hold_on_its_progress_function(self):
         class Watched:
