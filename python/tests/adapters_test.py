@@ -159,6 +159,7 @@ class Exports(ModuleTest):
         try:
             with self.assertRaises(ImportError):
                 mesh.to_vtk()
+            self.assertEqual(len(mesh.to_meshio().points), len(mesh.vertices))
         finally:
             for name, module in saved.items():
                 if module is None:
