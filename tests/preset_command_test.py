@@ -31,9 +31,13 @@ class Presets(CommandTest):
         self.assertEqual(self.names(), ["ring.npz"])
 
     def test_an_explicit_option_overrides_what_a_preset_sets(self):
-        found = self.set_by("--for", "learning", "-o", "ring.vtu", "--voids", "keep",
-                            "--vertex-data", "normal", "--density", "3")
+        shell = MOLECULES / "shell_hollow.xyzr"
+        words = ("--voids", "keep", "--vertex-data", "normal", "--density", "3")
+        found = self.set_by("--for", "learning", "-o", "a.vtu", *words, source=shell)
         self.assertEqual(found, {"for": "learning", "set": {}})
+        self.run_morskin("mesh", shell, "-o", "b.vtu", "-q", *words)
+        self.assertEqual((self.folder / "a.vtu").read_bytes(),
+                         (self.folder / "b.vtu").read_bytes())
 
     def test_a_size_of_any_kind_takes_the_place_of_the_density(self):
         for size in (["-C", "0.2"], ["--size", "1"], ["--triangles", "2000"],
