@@ -34,6 +34,7 @@ class Voids(CommandTest):
     def test_dynamic_and_marching_cubes_leave_out_the_void_that_is_dropped(self):
         report = self.meshed("--voids", "drop", "--method", "dynamic")
         self.assertTrue(report["certified"])
+        self.assertEqual((report["components"], report["euler_characteristic"]), (1, 2))
         report = self.mesh_json(SHELL, "-o", "cubes.ply", "-C", "0.2", "--voids", "drop",
                                 "--method", "marching-cubes", code=5)
         self.assertEqual((report["components"], report["euler_characteristic"]), (1, 2))
