@@ -99,8 +99,8 @@ class Resume(Batch):
     def test_two_runs_do_not_write_the_same_rows(self):
         self.chains(6, balls=150)
         first = self.started("in", "-o", "out", "-C", "0.08")
-        while not self.workers_of(first):
-            time.sleep(0.005)
+        self.first_workers(first)
+        first.send_signal(signal.SIGSTOP)  # however long the other takes
         complaint = self.batch("in", "-o", "out", "-C", "0.08", code=7)
         self.assertIn("another run writes it", complaint)
         first.kill()
@@ -184,9 +184,7 @@ class Resume(Batch):
         self.chains(4, balls=400)
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             run = self.started("in", "-o", "out", "-C", "0.03")
-            while not self.workers_of(run):
-                time.sleep(0.005)
-            workers = self.workers_of(run)
+            workers = self.first_workers(run)
             run.send_signal(number)
             self.assertEqual(run.wait(), -number)
             self.assertFalse(any(map(is_alive, workers)))

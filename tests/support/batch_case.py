@@ -3,6 +3,7 @@
 import json
 import random
 import subprocess
+import time
 from pathlib import Path
 
 from support.command import CommandTest, morskin
@@ -54,6 +55,13 @@ class Batch(CommandTest):
         """Bytes of all files but the rows, by name."""
         return {p.name: p.read_bytes() for p in sorted((self.folder / folder).iterdir())
                 if p.suffix != ".jsonl"}
+
+    def first_workers(self, run):
+        """The workers of a run that has started, as soon as there are any."""
+        while not (workers := self.workers_of(run)):
+            self.assertIsNone(run.poll(), "the run ended without a worker")
+            time.sleep(0.005)
+        return workers
 
     def workers_of(self, process):
         try:
