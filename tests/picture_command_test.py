@@ -79,8 +79,9 @@ class PictureCommand(CommandTest):
                       ("--colour", "red"), ("--by", "mood"), ("--inset", "0.5,0.5"),
                       ("--inset", "0.5,0.5,-1"), ("--inset", "0.5,1.5,2"),
                       ("--inset", "-0.1,0.5,2"), ("--columns", "0"), ("--zoom", "nan")):
-            self.run_morskin("render", mesh, "-o", "x.png", *words, code=2)
-        self.run_morskin("render", mesh, "-o", "x.jpg", code=2)
+            said = self.run_morskin("render", mesh, "-o", "x.png", *words, code=2).stderr
+            self.assertIn(words[0].encode(), said)
+        self.assertIn(b"x.jpg", self.run_morskin("render", mesh, "-o", "x.jpg", code=2).stderr)
         self.run_morskin("render", mesh, "-o", "x.png", "--size", "2000000x1", code=2)
         self.run_morskin("figure", "12", "-o", "x.png", code=2)
         self.run_morskin("figure", "9", "-o", "x.png", "--scale", "9", code=2)
