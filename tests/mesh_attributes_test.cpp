@@ -190,7 +190,9 @@ TEST_CASE(
     const std::vector<AtomProperty> properties{{"nearest", same, false}, {"between", same, true}};
     const MeshAttributes told =
         mesh_attributes(skin.surface, made.mesh, made.cells, {}, properties);
+    REQUIRE(told.vertices.size() == properties.size());
     for (const geometry::Attribute& a : told.vertices) {
+      CHECK(a.numbers.size() == made.mesh.positions.size());
       for (const double number : a.numbers) CHECK(number == doctest::Approx(3).epsilon(1e-14));
     }
   });
