@@ -1,6 +1,7 @@
 #include "skin/molecule_files.h"
 
 #include <clocale>
+#include <locale>
 
 #include "geometry/error.h"
 #include "skin/radii.h"
@@ -111,11 +112,26 @@ TEST_CASE("a byte order mark and other line ends change nothing") {
 }
 
 TEST_CASE("a locale with a decimal comma changes nothing") {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"}) {
-    if (std::setlocale(LC_ALL, name) == nullptr) continue;
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const auto check = [] {
     CHECK(parse_molecule(small_xyzr, "a.xyzr").atoms[0].radius == 1.5);
     CHECK(parse_molecule(small_cif, "a.cif").atoms[0].position.x() == 1.5);
+    CHECK(parse_molecule(small_pdb(), "a.pdb").atoms[0].position.x() == 1.5);
+    CHECK(parse_molecule(small_pqr, "a.pqr").charges[0] == -0.3);
+    CHECK(xyzr_text({{{12345.5, 0, 0}, 4.5}}) == "12345.5 0 0 1.5\n");
+  };
+  check();
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  const std::locale plain = std::locale::global(std::locale(std::locale(), new Comma));
+  check();
+  std::locale::global(plain);
+  // Of those of C only what this machine has.
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"}) {
+    if (std::setlocale(LC_ALL, name) != nullptr) check();
   }
   std::setlocale(LC_ALL, before.c_str());
 }
