@@ -1,11 +1,19 @@
 #include "geometry/parallel.h"
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/support/test.h"
 
 using namespace morskin::geometry;
+
+namespace {
+
+void work_a_while() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
+
+}  // namespace
 
 TEST_CASE("blocks cover a range once each and are the same for any number of threads") {
   for (const unsigned threads : {0U, 1U, 2U, 5U}) {
@@ -50,13 +58,13 @@ TEST_CASE("beside a piece of work, done once, each number is in one block") {
 TEST_CASE("an exception in a block comes out when all threads have ended") {
   for (const unsigned threads : {1U, 2U, 4U}) {
     std::atomic<int> at_work = 0;
+    const auto caller = std::this_thread::get_id();
     const auto work = [&](std::size_t, std::size_t, std::size_t block) {
       ++at_work;
-      if (block % 3 == 1) {
-        --at_work;
-        throw std::runtime_error("no");
-      }
+      const bool fails = block % 3 == 1 || std::this_thread::get_id() == caller;
+      if (!fails) work_a_while();  // others are at work when the caller's own fails
       --at_work;
+      if (fails) throw std::runtime_error("no");
     };
     CHECK_THROWS_AS(for_each_block(threads, 1000, work, 10), std::runtime_error);
     CHECK(at_work == 0);
@@ -73,6 +81,7 @@ TEST_CASE("an exception of either of two works comes out when what was begun has
     };
     const auto works = [&] {
       ++begun;
+      work_a_while();
       ++ended;
     };
     CHECK_THROWS_AS(do_both(threads, works, fails), std::runtime_error);
