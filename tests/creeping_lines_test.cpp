@@ -120,6 +120,7 @@ TEST_CASE(
 }
 
 TEST_CASE("lines that creep down a neck that is nearly a cone find their minimum") {
+  std::size_t traced = 0;
   for (const double overlap : {1e-4, 1e-6}) {
     for (int k = 1; k < 16; k += 2) {
       for (const double sign : {1.0, -1.0}) {
@@ -128,11 +129,13 @@ TEST_CASE("lines that creep down a neck that is nearly a cone find their minimum
         CAPTURE(angle);
         const MorseCase test = nearly_a_cone(overlap, angle);
         if (test.is_degenerate()) continue;
+        ++traced;
         CHECK(fault(test) == "");
         CHECK(longest_line(test) < 2000);
       }
     }
   }
+  CHECK(traced > 20);
   CHECK(fault(along_own_stream(310, 4)) == "");
 }
 
@@ -167,13 +170,16 @@ TEST_CASE("a creeping line lies where steps too short to be implicit find it") {
 }
 
 TEST_CASE("where a circle is level within rounding a line comes to rest, and that is reported") {
+  std::size_t traced = 0;
   for (const double beside : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
     CAPTURE(beside);
     const MorseCase test = nearly_a_circle(beside);
     if (test.is_degenerate()) continue;
+    ++traced;
     CHECK(contains(fault(test), "comes to rest where the function is flat within rounding"));
     CHECK(longest_line(test) < 2000);
   }
+  CHECK(traced > 3);
 }
 
 TEST_CASE("the line round a waist passes the other saddle, or is reported where rounding decides") {

@@ -222,6 +222,7 @@ TEST_CASE("seeds keep apart, and every component of the skin has a triangle of t
 }
 
 TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
+  std::size_t inserted = 0;
   for_seeds(10, [&](unsigned seed) {
     const auto skin = prepared(nasty_set(seed));
     if (!skin) return;
@@ -240,5 +241,7 @@ TEST_CASE("no insertion makes a pair of samples that is too short for [L]") {
     CHECK(too_short == 0);
     CHECK(refinement.counts().topological == 0);
     CHECK(refinement.counts().refused == 0);
+    inserted += refinement.counts().too_big;
   });
+  CHECK(inserted > 10'000);
 }
