@@ -83,11 +83,10 @@ TEST_CASE("rows of the Laplacian are sorted, add up to nothing, and it is symmet
 }
 
 TEST_CASE("x^T L x is the Dirichlet energy, triangle by triangle") {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> number(-1, 1);
+  Random random(7);
   for_meshes([&](const IndexedMesh& mesh) {
     std::vector<double> x(mesh.positions.size());
-    std::ranges::generate(x, [&] { return number(random); });
+    std::ranges::generate(x, [&] { return random.between(-1, 1); });
     const double energy = energy_by_gradients(mesh, x);
     CHECK(energy_by_matrix(geometry::cotangent_laplacian(mesh), x) ==
           doctest::Approx(energy).epsilon(1e-12));

@@ -183,12 +183,13 @@ TEST_CASE("signs about orthospheres are exact at both ends of the range and acro
 
 TEST_CASE("an orthocentre scaled by a power of two is that of the scaled balls, to the last bit") {
   support::for_seeds(2000, [&](unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_int_distribution<int> small(-9, 9), many(-(1 << 20), 1 << 20);
+    support::Random random(seed);
+    const auto small = [&] { return random.whole(-9, 9); };
+    const auto many = [&] { return random.whole(-(1 << 20), 1 << 20); };
     Balls large(2 + seed % 3);
     for (WeightedPoint& ball : large) {
-      for (double& x : ball.position) x = seed % 2 == 0 ? small(random) : many(random);
-      ball.weight = 1 + std::abs(many(random));
+      for (double& x : ball.position) x = seed % 2 == 0 ? small() : many();
+      ball.weight = 1 + std::abs(many());
     }
     if (seed % 4 == 0) large.back().position.x() += 0x1p-30;  // flat but for that
     if (large.size() == 2 && large[0].position == large[1].position) return;

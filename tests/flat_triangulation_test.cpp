@@ -33,13 +33,12 @@ TEST_CASE("two and three points are an edge and a triangle") {
 }
 
 TEST_CASE("points on a line give the path of those on the lower hull") {
-  for_seeds<std::mt19937_64>(200, [&](unsigned seed, std::mt19937_64& random) {
-    std::uniform_int_distribution<int> place(-20, 20);
+  for_seeds<Random>(200, [&](unsigned seed, Random& random) {
     const Point start(0.5, -3, 7), direction(1, seed % 2 == 0 ? 2 : 0, -3);
     Points points(3 + seed % 30);
     for (WeightedPoint& p : points) {
-      p.position = start + direction * place(random);
-      p.weight = place(random);
+      p.position = start + direction * random.whole(-20, 20);
+      p.weight = random.whole(-20, 20);
     }
     const RegularTriangulation t = checked_triangulation(points);
     CHECK(t.dimension == 1);

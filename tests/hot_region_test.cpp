@@ -11,15 +11,14 @@ using namespace morskin::support;
 namespace {
 
 /// A loop about the axis on the unit sphere that wanders up and down, and now and then steps back.
-Ring jagged_ring(MovingMesh& mesh, const Frame& frame, CellId cell, std::mt19937_64& random,
-                 double axial) {
-  std::uniform_real_distribution<double> share(-1, 1);
-  const int count = std::uniform_int_distribution<int>(3, 50)(random);
+Ring jagged_ring(MovingMesh& mesh, const Frame& frame, CellId cell, Random& random, double axial) {
+  const auto share = [&] { return random.between(-1, 1); };
+  const int count = static_cast<int>(random.whole(3, 50));
   const double step = 2 * std::numbers::pi / count;
   Ring ring;
   for (int i = 0; i < count; ++i) {
-    const double height = axial + 0.15 * share(random);
-    const double azimuth = (i + 1.5 * share(random)) * step;
+    const double height = axial + 0.15 * share();
+    const double azimuth = (i + 1.5 * share()) * step;
     const Point x = frame.point(std::sqrt(1 - height * height), azimuth, height);
     ring.push_back(mesh.add_vertex(*mesh.level().project(x, cell)));
   }
@@ -32,7 +31,7 @@ TEST_CASE("the strip between two rings is an annulus, however jagged they are") 
   const auto skin = prepared({ball(0, 0, 0, 1)});
   REQUIRE(skin.has_value());
   const CellId cell = skin->surface.locate({0, 0, 0}, CellId{0U});
-  std::mt19937_64 random(7);
+  Random random(7);
   for (int set = 0; set < 500; ++set) {
     MovingMesh mesh(skin->surface, certify::Sizing{});
     const Frame frame(skin->surface.patch(cell));

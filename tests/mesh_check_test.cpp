@@ -173,7 +173,7 @@ TEST_CASE(
     cone.triangles.push_back({1, next, i});
     cone.positions[i].z() = 0;
   }
-  std::shuffle(cone.triangles.begin(), cone.triangles.end(), std::mt19937_64(1));
+  Random(1).shuffle(cone.triangles);
   const MeshCheck crowded = check_mesh(fan);
   REQUIRE(crowded.find(MeshDefect::CrowdedEdge) != nullptr);
   CHECK(crowded.find(MeshDefect::CrowdedEdge)->first == "edge 0-1 has 200000 triangles");

@@ -7,12 +7,13 @@
 namespace morskin::geometry {
 namespace {
 
-std::vector<WeightedPoint> random_balls(std::mt19937_64& random, std::size_t count) {
-  std::uniform_real_distribution<double> coordinate(-3, 3);
+using support::Random;
+
+std::vector<WeightedPoint> random_balls(Random& random, std::size_t count) {
   std::vector<WeightedPoint> balls(count);
   for (WeightedPoint& ball : balls) {
-    for (int k = 0; k < 3; ++k) ball.position[k] = coordinate(random);
-    ball.weight = 2 * coordinate(random);
+    ball.position = random.in_cube(-3, 3);
+    ball.weight = random.between(-6, 6);
   }
   return balls;
 }
@@ -49,7 +50,7 @@ long double power(const Orthosphere& sphere, const WeightedPoint& v) {
 }  // namespace
 
 TEST_CASE("the sign of an orthocentre's weight agrees with long doubles on random simplices") {
-  support::for_seeds<std::mt19937_64>(2000, [&](unsigned seed, std::mt19937_64& random) {
+  support::for_seeds<Random>(2000, [&](unsigned seed, Random& random) {
     const auto simplex = random_balls(random, 1 + seed % 4);
     const long double weight = approximate_orthosphere(simplex).weight;
     if (std::fabs(weight) < 1e-6L) return;
@@ -58,7 +59,7 @@ TEST_CASE("the sign of an orthocentre's weight agrees with long doubles on rando
 }
 
 TEST_CASE("the sign of a power over the orthocentre agrees with long doubles") {
-  support::for_seeds<std::mt19937_64>(2000, [&](unsigned seed, std::mt19937_64& random) {
+  support::for_seeds<Random>(2000, [&](unsigned seed, Random& random) {
     const auto simplex = random_balls(random, 1 + seed % 3);
     const WeightedPoint v = random_balls(random, 1)[0];
     const Orthosphere sphere = approximate_orthosphere(simplex);
@@ -115,12 +116,11 @@ TEST_CASE("a single ball is attached to another that holds its centre more deepl
 }
 
 TEST_CASE("the order of a simplex's points does not change its signs") {
-  support::for_seeds<std::mt19937_64>(1000, [&](std::mt19937_64& random) {
-    std::uniform_int_distribution<int> small(-2, 2);
+  support::for_seeds<Random>(1000, [&](Random& random) {
     std::vector<WeightedPoint> simplex(4);
     for (WeightedPoint& ball : simplex) {
-      const double x = small(random), y = small(random), z = small(random);
-      ball = {{x, y, z}, static_cast<double>(small(random))};
+      for (double& x : ball.position) x = random.whole(-2, 2);
+      ball.weight = random.whole(-2, 2);
     }
     if (orientation(simplex[0].position, simplex[1].position, simplex[2].position,
                     simplex[3].position) == Sign::Zero) {
@@ -128,9 +128,10 @@ TEST_CASE("the order of a simplex's points does not change its signs") {
     }
     const Sign weight = orthosphere_weight_sign(simplex);
     const Sign power = orthosphere_power_sign(std::span(simplex).first(3), simplex[3]);
-    std::shuffle(simplex.begin(), simplex.end() - 1, random);
+    std::span triangle(simplex.data(), 3);
+    random.shuffle(triangle);
     CHECK(orthosphere_power_sign(std::span(simplex).first(3), simplex[3]) == power);
-    std::shuffle(simplex.begin(), simplex.end(), random);
+    random.shuffle(simplex);
     CHECK(orthosphere_weight_sign(simplex) == weight);
   });
 }

@@ -11,18 +11,18 @@ static_assert(!std::is_convertible_v<AtomId, VertexId>);
 __extension__ typedef __int128 Int128;
 
 using Balls = std::array<WeightedPoint, 5>;
+using support::Random;
 
 /// A small whole number, so that ties are common and 128 bits suffice for an oracle.
-WeightedPoint whole_ball(std::mt19937_64& random, int range) {
-  std::uniform_int_distribution<int> coordinate(-range, range);
-  const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
-  return {{x, y, z}, static_cast<double>(coordinate(random))};
+WeightedPoint whole_ball(Random& random, int range) {
+  const auto coordinate = [&] { return random.whole(-range, range); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {{x, y, z}, coordinate()};
 }
 
-WeightedPoint ball_in_box(std::mt19937_64& random, double side) {
-  std::uniform_real_distribution<double> unit(0, 1);
-  const double x = side * unit(random), y = side * unit(random), z = side * unit(random);
-  return {{x, y, z}, side * unit(random)};
+WeightedPoint ball_in_box(Random& random, double side) {
+  const Point place = random.in_cube(0, side);
+  return {place, random.between(0, side)};
 }
 
 template <class Make>
@@ -108,7 +108,7 @@ bool orient_positively(Balls& p) {
 }  // namespace
 
 TEST_CASE("every tier that answers agrees with elimination over the integers") {
-  support::for_seeds<std::mt19937_64>(3000, [&](unsigned seed, std::mt19937_64& random) {
+  support::for_seeds<Random>(3000, [&](unsigned seed, Random& random) {
     const int range = seed % 3 == 0 ? 2 : seed % 3 == 1 ? 30 : 4000;
     const Balls p = five([&] { return whole_ball(random, range); });
     const auto& [a, b, c, d, e] = p;
@@ -119,7 +119,7 @@ TEST_CASE("every tier that answers agrees with elimination over the integers") {
 }
 
 TEST_CASE("the tiers agree one last bit away from a tie") {
-  support::for_seeds<std::mt19937_64>(1000, [&](std::mt19937_64& random) {
+  support::for_seeds<Random>(1000, [&](Random& random) {
     Balls p = five([&] { return whole_ball(random, 3); });
     for (WeightedPoint& q : p) q.position = (q.position * 0.1).eval();
     for (WeightedPoint& q : p) q.weight = 0.1 * q.weight;
@@ -135,7 +135,7 @@ TEST_CASE("the tiers agree one last bit away from a tie") {
 }
 
 TEST_CASE("the filters settle 99 percent of ordinary cases") {
-  std::mt19937_64 random(1);
+  Random random(1);
   int settled_volumes = 0;
   int settled_powers = 0;
   constexpr int cases = 20000;
@@ -151,7 +151,7 @@ TEST_CASE("the filters settle 99 percent of ordinary cases") {
 
 TEST_CASE("near ties that the filter leaves open are mostly settled by 106 bits") {
   // Points within rounding of one sphere.
-  support::Random random(1);
+  Random random(1);
   int open = 0;
   int settled = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -189,7 +189,7 @@ TEST_CASE("each later tier is reached") {
 }
 
 TEST_CASE("exchanging two points changes the sign of the orientation") {
-  support::for_seeds<std::mt19937_64>(1000, [&](unsigned seed, std::mt19937_64& random) {
+  support::for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 2 : 100); });
     const Sign sign = orientation_of(p);
     const std::size_t i = seed % 4;
@@ -199,11 +199,11 @@ TEST_CASE("exchanging two points changes the sign of the orientation") {
 }
 
 TEST_CASE("an even permutation with its ids does not move a point across the orthosphere") {
-  support::for_seeds<std::mt19937_64>(1000, [&](unsigned seed, std::mt19937_64& random) {
+  support::for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
     Balls p = five([&] { return whole_ball(random, seed % 2 == 0 ? 1 : 100); });
     if (!orient_positively(p)) return;
     std::array<AtomId, 5> ids = in_order;
-    std::shuffle(ids.begin(), ids.end(), random);
+    random.shuffle(ids);
     const Side side = side_of(p, ids);
     const Balls turned{p[1], p[2], p[0], p[3], p[4]};
     CHECK(side_of(turned, {ids[1], ids[2], ids[0], ids[3], ids[4]}) == side);
@@ -214,12 +214,12 @@ TEST_CASE("an even permutation with its ids does not move a point across the ort
 
 TEST_CASE("a tie falls as a slightly larger weight of the smallest id makes it fall") {
   int ties = 0;
-  support::for_seeds<std::mt19937_64>(4000, [&](std::mt19937_64& random) {
+  support::for_seeds<Random>(4000, [&](Random& random) {
     Balls p = five([&] { return whole_ball(random, 1); });
     if (!orient_positively(p) || oracle_orthosphere(p) != Sign::Zero) return;
     ++ties;
     std::array<AtomId, 5> ids = in_order;
-    std::shuffle(ids.begin(), ids.end(), random);
+    random.shuffle(ids);
     const Side side = side_of(p, ids);
     for (std::size_t i = 0; i < 5; ++i) p[i].weight += std::exp2(-12.0 * (1 + ids[i].value));
     CHECK(side_of(p, ids) == side);
@@ -237,7 +237,7 @@ TEST_CASE("of two equal points the smaller id is inside every orthosphere throug
 }
 
 TEST_CASE("points on a line are collinear and their neighbours by one bit are not") {
-  support::for_seeds<std::mt19937_64>(300, [&](std::mt19937_64& random) {
+  support::for_seeds<Random>(300, [&](Random& random) {
     const Point a = whole_ball(random, 50).position;
     const Point step = whole_ball(random, 50).position;
     CHECK(are_collinear(a, a + step, a - 3 * step));
@@ -249,7 +249,6 @@ TEST_CASE("points on a line are collinear and their neighbours by one bit are no
 }
 
 TEST_CASE("expansions longer than their inline storage stay exact") {
-  std::mt19937_64 random(1);
   Expansion sum;
   Expansion reverse;
   std::vector<double> terms;

@@ -197,7 +197,7 @@ TEST_CASE("shuffled points give the same simplices when nothing is degenerate") 
     const RegularTriangulation t = regular_triangulation(points);
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::shuffle(order.begin(), order.end(), std::mt19937_64(seed));
+    Random(seed).shuffle(order);
     Points shuffled;
     for (const std::size_t i : order) shuffled.push_back(points[i]);
     auto tetrahedra = regular_triangulation(shuffled).tetrahedra;

@@ -18,6 +18,10 @@ class Random {
   std::size_t below(std::size_t n) {
     return static_cast<std::size_t>(uniform() * static_cast<double>(n));
   }
+  /// A whole number from one to another, both included.
+  double whole(int low, int high) {
+    return low + static_cast<double>(below(static_cast<std::size_t>(high - low) + 1));
+  }
   /// The arrangement of a range by as many draws as it has elements, less one.
   template <class Range>
   void shuffle(Range& range) {

@@ -12,24 +12,22 @@ using Points = std::vector<WeightedPoint>;
 inline WeightedPoint unweighted(double x, double y, double z) { return {{x, y, z}, 0}; }
 
 inline Points random_points(unsigned seed, std::size_t count, double largest_weight) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  Random random(seed);
   Points points(count);
   for (WeightedPoint& p : points) {
-    for (int k = 0; k < 3; ++k) p.position[k] = unit(random);
-    p.weight = largest_weight * unit(random);
+    for (int k = 0; k < 3; ++k) p.position[k] = random.uniform();
+    p.weight = largest_weight * random.uniform();
   }
   return points;
 }
 
 /// Whole coordinates up to `range`: full of ties, duplicates and flat subsets.
 inline Points whole_points(unsigned seed, std::size_t count, int range) {
-  std::mt19937_64 random(seed);
-  std::uniform_int_distribution<int> coordinate(0, range);
+  Random random(seed);
   Points points(count);
   for (WeightedPoint& p : points) {
-    for (int k = 0; k < 3; ++k) p.position[k] = coordinate(random);
-    p.weight = coordinate(random);
+    for (int k = 0; k < 3; ++k) p.position[k] = random.whole(0, range);
+    p.weight = random.whole(0, range);
   }
   return points;
 }
