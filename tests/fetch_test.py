@@ -3,6 +3,7 @@
 on this machine that lies, cuts transfers and is not there."""
 
 import gzip
+import os
 import subprocess
 import sys
 import threading
@@ -56,7 +57,7 @@ class Fetch(unittest.TestCase):
     def fetch(self, *words):
         done = subprocess.run([sys.executable, ROOT / "bench" / "fetch.py", "--into", self.into,
                                "--from", self.url, *words], capture_output=True, text=True,
-                              check=False)
+                              check=False, env={**os.environ, "no_proxy": "*"})
         self.assertNotIn("Traceback", done.stderr)
         return done
 
