@@ -11,7 +11,7 @@
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
 - Every console block of README.md stands on a page as well, where its commands are run.
-- Every figure is well-formed and shown on some page.
+- Every figure is shown on some page, and every SVG well-formed.
 - Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
   and the exercises have tests and solutions (papers/course/page.py; `make papers` runs the
@@ -177,10 +177,13 @@ def check_page(checks, sources, page):
 
 
 def check_figures(checks):
-    shown = "".join(page.read_text(encoding="utf-8") for page in PAGES if page.exists())
-    for figure in sorted((ROOT / "papers" / "figures").glob("*.svg")):
+    pages = [page for page in [*PAGES, *READMES] if page.exists()]
+    shown = "".join(page.read_text(encoding="utf-8") for page in pages)
+    for figure in sorted((ROOT / "papers" / "figures").iterdir()):
         where = str(figure.relative_to(ROOT))
-        checks.expect(figure.name in shown, where, "on no page")
+        checks.expect(f"figures/{figure.name}" in shown, where, "on no page")
+        if figure.suffix != ".svg":
+            continue
         try:
             xml.etree.ElementTree.parse(figure)
             checks.expect(True, where, "")
