@@ -6,6 +6,7 @@ def run_all(names):
     fails and what the others return.
     @return the exit code"""
     tests = {name: test for name, test in names.items() if name.startswith("test_")}
+    assert tests, "no test"
     failed, said = 0, []
     for name, test in tests.items():
         try:
