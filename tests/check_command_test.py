@@ -20,10 +20,7 @@ class Check(CommandTest):
         return vertices, [list(t) for t in triangles]
 
     def write(self, vertices, triangles):
-        lines = ["OFF", f"{len(vertices)} {len(triangles)} 0"]
-        lines += [" ".join(map(repr, v)) for v in vertices]
-        lines += ["3 " + " ".join(map(str, t)) for t in triangles]
-        return self.input("bad.off", "\n".join(lines) + "\n")
+        return self.write_off("bad.off", vertices, triangles)
 
     def component(self, triangles, number):
         part = self.check("good.off")["component_list"][number]

@@ -19,7 +19,7 @@ class Surfaces(CommandTest):
                               *words)
 
     def check_mutant(self, surface, vertices, triangles):
-        self.write_off(vertices, triangles)
+        self.write_off("mutant.off", vertices, triangles)
         return self.check("mutant.off", "--surface", surface, *COARSE, code=5)
 
     def refused(self, surface, code, *words):
@@ -27,12 +27,6 @@ class Surfaces(CommandTest):
         done = self.run_morskin("mesh", "--surface", surface, "-o", "mesh.ply", *words, code=code)
         self.assertEqual(self.names(), before)
         return done.stderr.decode()
-
-    def write_off(self, vertices, triangles):
-        lines = ["OFF", f"{len(vertices)} {len(triangles)} 0"]
-        lines += [" ".join(map(repr, v)) for v in vertices]
-        lines += ["3 " + " ".join(map(str, t)) for t in triangles]
-        (self.folder / "mutant.off").write_text("\n".join(lines) + "\n")
 
     def test_known_surfaces_are_certified_from_their_files_and_mutants_are_not(self):
         for surface, components, genus in KNOWN:

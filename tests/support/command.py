@@ -59,6 +59,12 @@ class CommandTest(unittest.TestCase):
         """Takes it out of the file, so that `check` knows only what it is told."""
         (self.folder / name).write_bytes(self.without_origin(name))
 
+    def write_off(self, name, places, triangles):
+        lines = ["OFF", f"{len(places)} {len(triangles)} 0"]
+        lines += [" ".join(map(repr, place)) for place in places]
+        lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
+        return self.input(name, "\n".join(lines) + "\n")
+
     def read_off(self, name):
         """Places and triangles of a file that the command wrote."""
         rows = [line.split() for line in (self.folder / name).read_text().splitlines()]

@@ -11,14 +11,6 @@ class ViewTest(CommandTest):
         self.run_morskin("view", *words, "-o", "page.html", "-q", code=code)
         return Page(self.folder / "page.html")
 
-    def write_off(self, name, places, triangles):
-        lines = ["OFF", f"{len(places)} {len(triangles)} 0"]
-        lines += [" ".join(map(repr, place)) for place in places]
-        lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
-        path = self.folder / name
-        path.write_text("\n".join(lines) + "\n")
-        return path
-
     def check_same_mesh(self, page, places, triangles, name="mesh"):
         """The page's triangles are these, each corner within half a step of its place."""
         grid = page.about[name]["grid"]
