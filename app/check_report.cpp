@@ -208,6 +208,7 @@ std::string json_text(const CheckReport& report) {
       std::ranges::find_if(verdicts, [](const Verdict& v) { return !v.holds && v.is_required; });
   json["passed"] = broken == verdicts.end();
   if (report.against) json.update(certificate_json(report.against->certificate));
+  if (report.against && report.curved && broken != verdicts.end()) json["certified"] = false;
   json["vertices"] = report.vertices;
   json["triangles"] = report.triangles;
   if (broken != verdicts.end() && !json.contains("reason")) json["reason"] = broken->reason;

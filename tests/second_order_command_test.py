@@ -59,6 +59,8 @@ class SecondOrder(CommandTest):
                 told = self.check(name, "--against", MOLECULES / "benzene.pdb", "-C", "0.35",
                                   code=5)
                 self.assertTrue(told["homeomorphic"])  # the corners are untouched
+                self.assertFalse(told["certified"] or told["passed"])
+                self.assertTrue(told["reason"])
                 found.append({v["name"] for v in told["verdicts"]
                               if v["required"] and not v["holds"]})
             self.assertEqual(*found)
