@@ -110,7 +110,9 @@ class SecondOrder(CommandTest):
         bare.write(self.folder / "theirs.vtu", binary=True, compression=None)
         bare.write(self.folder / "text.vtu", binary=False)
         bare.write(self.folder / "theirs.msh", file_format="gmsh", binary=False)
-        for name in ("theirs.vtu", "text.vtu", "theirs.msh"):
+        single = meshio.Mesh(mesh.points.astype(numpy.float32), mesh.cells)
+        single.write(self.folder / "single.vtu", binary=True, compression=None)
+        for name in ("theirs.vtu", "text.vtu", "theirs.msh", "single.vtu"):
             with self.subTest(name):
                 self.assertTrue(self.check(name, "--against", MOLECULES / "benzene.pdb", "-C",
                                            "0.35")["certified"])

@@ -91,29 +91,35 @@ std::vector<geometry::WeightedPoint> any_balls(unsigned seed) {
   }
 }
 
+/// Calls visit(skin, parts, x) with points in and about so many sets' skins.
+template <class Visit>
+void for_points(unsigned sets, Visit visit) {
+  support::for_seeds(sets, [&](unsigned seed) {
+    const auto skin = support::prepared(any_balls(seed));
+    if (!skin) return;
+    const SkinComponents parts(skin->surface, skin->topology);
+    const surface::BoundingBall all = skin->surface.bounding_ball();
+    support::Random random(seed);
+    for (int k = 0; k < 60; ++k) {
+      visit(*skin, parts, Point(all.centre + all.radius * random.uniform() * random.direction()));
+    }
+  });
+}
+
 }  // namespace
 
 TEST_CASE("a point of the skin lies between the parts to which the gradient leads from it") {
   std::size_t in_voids = 0, in_tetrahedra = 0, lost = 0;
-  support::for_seeds(600, [&](unsigned seed) {
-    const auto skin = support::prepared(any_balls(seed));
-    if (!skin) return;
-    const SkinSurface& surface = skin->surface;
-    const SkinComponents parts(surface, skin->topology);
-    const surface::BoundingBall all = surface.bounding_ball();
-    support::Random random(seed);
-    for (int k = 0; k < 60; ++k) {
-      const Point from = all.centre + all.radius * random.uniform() * random.direction();
-      const auto x = surface.project(from, surface.locate(from, CellId{0U}));
-      const auto expected = x ? sides_by_flow(*skin, *x) : std::nullopt;
-      if (!expected) continue;
-      const auto found = parts.sides(*x);
-      lost += !found;
-      if (found) CHECK(found == expected);
-      in_voids += expected->cavity.has_value();
-      in_tetrahedra +=
-          surface.complex().dimension(x->cell) == 3 && skin->topology.bodies.size() > 1;
-    }
+  for_points(600, [&](const auto& skin, const SkinComponents& parts, const Point& from) {
+    const SkinSurface& surface = skin.surface;
+    const auto x = surface.project(from, surface.locate(from, CellId{0U}));
+    const auto expected = x ? sides_by_flow(skin, *x) : std::nullopt;
+    if (!expected) return;
+    const auto found = parts.sides(*x);
+    lost += !found;
+    if (found) CHECK(found == expected);
+    in_voids += expected->cavity.has_value();
+    in_tetrahedra += surface.complex().dimension(x->cell) == 3 && skin.topology.bodies.size() > 1;
   });
   CHECK(lost < 10);  // by rounding, in lattices
   CHECK(in_voids > 1000);
@@ -122,23 +128,15 @@ TEST_CASE("a point of the skin lies between the parts to which the gradient lead
 
 TEST_CASE("a point of the complement lies in the void to which the gradient leads up from it") {
   std::size_t in_voids = 0, outside = 0;
-  support::for_seeds(300, [&](unsigned seed) {
-    const auto skin = support::prepared(any_balls(seed));
-    if (!skin) return;
-    const SkinSurface& surface = skin->surface;
-    const SkinComponents parts(surface, skin->topology);
-    const surface::BoundingBall all = surface.bounding_ball();
-    support::Random random(seed);
-    for (int k = 0; k < 60; ++k) {
-      const Point x = all.centre + all.radius * random.uniform() * random.direction();
-      const CellId cell = surface.locate(x, CellId{0U});
-      if (!(surface.enclose(x, cell).low > 0)) continue;
-      const auto up = flow_end(surface, x, cell, true);
-      if (!up || (!up->is_at_infinity && surface.complex().dimension(up->cell) != 3)) continue;
-      const auto expected = void_by_flow(*skin, *up);
-      CHECK(parts.void_at(x, cell) == expected);
-      ++(expected ? in_voids : outside);
-    }
+  for_points(300, [&](const auto& skin, const SkinComponents& parts, const Point& x) {
+    const SkinSurface& surface = skin.surface;
+    const CellId cell = surface.locate(x, CellId{0U});
+    if (!(surface.enclose(x, cell).low > 0)) return;
+    const auto up = flow_end(surface, x, cell, true);
+    if (!up || (!up->is_at_infinity && surface.complex().dimension(up->cell) != 3)) return;
+    const auto expected = void_by_flow(skin, *up);
+    CHECK(parts.void_at(x, cell) == expected);
+    ++(expected ? in_voids : outside);
   });
   CHECK(in_voids > 100);
   CHECK(outside > 1000);
