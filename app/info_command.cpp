@@ -13,7 +13,7 @@
 #include "app/strict_json.h"
 #include "geometry/regular_triangulation.h"
 #include "morskin/method.h"
-#include "morskin/size_goal.h"
+#include "morskin/size_estimate.h"
 
 namespace morskin::app {
 namespace {
@@ -92,7 +92,9 @@ Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
     const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
     info.hidden = skin.surface.triangulation().hidden.size();
     if (std::isfinite(arguments.sizing.largest_length_scale)) {
-      info.triangles = morskin::estimated_triangles(skin.surface, arguments.sizing);
+      const morskin::Method method = morskin::usual_method(input.points, arguments.sizing);
+      const morskin::SizeEstimate estimate(skin);
+      info.triangles = 2 * estimate.vertices(arguments.sizing, method);
       info.bytes = estimated_bytes(input, arguments.sizing, info.triangles);
     }
     info.parts = skin_parts(skin, run);

@@ -26,6 +26,7 @@
 #include "geometry/files/mesh_files.h"
 #include "geometry/stopwatch.h"
 #include "geometry/task_trace.h"
+#include "morskin/bent_part.h"
 #include "morskin/feature_data.h"
 #include "morskin/pipeline.h"
 

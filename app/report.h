@@ -18,6 +18,7 @@
 #include "bench/baselines/growth.h"
 #include "certify/mesh_quality.h"
 #include "geometry/provenance.h"
+#include "morskin/bent_part.h"
 #include "morskin/pipeline.h"
 #include "skin/molecule.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/report_lines.h"
 #include "geometry/union_find.h"
-#include "morskin/size_goal.h"
+#include "morskin/bent_part.h"
 #include "morskin/voids.h"
 #include "skin/skin_components.h"
 

@@ -23,11 +23,14 @@ std::optional<std::size_t> point_on_path(const LocatedMesh& mesh,
   std::optional<std::size_t> found;
   for (const auto& triangle : mesh.mesh.triangles) {
     const TriangleBounds shape = mesh.shape(triangle);
-    const double path =
-        up * prove_tube(mesh.surface, mesh.corners(triangle), shape, mesh.corner_bounds(triangle))
-                 .max_path;
+    const Corners corners = mesh.corners(triangle);
+    const CornerBounds bounds = mesh.corner_bounds(triangle);
+    const double R = shape.circumradius;
+    // |N| is 1-Lipschitz and falls along a path, whose length it bounds: few points are so near.
+    const double longest = max_length_scale(corners) + bounds.max_error + R;
     const Point& corner = mesh.position(triangle[0]);
-    tree.for_each_within(corner, up * (2 * shape.circumradius + path), [&](const auto& near) {
+    tree.for_each_within(corner, up * (2 * R + longest), [&](const auto& near) {
+      const double path = up * prove_tube(mesh.surface, corners, shape, bounds).max_path;
       Offsets offsets;
       for (std::size_t k = 0; k < 3; ++k) {
         offsets[k] = mesh.position(triangle[k]) - points[near.id.index()];

@@ -58,11 +58,11 @@ class Pieces {
   /// Whether both hold on all of a piece with at most the circumradius R, by what holds of its
   /// corners. The affine function with N's values there differs from N by no more than `bend`, for
   /// N is an isometry in each cell (Lemma 10 of papers/certificate.md).
-  bool hold(const std::array<Seen, 3>& corners, double R, int depth) {
+  bool hold(const std::array<const Seen*, 3>& corners, double R, int depth) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double min_upright = infinity, min_N = infinity, max_G = 0, doubt = 0, fold = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Seen &at = corners[k], &next = corners[k == 2 ? 0 : k + 1];
+      const Seen &at = *corners[k], &next = *corners[k == 2 ? 0 : k + 1];
       const double upright = at.N.dot(triangle_.normal);
       // The corner itself breaks a condition.
       if (!(upright > 0)) return fail(proof_.is_upright);
@@ -84,11 +84,10 @@ class Pieces {
       return true;
     }
     if (depth == max_depth) return fail(is_upright ? proof_.is_in_tube : proof_.is_upright);
-    const std::array m{look_(corners[1], corners[2]), look_(corners[2], corners[0]),
-                       look_(corners[0], corners[1])};
-    return hold(m, R / 2, depth + 1) && hold({corners[0], m[2], m[1]}, R / 2, depth + 1) &&
-           hold({corners[1], m[0], m[2]}, R / 2, depth + 1) &&
-           hold({corners[2], m[1], m[0]}, R / 2, depth + 1);
+    const auto& [a, b, c] = corners;
+    const Seen bc = look_(*b, *c), ca = look_(*c, *a), ab = look_(*a, *b);
+    return hold({&bc, &ca, &ab}, R / 2, depth + 1) && hold({a, &ab, &ca}, R / 2, depth + 1) &&
+           hold({b, &bc, &ab}, R / 2, depth + 1) && hold({c, &ca, &bc}, R / 2, depth + 1);
   }
 
   const TubeProof& proof() const { return proof_; }
@@ -129,7 +128,7 @@ TubeProof prove_by_pieces(const Look& look, const std::array<Seen, 3>& corners,
   for (const Seen& at : corners) largest = std::max(largest, at.x.template lpNorm<1>());
   // Each of up to five halvings rounds a coordinate by 2^-53 of itself.
   Pieces<Look> pieces(look, triangle, 0x1p-49 * largest);
-  const bool holds = pieces.hold(corners, triangle.circumradius, 0);
+  const bool holds = pieces.hold({&corners[0], &corners[1], &corners[2]}, triangle.circumradius, 0);
   TubeProof proof = pieces.proof();
   if (!holds) proof.max_path = std::numeric_limits<double>::infinity();
   return proof;

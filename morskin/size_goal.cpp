@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "morskin/pipeline.h"
+#include "morskin/size_estimate.h"
 
 namespace morskin {
 
@@ -81,35 +81,19 @@ double wanted_vertices(const SizeGoal& goal, double area) {
   return goal.density ? *goal.density * area : *goal.triangles / 2;
 }
 
-/// The limit of a mesh that has about what the goal asks for, by points that stand for the skin;
-/// infinite if it always has more.
-double estimated_limit(const skin::SkinSurface& skin, const certify::Sizing& sizing,
-                       const SizeGoal& goal) {
-  // Over the largest circumradius of [U], that of equilateral triangles as many as the static
-  // method makes. Sweeps are coarsened to nearly as many.
-  constexpr double usual_share = 0.75;
-  const double radius = usual_share * sizing.C * sizing.Q;  // over the length scale
-  const double vertices_per_demand = 2 / (3 * std::sqrt(3.0) * radius * radius);
-  const surface::Samples samples = skin.samples();
-  double area = 0, max_scale = 0;
-  for (const surface::SurfacePoint& p : samples.points) {
-    area += samples.each * p.length_scale * p.length_scale;
-    max_scale = std::max(max_scale, p.length_scale);
-  }
-  const auto vertices = [&](double limit) {
-    double demand = 0;
-    for (const surface::SurfacePoint& p : samples.points) {
-      const double ratio = std::max(1.0, p.length_scale / limit);
-      demand += samples.each * ratio * ratio;
-    }
-    return vertices_per_demand * demand;
-  };
-  if (samples.points.empty()) return infinity;
-  if (!(2 * wanted_vertices(goal, area) <= geometry::SurfaceMesh::max_triangles)) {
+/// The limit of a mesh that has about what the goal asks for; infinite if it always has more.
+double estimated_limit(const PreparedSkin& skin, const SizeEstimate& estimate,
+                       MeshingOptions options) {
+  if (!(estimate.area() > 0)) return infinity;
+  const double wanted = wanted_vertices(options.size_goal, estimate.area());
+  if (!(2 * wanted <= geometry::SurfaceMesh::max_triangles)) {
     throw geometry::RefusedInput("a mesh so dense has more triangles than there are ids, " +
                                  std::to_string(geometry::SurfaceMesh::max_triangles));
   }
-  return limit_of(wanted_vertices(goal, area), max_scale, vertices);
+  return limit_of(wanted, estimate.max_length_scale(), [&](double limit) {
+    options.sizing.largest_length_scale = limit;
+    return estimate.vertices(options.sizing, method_of(skin, options));
+  });
 }
 
 }  // namespace
@@ -121,7 +105,9 @@ MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Obs
     sizing.largest_length_scale = std::max(limit, certify::Sizing::min_size);
     options.method = method_of(skin, options);  // the same in all further trials
   };
-  limit_to(estimated_limit(skin.surface, sizing, options.size_goal));
+  // The first decides on the method; the second is by that, for the number jumps between methods.
+  const SizeEstimate estimate(skin);
+  for (int k = 0; k < 2; ++k) limit_to(estimated_limit(skin, estimate, options));
   for (int k = 1;; ++k) {
     observer.sized(sizing);
     MethodResult made = run_method(skin, options, observer, run);
@@ -133,79 +119,6 @@ MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Obs
     if (limit == sizing.largest_length_scale) return made;  // as coarse as C allows
     limit_to(limit);
   }
-}
-
-double estimated_triangles(const skin::SkinSurface& skin, const certify::Sizing& sizing) {
-  const surface::Samples samples = skin.samples();
-  const double usual_triangle = std::sqrt(3.0) / 4 * std::pow(sizing.edge_share(), 2);
-  double demand = 0;
-  for (const surface::SurfacePoint& p : samples.points) {
-    demand += samples.each * std::pow(p.length_scale / sizing.scale(p.length_scale), 2);
-  }
-  return demand / usual_triangle;
-}
-
-namespace {
-
-/// Points of the skin over a triangle, on a grid that cuts each edge into `cuts`.
-class FineGrid {
- public:
-  static constexpr std::size_t cuts = 4;
-
-  FineGrid(const skin::SkinSurface& skin, const std::array<geometry::Point, 3>& corners,
-           geometry::CellId cell) {
-    const auto& [a, b, c] = corners;
-    for (std::size_t i = 0; i <= cuts; ++i) {
-      for (std::size_t j = 0; i + j <= cuts; ++j) {
-        const double to_b = static_cast<double>(i) / cuts, to_c = static_cast<double>(j) / cuts;
-        const geometry::Point x = a + to_b * (b - a) + to_c * (c - a);
-        points_[i][j] = skin.project(x, cell).value_or(skin.at(x, cell));
-      }
-    }
-  }
-  /// Calls visit(area, length scale) with each of the small triangles.
-  template <class Visit>
-  void for_each_triangle(const Visit& visit) const {
-    const auto take = [&](const SurfacePoint& p, const SurfacePoint& q, const SurfacePoint& r) {
-      const geometry::Vector normal = (q.position - p.position).cross(r.position - p.position);
-      visit(normal.norm() / 2, (p.length_scale + q.length_scale + r.length_scale) / 3);
-    };
-    for (std::size_t i = 0; i < cuts; ++i) {
-      for (std::size_t j = 0; i + j < cuts; ++j) {
-        take(points_[i][j], points_[i + 1][j], points_[i][j + 1]);
-        if (i + j + 2 > cuts) continue;
-        take(points_[i + 1][j], points_[i + 1][j + 1], points_[i][j + 1]);
-      }
-    }
-  }
-
- private:
-  using SurfacePoint = surface::SurfacePoint;
-  std::array<std::array<SurfacePoint, cuts + 1>, cuts + 1> points_;
-};
-
-}  // namespace
-
-BentPart bent_part(const skin::SkinSurface& skin, const MeshResult& result) {
-  const double largest_area = 0.75 * std::sqrt(3) * max_provable_share * max_provable_share;
-  BentPart part;
-  double whole = 0, bent = 0;
-  for (const auto& [a, b, c] : result.mesh.triangles) {
-    const auto& at = result.mesh.positions;
-    const FineGrid grid(skin, {at[a], at[b], at[c]}, result.cells[a]);
-    double area = 0, bent_here = 0;
-    grid.for_each_triangle([&](double small_area, double scale) {
-      area += small_area;
-      if (scale >= result.sizing.largest_length_scale) return;
-      bent_here += small_area;
-      part.forced_triangles += small_area / (largest_area * scale * scale);
-    });
-    whole += area;
-    bent += bent_here;
-    part.triangles += bent_here / area;
-  }
-  part.area_share = bent / whole;
-  return part;
 }
 
 }  // namespace morskin

@@ -6,7 +6,6 @@
 
 #include "geometry/parallel.h"
 #include "skin/orthocentre.h"
-#include "skin/skin_components.h"
 
 namespace morskin {
 
@@ -112,6 +111,13 @@ void drop_voids(PreparedSkin& skin, double below, const Run& run) {
   skin.expected();  // refuses now what it would refuse when the mesh is there
 }
 
+bool is_on_dropped(const PreparedSkin& skin, const skin::SkinComponents& parts,
+                   const surface::SurfacePoint& x) {
+  if (skin.is_dropped.empty()) return false;
+  const auto sides = parts.sides(x);
+  return sides && sides->cavity && skin.has_dropped(*sides->cavity);
+}
+
 void drop_components(const PreparedSkin& skin, surface::Mesh& mesh, const Run& run) {
   if (skin.is_dropped.empty()) return;
   const skin::SkinComponents parts(skin.surface, skin.topology);
@@ -124,9 +130,8 @@ void drop_components(const PreparedSkin& skin, surface::Mesh& mesh, const Run& r
     if (mesh.surface.is_removed(triangle)) continue;
     Fate& fate = fates[components.of_triangle[t]];
     if (fate == Fate::Unknown) {
-      const auto sides = parts.sides(mesh.at(mesh.surface.corners(triangle)[0]));
-      const bool is_dropped = sides && sides->cavity && skin.has_dropped(*sides->cavity);
-      fate = is_dropped ? Fate::Dropped : Fate::Kept;
+      const surface::SurfacePoint& corner = mesh.at(mesh.surface.corners(triangle)[0]);
+      fate = is_on_dropped(skin, parts, corner) ? Fate::Dropped : Fate::Kept;
     }
     if (fate == Fate::Dropped) dropped.push_back(triangle);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "morskin/prepared_skin.h"
+#include "skin/skin_components.h"
 #include "skin/void_volume.h"
 #include "surface/mesh.h"
 
@@ -18,6 +19,10 @@ std::vector<skin::VolumeBounds> void_volumes(const PreparedSkin& skin, const Run
 /// @param below  Angstrom^3; infinite for all voids, which then are not measured; 0 for none
 /// @throws geometry::RefusedInput  for a bound below 0 or NaN, or a void too narrow to be told
 void drop_voids(PreparedSkin& skin, double below, const Run& run = Run());
+
+/// Whether a point of the skin lies on a component that bounds a dropped void.
+bool is_on_dropped(const PreparedSkin& skin, const skin::SkinComponents& parts,
+                   const surface::SurfacePoint& x);
 
 /// Takes the components that bound dropped voids out of a closed mesh of the whole skin. Each is
 /// known by one of its vertices.

@@ -164,8 +164,8 @@ VertexMover::Moved VertexMover::move(VertexId v) {
   return has_moved ? Moved::Yes : Moved::No;
 }
 
-void VertexMover::even_out(VertexId v) {
-  if (!gather_neighbours(v)) return;
+bool VertexMover::even_out(VertexId v) {
+  if (!gather_neighbours(v)) return false;
   SurfacePoint& at = mesh_.points[v];
   Vector sum = Vector::Zero();
   double weights = 0;
@@ -178,7 +178,9 @@ void VertexMover::even_out(VertexId v) {
   }
   const Vector step = sum / weights;
   const auto y = surface_.project(at.position + step - at.normal.dot(step) * at.normal, at.cell);
-  if (y && keeps_size(*y) && keeps_provable(*y)) at = *y;
+  if (!y || !keeps_size(*y)) return false;
+  at = *y;
+  return true;
 }
 
 }  // namespace morskin::refine

@@ -26,9 +26,10 @@ class VertexMover {
   /// enough.
   Moved move(VertexId v);
   /// Moves v to the mean of its neighbours, those counting more that are far away for their length
-  /// scales, if [L], [U] and the certificate's conditions hold there; whatever the goal. Balls may
-  /// be left with a vertex inside.
-  void even_out(VertexId v);
+  /// scales, if [L] and [U] hold there and triangles face outward; whatever the goal. Balls may be
+  /// left with a vertex inside.
+  /// @return whether it moved
+  bool even_out(VertexId v);
 
  private:
   bool gather_neighbours(VertexId v);

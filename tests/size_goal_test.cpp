@@ -1,5 +1,6 @@
 #include "morskin/size_goal.h"
 
+#include "morskin/bent_part.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
