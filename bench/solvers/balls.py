@@ -36,14 +36,19 @@ def rows():
             yield row
 
 
+def in_two_digits(text):
+    """A condition number, whose further digits are the mesh's and say nothing of its kind."""
+    return f"{float(f'{float(text):.2g}'):,.0f}"
+
+
 def table(rows):
     """The rows of the page."""
     return markdown(
         ["mesh", "triangles", "Born, off by", "Kirkwood, off by", "condition number",
          "blocks solved", "steps"],
         ([f"`{r['options']}`", f"{int(r['triangles']):,}", f"{float(r['born_error']):+.2%}",
-          f"{float(r['kirkwood_error']):+.2%}", f"{float(r['condition']):,.0f}",
-          f"{float(r['scaled_condition']):,.0f}", r["kirkwood_steps"]] for r in rows))
+          f"{float(r['kirkwood_error']):+.2%}", in_two_digits(r["condition"]),
+          in_two_digits(r["scaled_condition"]), r["kirkwood_steps"]] for r in rows))
 
 
 def own_and_cubes(rows):
