@@ -29,8 +29,9 @@ TEST_CASE("the vertices of a mesh are foreseen within a tenth, of both methods a
   std::size_t by_sweep = 0, by_static_method = 0;
   for_molecules({"5tmn_ligand.pdb", "9dna.pdb"}, [&](const auto& balls) {
     const PreparedSkin skin = prepare_skin(balls);
-    for (const auto& [C, limit] : {std::pair(0.4, 0.7), std::pair(0.4, 0.3), std::pair(0.3, 0.5),
-                                   std::pair(0.25, 0.6), std::pair(0.2, 0.7), std::pair(0.1, 1.)}) {
+    for (const auto& [C, limit] :
+         {std::pair(0.4, 1.2), std::pair(0.4, 0.7), std::pair(0.4, 0.42), std::pair(0.4, 0.3),
+          std::pair(0.3, 0.5), std::pair(0.25, 0.6), std::pair(0.2, 0.7), std::pair(0.1, 1.)}) {
       CAPTURE(C);
       CAPTURE(limit);
       const MeshingOptions options = limited(C, limit);
