@@ -43,7 +43,7 @@ class Sweeps {
         dissection_(dissection),
         disk_(surface, options.sizing, options.spacing),
         sweeps_(dissection.size()),
-        progress_(dissection.size(), ProgressObserver(laid)),
+        progress_(dissection.size(), geometry::Apart<ProgressObserver>(laid)),
         is_half_done_(dissection.size()) {}
 
   SweepResult run(const std::vector<SweepPart>& parts,
@@ -90,7 +90,7 @@ class Sweeps {
   const Dissection& dissection_;
   const TangentDisk disk_;
   std::vector<std::unique_ptr<PartialSweep>> sweeps_;
-  std::vector<ProgressObserver> progress_;
+  std::vector<geometry::Apart<ProgressObserver>> progress_;
   std::vector<std::atomic<bool>> is_half_done_;
   std::atomic<std::size_t> seam_triangles_ = 0;
 };

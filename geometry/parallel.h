@@ -16,6 +16,13 @@ namespace morskin::geometry {
 /// Elements in a block, enough to outweigh its overhead.
 inline constexpr std::size_t usual_block = 4096;
 
+/// One of several that different threads write at the same time, in lines of the cache of its own:
+/// else each thread waits for the line that another has just written. Lines come in pairs.
+template <class T>
+struct alignas(128) Apart : T {
+  using T::T;
+};
+
 /// The number of blocks of `size` elements, the last shorter, that for_each_block() makes: at least
 /// one.
 inline std::size_t block_count(std::size_t count, std::size_t size = usual_block) {

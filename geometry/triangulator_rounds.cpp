@@ -99,7 +99,7 @@ class Triangulator::Batches {
   /// refused into those of greater heights.
   void insert_in_regions(std::vector<Lists>& at_height, int height) {
     Lists& lists = at_height[static_cast<std::size_t>(height)];
-    std::vector<Worker> workers(lists.size());
+    std::vector<Apart<Worker>> workers(lists.size());
     for (std::size_t k = 0; k < lists.size(); ++k) {
       workers[k].region = static_cast<std::uint32_t>(k);
       workers[k].height = height;
@@ -186,11 +186,12 @@ class Triangulator::Batches {
         refused.push_back({p, worker.height + 1});
       } else if (!to_.insert(p, worker)) {
         refused.push_back({p, worker.next_height});
-      } else {
-        if (++done % points_between_starts == 0) starts[next++ % starts.size()] = worker.last;
-        count_one();
+      } else if (++done % points_between_starts == 0) {
+        starts[next++ % starts.size()] = worker.last;
+        count(points_between_starts);
       }
     }
+    count(done % points_between_starts);
     return refused;
   }
 
@@ -202,16 +203,16 @@ class Triangulator::Batches {
     }
     for (const Corner p : points) {
       to_.insert(p, to_.all_);
-      count_one();
+      count(1);
     }
   }
 
-  void count_one() {
+  void count(std::size_t more) {
     constexpr std::size_t points_between_reports = 4096;
-    const std::size_t count = ++inserted_;
-    if (count % points_between_reports != 0) return;
+    const std::size_t before = inserted_.fetch_add(more), now = before + more;
+    if (before / points_between_reports == now / points_between_reports) return;
     const std::lock_guard lock(reporting_);
-    run_.report(static_cast<double>(count) / static_cast<double>(to_.atom_count_));
+    run_.report(static_cast<double>(now) / static_cast<double>(to_.atom_count_));
   }
 
   Triangulator& to_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/parallel.h"
 #include "geometry/run.h"
 #include "morse/integral_lines.h"
 
@@ -64,7 +65,7 @@ class SaddleLines {
 
   std::array<IntegralLines, finest + 1> tracers_;
   std::vector<Line> lines_;
-  std::vector<Nodes> parts_;  ///< by block of lines
+  std::vector<geometry::Apart<Nodes>> parts_;  ///< by block of lines
   Kept kept_;
 };
 

@@ -35,6 +35,19 @@ TEST_CASE("blocks cover a range once each and are the same for any number of thr
   }
 }
 
+TEST_CASE("of what stands apart no two share a line of the cache, nor a pair of lines") {
+  struct Count {
+    std::uint32_t value = 0;
+  };
+  const std::vector<Apart<Count>> counts(3);
+  const auto pair_of_lines = [](const Count& c) {
+    return reinterpret_cast<std::uintptr_t>(&c) / 128;
+  };
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    CHECK(pair_of_lines(counts[i]) > pair_of_lines(counts[i - 1]));
+  }
+}
+
 TEST_CASE("beside a piece of work, done once, each number is in one block") {
   for (const unsigned threads : {1U, 2U, 5U}) {
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {

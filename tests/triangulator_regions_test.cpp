@@ -119,3 +119,19 @@ TEST_CASE("regions are inserted in the same way by any number of threads") {
   CHECK(is_same);
   check_regions(points, std::array<std::size_t, 2>{1000, 5000});
 }
+
+TEST_CASE("every 4,096 points inserted are reported, each point counted once") {
+  const std::size_t count = 30000, in_first_tetrahedron = 4;
+  const Points points = random_points(5, count, 0);
+  for (const unsigned threads : {1U, 3U}) {
+    for (const std::size_t region : {std::size_t{1000}, count}) {
+      CAPTURE(threads);
+      CAPTURE(region);
+      std::vector<double> shares;
+      const Run run(threads, [&](std::string_view, double share) { shares.push_back(share); });
+      const Triangulator all(points, run, region);
+      CHECK(shares.size() == (count - in_first_tetrahedron) / 4096);
+      CHECK(std::ranges::all_of(shares, [](double share) { return share > 0 && share <= 1; }));
+    }
+  }
+}
