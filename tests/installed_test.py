@@ -20,6 +20,14 @@ from run_commands import matches, run, trimmed  # noqa: E402
 
 BUILD, CONFIG, CXX, FLAGS = [*sys.argv[1:], ""][:4]
 PAGE = Page(ROOT / "papers" / "install.md")
+# Debian's package and conda's of each library; conda's compilers bring libstdc++ by themselves.
+PACKAGES = {"libarchive.so.13": ("libarchive13", "libarchive"),
+            "libnettle.so.8": ("libnettle8", "nettle"),
+            "libpng16.so.16": ("libpng16-16", "libpng"),
+            "libstdc++.so.6": ("libstdc++6", None),
+            "libz.so.1": ("zlib1g", "zlib"),
+            "libzip.so.4": ("libzip4", "libzip")}
+BASE_SYSTEM = {"libc.so.6", "libgcc_s.so.1", "libm.so.6"}
 
 
 class Installed(unittest.TestCase):
@@ -69,6 +77,21 @@ class Installed(unittest.TestCase):
                 # Whole names: including morskin/morskin.h names no checkout in /morskin.
                 named = rb"(-[IL]|(?<![\w.-]))" + re.escape(bytes(folder)) + rb"(?![\w.-])"
                 self.assertIsNone(re.search(named, path.read_bytes()), path)
+
+    def test_the_recipes_install_every_library_that_the_command_needs(self):
+        if "-fsanitize" in FLAGS:
+            self.skipTest("sanitizers have libraries of their own")
+        needed = set(re.findall(r"NEEDED\s+(lib\S+)",
+                                output_of("objdump", "-p", self.prefix / "bin/morskin")))
+        self.assertEqual(needed - BASE_SYSTEM, set(PACKAGES))
+        packaging = ROOT / "packaging"
+        conda = (packaging / "conda/meta.yaml").read_text()
+        needs = re.search(r"\n  run:\n(( {4}- .*\n)+)", conda)[1]
+        for of_debian, of_conda in PACKAGES.values():
+            self.assertIn(f"    - {of_conda}\n" if of_conda else "", needs)
+            for recipe in ("Containerfile", "apptainer.def"):
+                last = (packaging / recipe).read_text().rpartition("apt-get install")[2]
+                self.assertIn(of_debian, last.partition("\n")[0].split(), recipe)
 
     def test_programs_and_shared_libraries_build_with_find_package_and_each_header_alone(self):
         build = self.folder / "uses"
