@@ -93,6 +93,16 @@ class Installed(unittest.TestCase):
                 last = (packaging / recipe).read_text().rpartition("apt-get install")[2]
                 self.assertIn(of_debian, last.partition("\n")[0].split(), recipe)
 
+    def test_debian_s_copyright_names_each_molecule_whose_licence_is_not_cc0(self):
+        sources = (ROOT / "bench/molecules/SOURCES.md").read_text()
+        others = re.findall(r"^## Licence of `(.*)`$", sources, re.MULTILINE)
+        self.assertGreater(len(others), 1)
+        told = (ROOT / "packaging/debian/copyright").read_text()
+        for name in others:
+            holder = re.search(rf"^Files: bench/molecules/{name}\nCopyright: \S+ (.*)$", told,
+                               re.MULTILINE)
+            self.assertIn(holder[1], sources)
+
     def test_programs_and_shared_libraries_build_with_find_package_and_each_header_alone(self):
         build = self.folder / "uses"
         output_of("cmake", "-S", ROOT / "tests" / "installed", "-B", build,
