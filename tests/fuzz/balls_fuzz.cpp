@@ -1,8 +1,9 @@
 // Up to 12 balls, eight bytes each, meshed and certified, or refused as singular.
 //
-// Three bytes place a ball on a grid of quarters, or beside the ball before in one of three nasty
-// ways; two its radius; the others set the step off the grid, down to 1e-12. A last byte by itself
-// chooses a larger C than the usual one here: coarse meshes go other ways.
+// Three bytes place a ball on a grid of sixteenths or, in one of three nasty ways, beside a ball
+// before it; two its radius; the others choose the way, that ball, and the step off the exact
+// place, down to 1e-12. A last byte by itself chooses a larger C than the usual one here: coarse
+// meshes go other ways.
 
 #include <algorithm>
 #include <array>
@@ -22,10 +23,10 @@ namespace {
 
 using Bytes = std::array<std::uint8_t, 8>;
 
-double signed_quarter(std::uint8_t byte) { return (static_cast<double>(byte) - 128) / 16; }
+double signed_sixteenths(std::uint8_t byte) { return (static_cast<double>(byte) - 128) / 16; }
 
 support::Ball ball_from(const Bytes& b, const support::Balls& balls) {
-  support::Ball ball{{signed_quarter(b[0]), signed_quarter(b[1]), signed_quarter(b[2])},
+  support::Ball ball{{signed_sixteenths(b[0]), signed_sixteenths(b[1]), signed_sixteenths(b[2])},
                      0.1 + static_cast<double>(b[3]) / 64};
   const double step = std::pow(10.0, -(b[4] % 13)) * (b[4] >= 128 ? 1 : -1);
   if ((b[5] & 8) != 0) ball.radius *= std::pow(2.0, static_cast<double>(b[6] % 16) - 8);
