@@ -51,6 +51,12 @@ class Pages(ManualTest):
             heads = re.findall(r"^\.TP\n\\fB(\S+?)\\fR", page, re.MULTILINE)
             self.assertEqual({head.replace("\\", "") for head in heads}, options_of(command))
 
+    def test_no_dash_may_become_a_hyphen_that_cannot_be_typed(self):
+        for page in self.manual.glob("*.1"):
+            text = page.read_text().partition(".SH NAME")[2]
+            self.assertIn("\\-\\-help\\-all", text, page)
+            self.assertNotRegex(text, r"(?<!\\)-", page)
+
     def test_mandoc_finds_nothing_to_say_about_any_page(self):
         for page in self.manual.glob("*.1"):
             done = subprocess.run(["mandoc", "-T", "lint", page], capture_output=True, text=True)

@@ -12,20 +12,27 @@ namespace {
 
 constexpr std::size_t text_width = 72;
 
-// A dash that begins a word is typed, so it must not become a hyphen; nor other signs ornaments.
+// A dash may be typed, inside a word too (--help-all), so none may become a hyphen; nor other signs
+// ornaments.
 std::string escaped(std::string_view text) {
   std::string result;
-  bool is_in_word = false;
   for (const char c : text) {
-    if (c == '\\') {
-      result += "\\e";
-    } else if (c == '^' || c == '~') {
-      result += c == '^' ? "\\(ha" : "\\(ti";
-    } else {
-      if (c == '-' && !is_in_word) result += '\\';
-      result += c;
+    switch (c) {
+      case '\\':
+        result += "\\e";
+        break;
+      case '-':
+        result += "\\-";
+        break;
+      case '^':
+        result += "\\(ha";
+        break;
+      case '~':
+        result += "\\(ti";
+        break;
+      default:
+        result += c;
     }
-    is_in_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
   }
   return result;
 }
