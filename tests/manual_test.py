@@ -57,6 +57,13 @@ class Pages(ManualTest):
             self.assertIn("\\-\\-help\\-all", text, page)
             self.assertNotRegex(text, r"(?<!\\)-", page)
 
+    def test_what_is_said_of_an_option_ends_with_a_full_stop(self):
+        for page in self.manual.glob("*.1"):
+            options = page.read_text().partition(".SH OPTIONS\n")[2].partition(".SH ")[0]
+            for entry in options.split(".TP\n")[1:]:
+                said = re.split(r"\n(?:Default: |Required\.|\.SS )", entry.partition("\n")[2])[0]
+                self.assertTrue(said.rstrip().endswith("."), f"{page.name}: {said}")
+
     def test_mandoc_finds_nothing_to_say_about_any_page(self):
         for page in self.manual.glob("*.1"):
             done = subprocess.run(["mandoc", "-T", "lint", page], capture_output=True, text=True)

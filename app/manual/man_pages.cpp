@@ -129,7 +129,7 @@ std::string entry(const OptionEntry& option) {
     text += in_font(is_positional ? 'I' : 'B', name);
   }
   if (!option.value.empty() && !is_positional) text.append(" ").append(value_in_words(option));
-  const bool is_sentence = option.description.ends_with('.') || option.description.ends_with(')');
+  const bool is_sentence = option.description.ends_with('.');
   text.append("\n").append(filled(option.description + (is_sentence ? "" : ".")));
   if (option.is_required && !is_positional) text += "Required.\n";
   if (!option.default_value.empty()) text += filled("Default: " + option.default_value + ".");
