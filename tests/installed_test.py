@@ -3,6 +3,7 @@
 and the commands of papers/install.md are run in it.
 Usage: installed_test.py BUILD CONFIG CXX [FLAGS]"""
 
+import gzip
 import os
 import re
 import shutil
@@ -113,6 +114,16 @@ class Installed(unittest.TestCase):
         self.assertIn("certified, genus 0", output_of(build / "uses_morskin", molecule, mesh))
         output_of(self.prefix / "bin/morskin", "check", mesh, "--against", molecule, "--model",
                   "sas", "-C", "0.2")
+
+    def test_mesh_all_gives_molecules_whose_names_begin_alike_meshes_of_their_own(self):
+        molecules, box = ROOT / "bench/molecules", self.folder / "alike"
+        box.mkdir()
+        shutil.copy(molecules / "benzene.pdb", box / "a b.1.pdb")
+        (box / "a b.2.xyz.gz").write_bytes(gzip.compress((molecules / "caffeine.xyz").read_bytes()))
+        script = self.prefix / "share/doc/morskin/examples/shell/mesh_all.sh"
+        output_of(script, "out put", *sorted(box.iterdir()), cwd=box, env=self.environment)
+        self.assertEqual({p.name for p in (box / "out put").glob("*.ply")},
+                         {"a b.1.ply", "a b.2.ply"})
 
     def test_the_page_shows_what_its_commands_print(self):
         box = self.folder / "box"

@@ -8,7 +8,8 @@ mkdir -p "$folder"
 
 for molecule; do
   name=$(basename "$molecule")
-  mesh=$folder/${name%%.*}.ply
+  stem=${name%.gz}
+  mesh=$folder/${stem%.*}.ply
   code=0
   morskin mesh "$molecule" -o "$mesh" -C 0.2 --report "${mesh%.ply}.json" --quiet || code=$?
   case $code in
