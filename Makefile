@@ -8,7 +8,7 @@ SETS ?= 2000
 SECONDS ?= 60
 RESULTS ?= build/results
 FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
-sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers -name '*.h' -o -name '*.cpp')
+sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers examples -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build
 .PHONY: build command python deps demo figures test test-slow test-viewer viewer-asset stress fuzz bench bench-compare guard guard-record corpus morse-corpus prediction fetch reproduce reproduce-reference papers student-course test-papers papers-update solvers exercise lint tidy format sanitize install packaged deb static clean help
@@ -158,8 +158,9 @@ lint:  ## check module order, layout and formatting, and run clang-tidy if it is
 	clang-format --dry-run -Werror $(sources)
 	@if command -v clang-tidy > /dev/null; then $(MAKE) --no-print-directory tidy; fi
 
-# Debian 12's clang cannot compile gemmi's headers as C++20 (a vector of an incomplete type).
-untidied = tests/installed/% skin/mmcif_file.cpp
+# Programs that are built against an installed library, and the source of gemmi's headers, which
+# Debian 12's clang cannot compile as C++20 (a vector of an incomplete type).
+untidied = tests/installed/% examples/% skin/mmcif_file.cpp
 
 tidy: deps
 	cmake --preset tidy
