@@ -12,10 +12,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "geometry/stopwatch.h"
 #include "skin/model.h"
@@ -38,7 +40,7 @@ struct Message {
 };
 
 [[noreturn]] void run_child(unsigned seed, const morskin::MeshingOptions& options, int pipe) {
-  const rlimit work{max_seconds, max_seconds};
+  const rlimit work{max_seconds, max_seconds + 5};  // SIGXCPU at the first, SIGKILL at the second
   ::setrlimit(RLIMIT_CPU, &work);
   ::alarm(max_waiting * max_seconds);
   const Outcome outcome = support::outcome_of(support::nasty_set(seed), options);
@@ -62,9 +64,10 @@ Outcome run_set(unsigned seed, const morskin::MeshingOptions& options) {
   if (is_told) return {message.kind, message.why.data(), message.triangles};
   if (!WIFSIGNALED(status)) return {Outcome::Kind::Failed, "ended without a word", 0};
   const int signal = WTERMSIG(status);
-  const bool is_late = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
+  const bool is_late = signal == SIGALRM || signal == SIGXCPU;
+  const unsigned seconds = signal == SIGALRM ? max_waiting * max_seconds : max_seconds;
   return {Outcome::Kind::Failed,
-          is_late ? "took more than " + std::to_string(max_seconds) + " s"
+          is_late ? "took more than " + std::to_string(seconds) + " s"
                   : "crashed: " + std::string(::strsignal(signal)),
           0};
 }
