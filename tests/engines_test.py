@@ -107,10 +107,20 @@ class Engines(Batch):
 
 
 class Snakemake(Engines):
+    def words(self, command, output):
+        return ["snakemake", "--snakefile", ENGINES / "Snakefile", "--cores", "2",
+                "--rerun-incomplete", "--config", "list=in", f"out={output}", f"shards={SHARDS}",
+                f"morskin={command}", "options=" + shlex.join(OPTIONS)]
+
+    def test_the_paths_of_snakemake_may_hold_blanks(self):
+        command = self.folder / "the command"
+        command.symlink_to(morskin())
+        subprocess.run(self.words(command, "my out"), cwd=self.folder, check=True,
+                       capture_output=True, timeout=600)
+        self.assertEqual(self.rows("my out"), self.rows("whole"))
+
     def test_snakemake_goes_on_after_it_was_killed(self):
-        words = ["snakemake", "--snakefile", ENGINES / "Snakefile", "--cores", "2",
-                 "--rerun-incomplete", "--config", "list=in", "out=out", f"shards={SHARDS}",
-                 f"morskin={morskin()}", "options=" + shlex.join(OPTIONS)]
+        words = self.words(morskin(), "out")
         first = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL,
                                  start_new_session=True)
         self.addCleanup(first.wait)
@@ -139,6 +149,7 @@ class Dask(Engines):
         self.assertEqual(run.returncode, 0)
         self.assertRegex(said, r"^12 molecules, 12 rows, 0 made now in .* 12 ok\n")
         self.assert_whole()
+
 
 class Slurm(Engines):
     """A cluster of this machine alone."""
