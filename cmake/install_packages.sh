@@ -9,13 +9,14 @@ if ! command -v dpkg-query > /dev/null; then
   exit 0
 fi
 
+wanted=$(cat "${lists[@]}")  # fails where a list is missing
 missing=()
-while read -r package; do
+for package in $wanted; do
   if ! dpkg-query --show --showformat='${Status}' "$package" 2> /dev/null | grep -q 'ok installed'
   then
     missing+=("$package")
   fi
-done < <(cat "${lists[@]}")
+done
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 if [ "$(id -u)" -ne 0 ]; then
