@@ -1,8 +1,7 @@
 #pragma once
 
 /// What nearly every test takes: doctest, the standard headers that tests use all over, random
-/// balls, molecules, and laws tried over seeds. Every header of this folder but those that the
-/// fuzz targets share brings it along.
+/// balls, molecules, and laws tried over seeds. Nearly every header of this folder brings it along.
 
 #include <doctest/doctest.h>
 
