@@ -145,7 +145,8 @@ class Triangulator {
   }
   /// At which the tetrahedron belongs to the worker's region.
   int height_with(std::uint32_t tetrahedron, const Worker& worker) const {
-    return std::bit_width(regions_[tetrahedron] ^ (worker.region << worker.height));
+    return static_cast<int>(
+        std::bit_width(regions_[tetrahedron] ^ (worker.region << worker.height)));
   }
   template <bool InRegion>
   bool grow_cavity(Corner p, Worker& worker);

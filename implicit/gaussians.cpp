@@ -188,7 +188,8 @@ Jet<Interval, 2> Gaussians::over(const Box& box) const {
   std::vector<Interval> growth;  // exp |t| at most
   growth.reserve(ids.size());
   Interval most = 0.0;
-  const auto off = [&](std::size_t i, std::size_t k) {
+  // By name: clang 14, which makes the fuzz targets, captures no structured binding by itself.
+  const auto off = [&, &reference = reference](std::size_t i, std::size_t k) {
     const int axis = static_cast<int>(k);
     return Interval(balls_[ids[i]].centre[axis]) - reference[axis];
   };

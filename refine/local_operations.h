@@ -59,17 +59,7 @@ class LocalOperations {
   /// it. Edges that ought to be flipped then are left as work.
   /// @tparam MayGo  Insertion -> bool
   template <class MayGo>
-  bool insert_ball_centre(TriangleId t, const MayGo& may_go) {
-    const auto may_cross = [&](HalfEdgeId h) {
-      return subdomain_.contains(mesh_.surface.origin(h)) ||
-             subdomain_.contains(mesh_.surface.target(h));
-    };
-    const auto where = find_insertion(surface_, mesh_.surface, points(), t, may_cross);
-    if (!where || !subdomain_.contains(mesh_.surface, where->under) || !may_go(*where))
-      return false;
-    insert(*where);
-    return true;
-  }
+  bool insert_ball_centre(TriangleId t, const MayGo& may_go);
   void contract_short_edges();
   void insert_into_big_triangles(std::size_t max_insertions);
 
@@ -117,5 +107,18 @@ class LocalOperations {
   std::optional<geometry::Run> run_;  ///< to report to
   std::size_t steps_ = 0;
 };
+
+// Below the class: clang wants the type of points() deduced before its use.
+template <class MayGo>
+bool LocalOperations::insert_ball_centre(TriangleId t, const MayGo& may_go) {
+  const auto may_cross = [&](HalfEdgeId h) {
+    return subdomain_.contains(mesh_.surface.origin(h)) ||
+           subdomain_.contains(mesh_.surface.target(h));
+  };
+  const auto where = find_insertion(surface_, mesh_.surface, points(), t, may_cross);
+  if (!where || !subdomain_.contains(mesh_.surface, where->under) || !may_go(*where)) return false;
+  insert(*where);
+  return true;
+}
 
 }  // namespace morskin::refine
