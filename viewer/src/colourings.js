@@ -2,6 +2,7 @@
 // `values`, by vertex from 0 to 1, for the scale; or `colours`, what Surface.paint takes of triangles.
 
 import { AtomParts, CellParts } from './corner_parts.js';
+import { counted } from './dom.js';
 import { inPrint } from './headline.js';
 import { extent } from './mesh.js';
 import * as palette from './palette.js';
@@ -141,7 +142,7 @@ function region(scene) {
       const colours = scene.regionColours();
       return byTriangle((t) => colours[numbers()[t]]);
     },
-    legend: () => ({ swatches: [], more: `${scene.regionCount().toLocaleString('en')} pairs of a ` +
+    legend: () => ({ swatches: [], more: `${counted(scene.regionCount(), 'pair')} of a ` +
       'minimum and a maximum, a colour each' }) };
 }
 

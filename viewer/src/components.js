@@ -1,6 +1,6 @@
 // The part of the panel that shows or hides each component of the surface by itself.
 
-import { element, number, section, toggle } from './dom.js';
+import { counted, element, number, section, toggle } from './dom.js';
 
 // Volumes as the report of `mesh` tells them.
 const volume = (x) => `${Number(x.toPrecision(4)).toLocaleString('en', { maximumFractionDigits: 9 })} Å³`;
@@ -11,7 +11,7 @@ export class ComponentList {
     const { list } = viewer.scene.components();
     this.rows = list.map((component, i) => toggle({ id: `component-${i}`, label: component.name,
       count: component.volume === null ? number(component.triangles) : volume(component.volume),
-      title: `${component.name}: ${number(component.triangles)} triangles` +
+      title: `${component.name}: ${counted(component.triangles, 'triangle')}` +
         (component.volume === null ? '' : `, encloses ${volume(component.volume)}`),
       change: (isOn) => this.#show([i], isOn) }));
     const voids = list.flatMap(({ name }, i) => (name.startsWith('void') ? [i] : []));

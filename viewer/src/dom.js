@@ -37,6 +37,9 @@ export const icon = (name) => shape('svg', { viewBox: '0 0 16 16', class: `shape
 
 export const number = (n) => n.toLocaleString('en');
 
+// How many of what: 1 atom, 2 atoms.
+export const counted = (n, one) => `${number(n)} ${n === 1 ? one : `${one}s`}`;
+
 // A row of buttons of which one is pressed.
 export function choice(label, options, now, pick) {
   const buttons = options.map(([value, text, key]) =>

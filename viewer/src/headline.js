@@ -1,6 +1,6 @@
 // What stands under the title: counts, and whether the mesh is certified.
 
-import { element, number } from './dom.js';
+import { counted, element, number } from './dom.js';
 
 /** { chain: ["A"], waters: true } as "chain A, waters". */
 function selectionWords(selection) {
@@ -14,8 +14,8 @@ function selectionWords(selection) {
 export const inPrint = (unit) => unit.replace('A', 'Å').replace('^2', '²');
 
 export function headline(about) {
-  const lines = [`${number(about.mesh.triangles)} triangles, ${number(about.mesh.vertices)} vertices`];
-  if (about.atoms) lines.push(`${number(about.atoms)} atoms, model ${about.model}`);
+  const lines = [`${counted(about.mesh.triangles, 'triangle')}, ${number(about.mesh.vertices)} vertices`];
+  if (about.atoms) lines.push(`${counted(about.atoms, 'atom')}, model ${about.model}`);
   if (about.selection) lines.push(`chosen: ${selectionWords(about.selection)}`);
   if (Number.isFinite(about.min_angle_deg)) lines.push(`smallest angle ${about.min_angle_deg.toFixed(2)}°`);
   return lines.join(' · ');

@@ -52,8 +52,9 @@ export function facts(scene, { triangle, vertex }) {
     rows.push(['[L] (above 1)', short(least)],
       ['[U] (below 1)', short(circumradius / (C * Q * scale(Math.min(...rho))))]);
   }
+  const kind = complex.dimension(cells[vertex]);
   rows.push(['ρ', `${short(rho[corners.indexOf(vertex)])} Å`],
-    ['Cell', `${patchKinds[complex.dimension(cells[vertex])]}; balls ${
+    ['Cell', `${patchKinds[kind]}; ${kind === 0 ? 'ball' : 'balls'} ${
       [...complex.corners(cells[vertex])].map((atom) => atom + 1).join(', ')}`]);
   const atom = complex.nearestAtom(cells[vertex], ...at.toArray());
   rows.push(['Nearest ball', `${atom + 1} ${scene.elementName(atom)}`.trim()]);

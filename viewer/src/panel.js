@@ -2,7 +2,7 @@
 // state through the functions it is given, and follows when the state changes by other ways.
 
 import { ComponentList } from './components.js';
-import { choice, element, histogram, icon, number, section, toggle } from './dom.js';
+import { choice, counted, element, histogram, icon, number, section, toggle } from './dom.js';
 import { certificateLine, headline, inPrint } from './headline.js';
 import { hex } from './palette.js';
 import { levelColour } from './level.js';
@@ -234,7 +234,7 @@ export class Panel {
       this.rows.lines.count.textContent = number(lines.count);
     }
     const sum = (counts[0] - counts[1] + counts[2]).toString().replace('-', '−');
-    this.pointKey.textContent = `${number(counts[0])} min − ${number(counts[1])} saddles + ` +
+    this.pointKey.textContent = `${number(counts[0])} min − ${counted(counts[1], 'saddle')} + ` +
       `${number(counts[2])} max = ${sum}`;
   }
 
@@ -274,8 +274,8 @@ export class Panel {
     const { about } = viewer.scene.page;
     const isWhole = state.step === sweep.steps;
     const level = sweep.level();
-    this.frontNote.textContent = `${number(sweep.triangles())} triangles, ` + (isWhole
-      ? 'closed' : `${number(sweep.frontEdges ?? 0)} edges in the front` +
+    this.frontNote.textContent = `${counted(sweep.triangles(), 'triangle')}, ` + (isWhole
+      ? 'closed' : `${counted(sweep.frontEdges ?? 0, 'edge')} in the front` +
         (level === level ? ` at ${withUnit(level, about.function.unit)}` : ''));
   }
 
@@ -284,7 +284,7 @@ export class Panel {
     this.frame.value = state.frame;
     this.playGrowth.replaceChildren(icon(state.growing ? 'pause' : 'play'));
     const frame = growth.frames[state.frame];
-    this.frameNote.textContent = frame ? `${frame.label}: ${number(frame.triangles)} triangles`
+    this.frameNote.textContent = frame ? `${frame.label}: ${counted(frame.triangles, 'triangle')}`
       : 'grown: the mesh itself';
   }
 }

@@ -3,10 +3,13 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { settle } from './browser.mjs';
-import { change, check, make, molecules, morskin, pages, picture, small, withPage } from './pages.mjs';
+import {
+  change, check, folder, make, molecules, morskin, pages, picture, small, withPage,
+} from './pages.mjs';
 
 const shell = join(molecules, 'shell_hollow.xyzr');
 before(() => {
@@ -61,6 +64,33 @@ test('the head names what was chosen of the atoms, and does not say that there i
       assert.match(head, /32 atoms, model paper · chosen: waters, altloc all · smallest/);
     });
   });
+
+test('of one thing the page does not speak as of many', { timeout: 900000 }, async () => {
+  const ball = join(folder, 'ball.xyzr');
+  writeFileSync(ball, '0 0 0 1.5\n');
+  await withPage(make('ball', ball), small, async (page) => {
+    assert.match(await page.locator('.counts').textContent(), / · 1 atom, model/);
+    await page.locator('#colour').selectOption('region');
+    assert.match(await page.locator('.legend').first().textContent(), /^1 pair of a minimum/);
+    const { width, height } = await page.locator('#stage').boundingBox();
+    await page.mouse.click(width / 2, height / 2);
+    assert.match(await page.locator('.told').textContent(), /Cellvertex: sphere; ball 1Nearest ball1$/);
+  });
+  await withPage(pages.ligand, small, async (page) => {
+    assert.match(await page.locator('.counts').textContent(), / · 32 atoms, model/);
+    const said = await page.evaluate(() => {
+      const { viewer } = window, words = [];
+      for (const n of [0, 1, 2]) {
+        viewer.scene.page.about.critical.left[1] = n;
+        viewer.set({ simplified: false });
+        viewer.set({ simplified: true });
+        words.push(document.querySelector('label[for=spheres] + .note').textContent);
+      }
+      return words;
+    });
+    said.forEach((words, n) => assert.match(words, [/ 0 saddles /, / 1 saddle /, / 2 saddles /][n]));
+  });
+});
 
 // In the page: looks straight at triangles whose corners lie in two cells, and says of points on them
 // the colour seen there and the kind of the cell that holds them, by all of its walls.
