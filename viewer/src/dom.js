@@ -40,6 +40,16 @@ export const number = (n) => n.toLocaleString('en');
 // How many of what: 1 atom, 2 atoms.
 export const counted = (n, one) => `${number(n)} ${n === 1 ? one : `${one}s`}`;
 
+// Shows on a button that plays something whether it runs, and what a press does. Only a change is
+// shown: a sign put anew in every frame would go from under the pointer, and its click with it.
+export function showPlaying(button, isPlaying, [run, stop], key) {
+  const words = isPlaying ? stop : run;
+  if (button.getAttribute('aria-label') === words) return;
+  button.setAttribute('aria-label', words);
+  button.title = `${words} (${key})`;
+  button.replaceChildren(icon(isPlaying ? 'pause' : 'play'));
+}
+
 // A row of buttons of which one is pressed.
 export function choice(label, options, now, pick) {
   const buttons = options.map(([value, text, key]) =>

@@ -2,7 +2,7 @@
 // state through the functions it is given, and follows when the state changes by other ways.
 
 import { ComponentList } from './components.js';
-import { choice, counted, element, histogram, icon, number, section, toggle } from './dom.js';
+import { choice, counted, element, histogram, icon, number, section, showPlaying, toggle } from './dom.js';
 import { certificateLine, headline, inPrint } from './headline.js';
 import { hex } from './palette.js';
 import { levelColour } from './level.js';
@@ -157,8 +157,8 @@ export class Panel {
 
   #sweep() {
     const { viewer } = this;
-    this.play = element('button', { type: 'button', class: 'play', title: 'Run the sweep (Space)',
-      'aria-label': 'Run the sweep', onclick: () => viewer.togglePlay() });
+    this.play = element('button', { type: 'button', class: 'play',
+      onclick: () => viewer.togglePlay() });
     this.step = element('input', { type: 'range', id: 'step', min: 0, max: viewer.sweep.steps,
       step: 1, 'aria-label': 'Progress of the sweep', title: 'Progress of the sweep (, and .)',
       oninput: () => viewer.goTo(Number(this.step.value)) });
@@ -177,8 +177,8 @@ export class Panel {
     this.frame = element('input', { type: 'range', id: 'frame', min: 0,
       max: viewer.growth.frames.length, step: 1, 'aria-label': 'Frame of the growth',
       oninput: () => viewer.goToFrame(Number(this.frame.value)) });
-    this.playGrowth = element('button', { type: 'button', class: 'play', title: 'Let it grow (G)',
-      'aria-label': 'Let it grow', onclick: () => viewer.toggleGrowth() });
+    this.playGrowth = element('button', { type: 'button', class: 'play',
+      onclick: () => viewer.toggleGrowth() });
     this.frameNote = element('p', { class: 'note' });
     return section('Growth', element('div', { class: 'player' }, this.playGrowth, this.frame),
       this.frameNote);
@@ -265,7 +265,7 @@ export class Panel {
   #showSweep() {
     const { viewer } = this, { sweep, state } = viewer;
     this.step.value = state.step;
-    this.play.replaceChildren(icon(state.playing ? 'pause' : 'play'));
+    showPlaying(this.play, state.playing, ['Run the sweep', 'Stop the sweep'], 'Space');
     sweep.counts().forEach(({ now, all }, i) => {
       const [, shown, total] = this.done.rows[i].cells;
       shown.textContent = number(now);
@@ -282,7 +282,7 @@ export class Panel {
   #showGrowth() {
     const { viewer } = this, { growth, state } = viewer;
     this.frame.value = state.frame;
-    this.playGrowth.replaceChildren(icon(state.growing ? 'pause' : 'play'));
+    showPlaying(this.playGrowth, state.growing, ['Let it grow', 'Stop growing'], 'G');
     const frame = growth.frames[state.frame];
     this.frameNote.textContent = frame ? `${frame.label}: ${counted(frame.triangles, 'triangle')}`
       : 'grown: the mesh itself';

@@ -37,12 +37,16 @@ test('the sweep goes from the first bowl to the last seal', { timeout: 900000 },
     assert.match(await page.locator('.done + .note').textContent(), /closed/);
     const off = difference(whole, await stage(page));
     assert.ok(off < 0.001, `the end is the whole mesh, but for ${off}`);
-    // It runs by itself, and stops where it is asked to.
+    // It runs by itself, and stops where it is asked to, by a click as slow as a hand's.
+    const name = () => page.locator('button.play').getAttribute('aria-label');
+    assert.equal(await name(), 'Run the sweep');
     await page.locator('button.play').click();
     await page.waitForFunction((most) => window.viewer.state.step > 0 &&
       window.viewer.state.step < most / 2, steps);
-    await page.locator('button.play').click();
+    assert.equal(await name(), 'Stop the sweep');
+    await page.locator('button.play').click({ delay: 200 });
     assert.equal(await page.evaluate(() => window.viewer.state.playing), false);
+    assert.equal(await name(), 'Run the sweep');
   });
 });
 
