@@ -45,9 +45,10 @@ export class Address {
   }
 
   // What the address does not tell is as the page opened; what makes no sense here, in an address
-  // from another page, is passed over.
+  // from another page, is passed over. What plays stops, or it would go on from where it was.
   #read() {
     const changes = Object.fromEntries(kept.map((name) => [name, this.first[name]]));
+    Object.assign(changes, { playing: false, growing: false });
     let eye = this.home, normal;
     for (const [name, word] of new URLSearchParams(location.hash.slice(1))) {
       const was = this.first[name];

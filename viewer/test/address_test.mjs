@@ -52,6 +52,13 @@ test('an address put in the place of another opens what a new page would', { tim
     assert.deepEqual(await state(page), { ...first, colouring: 'scale' });
     assert.deepEqual(await eye(), home);
     assert.equal(await hash(page), '#colouring=scale');
+    // A sweep that runs stops at the step of the address.
+    await page.evaluate(() => window.viewer.togglePlay());
+    await page.waitForFunction(() => window.viewer.state.playing && window.viewer.state.step > 3);
+    await page.evaluate(() => { location.hash = '#step=3'; });
+    await page.waitForFunction(() => !window.viewer.state.playing);
+    await settle(page);
+    assert.deepEqual(await state(page), { ...first, step: 3 });
   });
 });
 
