@@ -230,6 +230,13 @@ export class Viewer {
       this.stage.world.add(this.sweep.frontObject);
     }
     this.surface.show(this.sweep.triangles());
+    this.#showFront();
+  }
+
+  // The front is the mesh's: over a frame of the growth there is none.
+  #showFront() {
+    if (!this.sweep?.front) return;
+    this.sweep.frontObject.visible = this.isGrown() && this.sweep.frontEdges > 0;
   }
 
   togglePlay() {
@@ -243,8 +250,13 @@ export class Viewer {
   // The surface, or the frame of the growth in its place.
   #showFrame() {
     this.growth?.show(this.state.frame, this.stage.world, this.state);
-    const isGrown = this.state.frame === (this.growth?.frames.length ?? 0);
-    this.surface.group.visible = isGrown && this.state.style !== 'off';
+    this.surface.group.visible = this.isGrown() && this.state.style !== 'off';
+    this.#showFront();
+  }
+
+  // Whether the mesh itself is there, not a frame of the growth.
+  isGrown() {
+    return this.state.frame === (this.growth?.frames.length ?? 0);
   }
 
   toggleGrowth() {

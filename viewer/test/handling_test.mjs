@@ -229,6 +229,18 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     assert.ok(seconds > 5.9, `${seconds} s`);
     assert.deepEqual([await isMeshSeen(), await isTold()], [true, true]);
   });
+  await withPage(make('swept', ring, '--frames', coarse), small, async (page) => {
+    const isFrontSeen = () => page.evaluate(() => window.viewer.sweep.frontObject.visible);
+    const go = (name, to) => page.evaluate(([act, n]) => window.viewer[act](n), [name, to]);
+    await go('goTo', 500);
+    assert.equal(await isFrontSeen(), true);
+    await go('goToFrame', 0);
+    assert.equal(await isFrontSeen(), false, 'the front of the mesh lies over a frame');
+    await go('goTo', 600);
+    assert.equal(await isFrontSeen(), false);
+    await go('goToFrame', 1);
+    assert.equal(await isFrontSeen(), true);
+  });
   const empty = join(folder, 'empty.off');
   writeFileSync(empty, 'OFF\n0 0 0\n');
   await withPage(make('empty frame', fine, '--frames', empty), small, async (page) => {
