@@ -186,7 +186,8 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     execFileSync(morskin, ['mesh', ring, '--model', 'paper', '-o', path, '-q', ...words]);
     return path;
   };
-  const coarse = mesh('coarse.ply', '-C', '0.16', '-Q', '1.7'), fine = mesh('fine.ply');
+  const long = 'coarse_as_a_mesh_may_be_and_of_a_name_longer_than_the_panel_is_wide';
+  const coarse = mesh(`${long}.ply`, '-C', '0.16', '-Q', '1.7'), fine = mesh('fine.ply');
   await withPage(make('mesh', fine), small, async (page) => {
     const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
     assert.deepEqual(ids, ['quality', 'component', 'plain']);
@@ -202,6 +203,8 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     }, to);
     assert.ok(await change(page, () => move(0)) > 0.02);
     assert.match(await page.locator('.player ~ .note').last().textContent(), /coarse/);
+    assert.ok(await page.locator('.body').evaluate((body) => body.scrollWidth <= body.clientWidth),
+      'a long name makes the panel scroll sideways');
     await picture(page, 'growth');
     // Whatever is switched, the frame is shown alone, and a click tells nothing of the mesh.
     const isMeshSeen = () => page.evaluate(() => window.viewer.surface.group.visible);
