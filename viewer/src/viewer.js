@@ -52,10 +52,13 @@ export class Viewer {
       'aria-label': 'Show the panel', onclick: () => this.set({ panel: true }) }, icon('panel')));
     const canvas = this.stage.renderer.domElement;
     let from;
-    canvas.addEventListener('pointerdown', (event) => { from = [event.clientX, event.clientY]; });
+    // A second finger makes it no click.
+    canvas.addEventListener('pointerdown', (event) => {
+      from = event.isPrimary ? [event.clientX, event.clientY] : null;
+    });
     canvas.addEventListener('pointerup', (event) => {
-      const moved = from && Math.hypot(event.clientX - from[0], event.clientY - from[1]);
-      if (event.button === 0 && moved < 4) this.inspect(event.clientX, event.clientY);
+      if (event.button !== 0 || !from) return;
+      if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) < 4) this.inspect(event.clientX, event.clientY);
     });
   }
 

@@ -168,6 +168,41 @@ test('dragging turns the surface', { timeout: 900000 }, async () => {
   });
 });
 
+test('fingers turn the surface, move it nearer and tell of what they tap', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { width: 390, height: 844, touch: true }, async (page) => {
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
+      { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+    const distance = () => page.evaluate(() => window.viewer.stage.controls.getDistance());
+    const told = page.locator('#panel section').first();
+    const turned = await change(page, async () => {
+      await touch('touchStart', [195, 220]);
+      for (let k = 1; k < 6; ++k) await touch('touchMove', [195 + 12 * k, 220 + 4 * k]);
+      await touch('touchEnd');
+    });
+    assert.ok(turned > 0.05, String(turned));
+    assert.ok(!await told.isVisible(), 'a drag is no tap');
+    // The one finger rests, as that of a tap would; the other draws away from it.
+    await page.evaluate(() => window.viewer.stage.fit());
+    const far = await distance();
+    await page.evaluate(() => window.viewer.panel.say('until a tap'));
+    await touch('touchStart', [195, 200]);
+    await touch('touchStart', [195, 200], [195, 260]);
+    for (let k = 1; k < 6; ++k) await touch('touchMove', [195, 200 - 10 * k], [195, 260]);
+    await touch('touchEnd', [195, 150]);
+    await touch('touchEnd');
+    assert.ok(await distance() < 0.9 * far);
+    assert.match(await told.textContent(), /until a tap/, 'two fingers are no tap');
+    await page.evaluate(() => window.viewer.stage.fit());
+    const words = new Set();
+    for (const x of [195, 160, 230, 125]) {
+      await page.touchscreen.tap(x, 220);
+      words.add(await told.textContent());
+    }
+    assert.ok([...words].some((text) => /^ClickedTriangle/.test(text)), `${[...words]}`);
+  });
+});
+
 test('a triangle without an angle is told, not left out', { timeout: 900000 }, async () => {
   const flat = join(folder, 'flat.ply');
   writeFileSync(flat, 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n' +
