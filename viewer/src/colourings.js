@@ -3,7 +3,7 @@
 
 import { AtomParts, CellParts } from './corner_parts.js';
 import { counted } from './dom.js';
-import { inPrint } from './headline.js';
+import { inPrint, signed } from './headline.js';
 import { extent } from './mesh.js';
 import * as palette from './palette.js';
 
@@ -31,7 +31,7 @@ function tally(numbers, size) {
   return counts;
 }
 
-const short = (x) => Number(x.toPrecision(3)).toString();
+const short = (x) => signed(Number(x.toPrecision(3)).toString());
 
 // A table of colours for a scale, so that painting looks up and does not compute.
 const steps = Array.from({ length: 256 }, (_, i) => palette.gradient(i / 255));

@@ -10,6 +10,9 @@ function selectionWords(selection) {
   }).join(', ');
 }
 
+// A number's text with the sign for minus that is as wide as the one for plus; no -0.
+export const signed = (text) => (Number(text) === 0 ? text.replace('-', '') : text.replace(/^-/, '−'));
+
 // A or A^2, as it is printed.
 export const inPrint = (unit) => unit.replace('A', 'Å').replace('^2', '²');
 

@@ -3,7 +3,7 @@
 
 import { ComponentList } from './components.js';
 import { choice, counted, element, histogram, icon, number, section, showPlaying, toggle } from './dom.js';
-import { certificateLine, headline, inPrint } from './headline.js';
+import { certificateLine, headline, inPrint, signed } from './headline.js';
 import { hex } from './palette.js';
 import { levelColour } from './level.js';
 import * as palette from './palette.js';
@@ -11,7 +11,7 @@ import * as palette from './palette.js';
 const css = (colour) => hex(colour);
 
 function withUnit(value, unit) {
-  return `${value.toFixed(2)} ${inPrint(unit)}`.replace('-', '−');
+  return `${signed(value.toFixed(2))} ${inPrint(unit)}`;
 }
 
 export class Panel {
@@ -233,7 +233,7 @@ export class Panel {
       const lines = viewer.scene.page.about[state.simplified ? 'kept_lines' : 'lines'];
       this.rows.lines.count.textContent = number(lines.count);
     }
-    const sum = (counts[0] - counts[1] + counts[2]).toString().replace('-', '−');
+    const sum = signed(String(counts[0] - counts[1] + counts[2]));
     this.pointKey.textContent = `${number(counts[0])} min − ${counted(counts[1], 'saddle')} + ` +
       `${number(counts[2])} max = ${sum}`;
   }

@@ -65,13 +65,15 @@ test('the head names what was chosen of the atoms, and does not say that there i
     });
   });
 
-test('of one thing the page does not speak as of many', { timeout: 900000 }, async () => {
+test('the words fit one of a thing as they fit many, and a number below 0', { timeout: 900000 }, async () => {
   const ball = join(folder, 'ball.xyzr');
   writeFileSync(ball, '0 0 0 1.5\n');
   await withPage(make('ball', ball), small, async (page) => {
     assert.match(await page.locator('.counts').textContent(), / · 1 atom, model/);
     await page.locator('#colour').selectOption('region');
     assert.match(await page.locator('.legend').first().textContent(), /^1 pair of a minimum/);
+    await page.locator('#colour').selectOption('value');
+    assert.match(await page.locator('.ticks').textContent(), /^−1\.\d+−?0\.\d+1\.\d+$/, 'as it writes minus');
     const { width, height } = await page.locator('#stage').boundingBox();
     await page.mouse.click(width / 2, height / 2);
     assert.match(await page.locator('.told').textContent(), /Cellvertex: sphere; ball 1Nearest ball1$/);
