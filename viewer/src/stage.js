@@ -100,12 +100,12 @@ export class Stage {
     this.draw();
   }
 
-  // Turns by angles, radians; the camera stays upright.
+  // Turns what is seen to the right and up by angles, radians, as a drag does; the camera stays upright.
   turn(right, up) {
     const off = this.camera.position.clone().sub(this.controls.target);
     const place = new THREE.Spherical().setFromVector3(off);
     place.theta -= right;
-    place.phi = Math.min(Math.max(place.phi - up, 0.01), Math.PI - 0.01);
+    place.phi = Math.min(Math.max(place.phi + up, 0.01), Math.PI - 0.01);
     this.camera.position.copy(this.controls.target).add(off.setFromSpherical(place));
     this.controls.update();
     this.draw(true);

@@ -1,4 +1,4 @@
-// The sweep, keys, touch and dragging: the viewer worked by hand, on a desk and on a phone.
+// The sweep, touch and dragging: the viewer worked by hand, on a desk and on a phone.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -47,58 +47,6 @@ test('the sweep goes from the first bowl to the last seal', { timeout: 900000 },
     await page.locator('button.play').click({ delay: 200 });
     assert.equal(await page.evaluate(() => window.viewer.state.playing), false);
     assert.equal(await name(), 'Run the sweep');
-  });
-});
-
-test('every key of the help does what it says', { timeout: 900000 }, async () => {
-  await withPage(pages.ligand, small, async (page) => {
-    const state = () => page.evaluate(() => ({ ...window.viewer.state }));
-    const eye = () => page.evaluate(() => window.viewer.stage.camera.position.toArray().join());
-    for (const [key, name] of [['e', 'edges'], ['x', 'seeThrough'], ['a', 'atoms'], ['k', 'points'],
-      ['l', 'lines'], ['s', 'spheres'], ['i', 'simplified'], ['m', 'section'], ['u', 'cut'],
-      ['v', 'level'], ['p', 'panel'], ['1', 'style'], ['2', 'style'], ['3', 'style'], ['4', 'style'],
-      ['c', 'colouring'], ['C', 'colouring'], [']', 'offset'], ['[', 'offset'], [',', 'step'],
-      ['.', 'step'], ['<', 'step'], ['>', 'step'], [' ', 'playing'], [' ', 'playing']]) {
-      if (key === '1') await page.keyboard.press('2');
-      const old = (await state())[name];
-      await page.keyboard.press(key);
-      assert.notEqual((await state())[name], old, `key ${key}`);
-    }
-    for (const key of ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-']) {
-      const old = await eye();
-      await page.keyboard.press(key);
-      assert.notEqual(await eye(), old, key);
-    }
-    const old = await eye();
-    await page.keyboard.press('f');
-    assert.notEqual(await eye(), old, 'f');
-    await page.keyboard.press('h');
-    assert.ok(await page.locator('#help').isVisible());
-    await page.keyboard.press('Escape');
-    assert.ok(!await page.locator('#help').isVisible());
-    await settle(page);
-  });
-});
-
-test('the space bar unfolds what is proved and runs no sweep', { timeout: 900000 }, async () => {
-  await withPage(pages.ligand, { width: 760, height: 600, scale: 0.5 }, async (page) => {
-    await page.locator('summary').focus();
-    await page.keyboard.press(' ');
-    assert.equal(await page.locator('details').getAttribute('open'), '');
-    assert.equal(await page.evaluate(() => window.viewer.state.playing), false);
-  });
-});
-
-test('all of it can be reached with the tabulator', { timeout: 900000 }, async () => {
-  await withPage(pages.ligand, small, async (page) => {
-    const reached = new Set();
-    for (let i = 0; i < 60; ++i) {
-      await page.keyboard.press('Tab');
-      reached.add(await page.evaluate(() => document.activeElement.id ||
-        document.activeElement.getAttribute('aria-label') || document.activeElement.dataset.value));
-    }
-    const ids = await page.locator('#panel input, #panel select').evaluateAll((l) => l.map((e) => e.id));
-    for (const id of ids) assert.ok(reached.has(id), `${id} is out of reach`);
   });
 });
 
