@@ -182,6 +182,27 @@ test('the level moves with the sweep, as a plane of a height', { timeout: 900000
   });
 });
 
+test('without a sweep the level has a slider, which the address keeps', { timeout: 900000 }, async () => {
+  const mesh = join(folder, 'caffeine.ply'), molecule = join(molecules, 'caffeine.xyz');
+  execFileSync(morskin, ['mesh', molecule, '--model', 'paper', '-o', mesh, '-q']);
+  const file = make('against', mesh, '--against', molecule);
+  await withPage(file, small, async (page) => {
+    const slider = page.locator('#share'), level = (at) => at.evaluate(() => window.viewer.level());
+    assert.ok(!await slider.isVisible());
+    await check(page, 'level');
+    const { low, high } = await page.evaluate(() => window.viewer.scene.functionRange());
+    assert.ok(await change(page, () => slider.fill('0.25')) > 0.01);
+    assert.ok(Math.abs(await level(page) - (0.75 * low + 0.25 * high)) < 1e-9);
+    assert.match(await page.getByText(/^level /).textContent(), /^level −[\d.]+ Å$/);
+    const hash = await page.evaluate(() => { window.viewer.address.write(); return location.hash; });
+    assert.equal(hash, '#level=1&share=0.25');
+    await withPage(file + hash, small, async (again) => {
+      assert.equal(await level(again), await level(page));
+      assert.equal(await again.locator('#share').inputValue(), '0.25');
+    });
+  });
+});
+
 test('of a squared distance the centre is shown, and a sphere through the front', { timeout: 900000 },
   async () => {
     await withPage(pages.distance, small, async (page) => {
