@@ -50,15 +50,18 @@ test('the sweep goes from the first bowl to the last seal', { timeout: 900000 },
   });
 });
 
-test('dark and light follow the system and the switch', { timeout: 900000 }, async () => {
+test('dark and light follow the system until the switch is used', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, { ...small, scheme: 'dark' }, async (page) => {
     await picture(page, 'dark');
+    const system = (colorScheme) => change(page, () => page.emulateMedia({ colorScheme }));
+    assert.ok(await system('light') > 0.2);
+    assert.ok(await system('dark') > 0.2);
     assert.ok(await change(page, () => page.keyboard.press('d')) > 0.2);
-    assert.ok(await change(page, () => page.keyboard.press('d')) > 0.2);
-    await page.keyboard.press('d');
-    await page.emulateMedia({ colorScheme: 'light' });
-    await settle(page);
+    // From now on it is as the switch says.
+    assert.equal(await system('light'), 0);
+    assert.equal(await system('dark'), 0);
     assert.equal(await page.evaluate(() => window.viewer.isDark()), false);
+    assert.ok(await change(page, () => page.keyboard.press('d')) > 0.2);
   });
 });
 
@@ -204,6 +207,16 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     await settle(page);
     await picture(page, 'growth');
     assert.deepEqual([await isMeshSeen(), await isTold()], [false, false]);
+    const growing = () => page.evaluate(() => window.viewer.state.growing);
+    await page.keyboard.press('g');
+    assert.equal(await growing(), true);
+    await page.keyboard.press('g');
+    assert.equal(await growing(), false);
+    // The address opens the frame.
+    const address = await page.evaluate(() => { window.viewer.address.write(); return location.hash; });
+    assert.match(address, /frame=0/);
+    await withPage(join(folder, 'growing.html') + address, small, async (again) =>
+      assert.equal(await again.evaluate(() => window.viewer.state.frame), 0));
     // Stopped and started again it is no faster: three seconds for each of two frames.
     const seconds = await page.evaluate(() => new Promise((done) => {
       const { viewer } = window, start = performance.now();
