@@ -105,6 +105,19 @@ test('a disc follows the mouse and a finger', async () => {
     const [x, y] = (await state(page)).discs[0].z;
     assert.ok(x < -1.5 && y < -0.3, `${x}, ${y}`);
   });
+  await withPart('skin2d', phone, async (page) => {
+    const disc = page.locator('[aria-label^="Disc 1"] circle').last();
+    await disc.scrollIntoViewIfNeeded();
+    const box = await disc.boundingBox(), session = await page.context().newCDPSession(page);
+    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
+      { type, touchPoints: places.map(([x, y]) => ({ x, y })) });
+    const [was] = (await state(page)).discs, at = [box.x + 5, box.y + 5];
+    await touch('touchStart', at);
+    for (let k = 1; k < 4; ++k) await touch('touchMove', [at[0] - 5 * k, at[1] - 12 * k]);
+    await touch('touchEnd');
+    const [now] = (await state(page)).discs;
+    assert.ok(now.z[0] < was.z[0] - 0.1 && now.z[1] > was.z[1] + 0.3, `${was.z} became ${now.z}`);
+  });
 });
 
 test('an edge and a triangle redden where [L] and [U] break', async () => {
