@@ -23,8 +23,7 @@ async function report(molecule, ...words) {
 for (const words of [[], ['--vertex-data', 'all']]) {
   test(`glTF's validator finds nothing in a GLB file ${words.join(' ')}`, async () => {
     const { issues, info } = await report('caffeine.xyz', ...words);
-    assert.equal(issues.numErrors, 0, JSON.stringify(issues.messages));
-    assert.equal(issues.numWarnings, 0, JSON.stringify(issues.messages));
+    assert.deepEqual(issues.messages, []);
     assert.ok(info.totalTriangleCount > 1000);
   });
 }
