@@ -32,6 +32,16 @@ std::uint32_t line_number(const TextLines& lines) {
   return static_cast<std::uint32_t>(lines.number());
 }
 
+/// A label would cut what is longer, and two atoms, residues or chains could become one.
+/// @param what  the field, of the atom called `name`
+Label whole_label(std::string_view field, std::string_view what, std::string_view name,
+                  const TextLines& lines) {
+  if (field.size() <= Label::max_size) return Label(field);
+  throw geometry::RefusedInput(lines.location() + ": atom " + quoted(name) + " has the " +
+                               std::string(what) + " " + quoted(field) + ", longer than " +
+                               std::to_string(Label::max_size) + " letters; shorten it");
+}
+
 // record serial name residue [chain] number x y z charge radius; the serial may stick to the
 // record, and a number of four digits to the chain's letter.
 AtomRecord pqr_atom(const TextLines& lines) {
@@ -59,11 +69,12 @@ AtomRecord pqr_atom(const TextLines& lines) {
   AtomRecord record;
   Atom& atom = record.atom;
   atom.line = line_number(lines);
-  atom.name = Label(fields[2]);
-  atom.residue = Label(fields[3]);
-  if (fields.size() == 11) atom.chain = Label(fields[4]);
-  atom.residue_number = Label(fields[x - 1]);
-  atom.element = Label(element_from_word(fields[2], fields[3]));
+  const std::string_view name = fields[2];
+  atom.name = whole_label(name, "name", name, lines);
+  atom.residue = whole_label(fields[3], "residue", name, lines);
+  if (fields.size() == 11) atom.chain = whole_label(fields[4], "chain", name, lines);
+  atom.residue_number = whole_label(fields[x - 1], "residue number", name, lines);
+  atom.element = Label(element_from_word(name, fields[3]));
   atom.position = {number_in(fields[x], "the coordinate x", lines),
                    number_in(fields[x + 1], "the coordinate y", lines),
                    number_in(fields[x + 2], "the coordinate z", lines)};

@@ -47,6 +47,30 @@ TEST_CASE("names of mmCIF that a short label does not tell apart are refused, no
                        doctest::Contains("alternate location"), RefusedInput);
 }
 
+TEST_CASE("a name of PQR that a label would cut is refused with its line, one that fits is not") {
+  const auto with = [](const std::string& name, const std::string& residue,
+                       const std::string& chain, const std::string& number) {
+    return "ATOM 1 C ALA A 1 5 0 0 0 1.7\nATOM 2 " + name + " " + residue + " " + chain + " " +
+           number + " 0 0 0 0 1.7\n";
+  };
+  const Molecule whole =
+      parse_molecule(with("C2345678", "R2345678", "CHAIN678", "12345678"), "a.pqr");
+  CHECK(describe(whole.atoms[1]) == "atom C2345678 of R2345678 12345678 chain CHAIN678 (line 2)");
+  const auto refused = [](const std::string& text, const char* message) {
+    CHECK_THROWS_WITH_AS(parse_molecule(text, "a.pqr"), message, RefusedInput);
+  };
+  refused(
+      with("C23456789", "ALA", "A", "2"),
+      "a.pqr:2: atom \"C23456789\" has the name \"C23456789\", longer than 8 letters; shorten it");
+  refused(with("C", "R23456789", "A", "2"),
+          "a.pqr:2: atom \"C\" has the residue \"R23456789\", longer than 8 letters; shorten it");
+  refused(with("C", "ALA", "CHAIN6789", "2"),
+          "a.pqr:2: atom \"C\" has the chain \"CHAIN6789\", longer than 8 letters; shorten it");
+  refused(with("C", "ALA", "A", "123456789"),
+          "a.pqr:2: atom \"C\" has the residue number \"123456789\", longer than 8 letters; "
+          "shorten it");
+}
+
 TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {
   const std::string ball = "0 0 0 1\n";
   const auto packed = [&](std::size_t bytes) {
