@@ -67,6 +67,10 @@ std::string_view element_from_columns(std::string_view line, std::string_view re
 // that of columns 13-16, untrimmed: an element of one letter starts in the second. In standard
 // residues the first letter decides, wherever the name begins.
 std::string_view element_from_name(std::string_view name, std::string_view residue) {
+  // An ion is called like its residue, "ZN" of "ZN", and some programs shift its name to column 14.
+  if (trimmed(name) == residue && !symbol_or_empty(residue).empty()) {
+    return symbol_or_empty(residue);
+  }
   const auto first = std::ranges::find_if(name, is_letter);
   if (first == name.end()) return {};
   const std::string_view from_first(first, name.end());
@@ -132,8 +136,6 @@ AtomRecord atom_on(const TextLines& lines) {
 }  // namespace
 
 std::string_view element_from_word(std::string_view name, std::string_view residue) {
-  // An ion is called like its residue: "ZN" of "ZN".
-  if (name == residue && !symbol_or_empty(name).empty()) return symbol_or_empty(name);
   // Two letters are one element where the first is none, or in the rest of these: no organic atom's
   // name begins so, with C, N or O and its place behind.
   const std::string_view two = name.substr(0, 2);

@@ -39,6 +39,36 @@ TEST_CASE("an old PDB file gives its elements by the columns of the names") {
   CHECK(elements_of(molecule) == "C Ca H Hg H H C N Fe Cl C H O D S");
 }
 
+TEST_CASE(
+    "HG from column 13 is mercury, from column 14 hydrogen, and in a residue HG always mercury") {
+  const auto element = [](const char* record, const char* name, const char* residue) {
+    return elements_of(parse_molecule(pdb_line(record, name, ' ', residue, 1, 0, ""), "old.pdb"));
+  };
+  CHECK(element("HETATM", "HG  ", "EMC") == "Hg");
+  CHECK(element("HETATM", "HG1 ", "EMC") == "Hg");
+  CHECK(element("HETATM", " HG ", "LIG") == "H");
+  CHECK(element("HETATM", " HG1", "LIG") == "H");
+  CHECK(element("HETATM", "HG11", "LIG") == "H");
+  CHECK(element("HETATM", "1HG ", "LIG") == "H");
+  // A standard residue has no mercury, and the residue HG nothing else.
+  CHECK(element("ATOM", "HG  ", "SER") == "H");
+  CHECK(element("HETATM", " HG ", "HG") == "Hg");
+  CHECK(element("HETATM", " HG ", "HG ") == "Hg");
+  CHECK(element("HETATM", "  HG", " HG") == "Hg");
+}
+
+TEST_CASE("an ion that is called like its residue is that element wherever its name begins") {
+  const auto element = [](const char* name, const char* residue) {
+    return elements_of(parse_molecule(pdb_line("HETATM", name, ' ', residue, 1, 0, ""), "old.pdb"));
+  };
+  CHECK(element(" ZN ", "ZN") == "Zn");
+  CHECK(element(" CA ", "CA") == "Ca");
+  CHECK(element(" CD ", "CD") == "Cd");
+  CHECK(element(" K  ", "K") == "K");
+  CHECK(element(" CA ", "LIG") == "C");
+  CHECK(element(" C  ", "C") == "C");
+}
+
 TEST_CASE("in a longer name without columns the first letter decides as in one of four") {
   std::string text;
   for (const char* name : {"HO5''", "NA123", "CA123", "CO123", "CA12", "FE", "CL123"}) {
