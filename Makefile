@@ -7,7 +7,7 @@ PYTHON ?= /usr/bin/python3
 SETS ?= 2000
 SECONDS ?= 60
 RESULTS ?= build/results
-FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz balls_fuzz
+FUZZERS = molecule_fuzz gzip_fuzz mesh_fuzz msms_fuzz balls_fuzz
 sources = $(shell find geometry surface implicit skin morse certify refine front morskin python app bench tests papers examples -name '*.h' -o -name '*.cpp')
 
 .DEFAULT_GOAL := build

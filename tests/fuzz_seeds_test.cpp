@@ -8,6 +8,7 @@
 #include "geometry/files/mesh_files.h"
 #include "skin/molecule_files.h"
 #include "tests/fuzz/endings.h"
+#include "tests/fuzz/msms_pair.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test.h"
 
@@ -59,4 +60,35 @@ TEST_CASE("each seed for gzip unpacks") {
     CAPTURE(file.path());
     CHECK(!geometry::unpack_gzip(support::bytes_of(file.path()), "a.gz", 1 << 20).empty());
   }
+}
+
+TEST_CASE("each seed for MSMS is two files that are read as one mesh, some without a triangle") {
+  std::set<std::size_t> triangles;
+  for (const auto& file : std::filesystem::directory_iterator("tests/fuzz/seeds/msms")) {
+    CAPTURE(file.path());
+    const std::string bytes = support::bytes_of(file.path());
+    const auto [vertices, faces] = fuzz::msms_pair(bytes);
+    CHECK(!faces.empty());
+    const auto mesh = geometry::parse_msms(vertices, "a.vert", faces, "a.face");
+    CHECK(!mesh.positions.empty());
+    triangles.insert(mesh.triangles.size());
+  }
+  CHECK(triangles == std::set<std::size_t>{0, 1, 4});
+}
+
+TEST_CASE("make fuzz runs each target, and each has seeds") {
+  const std::string makefile = support::bytes_of("Makefile");
+  const std::string_view list = std::string_view(makefile).substr(makefile.find("\nFUZZERS = "));
+  const std::string line(list.substr(0, list.find('\n', 1)));
+  std::size_t targets = 0;
+  for (const auto& file : std::filesystem::directory_iterator("tests/fuzz")) {
+    const std::string name = file.path().stem().string();
+    if (file.path().extension() != ".cpp" || !name.ends_with("_fuzz")) continue;
+    CAPTURE(name);
+    ++targets;
+    CHECK((line + " ").find(" " + name + " ") != std::string::npos);
+    const std::string seeds = "tests/fuzz/seeds/" + name.substr(0, name.size() - 5);
+    CHECK(std::filesystem::is_directory(seeds));
+  }
+  CHECK(targets == 5);
 }
