@@ -191,8 +191,7 @@ std::string json_text(const CheckReport& report) {
   ordered_json json = {{"mesh", arguments.mesh.string()}};
   if (arguments.against) {
     json["input"] = arguments.against->input.string();
-    json["model"] = skin::name_of(arguments.against->model);
-    json["probe"] = arguments.against->probe;
+    add_model(json, *arguments.against);
     add_selection(json, arguments.against->selection);
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;

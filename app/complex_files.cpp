@@ -42,13 +42,11 @@ constexpr std::array<std::string_view, 3> simplifications{"raw", "spheres", "per
 ordered_json head(const ComplexReport& report) {
   const MorseArguments& asked = report.arguments;
   const morse::Simplification& left = report.simplified;
-  ordered_json json = {
-      {"input", asked.molecule.input.string()},
-      {"model", skin::name_of(asked.molecule.model)},
-      {"probe", asked.molecule.probe},
-      {"function", function_json(report.function)},
-      {"unit", unit_of(report.function)},
-      {"simplification", simplifications[static_cast<std::size_t>(asked.simplify)]}};
+  ordered_json json = {{"input", asked.molecule.input.string()}};
+  add_model(json, asked.molecule);
+  json["function"] = function_json(report.function);
+  json["unit"] = unit_of(report.function);
+  json["simplification"] = simplifications[static_cast<std::size_t>(asked.simplify)];
   // JSON has no infinity.
   if (asked.simplify == Simplify::ByPersistence && asked.persistence <= 1e300) {
     json["persistence"] = asked.persistence;

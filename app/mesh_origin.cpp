@@ -53,7 +53,7 @@ void MeshOrigin::add_molecule(Entries& entries) const {
   add(entries, "input-sha256", input_sha256_);
   add(entries, "radii", radii_);
   add(entries, "model", std::string(skin::name_of(molecule.model)));
-  if (molecule.model != skin::Model::Given) add(entries, "probe", molecule.probe);
+  if (skin::has_probe(molecule.model)) add(entries, "probe", molecule.probe);
   add_selection(entries, arguments_.typed.selection);
   add(entries, "voids", arguments_.typed.voids.value_or("keep"));
   if (arguments_.grow_to != 0) add(entries, "grow", arguments_.grow_to);

@@ -85,22 +85,21 @@ ordered_json critical_json(const morskin::CriticalCounts& counts) {
 }
 
 std::string json_text(const MeshReport& report) {
-  ordered_json json = {{"input", report.molecule.input.string()},
-                       {"model", skin::name_of(report.molecule.model)},
-                       {"probe", report.molecule.probe},
-                       {"radii", report.radii},
-                       {"atoms_used", report.atoms_used},
-                       {"atoms_skipped", skipped(report.reading)},
-                       {"atoms_skipped_by_reason", skipped_json(report.reading)},
-                       {"atoms_duplicate", report.reading.duplicates},
-                       {"atoms_hidden", report.atoms_hidden},
-                       {"coordinates_rounded", report.rounded_coordinates},
-                       {"patch_radius_min", rounded(report.patch_radius_min)},
-                       {"patch_radius_max", rounded(report.patch_radius_max)},
-                       {"method", name_of(report.method)},
-                       {"C", report.sizing.C},
-                       {"Q", report.sizing.Q},
-                       {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}};
+  ordered_json json = {{"input", report.molecule.input.string()}};
+  add_model(json, report.molecule);
+  json.update({{"radii", report.radii},
+               {"atoms_used", report.atoms_used},
+               {"atoms_skipped", skipped(report.reading)},
+               {"atoms_skipped_by_reason", skipped_json(report.reading)},
+               {"atoms_duplicate", report.reading.duplicates},
+               {"atoms_hidden", report.atoms_hidden},
+               {"coordinates_rounded", report.rounded_coordinates},
+               {"patch_radius_min", rounded(report.patch_radius_min)},
+               {"patch_radius_max", rounded(report.patch_radius_max)},
+               {"method", name_of(report.method)},
+               {"C", report.sizing.C},
+               {"Q", report.sizing.Q},
+               {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}});
   add_selection(json, report.molecule.selection);
   if (report.preset) json["preset"] = preset_json(*report.preset);
   if (std::isfinite(report.sizing.largest_length_scale)) {

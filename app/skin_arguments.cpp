@@ -1,6 +1,7 @@
 #include "app/skin_arguments.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/report_lines.h"
 #include "app/typed_values.h"
@@ -39,6 +40,11 @@ std::string model_text(const MoleculeArguments& molecule) {
   const std::string model = "model " + std::string(skin::name_of(molecule.model));
   return skin::has_probe(molecule.model) ? model + ", probe " + brief(molecule.probe) + " A"
                                          : model;
+}
+
+void add_model(nlohmann::ordered_json& json, const MoleculeArguments& molecule) {
+  json["model"] = skin::name_of(molecule.model);
+  if (skin::has_probe(molecule.model)) json["probe"] = molecule.probe;
 }
 
 bool is_set(const TypedSkin& typed) {

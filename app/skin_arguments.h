@@ -3,6 +3,7 @@
 /// The options that say whose skin a mesh is, and how fine: as typed, and as values.
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,8 @@ struct MoleculeArguments {
 
 /// "model sas, probe 1.4 A"; the probe only where it plays a part.
 std::string model_text(const MoleculeArguments& molecule);
+/// Adds `model`, and `probe` where it plays a part.
+void add_model(nlohmann::ordered_json& json, const MoleculeArguments& molecule);
 
 /// The options as typed, before they are checked; absent where the default holds.
 struct TypedSkin {

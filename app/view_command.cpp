@@ -76,8 +76,7 @@ void set_sizing(Context& context, const certify::Sizing& sizing) {
 
 void describe(PageData& page, const Context& context, const MoleculeArguments& molecule) {
   page.about["atoms"] = context.input.molecule.atoms.size();
-  page.about["model"] = skin::name_of(molecule.model);
-  page.about["probe"] = molecule.probe;
+  add_model(page.about, molecule);
   page.about["C"] = context.sizing.C;
   page.about["Q"] = context.sizing.Q;
   if (std::isfinite(context.sizing.largest_length_scale)) {

@@ -82,6 +82,27 @@ class Mesh(CommandTest):
                 self.assertEqual(f"model {model}, probe 1.4 A" in text, has_probe, words)
                 self.assertRegex(text, rf"model {model}\b")
 
+    def test_reports_and_files_hold_the_probe_only_of_models_that_have_one(self):
+        weights = self.input("ring.xyzw", "".join(
+            f"{row.rsplit(maxsplit=1)[0]} 4.5\n" for row in self.ring.read_text().splitlines()
+            if row and row[0] != "#"))
+        for molecule, model, has_probe in (
+                (self.ring, "vdw", False), (self.ring, "ses-like", False),
+                (self.ring, "sas", True), (self.ring, "paper", True), (weights, "given", False)):
+            with self.subTest(model):
+                words = (molecule, "--model", model)
+                reports = [self.mesh_json(*words, "-o", "ring.ply"),
+                           self.check("ring.ply", "--against", molecule),
+                           json.loads(self.run_morskin("info", *words, "--json").stdout)]
+                self.run_morskin("morse", *words, "-o", "ring.json", "-q")
+                reports.append(json.loads((self.folder / "ring.json").read_text()))
+                for report in (*reports, reports[0]["provenance"]):
+                    self.assertEqual(report["model"], model)
+                    self.assertEqual(report.get("probe"), 1.4 if has_probe else None)
+                    self.assertEqual("probe" in report, has_probe)
+                mesh = (self.folder / "ring.ply").read_bytes()
+                self.assertEqual(b"comment morskin: probe 1.4\n" in mesh, has_probe)
+
     def test_the_report_file_holds_what_json_prints(self):
         printed = self.mesh_json(self.ring, "-o", "ring.off", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text()), printed)

@@ -74,7 +74,7 @@ class Features(CommandTest):
         page = (MOLECULES.parent.parent / "papers" / "features.md").read_text(encoding="utf-8")
         for name in expected:
             self.assertIn(name, page)
-        others = {"metadata", "C", "Q", "size", "probe"}
+        others = {"metadata", "C", "Q", "size"}  # the model has no probe
         self.assertEqual(set(a) - set(expected), others)
 
     def test_atoms_are_those_of_the_file_and_every_index_is_one_of_them(self):

@@ -55,9 +55,13 @@ class ForgedProvenance(ProvenanceTest):
                            ("voids", b"%"), ("voids", b"%zz"), ("voids", b"nan"),
                            ("voids", b"%1b[2J"), ("voids", b"k" * 10000)]:
             with self.subTest(key=key, value=value[:20]):
-                old = next(line for line in ply_parts((self.folder / "m.ply").read_bytes())[0]
-                           if line.startswith(f"comment morskin: {key} "))
-                forged = self.altered(old.encode(), f"comment morskin: {key} ".encode() + value)
+                header = ply_parts((self.folder / "m.ply").read_bytes())[0]
+                old = next((line for line in header if line.startswith(f"comment morskin: {key} ")),
+                           "comment morskin: voids keep")  # what has no probe gets one before it
+                stated = f"comment morskin: {key} ".encode() + value
+                if key == "probe":
+                    stated += b"\n" + old.encode()
+                forged = self.altered(old.encode(), stated)
                 report = self.check(forged, "--against", self.ring)
                 self.assertTrue(report["certified"])
                 self.assertTrue(report["origin"]["not_taken"])

@@ -97,6 +97,23 @@ class Provenance(ProvenanceTest):
         for word in ("model sas", "probe 1.2 A", 'chain ["A"]', "voids dropped", "C 0.2"):
             self.assertIn(word, said)
 
+    def test_a_probe_that_older_files_state_of_models_without_one_changes_no_verdict(self):
+        self.meshed("-o", "m.ply", "-C", "0.2")
+        new = (self.folder / "m.ply").read_bytes()
+        self.assertEqual(new.count(b"morskin: probe"), 0)
+        old = self.input("old.ply", new.replace(b"comment morskin: model vdw\n",
+                                                b"comment morskin: model vdw\n"
+                                                b"comment morskin: probe 1.4\n"))
+        report = self.check(old, "--against", self.ring)
+        self.assertTrue(report["certified"])
+        self.assertNotIn("probe", report)
+        self.assertEqual(report["origin"]["stated"]["probe"], "1.4")
+        self.assertEqual(report["origin"]["taken"], ["model", "probe", "voids", "C", "Q"])
+        self.assertEqual(report["origin"]["not_taken"], [])
+        self.assertTrue(report["origin"]["coordinates_match"])
+        report = self.check(old, "--against", self.ring, "--model", "sas", code=5)
+        self.assertEqual((report["model"], report["probe"]), ("sas", 1.4))
+
     def test_options_of_size_and_of_triangles_are_taken_too(self):
         for words in (("--size", "0.7"), ("--triangles", "3000"), ("--density", "3")):
             with self.subTest(words):

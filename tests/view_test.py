@@ -183,6 +183,7 @@ class Layers(ViewTest):
         self.assertEqual(page.about["taken"], ["model", "probe", "voids", "C", "Q"])
         page = self.view("ring.ply", "--against", self.ring, "--model", "vdw")
         self.assertEqual((page.about["model"], page.about["certified"]), ("vdw", False))
+        self.assertNotIn("probe", page.about)
 
     def test_a_mesh_without_its_voids_is_certified_on_its_page_too(self):
         shell = MOLECULES / "shell_hollow.xyzr"
