@@ -119,11 +119,13 @@ class Installed(unittest.TestCase):
         molecules, box = ROOT / "bench/molecules", self.folder / "alike"
         box.mkdir()
         shutil.copy(molecules / "benzene.pdb", box / "a b.1.pdb")
+        shutil.copy(molecules / "two_balls.xyzr", box / "a b.1.xyzr")
         (box / "a b.2.xyz.gz").write_bytes(gzip.compress((molecules / "caffeine.xyz").read_bytes()))
         script = self.prefix / "share/doc/morskin/examples/shell/mesh_all.sh"
         output_of(script, "out put", *sorted(box.iterdir()), cwd=box, env=self.environment)
-        self.assertEqual({p.name for p in (box / "out put").glob("*.ply")},
-                         {"a b.1.ply", "a b.2.ply"})
+        self.assertEqual({p.name for p in (box / "out put").iterdir()},
+                         {f"a b.{name}.{ending}" for name in ("1.pdb", "1.xyzr", "2.xyz.gz")
+                          for ending in ("ply", "json")})
 
     def test_the_page_shows_what_its_commands_print(self):
         box = self.folder / "box"

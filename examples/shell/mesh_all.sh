@@ -1,6 +1,7 @@
 #!/bin/sh
 # Meshes every molecule given and checks each written file again: mesh_all.sh FOLDER MOLECULE ...
-# What cannot be meshed is named, and the others are meshed all the same.
+# What cannot be meshed is named, and the others are meshed all the same. As `morskin batch` does, a
+# mesh takes all of its molecule's name, so a.pdb and a.cif do not collide.
 set -eu
 folder=$1
 shift
@@ -8,8 +9,7 @@ mkdir -p "$folder"
 
 for molecule; do
   name=$(basename "$molecule")
-  stem=${name%.gz}
-  mesh=$folder/${stem%.*}.ply
+  mesh=$folder/$name.ply
   code=0
   morskin mesh "$molecule" -o "$mesh" -C 0.2 --report "${mesh%.ply}.json" --quiet || code=$?
   case $code in
