@@ -94,6 +94,12 @@ class Installed(unittest.TestCase):
                 last = (packaging / recipe).read_text().rpartition("apt-get install")[2]
                 self.assertIn(of_debian, last.partition("\n")[0].split(), recipe)
 
+    def test_the_page_says_where_the_debian_packages_land(self):
+        makefile = (ROOT / "Makefile").read_text()
+        folder = re.search(r"^deb: .*## make Debian packages in (\S+),", makefile, re.MULTILINE)[1]
+        self.assertIn(f"mkdir -p {folder}/", makefile)
+        self.assertIn(f"| `make deb` | two Debian packages in {folder}:", PAGE.text)
+
     def test_debian_s_copyright_names_each_molecule_whose_licence_is_not_cc0(self):
         sources = (ROOT / "bench/molecules/SOURCES.md").read_text()
         others = re.findall(r"^## Licence of `(.*)`$", sources, re.MULTILINE)
