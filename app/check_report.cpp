@@ -76,6 +76,26 @@ ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
   return result;
 }
 
+void add_topology_json(ordered_json& json, const geometry::MeshCheck& topology) {
+  json["closed_oriented_manifold"] = topology.is_closed_oriented_manifold();
+  json["components"] = topology.components.size();
+  if (topology.is_closed_oriented_manifold()) {
+    long genus = 0, euler = 0;
+    for (const geometry::MeshComponent& c : topology.components) {
+      genus += c.genus();
+      euler += c.euler_characteristic();
+    }
+    json["euler_characteristic"] = euler;
+    json["genus"] = genus;
+  }
+  json["defects"] = ordered_json::object();
+  for (const geometry::DefectCount& defect : topology.defects) {
+    json["defects"][defect_names[static_cast<std::size_t>(defect.kind)]] = {
+        {"count", defect.count}, {"first", defect.first}};
+  }
+  json["component_list"] = components_json(topology);
+}
+
 void add_angles_json(ordered_json& json, const CheckReport& report) {
   for (const auto& [name, angle] : {std::pair("min_angle_deg", report.shape.min_angle_deg),
                                     std::pair("max_angle_deg", report.shape.max_angle_deg)}) {
@@ -193,11 +213,9 @@ std::string json_text(const CheckReport& report) {
     json["input"] = arguments.against->input.string();
     add_model(json, *arguments.against);
     add_selection(json, arguments.against->selection);
-    json["C"] = arguments.sizing.C;
-    json["Q"] = arguments.sizing.Q;
   }
-  if (arguments.surface) {
-    json["surface"] = *arguments.surface;
+  if (arguments.surface) json["surface"] = *arguments.surface;
+  if (arguments.against || arguments.surface) {
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;
   }
@@ -214,23 +232,7 @@ std::string json_text(const CheckReport& report) {
   if (report.fitting_model) json["fitting_model"] = skin::name_of(*report.fitting_model);
   if (report.fitting_C) json["fitting_C"] = rounded(*report.fitting_C);
   json["verdicts"] = verdicts_json(report);
-  json["closed_oriented_manifold"] = report.topology.is_closed_oriented_manifold();
-  json["components"] = report.topology.components.size();
-  if (report.topology.is_closed_oriented_manifold()) {
-    long genus = 0, euler = 0;
-    for (const geometry::MeshComponent& c : report.topology.components) {
-      genus += c.genus();
-      euler += c.euler_characteristic();
-    }
-    json["euler_characteristic"] = euler;
-    json["genus"] = genus;
-  }
-  json["defects"] = ordered_json::object();
-  for (const geometry::DefectCount& defect : report.topology.defects) {
-    json["defects"][defect_names[static_cast<std::size_t>(defect.kind)]] = {
-        {"count", defect.count}, {"first", defect.first}};
-  }
-  json["component_list"] = components_json(report.topology);
+  add_topology_json(json, report.topology);
   add_angles_json(json, report);
   json["angle_histogram"] = report.angles;
   json["quality"] = quality_json(report.quality, report.shape.area);

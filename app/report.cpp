@@ -78,13 +78,8 @@ ordered_json fallbacks_json(const std::vector<morskin::Fallback>& fallbacks) {
   return json;
 }
 
-}  // namespace
-
-ordered_json critical_json(const morskin::CriticalCounts& counts) {
-  return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
-}
-
-std::string json_text(const MeshReport& report) {
+/// What was asked for, and the atoms that it came to.
+ordered_json input_json(const MeshReport& report) {
   ordered_json json = {{"input", report.molecule.input.string()}};
   add_model(json, report.molecule);
   json.update({{"radii", report.radii},
@@ -105,6 +100,39 @@ std::string json_text(const MeshReport& report) {
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
+  return json;
+}
+
+/// How the mesh was made.
+void add_run_json(ordered_json& json, const MeshReport& report) {
+  const morskin::RunCounts& counts = report.counts;
+  json["function"] = function_json(counts.function);
+  if (counts.function.is_height()) {
+    const geometry::Vector& v = counts.function.direction;
+    json["height"] = {rounded(v.x()), rounded(v.y()), rounded(v.z())};
+  }
+  json.update(critical_json(counts.critical_points));
+  json["open_edges"] = counts.open_edges;
+  json["surviving"] = critical_json(counts.surviving_points);
+  json["subdomains"] = counts.subdomains;
+  json["triangles_laid"] = counts.triangles_laid;
+  json["seam_triangles"] = counts.seam_triangles;
+  json["fallbacks"] = fallbacks_json(report.fallbacks);
+  json["operations"] = operations_json(report);
+  json["smoothing"] = {
+      {"goal_deg", report.angle_goal_deg},  {"below", counts.smoothing.below},
+      {"moved", counts.smoothing.moved},    {"reconnected", counts.improvement.changed},
+      {"inserted", counts.angles.inserted}, {"left", counts.below_goal()}};
+}
+
+}  // namespace
+
+ordered_json critical_json(const morskin::CriticalCounts& counts) {
+  return {{"minima", counts[0]}, {"saddles", counts[1]}, {"maxima", counts[2]}};
+}
+
+std::string json_text(const MeshReport& report) {
+  ordered_json json = input_json(report);
   add_sizes(json, report);
   add_skin_parts(json, report.parts);
   if (report.grid_step) json["grid_step"] = rounded(*report.grid_step);
@@ -115,25 +143,7 @@ std::string json_text(const MeshReport& report) {
   for (const std::filesystem::path& output : report.outputs)
     json["outputs"].push_back(output.string());
   json["provenance"] = geometry::provenance_json(report.provenance);
-  json["function"] = function_json(report.counts.function);
-  if (report.counts.function.is_height()) {
-    const geometry::Vector& v = report.counts.function.direction;
-    json["height"] = {rounded(v.x()), rounded(v.y()), rounded(v.z())};
-  }
-  json.update(critical_json(report.counts.critical_points));
-  json["open_edges"] = report.counts.open_edges;
-  json["surviving"] = critical_json(report.counts.surviving_points);
-  json["subdomains"] = report.counts.subdomains;
-  json["triangles_laid"] = report.counts.triangles_laid;
-  json["seam_triangles"] = report.counts.seam_triangles;
-  json["fallbacks"] = fallbacks_json(report.fallbacks);
-  json["operations"] = operations_json(report);
-  json["smoothing"] = {{"goal_deg", report.angle_goal_deg},
-                       {"below", report.counts.smoothing.below},
-                       {"moved", report.counts.smoothing.moved},
-                       {"reconnected", report.counts.improvement.changed},
-                       {"inserted", report.counts.angles.inserted},
-                       {"left", report.counts.below_goal()}};
+  add_run_json(json, report);
   if (report.growth) json["growth"] = growth_json(*report.growth);
   json["seconds"] = seconds_json(report.seconds);
   json["floor_ratio"] = rounded(report.floor_ratio());
