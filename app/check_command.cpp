@@ -177,6 +177,37 @@ void check_agreement(const CheckReport& report) {
   }
 }
 
+/// All that is told of the mesh alone.
+void check_alone(CheckReport& report, const geometry::MeshFile& file) {
+  const CheckArguments& arguments = report.arguments;
+  const IndexedMesh& mesh = file.mesh;
+  report.origin.compare_mesh(file, arguments.threads);
+  report.vertices = mesh.positions.size();
+  report.triangles = mesh.triangles.size();
+  report.shape = geometry::measure_shape(mesh);
+  report.angles = geometry::angle_histogram(mesh);
+  report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
+  report.topology = geometry::check_mesh(mesh);
+  if (file.curved) report.curved = curved_report(*file.curved);
+  if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
+}
+
+/// What needs the molecule, with what the mesh file states where no option is given.
+/// @param certificate  for the file's text, if one is asked for
+void check_against_molecule(CheckReport& report, const geometry::MeshFile& file,
+                            std::string& certificate) {
+  CheckArguments& arguments = report.arguments;
+  StatedMolecule stated =
+      read_stated(*arguments.against, arguments.sizing, arguments.typed, report.origin.stated);
+  arguments.against = std::move(stated.molecule);
+  arguments.sizing = stated.sizing;
+  report.origin.taken = std::move(stated.taken);
+  report.origin.not_taken = std::move(stated.not_taken);
+  report.origin.compare_input(stated.input.sha256);
+  report.against = check_against(file, report.topology, stated.input, arguments, certificate);
+  find_what_fits(file.mesh, arguments, report);
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckArguments& asked) {
@@ -188,8 +219,7 @@ ExitCode check_command(const CheckArguments& asked) {
   CheckReport report;
   CheckArguments& arguments = report.arguments = asked;
   geometry::MeshFile file = geometry::read_mesh_file(arguments.mesh);
-  const IndexedMesh& mesh = file.mesh;
-  if (mesh.triangles.size() > max_triangles) {
+  if (file.mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +
                                     std::to_string(max_triangles) + " triangles; cut it up");
   }
@@ -198,26 +228,8 @@ ExitCode check_command(const CheckArguments& asked) {
       !stated(report.origin.stated, "surface")) {
     throw UsageError("-C, -Q and --size are of a mesh and its surface: add --against or --surface");
   }
-  report.origin.compare_mesh(file, arguments.threads);
-  report.vertices = mesh.positions.size();
-  report.triangles = mesh.triangles.size();
-  report.shape = geometry::measure_shape(mesh);
-  report.angles = geometry::angle_histogram(mesh);
-  report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
-  report.topology = geometry::check_mesh(mesh);
-  if (file.curved) report.curved = curved_report(*file.curved);
-  if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
-  if (arguments.against) {
-    StatedMolecule stated =
-        read_stated(*arguments.against, arguments.sizing, arguments.typed, report.origin.stated);
-    arguments.against = std::move(stated.molecule);
-    arguments.sizing = stated.sizing;
-    report.origin.taken = std::move(stated.taken);
-    report.origin.not_taken = std::move(stated.not_taken);
-    report.origin.compare_input(stated.input.sha256);
-    report.against = check_against(file, report.topology, stated.input, arguments, certificate);
-    find_what_fits(mesh, arguments, report);
-  }
+  check_alone(report, file);
+  if (arguments.against) check_against_molecule(report, file, certificate);
   if (const std::optional<SurfaceInput> input = surface_of(arguments, report.origin)) {
     take_stated_sizes(arguments, report.origin);
     report.origin.compare_input(input->sha256);
