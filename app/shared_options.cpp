@@ -116,7 +116,10 @@ void add_surface_option(CLI::App& command, std::optional<std::string>& surface) 
       ->default_str("none");
 }
 
-void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
+namespace {
+
+/// What the files hold beside triangles, and how.
+void add_contents_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--vertex-data", typed.vertex_data,
                   "Into .ply .vtu .npz .msh .glb too: normal,curvature,... or all.\n"
@@ -135,26 +138,9 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
                   "corners' mesh")
       ->check(CLI::Range(1, 2))
       ->default_str("1");
-  add_molecule_options(command, typed);
-  add_voids_option(command, typed);
-  add_sizing_options(command, typed);
-  add_size_goal_options(command, typed);
-  command
-      .add_option("--grading", typed.grading,
-                  "By how much edges may grow for each Angstrom, 0.2 for instance\n"
-                  "from where they are short, with -C 0.4. By the static method")
-      ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
-  command
-      .add_option("--angle-goal", typed.angle_goal,
-                  "No angle below so many degrees.\n"
-                  "Vertices are moved, taken out and put in for it; 0 for not at all. With 30 or "
-                  "more no file\n"
-                  "that has one below 30 is certified. From 35 on, up to C = 0.2, also none\n"
-                  "above 105. With sweep and static")
-      ->default_str("35 up to C = 0.2, 30 beyond");
-  add_function_option(command, typed);
-  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z")
-      ->default_str("as --function");
+}
+
+void add_method_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   add_choice(command, "--method", typed.method,
              {"auto", "sweep", "static", "dynamic", "marching-cubes"},
              "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
@@ -179,6 +165,33 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   add_choice(command, "--guard", typed.guard, {"everywhere", "adjacent", "spheres"},
              "Where the front looks for collisions: everywhere; adjacent or\n"
              "spheres are experiments that fail on most molecules");
+}
+
+}  // namespace
+
+void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
+  add_contents_options(command, mesh, typed);
+  add_molecule_options(command, typed);
+  add_voids_option(command, typed);
+  add_sizing_options(command, typed);
+  add_size_goal_options(command, typed);
+  command
+      .add_option("--grading", typed.grading,
+                  "By how much edges may grow for each Angstrom, 0.2 for instance\n"
+                  "from where they are short, with -C 0.4. By the static method")
+      ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
+  command
+      .add_option("--angle-goal", typed.angle_goal,
+                  "No angle below so many degrees.\n"
+                  "Vertices are moved, taken out and put in for it; 0 for not at all. With 30 or "
+                  "more no file\n"
+                  "that has one below 30 is certified. From 35 on, up to C = 0.2, also none\n"
+                  "above 105. With sweep and static")
+      ->default_str("35 up to C = 0.2, 30 beyond");
+  add_function_option(command, typed);
+  command.add_option("--height", typed.height, "x,y,z: short for --function height:x,y,z")
+      ->default_str("as --function");
+  add_method_options(command, mesh, typed);
 }
 
 }  // namespace morskin::app
