@@ -21,6 +21,8 @@ namespace {
 
 using DualEdge = std::array<Point, 2>;
 
+constexpr Colour inner_side = Colour::of(0xe3d3b4), dual_violet = Colour::of(0x8a3fc2);
+
 // By facet, corners ascending, the circumcentres of the two tetrahedra behind it: the ends of its
 // dual Voronoi edge. Facets of the hull are left out.
 std::map<geometry::TriangleCorners, DualEdge> dual_edges(std::span<const Point> positions) {
@@ -48,22 +50,21 @@ Point centroid(const geometry::IndexedMesh& mesh, const geometry::TriangleCorner
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
 }
 
-}  // namespace
+struct Facet {
+  geometry::TriangleCorners triangle;
+  std::array<Point, 3> corners;
+  DualEdge dual;
+  certify::SurfaceBall ball;
 
-Image surface_ball(double scale) {
-  std::vector<geometry::WeightedPoint> balls{{{-1.62, 0, 0}, 2 * 1.15 * 1.15},
-                                             {{1.5, 0, 0}, 2 * 1.3 * 1.3}};
-  const morskin::PreparedSkin skin = morskin::prepare_skin(std::move(balls));
-  // Coarse, so that the centre on the skin stands well off the facet.
-  constexpr double C = 0.3;
-  morskin::MeshingOptions options;
-  options.sizing = {.C = C, .Q = certify::Sizing::quality_for(C)};
-  options.method = morskin::Method::Static;
-  const morskin::MeshResult result = morskin::make_mesh(skin, options);
+  double radius() const { return std::sqrt(ball.squared_radius); }
+  Vector normal() const {
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  }
+};
+
+// Of all triangles, the one with the shortest dual edge that leaves its surface ball on both sides.
+Facet shortest_dual(const morskin::PreparedSkin& skin, const morskin::MeshResult& result) {
   const geometry::IndexedMesh& mesh = result.mesh;
-
-  // Of all triangles, the one with the shortest dual edge that leaves its surface ball on both
-  // sides.
   const auto edges = dual_edges(mesh.positions);
   const auto ball_of = [&](const geometry::TriangleCorners& t) {
     const surface::SurfacePoint a = skin.surface.at(mesh.positions[t[0]], result.cells[t[0]]);
@@ -82,59 +83,84 @@ Image surface_ball(double scale) {
     }
     return ((*dual)[0] - (*dual)[1]).norm();
   };
-  const geometry::TriangleCorners facet = *std::ranges::min_element(mesh.triangles, {}, length);
-  const std::array corners{mesh.positions[facet[0]], mesh.positions[facet[1]],
-                           mesh.positions[facet[2]]};
-  const certify::SurfaceBall ball = ball_of(facet);
-  const double radius = std::sqrt(ball.squared_radius);
-  const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  const Vector across = Vector::UnitX().cross(normal).normalized();
-  Camera camera = pictures::camera_from(across + 0.3 * normal, normal, 700, 520);
+  const geometry::TriangleCorners t = *std::ranges::min_element(mesh.triangles, {}, length);
+  return {t,
+          {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]},
+          *dual_of(t),
+          ball_of(t)};
+}
 
-  Scene scene;
-  scene.meshes.push_back(skin_layer(skin, result));
-  MeshLayer& layer = scene.meshes[0];
+// The mesh without what stands before the facet, seen from `across`.
+MeshLayer cut_layer(const morskin::PreparedSkin& skin, const morskin::MeshResult& result,
+                    const Facet& facet, const Vector& across) {
+  MeshLayer layer = skin_layer(skin, result);
   layer.normals.clear();
   layer.coat.edge_width = 1.6;
-  const Colour inner_side = Colour::of(0xe3d3b4);
   layer.coat.back = inner_side;
-  // What stands before the facet is left out.
-  const double depth = across.dot(centroid(mesh, facet));
+  const double depth = across.dot(centroid(result.mesh, facet.triangle));
   std::erase_if(layer.mesh.triangles, [&](const geometry::TriangleCorners& t) {
-    return t != facet && across.dot(centroid(mesh, t)) > depth + 0.3 * radius;
+    return t != facet.triangle &&
+           across.dot(centroid(result.mesh, t)) > depth + 0.3 * facet.radius();
   });
   for (const geometry::TriangleCorners& t : layer.mesh.triangles) {
-    layer.triangle_colours.push_back(t == facet ? fresh_orange : skin_blue);
+    layer.triangle_colours.push_back(t == facet.triangle ? fresh_orange : skin_blue);
   }
-  const Colour dual = Colour::of(0x8a3fc2);
-  for (const Point& end : *dual_of(facet)) {
-    scene.lines.push_back({{ball.centre, end}, dual, 3, 0, 0, true});
-    scene.balls.push_back({end, 0.05 * radius, dual});
+  return layer;
+}
+
+// The facet's dual edge and its surface ball, whose rim is the circle that the camera sees.
+void add_ball(Scene& scene, const Facet& facet, const Camera& camera) {
+  const Point& centre = facet.ball.centre;
+  const double radius = facet.radius();
+  for (const Point& end : facet.dual) {
+    scene.lines.push_back({{centre, end}, dual_violet, 3, 0, 0, true});
+    scene.balls.push_back({end, 0.05 * radius, dual_violet});
   }
-  for (const Point& corner : corners) {
-    scene.lines.push_back({{ball.centre, corner}, pictures::ink, 1.5, 0, 4, true});
+  for (const Point& corner : facet.corners) {
+    scene.lines.push_back({{centre, corner}, pictures::ink, 1.5, 0, 4, true});
   }
   pictures::Line rim{{}, front_red, 2, 0, 0, true};
   constexpr int sides = 180;
   for (int i = 0; i <= sides; ++i) {
     const double angle = 2 * M_PI * i / sides;
-    rim.points.push_back(ball.centre +
+    rim.points.push_back(centre +
                          radius * (std::cos(angle) * camera.right + std::sin(angle) * camera.up));
   }
   scene.lines.push_back(std::move(rim));
-  scene.balls.push_back({ball.centre, 0.07 * radius, front_red});
+  scene.balls.push_back({centre, 0.07 * radius, front_red});
   for (std::size_t k = 0; k < 3; ++k) {
-    scene.balls.push_back({corners[k], 0.05 * radius, pictures::ink});
-    const Vector seen = camera.seen(corners[k]) - camera.seen(ball.centre);
+    const Point& corner = facet.corners[k];
+    scene.balls.push_back({corner, 0.05 * radius, pictures::ink});
+    const Vector seen = camera.seen(corner) - camera.seen(centre);
     const Vector2 out = 20 * seen.head<2>().normalized() + Vector2(0, 6);
-    scene.labels.push_back({corners[k], std::string(1, "abc"[k]), out, 15});
+    scene.labels.push_back({corner, std::string(1, "abc"[k]), out, 15});
   }
-  camera.target = ball.centre;
-  camera.scale = camera.width / (7 * radius);
+}
+
+}  // namespace
+
+Image surface_ball(double scale) {
+  std::vector<geometry::WeightedPoint> balls{{{-1.62, 0, 0}, 2 * 1.15 * 1.15},
+                                             {{1.5, 0, 0}, 2 * 1.3 * 1.3}};
+  const morskin::PreparedSkin skin = morskin::prepare_skin(std::move(balls));
+  // Coarse, so that the centre on the skin stands well off the facet.
+  constexpr double C = 0.3;
+  morskin::MeshingOptions options;
+  options.sizing = {.C = C, .Q = certify::Sizing::quality_for(C)};
+  options.method = morskin::Method::Static;
+  const morskin::MeshResult result = morskin::make_mesh(skin, options);
+  const Facet facet = shortest_dual(skin, result);
+  const Vector across = Vector::UnitX().cross(facet.normal()).normalized();
+  Camera camera = pictures::camera_from(across + 0.3 * facet.normal(), facet.normal(), 700, 520);
+  Scene scene;
+  scene.meshes.push_back(cut_layer(skin, result, facet, across));
+  add_ball(scene, facet, camera);
+  camera.target = facet.ball.centre;
+  camera.scale = camera.width / (7 * facet.radius());
   return with_legend(panel(scene, camera, scale),
                      {{},
                       {{Mark::Patch, fresh_orange, "Delaunay facet abc"},
-                       {Mark::Line, dual, "its dual Voronoi edge"},
+                       {Mark::Line, dual_violet, "its dual Voronoi edge"},
                        {Mark::Line, front_red, "surface ball, its centre on the skin"},
                        {Mark::Dashes, pictures::ink, "radius"},
                        {Mark::Patch, skin_blue, "mesh"},
