@@ -57,43 +57,8 @@ void bind_certificate(py::module_& module) {
       .def("__repr__", [](const Certificate& c) { return in_words(c); });
 }
 
-/// What Skin.mesh and check() must be given for the same sizes of triangles.
-py::dict sizing_of(const Mesh& mesh) {
-  const MeshOptions sizing = mesh.mesh().sizing();
-  return py::dict(py::arg("C") = sizing.C, py::arg("Q") = sizing.Q.value(),
-                  py::arg("max_length_scale") = sizing.max_length_scale);
-}
-
-/// One name or several.
-using Names = std::variant<std::string, std::vector<std::string>>;
-
-std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file,
-                           const Names& vertex_data) {
-  const auto* const one = std::get_if<std::string>(&vertex_data);
-  const std::vector<std::string> names =
-      one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
-  const Unlocked unlocked;
-  return mesh.mesh().write(file, names);
-}
-
-/// A function of morskin/exports.py, which imports another package, as a method.
-auto exporter(const char* name) {
-  return [name](const py::object& mesh) {
-    return py::module_::import("morskin.exports").attr(name)(mesh);
-  };
-}
-
-}  // namespace
-
-void bind_mesh(py::module_& module) {
-  bind_certificate(module);
-  py::class_<Mesh>(
-      module, "Mesh",
-      "A triangle mesh of a skin, with n vertices and m faces.\n\n"
-      "Its arrays are read-only views of the mesh's own memory; copy what is to be "
-      "changed.\nArrays by vertex beside `vertices` are found when one of them is first "
-      "asked for.")
-      .def_property_readonly(
+void bind_arrays(py::class_<Mesh>& mesh) {
+  mesh.def_property_readonly(
           "vertices",
           [](const py::object& self) {
             return view(self.cast<const Mesh&>().mesh().triangles().vertices, self);
@@ -125,8 +90,47 @@ void bind_mesh(py::module_& module) {
                              "(n, 4) float64: their shares, 1 in sum; 0 where fewer than 4")
       .def_property_readonly("components", column(&SkinPoint::component),
                              "(n,) uint32: component of the mesh, counted from 0 in the order of "
-                             "the vertices")
-      .def_property_readonly(
+                             "the vertices");
+}
+
+/// What Skin.mesh and check() must be given for the same sizes of triangles.
+py::dict sizing_of(const Mesh& mesh) {
+  const MeshOptions sizing = mesh.mesh().sizing();
+  return py::dict(py::arg("C") = sizing.C, py::arg("Q") = sizing.Q.value(),
+                  py::arg("max_length_scale") = sizing.max_length_scale);
+}
+
+/// One name or several.
+using Names = std::variant<std::string, std::vector<std::string>>;
+
+std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file,
+                           const Names& vertex_data) {
+  const auto* const one = std::get_if<std::string>(&vertex_data);
+  const std::vector<std::string> names =
+      one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
+  const Unlocked unlocked;
+  return mesh.mesh().write(file, names);
+}
+
+/// A function of morskin/exports.py, which imports another package, as a method.
+auto exporter(const char* name) {
+  return [name](const py::object& mesh) {
+    return py::module_::import("morskin.exports").attr(name)(mesh);
+  };
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& module) {
+  bind_certificate(module);
+  py::class_<Mesh> mesh(
+      module, "Mesh",
+      "A triangle mesh of a skin, with n vertices and m faces.\n\n"
+      "Its arrays are read-only views of the mesh's own memory; copy what is to be "
+      "changed.\nArrays by vertex beside `vertices` are found when one of them is first "
+      "asked for.");
+  bind_arrays(mesh);
+  mesh.def_property_readonly(
           "certificate", [](const Mesh& self) { return self.mesh().certificate(); },
           "Certificate: what is proved of this mesh")
       .def_property_readonly(

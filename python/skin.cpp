@@ -137,6 +137,28 @@ progress           called now and then with the stage's name and the share of it
 
 Raises NotCertified, with the mesh; RefusedInput, a ValueError, for values that make no sense.)";
 
+void bind_functions(py::module_& module) {
+  using py::arg;
+  const py::none none;
+  module.def("check", &check, arg("vertices"), arg("faces"), arg("skin"), py::kw_only(),
+             arg("C") = MeshOptions().C, arg("Q") = none, arg("max_length_scale") = infinity,
+             arg("threads") = none, arg("progress") = none,
+             "check(vertices, faces, skin, *, C=0.08, Q=None, max_length_scale=inf) -> "
+             "Certificate\n\nChecks any mesh against a skin. A bad mesh is no error: the "
+             "certificate says what is wrong.\n\n"
+             "vertices  (n, 3): Angstrom\n"
+             "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
+             "The others are what the mesh was made with: **mesh.sizing for one of this library.");
+  module.def("read_mesh", &read_mesh, arg("file"),
+             "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
+             "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
+             "Raises UnreadableInput.");
+  module.def(
+      "van_der_waals_radius", &van_der_waals_radius, arg("element"),
+      "van_der_waals_radius(element) -> Angstrom, or None for what is no element with one\n\n"
+      "element  a symbol in upper or lower case");
+}
+
 }  // namespace
 
 Model model_of(const std::string& word) {
@@ -189,23 +211,7 @@ void bind_skin(py::module_& module) {
         return "<morskin.Skin: components " + std::to_string(self.components()) + ", genus " +
                std::to_string(self.genus()) + ">";
       });
-  module.def("check", &check, arg("vertices"), arg("faces"), arg("skin"), py::kw_only(),
-             arg("C") = MeshOptions().C, arg("Q") = none, arg("max_length_scale") = infinity,
-             arg("threads") = none, arg("progress") = none,
-             "check(vertices, faces, skin, *, C=0.08, Q=None, max_length_scale=inf) -> "
-             "Certificate\n\nChecks any mesh against a skin. A bad mesh is no error: the "
-             "certificate says what is wrong.\n\n"
-             "vertices  (n, 3): Angstrom\n"
-             "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
-             "The others are what the mesh was made with: **mesh.sizing for one of this library.");
-  module.def("read_mesh", &read_mesh, arg("file"),
-             "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
-             "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
-             "Raises UnreadableInput.");
-  module.def(
-      "van_der_waals_radius", &van_der_waals_radius, arg("element"),
-      "van_der_waals_radius(element) -> Angstrom, or None for what is no element with one\n\n"
-      "element  a symbol in upper or lower case");
+  bind_functions(module);
 }
 
 }  // namespace morskin::python
