@@ -116,6 +116,9 @@ def reading_cases():
                {"five.cif": MMCIF.format(residue="A1ABC", x="1.5")})
     yield Case("a residue name of five characters in PDB, which moves the columns",
                {"five.pdb": atom(residue="A1ABC")}, code=3, says="no coordinate in columns")
+    yield Case("an atom's name of nine letters in PQR",
+               {"nine.pqr": "ATOM 1 C23456789 ALA 1 0 0 0 0 1.7\n"}, code=4,
+               says='nine.pqr:1: atom "C23456789" has the name "C23456789"')
     yield Case("a line of ten million characters", {"long.xyzr": "0 " * 5000000}, code=4,
                says="has no atom with a radius above 0")
     yield Case("an XYZ file that announces more atoms than it has", {"few.xyz": "9\n\nC 0 0 0\n"},
