@@ -173,6 +173,15 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     return path;
   };
   const long = 'coarse_as_a_mesh_may_be_and_of_a_name_longer_than_the_panel_is_wide';
+  // A click at one of many places of the window.
+  const isTold = (page) => page.evaluate(() => {
+    const { viewer } = window, box = viewer.stage.container.getBoundingClientRect();
+    for (let i = 1; i < 400; ++i) {
+      viewer.inspect(box.left + box.width * (i % 20) / 20, box.top + box.height * Math.floor(i / 20) / 20);
+      if (!viewer.panel.told.hidden) return true;
+    }
+    return false;
+  });
   const coarse = mesh(`${long}.ply`, '-C', '0.16', '-Q', '1.7'), fine = mesh('fine.ply');
   await withPage(make('mesh', fine), small, async (page) => {
     const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
@@ -181,6 +190,9 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     assert.equal(await page.locator('#atoms').count(), 0);
     for (const key of 'axkmsul ,.') await page.keyboard.press(key);
     await picture(page, 'mesh');
+    await page.keyboard.press('p');
+    assert.equal(await isTold(page), true);
+    assert.match(await page.locator('#answer').textContent(), /^Triangle angles .*° · Vertex at −?\d/);
   });
   await withPage(make('growing', fine, '--frames', coarse, fine), small, async (page) => {
     const move = (to) => page.locator('#frame').evaluate((slider, frame) => {
@@ -194,19 +206,10 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     await picture(page, 'growth');
     // Whatever is switched, the frame is shown alone, and a click tells nothing of the mesh.
     const isMeshSeen = () => page.evaluate(() => window.viewer.surface.group.visible);
-    // A click at one of many places of the window.
-    const isTold = () => page.evaluate(() => {
-      const { viewer } = window, box = viewer.stage.container.getBoundingClientRect();
-      for (let i = 1; i < 400; ++i) {
-        viewer.inspect(box.left + box.width * (i % 20) / 20, box.top + box.height * Math.floor(i / 20) / 20);
-        if (!viewer.panel.told.hidden) return true;
-      }
-      return false;
-    });
     for (const key of '2341') await page.keyboard.press(key);
     await settle(page);
     await picture(page, 'growth');
-    assert.deepEqual([await isMeshSeen(), await isTold()], [false, false]);
+    assert.deepEqual([await isMeshSeen(), await isTold(page)], [false, false]);
     const growing = () => page.evaluate(() => window.viewer.state.growing);
     await page.keyboard.press('g');
     assert.equal(await growing(), true);
@@ -226,7 +229,7 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
       });
     }));
     assert.ok(seconds > 5.9, `${seconds} s`);
-    assert.deepEqual([await isMeshSeen(), await isTold()], [true, true]);
+    assert.deepEqual([await isMeshSeen(), await isTold(page)], [true, true]);
   });
   await withPage(make('swept', ring, '--frames', coarse), small, async (page) => {
     const isFrontSeen = () => page.evaluate(() => window.viewer.sweep.frontObject.visible);
