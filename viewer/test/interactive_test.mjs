@@ -2,39 +2,9 @@
 // by keyboard, mouse and touch what it says. Their mathematics is tested beside their sources.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { launch, open, settle } from './browser.mjs';
+import { test } from 'node:test';
 import { embedded } from '../../papers/interactive/embedded.mjs';
-import { morskin, root } from './pages.mjs';
-
-const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
-const parts = JSON.parse(execFileSync('python3', [join(root, 'papers/interactive/build.py'), folder,
-  '--command', morskin, '--list'], { encoding: 'utf8' }));
-let browser;
-before(async () => { browser = await launch(); });
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-});
-
-async function withPart(name, options, work) {
-  const opened = await open(browser, join(folder, `${name}.html`), options);
-  try {
-    await work(opened.page);
-    await settle(opened.page);
-    assert.deepEqual(opened.complaints, []);
-  } finally {
-    await opened.close();
-  }
-}
-
-const desk = { width: 940, height: 900 };
-const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
-const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+import { desk, parts, phone, state, withPart } from './interactive.mjs';
 
 test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
   const shown = embedded();
@@ -42,17 +12,17 @@ test('every part is shown by a lesson, and the viewer opens there as its link sa
   const viewers = shown.filter(({ part }) => part === 'viewer');
   assert.ok(viewers.length >= 6);
   for (const { lesson, state: hash } of viewers) {
-    const { page, complaints, close } = await open(browser, join(folder, `viewer.html${hash}`), { width: 736, height: 640 });
-    const now = await page.evaluate(() => window.viewer.state);
-    for (const [name, word] of new URLSearchParams(hash.slice(1))) {
-      assert.equal(String(typeof now[name] === 'boolean' ? Number(now[name]) : now[name]), word, `${lesson}: ${name}`);
-    }
-    if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
-      const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
-      assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
-    }
-    assert.deepEqual(complaints, []);
-    await close();
+    await withPart('viewer', { width: 736, height: 640 }, async (page) => {
+      const now = await page.evaluate(() => window.viewer.state);
+      for (const [name, word] of new URLSearchParams(hash.slice(1))) {
+        const told = typeof now[name] === 'boolean' ? Number(now[name]) : now[name];
+        assert.equal(String(told), word, `${lesson}: ${name}`);
+      }
+      if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
+        const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
+        assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
+      }
+    }, hash);
   }
 });
 
@@ -186,79 +156,6 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
       return { laid: window.part.state.step - from, milliseconds: performance.now() - start };
     });
     assert.ok(laid <= 3 + milliseconds / 40, `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
-  });
-});
-
-test('pairs are cancelled by a click or by keys, and a refusal says why', async () => {
-  await withPart('morse', desk, async (page) => {
-    const press = (name) => page.getByRole('button', { name, exact: true }).click();
-    const said = () => page.locator('.said').textContent();
-    const sum = () => page.locator('p.value').textContent();
-    assert.match(await sum(), /^5 minima − 9 saddles \+ 4 maxima = 0$/);
-    const met = await page.evaluate(() => {
-      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
-      return window.part.state.complex.arcs.map((_, n) => {
-        for (let k = 0; k <= n; ++k) press('next line');
-        press('cancel it');
-        const said = document.querySelector('.said').textContent;
-        press('start again');
-        return said;
-      });
-    });
-    for (const reason of [/^Cancelled a saddle and a minimum/, /^Refused. c is (higher|lower) than b/, /^Refused. Another saddle of b/]) {
-      assert.ok(met.some((said) => reason.test(said)), `${reason}`);
-    }
-    await page.getByRole('button', { name: 'next line' }).press('Enter');
-    await page.getByRole('button', { name: 'cancel it' }).press('Enter');
-    assert.equal(await said(), met[0]);
-    await press('start again');
-    // A click in the middle of a line tries that line.
-    const target = await page.evaluate(() => {
-      const { complex } = window.part.state, n = complex.arcs.findIndex(({ line, own }) =>
-        line[own >> 1].every((c) => c > 0.1 && c < 0.9));
-      return { n, at: complex.arcs[n].line[complex.arcs[n].own >> 1], saddle: complex.arcs[n].saddle };
-    });
-    const box = await page.locator('svg').first().boundingBox();
-    await page.mouse.click(...[target.at[0], 1 - target.at[1]].map((c, k) =>
-      [box.x, box.y][k] + ((c + 0.06) / 1.12) * box.width));
-    const after = await state(page);
-    assert.ok(after.chosen === target.n || after.complex.cancelled.at(-1)?.saddle === target.saddle);
-    await press('start again');
-    while (await page.getByRole('button', { name: 'cancel the least persistent' }).isEnabled()) {
-      await press('cancel the least persistent');
-      assert.match(await said(), /^Cancelled/);
-    }
-    assert.match(await sum(), /^1 minimum − 2 saddles \+ 1 maximum = 0$/);
-    await press('next line');
-    await press('cancel it');
-    assert.match(await said(), /Both lines of the saddle a end at this/);
-    assert.equal(await page.locator('.tasks .good').count(), 4);
-    await press('start again');
-    await page.locator('.pair').first().press('Enter');
-    assert.match(await said(), /^(Cancelled|No line joins)/);
-    await press('One hill');
-    await press('next line');
-    await press('cancel it');
-    assert.match(await said(), /Both lines/);
-  });
-});
-
-test('as printed, only loops are refused, and the page says when no function has what is left', async () => {
-  await withPart('morse', desk, async (page) => {
-    await page.getByText('as printed').click();
-    // Whichever line may go goes, the last first.
-    const said = await page.evaluate(() => {
-      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
-      const words = [];
-      for (let k = 0; k < 40 && !document.querySelector('p.value').textContent.includes('no function'); ++k) {
-        press('line before');
-        press('cancel it');
-        words.push(document.querySelector('.said').textContent);
-      }
-      return words;
-    });
-    for (const words of said) assert.match(words, /^(Cancelled|Refused. Both lines)/);
-    assert.match(await page.locator('main').textContent(), /no function has this complex/);
   });
 });
 
