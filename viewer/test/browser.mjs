@@ -46,3 +46,10 @@ export async function settle(page) {
     }));
   }));
 }
+
+// Puts fingers on a page and lifts them: touch('touchStart', [x, y], ...), touchMove and touchEnd.
+export async function fingers(page) {
+  const session = await page.context().newCDPSession(page);
+  return (type, ...places) => session.send('Input.dispatchTouchEvent',
+    { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+}

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { embedded } from '../../papers/interactive/embedded.mjs';
+import { fingers, settle } from './browser.mjs';
 import { desk, parts, phone, state, withPart } from './interactive.mjs';
 
 test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
@@ -65,7 +66,7 @@ test('the reader finds where two discs part, with the arrow keys alone', async (
   });
 });
 
-test('a disc follows the mouse and a finger', async () => {
+test('a disc follows the mouse and a finger to the end', async () => {
   await withPart('skin2d', desk, async (page) => {
     const box = await page.locator('[aria-label^="Disc 1"] circle').last().boundingBox();
     await page.mouse.move(box.x + 5, box.y + 5);
@@ -78,16 +79,38 @@ test('a disc follows the mouse and a finger', async () => {
   await withPart('skin2d', phone, async (page) => {
     const disc = page.locator('[aria-label^="Disc 1"] circle').last();
     await disc.scrollIntoViewIfNeeded();
-    const box = await disc.boundingBox(), session = await page.context().newCDPSession(page);
-    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
-      { type, touchPoints: places.map(([x, y]) => ({ x, y })) });
+    const box = await disc.boundingBox(), touch = await fingers(page);
     const [was] = (await state(page)).discs, at = [box.x + 5, box.y + 5];
     await touch('touchStart', at);
-    for (let k = 1; k < 4; ++k) await touch('touchMove', [at[0] - 5 * k, at[1] - 12 * k]);
+    for (let k = 1; k < 9; ++k) await touch('touchMove', [at[0] - 5 * k, at[1] - 12 * k]);
     await touch('touchEnd');
     const [now] = (await state(page)).discs;
-    assert.ok(now.z[0] < was.z[0] - 0.1 && now.z[1] > was.z[1] + 0.3, `${was.z} became ${now.z}`);
+    assert.ok(now.z[0] < was.z[0] - 0.7 && now.z[1] > was.z[1] + 1.7, `${was.z} became ${now.z}`);
   });
+});
+
+test('a finger on a disc or a solid does not scroll the page, beside them it does', async () => {
+  for (const [name, held] of [['skin2d', '[aria-label^="Disc 1"] circle >> nth=-1'],
+    ['certificate', 'canvas'], ['front', 'canvas'], ['guard', 'canvas >> nth=0']]) {
+    await withPart(name, { ...phone, height: 500 }, async (page) => {
+      const touch = await fingers(page);
+      await page.evaluate(() => { document.body.style.paddingBottom = '500px'; }); // room to scroll
+      // By how much the page scrolls when a finger goes up from the middle of something.
+      const scrolled = async (place) => {
+        await place.evaluate((e) => e.scrollIntoView({ block: 'center' }));
+        const { x, y, width, height } = await place.boundingBox();
+        const at = [x + width / 2, y + height / 2], top = () => page.evaluate(() => window.scrollY);
+        const was = await top();
+        await touch('touchStart', at);
+        for (let k = 1; k < 9; ++k) await touch('touchMove', [at[0], at[1] - 10 * k]);
+        await touch('touchEnd');
+        await settle(page);
+        return await top() - was;
+      };
+      assert.equal(await scrolled(page.locator(held)), 0, name);
+      assert.ok(await scrolled(page.locator('p.soft').first()) > 30, name);
+    });
+  }
 });
 
 test('an edge and a triangle redden where [L] and [U] break', async () => {
