@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { settle } from './browser.mjs';
+import { fingers, settle } from './browser.mjs';
 import {
   morskin, molecules, folder, make, pages, stage, small, withPage, change, check, picture,
 } from './pages.mjs';
@@ -121,9 +121,7 @@ test('dragging turns the surface', { timeout: 900000 }, async () => {
 
 test('fingers turn the surface, move it nearer and tell of what they tap', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, { width: 390, height: 844, touch: true }, async (page) => {
-    const session = await page.context().newCDPSession(page);
-    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
-      { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+    const touch = await fingers(page);
     const distance = () => page.evaluate(() => window.viewer.stage.controls.getDistance());
     const told = page.locator('#panel section').first();
     const turned = await change(page, async () => {
@@ -151,6 +149,34 @@ test('fingers turn the surface, move it nearer and tell of what they tap', { tim
       words.add(await told.textContent());
     }
     assert.ok([...words].some((text) => /^ClickedTriangle/.test(text)), `${[...words]}`);
+  });
+});
+
+test('fingers on the surface neither zoom nor scroll the page', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { width: 390, height: 844, touch: true }, async (page) => {
+    const touch = await fingers(page);
+    // Pinches, drags, and tells how the browser then shows the page.
+    const shown = async () => {
+      await touch('touchStart', [195, 200]);
+      await touch('touchStart', [195, 200], [195, 240]);
+      for (let k = 1; k < 9; ++k) {
+        await touch('touchMove', [195, 200 - 10 * k], [195, 240 + 10 * k]);
+      }
+      await touch('touchEnd');
+      await touch('touchStart', [195, 300]);
+      for (let k = 1; k < 9; ++k) await touch('touchMove', [195, 300 - 20 * k]);
+      await touch('touchEnd');
+      await settle(page);
+      return page.evaluate(() => {
+        const { scale, pageLeft, pageTop } = window.visualViewport;
+        return { scale, left: pageLeft, top: pageTop };
+      });
+    };
+    assert.deepEqual(await shown(), { scale: 1, left: 0, top: 0 });
+    // It would be seen here if they did.
+    await page.locator('canvas').evaluate((canvas) => { canvas.style.touchAction = 'auto'; });
+    const { scale, top } = await shown();
+    assert.ok(scale > 1.5 && top > 50, `${scale}, ${top}`);
   });
 });
 
