@@ -35,3 +35,14 @@ export async function withPart(name, options, work, hash = '') {
 export const desk = { width: 940, height: 900 };
 export const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
 export const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+
+// The pictures that the canvases of a part show.
+export const drawn = (page) => page.locator('canvas').evaluateAll((all) =>
+  all.map((canvas) => canvas.toDataURL()));
+
+// Fails if a part still plays: after the time for several steps it is where it was.
+export async function assertStopped(page) {
+  const { step } = await state(page);
+  await page.waitForTimeout(400);
+  assert.equal((await state(page)).step, step);
+}

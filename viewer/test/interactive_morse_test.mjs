@@ -9,7 +9,8 @@ test('pairs are cancelled by a click or by keys, and a refusal says why', async 
     const press = (name) => page.getByRole('button', { name, exact: true }).click();
     const said = () => page.locator('.said').textContent();
     const sum = () => page.locator('p.value').textContent();
-    assert.match(await sum(), /^5 minima − 9 saddles \+ 4 maxima = 0$/);
+    const hills = /^5 minima − 9 saddles \+ 4 maxima = 0$/;
+    assert.match(await sum(), hills);
     const met = await page.evaluate(() => {
       const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
       return window.part.state.complex.arcs.map((_, n) => {
@@ -24,9 +25,11 @@ test('pairs are cancelled by a click or by keys, and a refusal says why', async 
       assert.ok(met.some((said) => reason.test(said)), `${reason}`);
     }
     await page.getByRole('button', { name: 'next line' }).press('Enter');
+    assert.match(await said(), /^From saddle a at /);
     await page.getByRole('button', { name: 'cancel it' }).press('Enter');
     assert.equal(await said(), met[0]);
     await press('start again');
+    assert.match(await sum(), hills);
     // A click in the middle of a line tries that line.
     const target = await page.evaluate(() => {
       const { complex } = window.part.state, n = complex.arcs.findIndex(({ line, own }) =>
@@ -49,9 +52,12 @@ test('pairs are cancelled by a click or by keys, and a refusal says why', async 
     assert.match(await said(), /Both lines of the saddle a end at this/);
     assert.equal(await page.locator('.tasks .good').count(), 4);
     await press('start again');
+    assert.match(await sum(), hills);
     await page.locator('.pair').first().press('Enter');
     assert.match(await said(), /^(Cancelled|No line joins)/);
     await press('One hill');
+    assert.match(await sum(), /^1 minimum − 2 saddles \+ 1 maximum = 0$/);
+    assert.match(await said(), /^Click a line/);
     await press('next line');
     await press('cancel it');
     assert.match(await said(), /Both lines/);

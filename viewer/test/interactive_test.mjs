@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { embedded } from '../../papers/interactive/embedded.mjs';
 import { fingers, settle } from './browser.mjs';
-import { desk, parts, phone, state, withPart } from './interactive.mjs';
+import { assertStopped, desk, drawn, parts, phone, state, withPart } from './interactive.mjs';
 
 test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
   const shown = embedded();
@@ -142,10 +142,17 @@ test('the mesh is proved until it is spoiled, and each spoil names its condition
       await press('undo');
       assert.match(await said(), /with its vertices on it/);
     }
-    await page.locator('canvas').click({ position: { x: 250, y: 220 } });
+    const pictures = await drawn(page), { chosen } = await state(page);
+    await page.locator('canvas').click({ position: { x: 260, y: 300 } });
+    assert.notEqual((await state(page)).chosen, chosen, 'a click chooses a triangle');
+    pictures.push(...await drawn(page));
     await page.locator('canvas').focus();
     await page.keyboard.press('ArrowLeft');
+    pictures.push(...await drawn(page));
     await page.emulateMedia({ colorScheme: 'dark' });
+    await settle(page);
+    pictures.push(...await drawn(page));
+    assert.equal(new Set(pictures).size, 4, 'another triangle, another side, another colour');
   });
 });
 
@@ -164,12 +171,17 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
       assert.ok(await step() > before, name);
       assert.match((await lit()).join(), words);
     }
+    const sealed = await step();
     await press('‹ step');
+    assert.equal(await step(), sealed - 1);
+    await press('step ›');
+    assert.equal(await step(), sealed);
     await page.locator('input[aria-label=Step]').press('End');
     assert.match(await page.locator('main').textContent(), /no front/);
     await press('play');
     await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
     await press('pause');
+    await assertStopped(page);
     const { laid, milliseconds } = await page.evaluate(async () => {
       const play = [...document.querySelectorAll('button')].find((b) => b.textContent === 'play');
       const start = performance.now(), from = window.part.state.step;
@@ -178,7 +190,9 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
       play.click();
       return { laid: window.part.state.step - from, milliseconds: performance.now() - start };
     });
-    assert.ok(laid <= 3 + milliseconds / 40, `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
+    assert.ok(laid > 0 && laid <= 3 + milliseconds / 40,
+      `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
+    await assertStopped(page);
   });
 });
 
@@ -193,9 +207,15 @@ test('the sweep without the guard stops where it lays a triangle over another, t
     await press('first overlap');
     assert.deepEqual(await laid(), [first, first]);
     assert.match((await notes())[1], new RegExp(`Stopped. Triangle number ${first} \\(red\\) lies over`));
+    const pictures = [await drawn(page)];
     await page.getByText('close up').click();
+    pictures.push(await drawn(page));
     await page.locator('canvas').first().focus();
     await page.keyboard.press('ArrowLeft');
+    pictures.push(await drawn(page));
+    for (const k of [0, 1]) {
+      assert.equal(new Set(pictures.map((both) => both[k])).size, 3, 'both come nearer and turn');
+    }
     await press('to the end');
     const [whole, stopped] = await laid();
     assert.ok(whole > first && stopped === first);
@@ -204,11 +224,18 @@ test('the sweep without the guard stops where it lays a triangle over another, t
     assert.ok((await laid())[1] > whole, 'it covers the skin more than once');
     assert.match((await notes())[1], /goes on over finished triangles/);
     await page.getByText('let the second go on').click();
+    assert.deepEqual(await laid(), [whole, first]);
+    const { step } = await state(page);
     await press('one triangle less');
+    assert.equal((await state(page)).step, step - 1);
+    await press('one triangle more');
+    assert.equal((await state(page)).step, step);
     await press('where they part');
+    assert.deepEqual(await laid(), [apart, apart]);
     await press('play');
     await page.waitForFunction((n) => window.part.laid()[0] > n, first + 30);
     assert.equal((await laid())[1], first);
     await press('pause');
+    await assertStopped(page);
   });
 });
