@@ -66,3 +66,9 @@ export function facts(scene, { triangle, vertex }) {
   }
   return rows.filter(([, words]) => words !== '');
 }
+
+// Such rows in one line: the atom, or all of them where no molecule is known.
+export function inOneLine(rows) {
+  const atom = rows.filter(([name]) => ['Nearest ball', 'Its atom', 'Residue'].includes(name));
+  return (atom.length > 0 ? atom : rows).map((row) => row.join(' ').trim()).join(' · ');
+}

@@ -31,7 +31,7 @@ const switches = { e: 'edges', x: 'seeThrough', a: 'atoms', k: 'points', l: 'lin
 const styles = { 1: 'smooth', 2: 'flat', 3: 'wire', 4: 'off' };
 
 export function listen(viewer) {
-  const turn = 0.09;
+  const turn = 0.09, help = document.getElementById('help');
   const acts = {
     arrowleft: () => viewer.stage.turn(-turn, 0),
     arrowright: () => viewer.stage.turn(turn, 0),
@@ -59,9 +59,11 @@ export function listen(viewer) {
   window.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = event.key.toLowerCase();
+    // What lies behind the help is out of reach: the keys that opened it close it, no other acts.
+    if (help.open && key !== 'h' && key !== '?') return;
     // Sliders, lists and buttons keep the keys that work them.
     const { target } = event;
-    const isOnControl = target.matches?.('input, select, button, summary, dialog *');
+    const isOnControl = target.matches?.('input, select, button, summary');
     if (isOnControl && (key.startsWith('arrow') || key === ' ')) return;
     if (target.matches?.('select') && key.length === 1) return;
     if (styles[key]) {

@@ -4,6 +4,7 @@
 import { ComponentList } from './components.js';
 import { choice, counted, element, histogram, icon, number, section, showPlaying, toggle } from './dom.js';
 import { certificateLine, headline, inPrint, signed } from './headline.js';
+import { inOneLine } from './inspector.js';
 import { hex } from './palette.js';
 import { levelColour } from './level.js';
 import * as palette from './palette.js';
@@ -24,6 +25,7 @@ export class Panel {
     this.told = section('Clicked', element('table', { class: 'told' }));
     this.told.hidden = true;
     this.told.setAttribute('aria-live', 'polite');
+    this.answer = element('p', { id: 'answer', role: 'status' });
     body.append(this.told, this.#surface());
     if (viewer.scene.components().list.length > 1) {
       this.components = new ComponentList(viewer);
@@ -62,6 +64,13 @@ export class Panel {
     this.told.querySelector('table').replaceChildren(...(rows ?? []).map(([name, words]) =>
       element('tr', {}, element('th', { scope: 'row' }, name), element('td', {}, words))));
     if (rows) this.told.scrollIntoView({ block: 'nearest' });
+    this.facts = rows;
+    this.#showAnswer();
+  }
+
+  // While the panel is folded, a line over the surface tells in its place.
+  #showAnswer() {
+    this.answer.textContent = this.facts && !this.viewer.state.panel ? inOneLine(this.facts) : '';
   }
 
   say(words) {
@@ -221,6 +230,7 @@ export class Panel {
     if (changed('panel')) {
       this.root.classList.toggle('folded', !state.panel);
       this.fold.setAttribute('aria-expanded', String(state.panel));
+      this.#showAnswer();
     }
   }
 

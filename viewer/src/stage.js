@@ -22,6 +22,7 @@ export class Stage {
     this.renderer.domElement.setAttribute('aria-label', 'The surface; arrow keys turn it');
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(28, 1, 0.1, 100);
+    // They set touch-action to none, so that fingers neither scroll nor zoom the page.
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.zoomToCursor = true;
     this.controls.rotateSpeed = 0.8;

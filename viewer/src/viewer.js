@@ -45,11 +45,13 @@ export class Viewer {
     this.address = new Address(this);
   }
 
-  // What lies over the canvas: the scale, and a way back to a panel that is folded away.
+  // What lies over the canvas: the scale, and while the panel is folded its answer to a click and a
+  // way back to it.
   #furnish(container) {
     new ScaleBar(this.stage);
-    container.append(element('button', { type: 'button', id: 'unfold', title: 'The panel again (P)',
-      'aria-label': 'Show the panel', onclick: () => this.set({ panel: true }) }, icon('panel')));
+    container.append(this.panel.answer, element('button', { type: 'button', id: 'unfold',
+      title: 'The panel again (P)', 'aria-label': 'Show the panel',
+      onclick: () => this.set({ panel: true }) }, icon('panel')));
     const canvas = this.stage.renderer.domElement;
     let from;
     // A second finger makes it no click.

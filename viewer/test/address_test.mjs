@@ -93,6 +93,45 @@ test('a click tells of triangle, vertex and ball, and beside the surface of noth
   });
 });
 
+test('with the panel folded a line over the surface tells the atom, and is read aloud',
+  { timeout: 900000 }, async () => {
+    for (const size of [small, { width: 390, height: 844, touch: true }]) {
+      await withPage(pages.ligand, size, async (page) => {
+        const line = page.getByRole('status'), told = page.locator('.told');
+        const click = (x, y) => (size.touch ? page.touchscreen.tap(x, y) : page.mouse.click(x, y));
+        const clickSurface = async () => {
+          const { width, height } = await page.locator('#stage').boundingBox();
+          for (const share of [0.5, 0.42, 0.58, 0.36]) {
+            await click(width * share, height / 2);
+            if (await page.locator('.told tr').count() > 0) return;
+          }
+          assert.fail('no place of the surface was hit');
+        };
+        await clickSurface();
+        assert.ok(await told.isVisible());
+        assert.equal(await line.textContent(), '', 'the panel has told it');
+        await page.keyboard.press('p');
+        await settle(page);
+        assert.ok(!await told.isVisible());
+        const words = /^Nearest ball \d+ [A-Z]+ · Its atom [A-Z]+\d* · Residue 0PJ/;
+        assert.match(await line.textContent(), words);
+        // Beside the surface there is nothing to tell: the line stays, and takes no place.
+        await click(3, 60);
+        assert.deepEqual([await line.textContent(), await line.count()], ['', 1]);
+        assert.equal(await line.evaluate((e) => e.offsetHeight), 0);
+        await clickSurface();
+        assert.match(await line.textContent(), words);
+        const here = await line.boundingBox(), button = await page.locator('#unfold').boundingBox();
+        assert.ok(here.height > 15 && here.height < 60 && here.x + here.width < button.x);
+        assert.ok(await line.evaluate((e) => e.checkVisibility()));
+        await page.evaluate(() => window.viewer.copyLink());
+        assert.match(await line.textContent(), /^The link is/);
+        await page.locator('#unfold').click();
+        assert.deepEqual([await line.textContent(), await told.isVisible()], ['', true]);
+      });
+    }
+  });
+
 test('the scale bar is as long as it says, nearer too', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     const wrong = () => page.evaluate(() => {

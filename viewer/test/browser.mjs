@@ -14,20 +14,32 @@ export async function launch() {
   });
 }
 
+// A list that grows by all that the browser complains of while a page is open: errors and warnings
+// on the console, errors of scripts, what cannot be loaded and what is loaded from elsewhere.
+export function complaintsOf(page) {
+  const complaints = [];
+  const add = (words) => complaints.push(`${page.url()}: ${words}`);
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) add(message.text());
+  });
+  page.on('pageerror', add);
+  page.on('requestfailed', (request) => {
+    // A page that is left, or a download, ends a request without a fault.
+    if (request.failure().errorText !== 'net::ERR_ABORTED') add(`no ${request.url()}`);
+  });
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) add(`loads ${request.url()}`);
+  });
+  return complaints;
+}
+
 export async function open(browser, file, { width = 1100, height = 720, scheme = 'light',
   scale = 1, touch = false } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme,
     deviceScaleFactor: scale, hasTouch: touch, offline: true });
   context.setDefaultTimeout(patience);
   const page = await context.newPage();
-  const complaints = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`loads ${request.url()}`);
-  });
+  const complaints = complaintsOf(page);
   const start = Date.now();
   await page.goto(`file://${file}`);
   await page.waitForSelector('html[data-ready]');
@@ -45,4 +57,11 @@ export async function settle(page) {
       setTimeout(done, 30);
     }));
   }));
+}
+
+// Puts fingers on a page and lifts them: touch('touchStart', [x, y], ...), touchMove and touchEnd.
+export async function fingers(page) {
+  const session = await page.context().newCDPSession(page);
+  return (type, ...places) => session.send('Input.dispatchTouchEvent',
+    { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
 }

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { settle } from './browser.mjs';
+import { fingers, settle } from './browser.mjs';
 import {
   morskin, molecules, folder, make, pages, stage, small, withPage, change, check, picture,
 } from './pages.mjs';
@@ -121,9 +121,7 @@ test('dragging turns the surface', { timeout: 900000 }, async () => {
 
 test('fingers turn the surface, move it nearer and tell of what they tap', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, { width: 390, height: 844, touch: true }, async (page) => {
-    const session = await page.context().newCDPSession(page);
-    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
-      { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+    const touch = await fingers(page);
     const distance = () => page.evaluate(() => window.viewer.stage.controls.getDistance());
     const told = page.locator('#panel section').first();
     const turned = await change(page, async () => {
@@ -154,6 +152,34 @@ test('fingers turn the surface, move it nearer and tell of what they tap', { tim
   });
 });
 
+test('fingers on the surface neither zoom nor scroll the page', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { width: 390, height: 844, touch: true }, async (page) => {
+    const touch = await fingers(page);
+    // Pinches, drags, and tells how the browser then shows the page.
+    const shown = async () => {
+      await touch('touchStart', [195, 200]);
+      await touch('touchStart', [195, 200], [195, 240]);
+      for (let k = 1; k < 9; ++k) {
+        await touch('touchMove', [195, 200 - 10 * k], [195, 240 + 10 * k]);
+      }
+      await touch('touchEnd');
+      await touch('touchStart', [195, 300]);
+      for (let k = 1; k < 9; ++k) await touch('touchMove', [195, 300 - 20 * k]);
+      await touch('touchEnd');
+      await settle(page);
+      return page.evaluate(() => {
+        const { scale, pageLeft, pageTop } = window.visualViewport;
+        return { scale, left: pageLeft, top: pageTop };
+      });
+    };
+    assert.deepEqual(await shown(), { scale: 1, left: 0, top: 0 });
+    // It would be seen here if they did.
+    await page.locator('canvas').evaluate((canvas) => { canvas.style.touchAction = 'auto'; });
+    const { scale, top } = await shown();
+    assert.ok(scale > 1.5 && top > 50, `${scale}, ${top}`);
+  });
+});
+
 test('a triangle without an angle is told, not left out', { timeout: 900000 }, async () => {
   const flat = join(folder, 'flat.ply');
   writeFileSync(flat, 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n' +
@@ -173,6 +199,15 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     return path;
   };
   const long = 'coarse_as_a_mesh_may_be_and_of_a_name_longer_than_the_panel_is_wide';
+  // A click at one of many places of the window.
+  const isTold = (page) => page.evaluate(() => {
+    const { viewer } = window, box = viewer.stage.container.getBoundingClientRect();
+    for (let i = 1; i < 400; ++i) {
+      viewer.inspect(box.left + box.width * (i % 20) / 20, box.top + box.height * Math.floor(i / 20) / 20);
+      if (!viewer.panel.told.hidden) return true;
+    }
+    return false;
+  });
   const coarse = mesh(`${long}.ply`, '-C', '0.16', '-Q', '1.7'), fine = mesh('fine.ply');
   await withPage(make('mesh', fine), small, async (page) => {
     const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
@@ -181,6 +216,9 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     assert.equal(await page.locator('#atoms').count(), 0);
     for (const key of 'axkmsul ,.') await page.keyboard.press(key);
     await picture(page, 'mesh');
+    await page.keyboard.press('p');
+    assert.equal(await isTold(page), true);
+    assert.match(await page.locator('#answer').textContent(), /^Triangle angles .*° · Vertex at −?\d/);
   });
   await withPage(make('growing', fine, '--frames', coarse, fine), small, async (page) => {
     const move = (to) => page.locator('#frame').evaluate((slider, frame) => {
@@ -194,19 +232,10 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
     await picture(page, 'growth');
     // Whatever is switched, the frame is shown alone, and a click tells nothing of the mesh.
     const isMeshSeen = () => page.evaluate(() => window.viewer.surface.group.visible);
-    // A click at one of many places of the window.
-    const isTold = () => page.evaluate(() => {
-      const { viewer } = window, box = viewer.stage.container.getBoundingClientRect();
-      for (let i = 1; i < 400; ++i) {
-        viewer.inspect(box.left + box.width * (i % 20) / 20, box.top + box.height * Math.floor(i / 20) / 20);
-        if (!viewer.panel.told.hidden) return true;
-      }
-      return false;
-    });
     for (const key of '2341') await page.keyboard.press(key);
     await settle(page);
     await picture(page, 'growth');
-    assert.deepEqual([await isMeshSeen(), await isTold()], [false, false]);
+    assert.deepEqual([await isMeshSeen(), await isTold(page)], [false, false]);
     const growing = () => page.evaluate(() => window.viewer.state.growing);
     await page.keyboard.press('g');
     assert.equal(await growing(), true);
@@ -226,7 +255,7 @@ test('a mesh shows only the layers it has, and a growing one its frames', { time
       });
     }));
     assert.ok(seconds > 5.9, `${seconds} s`);
-    assert.deepEqual([await isMeshSeen(), await isTold()], [true, true]);
+    assert.deepEqual([await isMeshSeen(), await isTold(page)], [true, true]);
   });
   await withPage(make('swept', ring, '--frames', coarse), small, async (page) => {
     const isFrontSeen = () => page.evaluate(() => window.viewer.sweep.frontObject.visible);

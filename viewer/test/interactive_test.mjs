@@ -2,39 +2,10 @@
 // by keyboard, mouse and touch what it says. Their mathematics is tested beside their sources.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { launch, open, settle } from './browser.mjs';
+import { test } from 'node:test';
 import { embedded } from '../../papers/interactive/embedded.mjs';
-import { morskin, root } from './pages.mjs';
-
-const folder = mkdtempSync(join(tmpdir(), 'morskin-interactive-'));
-const parts = JSON.parse(execFileSync('python3', [join(root, 'papers/interactive/build.py'), folder,
-  '--command', morskin, '--list'], { encoding: 'utf8' }));
-let browser;
-before(async () => { browser = await launch(); });
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-});
-
-async function withPart(name, options, work) {
-  const opened = await open(browser, join(folder, `${name}.html`), options);
-  try {
-    await work(opened.page);
-    await settle(opened.page);
-    assert.deepEqual(opened.complaints, []);
-  } finally {
-    await opened.close();
-  }
-}
-
-const desk = { width: 940, height: 900 };
-const phone = { width: 390, height: 844, touch: true, scheme: 'dark' };
-const state = (page) => page.evaluate(() => structuredClone(window.part.state));
+import { fingers, settle } from './browser.mjs';
+import { assertStopped, desk, drawn, parts, phone, state, withPart } from './interactive.mjs';
 
 test('every part is shown by a lesson, and the viewer opens there as its link says', async () => {
   const shown = embedded();
@@ -42,17 +13,17 @@ test('every part is shown by a lesson, and the viewer opens there as its link sa
   const viewers = shown.filter(({ part }) => part === 'viewer');
   assert.ok(viewers.length >= 6);
   for (const { lesson, state: hash } of viewers) {
-    const { page, complaints, close } = await open(browser, join(folder, `viewer.html${hash}`), { width: 736, height: 640 });
-    const now = await page.evaluate(() => window.viewer.state);
-    for (const [name, word] of new URLSearchParams(hash.slice(1))) {
-      assert.equal(String(typeof now[name] === 'boolean' ? Number(now[name]) : now[name]), word, `${lesson}: ${name}`);
-    }
-    if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
-      const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
-      assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
-    }
-    assert.deepEqual(complaints, []);
-    await close();
+    await withPart('viewer', { width: 736, height: 640 }, async (page) => {
+      const now = await page.evaluate(() => window.viewer.state);
+      for (const [name, word] of new URLSearchParams(hash.slice(1))) {
+        const told = typeof now[name] === 'boolean' ? Number(now[name]) : now[name];
+        assert.equal(String(told), word, `${lesson}: ${name}`);
+      }
+      if (now.step < await page.evaluate(() => window.viewer.sweep.steps)) {
+        const bridges = await page.evaluate(() => window.viewer.sweep.counts()[3]);
+        assert.deepEqual(bridges, { now: 1, all: 2 }, `${lesson}: the step is before the second bridge`);
+      }
+    }, hash);
   }
 });
 
@@ -95,7 +66,7 @@ test('the reader finds where two discs part, with the arrow keys alone', async (
   });
 });
 
-test('a disc follows the mouse and a finger', async () => {
+test('a disc follows the mouse and a finger to the end', async () => {
   await withPart('skin2d', desk, async (page) => {
     const box = await page.locator('[aria-label^="Disc 1"] circle').last().boundingBox();
     await page.mouse.move(box.x + 5, box.y + 5);
@@ -108,16 +79,38 @@ test('a disc follows the mouse and a finger', async () => {
   await withPart('skin2d', phone, async (page) => {
     const disc = page.locator('[aria-label^="Disc 1"] circle').last();
     await disc.scrollIntoViewIfNeeded();
-    const box = await disc.boundingBox(), session = await page.context().newCDPSession(page);
-    const touch = (type, ...places) => session.send('Input.dispatchTouchEvent',
-      { type, touchPoints: places.map(([x, y]) => ({ x, y })) });
+    const box = await disc.boundingBox(), touch = await fingers(page);
     const [was] = (await state(page)).discs, at = [box.x + 5, box.y + 5];
     await touch('touchStart', at);
-    for (let k = 1; k < 4; ++k) await touch('touchMove', [at[0] - 5 * k, at[1] - 12 * k]);
+    for (let k = 1; k < 9; ++k) await touch('touchMove', [at[0] - 5 * k, at[1] - 12 * k]);
     await touch('touchEnd');
     const [now] = (await state(page)).discs;
-    assert.ok(now.z[0] < was.z[0] - 0.1 && now.z[1] > was.z[1] + 0.3, `${was.z} became ${now.z}`);
+    assert.ok(now.z[0] < was.z[0] - 0.7 && now.z[1] > was.z[1] + 1.7, `${was.z} became ${now.z}`);
   });
+});
+
+test('a finger on a disc or a solid does not scroll the page, beside them it does', async () => {
+  for (const [name, held] of [['skin2d', '[aria-label^="Disc 1"] circle >> nth=-1'],
+    ['certificate', 'canvas'], ['front', 'canvas'], ['guard', 'canvas >> nth=0']]) {
+    await withPart(name, { ...phone, height: 500 }, async (page) => {
+      const touch = await fingers(page);
+      await page.evaluate(() => { document.body.style.paddingBottom = '500px'; }); // room to scroll
+      // By how much the page scrolls when a finger goes up from the middle of something.
+      const scrolled = async (place) => {
+        await place.evaluate((e) => e.scrollIntoView({ block: 'center' }));
+        const { x, y, width, height } = await place.boundingBox();
+        const at = [x + width / 2, y + height / 2], top = () => page.evaluate(() => window.scrollY);
+        const was = await top();
+        await touch('touchStart', at);
+        for (let k = 1; k < 9; ++k) await touch('touchMove', [at[0], at[1] - 10 * k]);
+        await touch('touchEnd');
+        await settle(page);
+        return await top() - was;
+      };
+      assert.equal(await scrolled(page.locator(held)), 0, name);
+      assert.ok(await scrolled(page.locator('p.soft').first()) > 30, name);
+    });
+  }
 });
 
 test('an edge and a triangle redden where [L] and [U] break', async () => {
@@ -149,10 +142,17 @@ test('the mesh is proved until it is spoiled, and each spoil names its condition
       await press('undo');
       assert.match(await said(), /with its vertices on it/);
     }
-    await page.locator('canvas').click({ position: { x: 250, y: 220 } });
+    const pictures = await drawn(page), { chosen } = await state(page);
+    await page.locator('canvas').click({ position: { x: 260, y: 300 } });
+    assert.notEqual((await state(page)).chosen, chosen, 'a click chooses a triangle');
+    pictures.push(...await drawn(page));
     await page.locator('canvas').focus();
     await page.keyboard.press('ArrowLeft');
+    pictures.push(...await drawn(page));
     await page.emulateMedia({ colorScheme: 'dark' });
+    await settle(page);
+    pictures.push(...await drawn(page));
+    assert.equal(new Set(pictures).size, 4, 'another triangle, another side, another colour');
   });
 });
 
@@ -171,12 +171,17 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
       assert.ok(await step() > before, name);
       assert.match((await lit()).join(), words);
     }
+    const sealed = await step();
     await press('‹ step');
+    assert.equal(await step(), sealed - 1);
+    await press('step ›');
+    assert.equal(await step(), sealed);
     await page.locator('input[aria-label=Step]').press('End');
     assert.match(await page.locator('main').textContent(), /no front/);
     await press('play');
     await page.waitForFunction(() => window.part.state.step > 3 && window.part.state.step < 700);
     await press('pause');
+    await assertStopped(page);
     const { laid, milliseconds } = await page.evaluate(async () => {
       const play = [...document.querySelectorAll('button')].find((b) => b.textContent === 'play');
       const start = performance.now(), from = window.part.state.step;
@@ -185,80 +190,9 @@ test('the front is followed step by step, with the line of Algorithm 1 lit', asy
       play.click();
       return { laid: window.part.state.step - from, milliseconds: performance.now() - start };
     });
-    assert.ok(laid <= 3 + milliseconds / 40, `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
-  });
-});
-
-test('pairs are cancelled by a click or by keys, and a refusal says why', async () => {
-  await withPart('morse', desk, async (page) => {
-    const press = (name) => page.getByRole('button', { name, exact: true }).click();
-    const said = () => page.locator('.said').textContent();
-    const sum = () => page.locator('p.value').textContent();
-    assert.match(await sum(), /^5 minima − 9 saddles \+ 4 maxima = 0$/);
-    const met = await page.evaluate(() => {
-      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
-      return window.part.state.complex.arcs.map((_, n) => {
-        for (let k = 0; k <= n; ++k) press('next line');
-        press('cancel it');
-        const said = document.querySelector('.said').textContent;
-        press('start again');
-        return said;
-      });
-    });
-    for (const reason of [/^Cancelled a saddle and a minimum/, /^Refused. c is (higher|lower) than b/, /^Refused. Another saddle of b/]) {
-      assert.ok(met.some((said) => reason.test(said)), `${reason}`);
-    }
-    await page.getByRole('button', { name: 'next line' }).press('Enter');
-    await page.getByRole('button', { name: 'cancel it' }).press('Enter');
-    assert.equal(await said(), met[0]);
-    await press('start again');
-    // A click in the middle of a line tries that line.
-    const target = await page.evaluate(() => {
-      const { complex } = window.part.state, n = complex.arcs.findIndex(({ line, own }) =>
-        line[own >> 1].every((c) => c > 0.1 && c < 0.9));
-      return { n, at: complex.arcs[n].line[complex.arcs[n].own >> 1], saddle: complex.arcs[n].saddle };
-    });
-    const box = await page.locator('svg').first().boundingBox();
-    await page.mouse.click(...[target.at[0], 1 - target.at[1]].map((c, k) =>
-      [box.x, box.y][k] + ((c + 0.06) / 1.12) * box.width));
-    const after = await state(page);
-    assert.ok(after.chosen === target.n || after.complex.cancelled.at(-1)?.saddle === target.saddle);
-    await press('start again');
-    while (await page.getByRole('button', { name: 'cancel the least persistent' }).isEnabled()) {
-      await press('cancel the least persistent');
-      assert.match(await said(), /^Cancelled/);
-    }
-    assert.match(await sum(), /^1 minimum − 2 saddles \+ 1 maximum = 0$/);
-    await press('next line');
-    await press('cancel it');
-    assert.match(await said(), /Both lines of the saddle a end at this/);
-    assert.equal(await page.locator('.tasks .good').count(), 4);
-    await press('start again');
-    await page.locator('.pair').first().press('Enter');
-    assert.match(await said(), /^(Cancelled|No line joins)/);
-    await press('One hill');
-    await press('next line');
-    await press('cancel it');
-    assert.match(await said(), /Both lines/);
-  });
-});
-
-test('as printed, only loops are refused, and the page says when no function has what is left', async () => {
-  await withPart('morse', desk, async (page) => {
-    await page.getByText('as printed').click();
-    // Whichever line may go goes, the last first.
-    const said = await page.evaluate(() => {
-      const press = (name) => [...document.querySelectorAll('button')].find((b) => (b.ariaLabel ?? b.textContent) === name).click();
-      const words = [];
-      for (let k = 0; k < 40 && !document.querySelector('p.value').textContent.includes('no function'); ++k) {
-        press('line before');
-        press('cancel it');
-        words.push(document.querySelector('.said').textContent);
-      }
-      return words;
-    });
-    for (const words of said) assert.match(words, /^(Cancelled|Refused. Both lines)/);
-    assert.match(await page.locator('main').textContent(), /no function has this complex/);
+    assert.ok(laid > 0 && laid <= 3 + milliseconds / 40,
+      `a short pause makes it no faster: ${laid} steps in ${milliseconds} ms`);
+    await assertStopped(page);
   });
 });
 
@@ -273,9 +207,15 @@ test('the sweep without the guard stops where it lays a triangle over another, t
     await press('first overlap');
     assert.deepEqual(await laid(), [first, first]);
     assert.match((await notes())[1], new RegExp(`Stopped. Triangle number ${first} \\(red\\) lies over`));
+    const pictures = [await drawn(page)];
     await page.getByText('close up').click();
+    pictures.push(await drawn(page));
     await page.locator('canvas').first().focus();
     await page.keyboard.press('ArrowLeft');
+    pictures.push(await drawn(page));
+    for (const k of [0, 1]) {
+      assert.equal(new Set(pictures.map((both) => both[k])).size, 3, 'both come nearer and turn');
+    }
     await press('to the end');
     const [whole, stopped] = await laid();
     assert.ok(whole > first && stopped === first);
@@ -284,11 +224,18 @@ test('the sweep without the guard stops where it lays a triangle over another, t
     assert.ok((await laid())[1] > whole, 'it covers the skin more than once');
     assert.match((await notes())[1], /goes on over finished triangles/);
     await page.getByText('let the second go on').click();
+    assert.deepEqual(await laid(), [whole, first]);
+    const { step } = await state(page);
     await press('one triangle less');
+    assert.equal((await state(page)).step, step - 1);
+    await press('one triangle more');
+    assert.equal((await state(page)).step, step);
     await press('where they part');
+    assert.deepEqual(await laid(), [apart, apart]);
     await press('play');
     await page.waitForFunction((n) => window.part.laid()[0] > n, first + 30);
     assert.equal((await laid())[1], first);
     await press('pause');
+    await assertStopped(page);
   });
 });

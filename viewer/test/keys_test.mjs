@@ -80,6 +80,27 @@ test('every key of the help does what it says', { timeout: 900000 }, async () =>
   });
 });
 
+test('behind the open help no key acts, and Escape closes it', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const help = page.locator('#help');
+    const all = () => page.evaluate(() => ({ ...window.viewer.state, isDark: window.viewer.isDark(),
+      eye: window.viewer.stage.camera.position.toArray() }));
+    await page.evaluate(() => window.viewer.goTo(5));
+    const first = await all();
+    await page.keyboard.press('h');
+    await help.locator('h2').click(); // off the button, which the space bar would press
+    for (const key of ['2', 'c', ...'exaklsimuvp', ']', 'ArrowLeft', 'ArrowUp', '+', 'd', '.', '>', ' ', 'g']) {
+      await page.keyboard.press(key);
+      assert.deepEqual(await all(), first, `key ${key}`);
+      assert.ok(await help.isVisible(), `key ${key} closes it`);
+    }
+    await page.keyboard.press('Escape');
+    await help.waitFor({ state: 'hidden' });
+    await page.keyboard.press('e');
+    assert.deepEqual(await all(), { ...first, edges: true }, 'keys act again');
+  });
+});
+
 test('the space bar unfolds what is proved and runs no sweep', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, { width: 760, height: 600, scale: 0.5 }, async (page) => {
     await page.locator('summary').focus();

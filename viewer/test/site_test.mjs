@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { complaintsOf, launch } from './browser.mjs';
 
 const site = resolve(import.meta.dirname, process.env.SITE ?? '../../build/course');
 const pages = existsSync(site)
@@ -19,18 +19,16 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// Runs `work` with a page and the list of what the browser complains about.
+// Runs `work` with a page, and fails if the browser complains of anything meanwhile.
 async function withTab(options, work) {
   const context = await browser.newContext({ offline: true, ...options });
-  const tab = await context.newPage();
-  const complaints = [];
-  tab.on('pageerror', (error) => complaints.push(`${tab.url()}: ${error}`));
-  tab.on('requestfailed', (request) => complaints.push(`no ${request.url()}`));
-  tab.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`loads ${request.url()}`);
-  });
-  await work(tab, complaints);
-  await context.close();
+  try {
+    const tab = await context.newPage(), complaints = complaintsOf(tab);
+    await work(tab);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await context.close();
+  }
 }
 
 // Pixels by which a page is wider than the window, or its text than its column.
@@ -43,7 +41,7 @@ const open = (tab, name) => tab.goto(`file://${site}/${name}`);
 for (const [device, width] of Object.entries(widths)) {
   test(`no page scrolls sideways on a ${device}`, { timeout: 3600000 }, async () => {
     assert.ok(pages.length > 50, `no site in ${site}: make papers`);
-    await withTab({ viewport: { width, height: 800 } }, async (tab, complaints) => {
+    await withTab({ viewport: { width, height: 800 } }, async (tab) => {
       const wide = [];
       for (const name of pages.filter((name) => device === 'phone' || !isListing(name))) {
         await open(tab, name);
@@ -51,7 +49,6 @@ for (const [device, width] of Object.entries(widths)) {
         if (pixels > 0) wide.push(`${name}: ${pixels} pixels too wide`);
       }
       assert.deepEqual(wide, []);
-      assert.deepEqual(complaints, []);
     });
   });
 }
@@ -65,15 +62,30 @@ test('a page that is too wide is found', async () => {
   });
 });
 
+test('an error on the console, a warning there and a file that is missing are found', async () => {
+  const wrong = {
+    'an error': () => console.error('an error'),
+    'a warning': () => console.warn('a warning'),
+    'missing.png': () => new Promise((done) => {
+      Object.assign(new Image(), { onerror: done, src: 'missing.png' });
+    }),
+  };
+  for (const [words, act] of Object.entries(wrong)) {
+    await assert.rejects(withTab({}, async (tab) => {
+      await open(tab, 'README.html');
+      await tab.evaluate(act);
+    }), new RegExp(words));
+  }
+});
+
 test('the search finds a lesson from the disk, and leads to it', { timeout: 300000 }, async () => {
-  await withTab({ viewport: { width: widths.desk, height: 800 } }, async (tab, complaints) => {
+  await withTab({ viewport: { width: widths.desk, height: 800 } }, async (tab) => {
     await open(tab, 'lessons/0-why.html');
     await tab.locator('.sidebar-search').fill('persistence');
     await tab.locator('.sidebar-search').press('Enter');
     const found = tab.locator('#search-results a', { hasText: 'Lesson 4' });
     await found.click();
     assert.match(tab.url(), /lessons\/4-morse-smale\.html/);
-    assert.deepEqual(complaints, []);
   });
 });
 
@@ -111,13 +123,12 @@ test('the page turns dark when the browser asks, and when its switch is used', a
 });
 
 test('formulas are set in their own font', async () => {
-  await withTab({ viewport: { width: widths.desk, height: 800 } }, async (tab, complaints) => {
+  await withTab({ viewport: { width: widths.desk, height: 800 } }, async (tab) => {
     await open(tab, 'lessons/5-creep.html');
     assert.ok(await tab.evaluate(async () => {
       await document.fonts.ready;
       return document.fonts.check('16px KaTeX_Math') && [...document.fonts].some(
         (font) => font.family === 'KaTeX_Math' && font.status === 'loaded');
     }));
-    assert.deepEqual(complaints, []);
   });
 });
