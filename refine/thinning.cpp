@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "refine/coarsening.h"
@@ -18,22 +19,13 @@ constexpr int max_turns = 5;
 
 /// By vertex, 0 where the length scale decides the size of the triangles and not a length, and at
 /// the neighbours: else nothing could be done at the border, and most bent parts are small.
-geometry::Parts bent_vertices(const Mesh& mesh, const Sizing& sizing,
-                              const std::vector<Point>& except) {
+geometry::Parts bent_vertices(const Mesh& mesh, const Sizing& sizing) {
   geometry::Parts parts(mesh.surface.vertex_count(), geometry::no_part);
-  const auto is_excepted = [&](const SurfacePoint& p) {
-    constexpr double reach = 5;  // length scales, some four edges
-    return std::ranges::any_of(
-        except, [&](const Point& x) { return (x - p.position).norm() < reach * p.length_scale; });
-  };
   for (std::size_t i = 0; i < mesh.surface.vertex_count(); ++i) {
     const VertexId v{i};
     if (!(mesh.at(v).length_scale < sizing.largest_length_scale)) continue;
-    const auto mark = [&](VertexId u) {
-      if (!is_excepted(mesh.at(u))) parts[u] = 0;
-    };
-    mark(v);
-    mesh.surface.for_each_outgoing(v, [&](HalfEdgeId h) { mark(mesh.surface.target(h)); });
+    parts[v] = 0;
+    mesh.surface.for_each_outgoing(v, [&](HalfEdgeId h) { parts[mesh.surface.target(h)] = 0; });
   }
   return parts;
 }
@@ -99,10 +91,10 @@ void flip(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
 }  // namespace
 
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                 const std::vector<Point>& except, const geometry::Run& run) {
+                 const geometry::Run& run) {
   const std::size_t at_first = mesh.surface.vertex_count();
   for (int k = 0; k < max_turns; ++k) {
-    geometry::Parts bent = bent_vertices(mesh, sizing, except);
+    geometry::Parts bent = bent_vertices(mesh, sizing);
     const auto count = static_cast<double>(std::ranges::count(bent, geometry::Part{0}));
     const Subdomain subdomain(bent, 0);
     even_out(surface, sizing, mesh, subdomain);
@@ -112,8 +104,34 @@ std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& me
     mesh.surface.compact(run.threads());
     if (static_cast<double>(removed) < least_gain * count) break;
   }
-  flip(surface, sizing, mesh, bent_vertices(mesh, sizing, except));
+  flip(surface, sizing, mesh, bent_vertices(mesh, sizing));
   return at_first - mesh.surface.vertex_count();
+}
+
+std::size_t thicken(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+                    const std::vector<Point>& places, double reach, const geometry::Run& run) {
+  const auto is_near_place = [&](VertexId v) {
+    const SurfacePoint& p = mesh.at(v);
+    return std::ranges::any_of(
+        places, [&](const Point& x) { return (x - p.position).norm() < reach * p.length_scale; });
+  };
+  Work work;
+  for (std::size_t i = 0; i < mesh.surface.triangle_count(); ++i) {
+    const TriangleId t{i};
+    if (std::ranges::none_of(mesh.surface.corners(t), is_near_place)) continue;
+    work.big.push_back(t);
+    for (std::uint32_t k = 0; k < 3; ++k) work.to_flip.push_back(SurfaceMesh::half_edge(t, k));
+  }
+  const std::size_t triangles = work.big.size();
+  Sizing finer = sizing;  // with the same [L]
+  finer.C *= std::sqrt(Sizing::spare_limit);
+  finer.Q *= std::sqrt(Sizing::spare_limit);
+  LocalOperations operations(surface, finer, mesh, std::move(work));
+  operations.flip_where_needed();
+  operations.insert_into_big_triangles(triangles);
+  operations.contract_short_edges();
+  mesh.surface.compact(run.threads());
+  return operations.counts().insert;
 }
 
 }  // namespace morskin::refine

@@ -17,10 +17,18 @@
 
 namespace morskin::refine {
 
-/// @param mesh    refined for this sizing; comes out compact
-/// @param except  places within five length scales of which it stays as it is
+/// @param mesh  refined for this sizing; comes out compact
 /// @return the number of vertices by which it has fewer
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                 const std::vector<Point>& except = {}, const geometry::Run& run = geometry::Run());
+                 const geometry::Run& run = geometry::Run());
+
+/// Makes the mesh finer about places where thinning left too little room for good angles: all edges
+/// there Delaunay, and no circle above three quarters of [U].
+/// @param mesh   comes out compact
+/// @param reach  how far from a place, in length scales
+/// @return the number of vertices that went in
+std::size_t thicken(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
+                    const std::vector<Point>& places, double reach,
+                    const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine
