@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "app/report_lines.h"
-#include "geometry/union_find.h"
+#include "geometry/mesh_shape.h"
 #include "morskin/bent_part.h"
 #include "morskin/voids.h"
 #include "skin/skin_components.h"
@@ -101,36 +101,36 @@ void sort_by_volume(std::vector<SkinParts::Cavity>& voids) {
   });
 }
 
-/// Of the mesh on a component of the skin.
-struct Extent {
-  double area = 0, volume = 0;  ///< Angstrom^2, Angstrom^3; a void's volume is negative
-};
-
-std::map<skin::SkinComponents::Sides, Extent> extents(const morskin::PreparedSkin& skin,
-                                                      const morskin::MeshResult& result) {
+/// Measures the mesh on the walls of voids.
+void measure_walls(SkinParts& parts, const morskin::PreparedSkin& skin,
+                   const morskin::MeshResult& result) {
   const std::vector<geometry::Point>& at = result.mesh.positions;
-  geometry::UnionFind sets(at.size());
-  for (const auto& [a, b, c] : result.mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
-  std::vector<Extent> by_root(at.size());
-  for (const auto& [a, b, c] : result.mesh.triangles) {
-    const std::uint32_t root = sets.root(a);
-    const geometry::Point& o = at[root];
-    by_root[root].area += (at[b] - at[a]).cross(at[c] - at[a]).norm() / 2;
-    by_root[root].volume += (at[a] - o).dot((at[b] - o).cross(at[c] - o)) / 6;
-  }
-  const skin::SkinComponents components(skin.surface, skin.topology);
-  std::map<skin::SkinComponents::Sides, Extent> by_sides;
+  const std::vector<std::uint32_t> component = geometry::vertex_components(result.mesh);
+  const skin::SkinComponents sides_at(skin.surface, skin.topology);
+  struct Wall {
+    std::optional<std::uint32_t> cavity;  // whose wall it is
+    geometry::Point apex;
+    double volume = 0;  // Angstrom^3; negative, for it faces into the void
+  };
+  std::vector<Wall> walls;  // by component
   for (std::uint32_t v = 0; v < at.size(); ++v) {
-    if (sets.root(v) != v) continue;
-    const auto sides = components.sides(skin.surface.at(at[v], result.cells[v]));
-    if (!sides) continue;
-    by_sides[*sides].area += by_root[v].area;
-    by_sides[*sides].volume += by_root[v].volume;
+    if (component[v] < walls.size()) continue;
+    const auto sides = sides_at.sides(skin.surface.at(at[v], result.cells[v]));
+    walls.push_back({sides ? sides->cavity : std::nullopt, at[v]});
   }
-  return by_sides;
+  for (const auto& [a, b, c] : result.mesh.triangles) {
+    Wall& wall = walls[component[a]];
+    if (!wall.cavity) continue;
+    const geometry::Vector doubled = (at[b] - at[a]).cross(at[c] - at[a]);
+    parts.void_area += doubled.norm() / 2;
+    wall.volume += (at[a] - wall.apex).dot(doubled) / 6;
+  }
+  for (const Wall& wall : walls) {
+    if (!wall.cavity) continue;
+    auto& sum = parts.voids[*wall.cavity].volume;
+    const double volume = (sum ? sum->low : 0) - wall.volume;
+    sum = skin::VolumeBounds{volume, volume};
+  }
 }
 
 }  // namespace
@@ -146,13 +146,7 @@ SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::Run& run)
 SkinParts skin_parts(const morskin::PreparedSkin& skin, const morskin::MeshResult& result) {
   SkinParts parts = parts_without_volumes(skin);
   if (parts.voids.empty()) return parts;
-  for (const auto& [sides, extent] : extents(skin, result)) {
-    if (!sides.cavity) continue;
-    parts.void_area += extent.area;
-    auto& sum = parts.voids[*sides.cavity].volume;
-    const double before = sum ? sum->low : 0;
-    sum = skin::VolumeBounds{before - extent.volume, before - extent.volume};
-  }
+  measure_walls(parts, skin, result);
   sort_by_volume(parts.voids);
   return parts;
 }

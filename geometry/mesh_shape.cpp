@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -88,16 +89,29 @@ AngleHistogram angle_histogram(const IndexedMesh& mesh) {
 }
 
 std::vector<std::uint32_t> vertex_components(const IndexedMesh& mesh) {
-  UnionFind sets(mesh.positions.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
+  // A triangle's corners take a label that one of them has, or a new one; labels that meet are one.
+  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> component(mesh.positions.size(), none);
+  UnionFind labels(0);
+  for (const auto& corners : mesh.triangles) {
+    std::uint32_t label = none;
+    for (const std::uint32_t v : corners) {
+      const std::uint32_t other = component[v];
+      if (other == none || other == label) continue;
+      if (label != none) labels.join(label, other);
+      label = other;
+    }
+    if (label == none) label = labels.add();
+    for (const std::uint32_t v : corners) component[v] = label;
   }
-  std::vector<std::uint32_t> component(sets.size());
+  std::vector<std::uint32_t> number(labels.size(), none);
   std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < sets.size(); ++v) {
-    const std::uint32_t first = sets.root(v);  // the lowest of its component
-    component[v] = first == v ? count++ : component[first];
+  for (std::uint32_t& label : component) {
+    if (label == none) label = labels.add();
+    number.resize(labels.size(), none);
+    std::uint32_t& n = number[labels.root(label)];
+    if (n == none) n = count++;
+    label = n;
   }
   return component;
 }

@@ -108,7 +108,7 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
 }
 
 void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
-  constexpr std::size_t big = std::size_t{1} << 20;
+  constexpr std::size_t big = std::size_t{1} << 21;  // its arrays grow one after the other
   const std::size_t vertices = vertex_count(), all_vertices = vertices + other.vertex_count();
   const std::size_t triangles = triangle_count();
   const std::size_t all_triangles = triangles + other.triangle_count();

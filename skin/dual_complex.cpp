@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
 #include <span>
+#include <utility>
 
 #include "geometry/orthosphere.h"
 #include "geometry/parallel.h"
@@ -116,6 +116,24 @@ void find_bodies(DualComplex& result, const RegularTriangulation& t,
   }
 }
 
+/// The tetrahedra about each triangle, and the triangles about each edge.
+std::pair<Cofaces, Cofaces> cofaces_of(const RegularTriangulation& t, unsigned threads) {
+  std::pair<Cofaces, Cofaces> result;
+  geometry::do_both(
+      threads,
+      [&] {
+        result.first = cofaces(t.triangles.size(), t.tetrahedra, [&](std::size_t s, std::size_t k) {
+          return t.tetrahedron_triangles[s][k];
+        });
+      },
+      [&] {
+        result.second = cofaces(t.edges.size(), t.triangles, [&](std::size_t s, std::size_t k) {
+          return t.triangle_edges[s][k];
+        });
+      });
+  return result;
+}
+
 }  // namespace
 
 DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
@@ -124,32 +142,20 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
   assert(t.tetrahedron_triangles.size() == t.tetrahedra.size());
   assert(t.triangle_edges.size() == t.triangles.size());
   DualComplex result;
-  // From the highest dimension down, keeping only what the next one needs: in a big molecule these
-  // lists make the peak of memory before there is a mesh.
-  auto in3 = members<4>({skin, t.tetrahedra, {}, {}, {}}, threads);
+  const auto [tetrahedra_of, triangles_of] = cofaces_of(t, threads);
+  // From the highest dimension down.
+  const auto in3 = members<4>({skin, t.tetrahedra, {}, {}, {}}, threads);
   std::vector<std::uint32_t> vertex_of_atom(skin.points().size(), 0);
   for (std::uint32_t v = 0; v < t.vertices.size(); ++v) vertex_of_atom[t.vertices[v].index()] = v;
   const auto first_vertex = [&](const auto& simplex) { return vertex_of_atom[simplex[0].index()]; };
-  std::vector<char> in2, in1, in0;
-  std::optional<Complement> complement;
-  {
-    const Cofaces tetrahedra_of =
-        cofaces(t.triangles.size(), t.tetrahedra,
-                [&](std::size_t s, std::size_t k) { return t.tetrahedron_triangles[s][k]; });
-    in2 = members<3>({skin, t.triangles, t.tetrahedra, tetrahedra_of, in3}, threads);
-    result.void_of_tetrahedron = void_of_tetrahedron(tetrahedra_of, in2, in3);
-    complement.emplace(skin, result.void_of_tetrahedron);
-    complement->descend(tetrahedra_of, in2, 2,
-                        [&](std::size_t s) { return first_vertex(t.triangles[s]); });
-  }
-  {
-    const Cofaces triangles_of =
-        cofaces(t.edges.size(), t.triangles,
-                [&](std::size_t s, std::size_t k) { return t.triangle_edges[s][k]; });
-    in1 = members<2>({skin, t.edges, t.triangles, triangles_of, in2}, threads);
-    complement->descend(triangles_of, in1, 1,
-                        [&](std::size_t s) { return first_vertex(t.edges[s]); });
-  }
+  const auto in2 = members<3>({skin, t.triangles, t.tetrahedra, tetrahedra_of, in3}, threads);
+  result.void_of_tetrahedron = void_of_tetrahedron(tetrahedra_of, in2, in3);
+  Complement complement(skin, result.void_of_tetrahedron);
+  complement.descend(tetrahedra_of, in2, 2,
+                     [&](std::size_t s) { return first_vertex(t.triangles[s]); });
+  const auto in1 = members<2>({skin, t.edges, t.triangles, triangles_of, in2}, threads);
+  complement.descend(triangles_of, in1, 1, [&](std::size_t s) { return first_vertex(t.edges[s]); });
+  std::vector<char> in0;
   {
     std::vector<std::array<AtomId, 1>> vertices(t.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = {t.vertices[v]};
@@ -157,12 +163,12 @@ DualComplex dual_complex(const SkinSurface& skin, const geometry::Run& run) {
       return vertex_of_atom[t.edges[s][1 - k].index()];
     });
     in0 = members<1>({skin, vertices, t.edges, edges_of, in1}, threads);
-    complement->descend(edges_of, in0, 0,
-                        [](std::size_t s) { return static_cast<std::uint32_t>(s); });
+    complement.descend(edges_of, in0, 0,
+                       [](std::size_t s) { return static_cast<std::uint32_t>(s); });
   }
   result.simplices = {count(in0), count(in1), count(in2), count(in3)};
   find_bodies(result, t, vertex_of_atom, in0, in1);
-  complement->give_to(result);
+  complement.give_to(result);
   for (std::uint32_t& v : result.void_of_tetrahedron)
     v = v == Complement::outside ? DualComplex::no_part : v;
   result.betti[0] = result.bodies.size();

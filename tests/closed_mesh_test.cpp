@@ -1,5 +1,8 @@
 // How a mesh is put together from a list of triangles, and what is said to be wrong with it.
 
+#include <numeric>
+
+#include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"
 
 using namespace morskin;
@@ -178,4 +181,37 @@ TEST_CASE("components are those that a search from triangle to triangle finds") 
       }
     }
   });
+}
+
+TEST_CASE("vertices are of one component just where triangles join them, numbered from the first") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    IndexedMesh mesh{std::vector<Point>(60), {}};
+    const auto vertex = [&] { return static_cast<std::uint32_t>(59.9 * random.uniform()); };
+    for (unsigned i = 0; i < seed / 4; ++i) {
+      const std::uint32_t a = vertex();  // some near each other in the list, some far apart
+      mesh.triangles.push_back({a, seed % 2 == 0 ? (a + 1) % 60 : vertex(), vertex()});
+    }
+    // The least vertex that can be reached, by repeating until nothing changes.
+    std::vector<std::uint32_t> least(60);
+    std::iota(least.begin(), least.end(), 0U);
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (const auto& corners : mesh.triangles) {
+        for (const std::uint32_t v : corners) {
+          for (const std::uint32_t w : corners) {
+            if (least[w] >= least[v]) continue;
+            least[v] = least[w];
+            is_changed = true;
+          }
+        }
+      }
+    }
+    std::vector<std::uint32_t> expected(60);
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < 60; ++v) {
+      expected[v] = least[v] == v ? count++ : expected[least[v]];
+    }
+    CHECK(vertex_components(mesh) == expected);
+  }
 }
