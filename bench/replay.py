@@ -213,6 +213,13 @@ def table(rows):
     return markdown(["", *map(str, WORKERS), "two threads, measured"], body)
 
 
+def sentence(rows):
+    """On the page: how far the replay on two workers is from what two threads took."""
+    of_two = [r for r in rows if int(r["workers"]) == 2]
+    worst = max(abs(float(r["measured"]) / float(r["seconds"]) - 1) for r in of_two)
+    return f"The times predicted for two are within {100 * worst:.0f} % of those measured."
+
+
 def draw(rows, path):
     """Takes matplotlib, as reproduce_plots.py does."""
     import reproduce_plots as plots

@@ -126,6 +126,11 @@ def wrong_replay(rows):
     for r in rows:
         if r["verdict"] != "certified":
             yield f"{r['molecule']} on {r['workers']}: {r['verdict']}"
+    page = (ROOT / "papers" / "4.3-large-molecules.md").read_text(encoding="utf-8")
+    if replay.table(rows).strip() not in page:
+        yield "4.3-large-molecules.md has another table of speed-ups"
+    if replay.sentence(rows) not in page:
+        yield f"4.3-large-molecules.md does not say: {replay.sentence(rows)}"
 
 
 def wrong_second_order(rows):
