@@ -51,6 +51,7 @@ test-slow: build  ## run the slow tests
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command
 	python3 tests/same_bytes.py build/morskin build/dev/morskin
+	$(MAKE) fuzz SECONDS=5
 
 stress: deps  ## mesh SETS random sets of balls (default 2000), the nasty kinds in turn
 	cmake --preset release

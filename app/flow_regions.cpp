@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "geometry/sort_unique.h"
 #include "geometry/surface_mesh.h"
 
 namespace morskin::app {
@@ -268,9 +269,7 @@ FlowRegions flow_regions(const geometry::IndexedMesh& mesh, const morse::MorseFu
   }
   FlowRegions result;
   result.regions = pairs;
-  std::ranges::sort(result.regions);
-  const auto repeated = std::ranges::unique(result.regions);
-  result.regions.erase(repeated.begin(), repeated.end());
+  geometry::sort_unique(result.regions);
   result.of_triangle.reserve(pairs.size());
   for (const FlowRegion& pair : pairs) {
     const auto at = std::ranges::lower_bound(result.regions, pair);

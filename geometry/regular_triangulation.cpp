@@ -52,10 +52,9 @@ void sort_few(Values&& values) {
 }
 
 template <class Value>
-void sort_unique(std::vector<Value>& values) {
+void sort_few_unique(std::vector<Value>& values) {
   sort_few(values);
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// Simplices by their first corner.
@@ -211,7 +210,7 @@ Complex complete(Found found, std::size_t atom_count, unsigned threads) {
         pairs.insert(pairs.end(), {pair_of(b, c), pair_of(b, d), pair_of(c, d)});
       }
       for (const auto& triangle : other_triangles.of(a)) pairs.push_back(rest_of(triangle));
-      sort_unique(pairs);
+      sort_few_unique(pairs);
       triangles[block].append(pairs, [&](std::uint64_t pair) {
         return std::array{a, first_of(pair), second_of(pair)};
       });
@@ -221,7 +220,7 @@ Complex complete(Found found, std::size_t atom_count, unsigned threads) {
       }
       for (const std::uint64_t pair : pairs) seconds.push_back(second_of(pair));
       for (const auto& edge : other_edges.of(a)) seconds.push_back(edge[1]);
-      sort_unique(seconds);
+      sort_few_unique(seconds);
       edges[block].append(seconds, [&](AtomId b) { return std::array{a, b}; });
     }
   });

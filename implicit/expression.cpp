@@ -197,7 +197,7 @@ T Expression::evaluate(const Triple<T>& variables) const {
         binary([](const T& a, const T& b) { return a / b; });
         break;
       case Operation::Power:
-        unary([&](const T& a) { return power(a, static_cast<int>(number)); });
+        stack[size - 1] = power(stack[size - 1], static_cast<int>(number));
         break;
       case Operation::Negate:
         unary([](const T& a) { return -a; });

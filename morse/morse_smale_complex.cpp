@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "geometry/sort_unique.h"
 #include "geometry/union_find.h"
 #include "morse/line_order.h"
 #include "morse/saddle_lines.h"
@@ -131,8 +132,7 @@ class Builder {
       if (orders_[i].is_certain) continue;
       doubtful_.insert(doubtful_.end(), orders_[i].ids.begin(), orders_[i].ids.end());
     }
-    std::sort(doubtful_.begin(), doubtful_.end());
-    doubtful_.erase(std::unique(doubtful_.begin(), doubtful_.end()), doubtful_.end());
+    geometry::sort_unique(doubtful_);
     bool any = false;
     for (const std::uint32_t a : doubtful_) {
       const Course before = lines_.course(a);

@@ -10,6 +10,7 @@
 
 #include "geometry/error.h"
 #include "geometry/orthogonal.h"
+#include "geometry/sort_unique.h"
 
 namespace morskin {
 
@@ -35,9 +36,7 @@ std::vector<Edge> edges_of(const IndexedMesh& mesh) {
   for (const geometry::TriangleCorners& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_of(t, k));
   }
-  std::ranges::sort(edges);
-  const auto rest = std::ranges::unique(edges);
-  edges.erase(rest.begin(), rest.end());
+  geometry::sort_unique(edges);
   return edges;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/sort_unique.h"
 #include "refine/local_operations.h"
 #include "refine/vertex_mover.h"
 
@@ -17,7 +18,7 @@ namespace {
 /// back.
 using Corners = std::array<VertexId, 3>;
 Corners ordered(Corners corners) {
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 
@@ -205,9 +206,7 @@ class AngleImprovement {
       for_each_triangle_at(v, [&](TriangleId t) { waiting.push_back(t); });
     }
     for (int round = 0; round < max_rounds; ++round) {
-      std::ranges::sort(waiting);
-      const auto repeated = std::ranges::unique(waiting);
-      waiting.erase(repeated.begin(), repeated.end());
+      geometry::sort_unique(waiting);
       std::erase_if(waiting, [this](TriangleId t) { return !misses_goal(t); });
       if (waiting.empty() || waiting.size() > max_waiting) return;
       std::vector<TriangleId> next;

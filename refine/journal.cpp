@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/sort_unique.h"
+
 namespace morskin::refine {
 
 void Journal::note_flip(HalfEdgeId h) {
@@ -73,9 +75,7 @@ std::vector<VertexId> Journal::touched(std::size_t first) const {
   for (std::size_t i = first; i < changes_.size(); ++i) {
     found.insert(found.end(), changes_[i].vertices.begin(), changes_[i].vertices.end());
   }
-  std::ranges::sort(found);
-  const auto repeated = std::ranges::unique(found);
-  found.erase(repeated.begin(), repeated.end());
+  geometry::sort_unique(found);
   std::erase_if(found, [this](VertexId v) { return !mesh_.surface.outgoing(v); });
   return found;
 }

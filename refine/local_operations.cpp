@@ -5,6 +5,7 @@
 
 #include "certify/delaunay_filter.h"
 #include "certify/tube.h"
+#include "geometry/sort_unique.h"
 
 namespace morskin::refine {
 
@@ -164,8 +165,7 @@ void LocalOperations::contract_short_edges() {
   for (std::size_t done = counts_.contract + 1; counts_.contract != done;) {
     done = counts_.contract;
     std::vector<HalfEdgeId> batch = std::exchange(work_.too_short, {});
-    std::sort(batch.begin(), batch.end());
-    batch.erase(std::unique(batch.begin(), batch.end()), batch.end());
+    geometry::sort_unique(batch);
     for (const HalfEdgeId h : batch) {
       if (mesh_.surface.is_removed(SurfaceMesh::triangle(h)) || !is_short(h)) continue;
       if (!contract(h)) work_.too_short.push_back(h);
@@ -208,8 +208,7 @@ void LocalOperations::insert_into_big_triangles(std::size_t max_insertions) {
     report_progress(work_.big.size());
     if (!mesh_.surface.is_removed(t) && !insert(t)) refused.push_back(t);
   }
-  std::sort(refused.begin(), refused.end());
-  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  geometry::sort_unique(refused);
   work_.big.insert(work_.big.end(), refused.begin(), refused.end());
 }
 

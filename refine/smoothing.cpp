@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/parallel.h"
+#include "geometry/sort_unique.h"
 #include "refine/vertex_mover.h"
 
 namespace morskin::refine {
@@ -77,8 +78,7 @@ class Smoothing {
   /// In the order of their ids, each once.
   void keep_those_that_miss(std::vector<TriangleId>& triangles) const {
     std::erase_if(triangles, [this](TriangleId t) { return !misses_goal(t); });  // most of them
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    geometry::sort_unique(triangles);
   }
 
   /// What came of some triangles.

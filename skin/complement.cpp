@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/sort_unique.h"
+
 namespace morskin::skin {
 
 namespace {
@@ -57,12 +59,8 @@ void Complement::give_to(DualComplex& result) {
   for (const auto& [part, vertex] : walls_) {
     add(part == outside ? result.outer_bodies : voids_[part].bodies, vertex);
   }
-  const auto make_set = [](std::vector<std::uint32_t>& bodies) {
-    std::ranges::sort(bodies);
-    bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
-  };
-  make_set(result.outer_bodies);
-  for (Void& v : voids_) make_set(v.bodies);
+  geometry::sort_unique(result.outer_bodies);
+  for (Void& v : voids_) geometry::sort_unique(v.bodies);
   result.voids = std::move(voids_);
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/sort_unique.h"
 #include "geometry/union_find.h"
 #include "skin/dual_complex.h"
 
@@ -93,8 +94,7 @@ class Complement {
       if (here[s] == DualComplex::no_part || here[s] == outside) continue;
       voids_[here[s]].euler_characteristic += dimension == 1 ? 1 : -1;
     }
-    std::ranges::sort(walls_);
-    walls_.erase(std::ranges::unique(walls_).begin(), walls_.end());
+    geometry::sort_unique(walls_);
     above_ = std::move(here);
   }
 

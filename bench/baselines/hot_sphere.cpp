@@ -2,6 +2,7 @@
 #include <map>
 
 #include "bench/baselines/growth.h"
+#include "geometry/sort_unique.h"
 
 namespace morskin::baselines {
 
@@ -17,9 +18,7 @@ bool Growth::find_loops(HotRegion& region) {
       surface.for_each_outgoing(
           v, [&](HalfEdgeId h) { region.triangles.push_back(SurfaceMesh::triangle(h)); });
     }
-    std::sort(region.triangles.begin(), region.triangles.end());
-    region.triangles.erase(std::unique(region.triangles.begin(), region.triangles.end()),
-                           region.triangles.end());
+    geometry::sort_unique(region.triangles);
     region.open.clear();
     next.clear();
     is_pinched = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/sort_unique.h"
+
 namespace morskin::baselines {
 
 VertexId MovingMesh::add_vertex(SurfacePoint p) {
@@ -35,9 +37,7 @@ void MovingMesh::remove(const std::vector<TriangleId>& triangles) {
   for (const TriangleId t : triangles) {
     for (const VertexId v : surface_.corners(t)) corners.push_back(v);
   }
-  std::ranges::sort(corners);
-  const auto twice = std::ranges::unique(corners);
-  corners.erase(twice.begin(), twice.end());
+  geometry::sort_unique(corners);
   surface_.remove(triangles);
   for (const VertexId v : corners) {
     if (!surface_.outgoing(v)) ++dead_;
