@@ -49,48 +49,45 @@ bool is_thinned(const MeshingOptions& options) {
   return is_by_length && options.sizing.is_coarser_than_laid() && !options.sizes;
 }
 
-/// What is done is added to the counts; what is left replaces what was.
 void raise_angles(const surface::Surface& surface, const MeshingOptions& options,
                   MethodResult& made, const Run& run) {
   const SizedSurface sized(surface, options.sizes);
   const double goal_deg = options.goal_deg() + angle_margin_deg;
   const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
-  auto smoothing = run.stage(
+  made.smoothing = run.stage(
       "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
-  made.smoothing.below += smoothing.below;
-  made.smoothing.moved += smoothing.moved;
-  made.smoothing.left = std::move(smoothing.left);
-  made.improvement.left = 0;
-  made.angles.left.clear();
+  made.improvement = {};
+  made.angles = {};
   if (!made.smoothing.left.empty()) {
-    const auto improvement = run.stage("improve angles", [&] {
+    made.improvement = run.stage("improve angles", [&] {
       return refine::improve_angles(*sized, options.sizing, made.mesh, goal, made.smoothing.left,
                                     run);
     });
-    made.improvement.changed += improvement.changed;
-    made.improvement.left = improvement.left;
   }
   if (made.below_goal() == 0) return;
-  auto angles = run.stage("refine angles", [&] {
+  made.angles = run.stage("refine angles", [&] {
     return refine::refine_angles(*sized, options.sizing, made.mesh, angle_bound_deg(options), run);
   });
-  made.angles.inserted += angles.inserted;
-  made.angles.left = std::move(angles.left);
 }
 
-/// Thins the mesh, then raises its angles. Places where that leaves some are made finer, ever
-/// farther about, until it leaves none.
+/// Thins the mesh, then raises its angles. Where that leaves some, the thinned mesh is made finer
+/// about these places, ever farther, and its angles are raised from there: what was done in vain
+/// may have left worse triangles.
 void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& options,
                            MethodResult& made, const Run& run) {
   constexpr double reach_step = 3, max_reach = 15;  // length scales; some two edges, and a dozen
   run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, run); });
   if (options.goal_deg() == 0) return;
+  const surface::Mesh thinned = made.mesh;
+  std::vector<geometry::Point> places;
   raise_angles(skin.surface, options, made, run);
   for (double reach = reach_step; reach <= max_reach; reach += reach_step) {
-    const std::vector<geometry::Point> places = made.angles.left;
-    if (places.empty()) return;
-    made.refinement.insert += run.stage("thicken", [&] {
-      return refine::thicken(skin.surface, options.sizing, made.mesh, places, reach, run);
+    const std::vector<geometry::Point>& left = made.angles.left;
+    if (left.empty()) return;
+    places.insert(places.end(), left.begin(), left.end());
+    made.mesh = thinned;
+    run.stage("thicken", [&] {
+      refine::thicken(skin.surface, options.sizing, made.mesh, places, reach, run);
     });
     raise_angles(skin.surface, options, made, run);
   }

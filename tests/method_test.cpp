@@ -46,3 +46,27 @@ TEST_CASE("a result names the method that made it") {
   CHECK(coarse.method == Method::Static);
   CHECK_MESSAGE(coarse.certificate.certified, coarse.certificate.reason);
 }
+
+TEST_CASE("what thinning left too coarse for 30 degrees is made finer there, not all over") {
+  struct Case {
+    unsigned seed;
+    double edge_length;
+    Method method;
+  };
+  double thickening = 0;
+  for (const auto& [seed, edge_length, method] :
+       {Case{162, 0.3, Method::Static}, {151, 0.5, Method::Sweep}, {384, 0.8, Method::Sweep}}) {
+    CAPTURE(seed);
+    const auto skin = prepared(ball_set(seed));
+    REQUIRE(skin);
+    MeshingOptions options{.sizing = sizing_for(0.4), .method = method};
+    options.sizing.set_edge_length(edge_length);
+    const geometry::Run run;
+    const MeshResult made = make_mesh(*skin, options, run);
+    CHECK_MESSAGE(made.certificate.certified, made.certificate.reason);
+    CHECK(made.certificate.min_angle_deg >= 30);
+    CHECK(run.seconds("refine angles in space") == 0);
+    thickening += run.seconds("thicken");
+  }
+  CHECK(thickening > 0);  // else this tries nothing: other seeds are needed
+}
