@@ -22,8 +22,8 @@ namespace morskin::refine {
 std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
                  const geometry::Run& run = geometry::Run());
 
-/// Makes the mesh finer about places where thinning left too little room for good angles: all edges
-/// there Delaunay, and no circle above three quarters of [U].
+/// Makes the mesh finer about places where thinning left too little room for good angles: edges
+/// there Delaunay and circles within three quarters of [U], as far as flips and insertions go.
 /// @param mesh   comes out compact
 /// @param reach  how far from a place, in length scales
 /// @return the number of vertices that went in
