@@ -71,8 +71,8 @@ void raise_angles(const surface::Surface& surface, const MeshingOptions& options
 }
 
 /// Thins the mesh, then raises its angles. Where that leaves some, the thinned mesh is made finer
-/// about these places, ever farther, and its angles are raised from there: what was done in vain
-/// may have left worse triangles.
+/// about these places, ever farther, and its angles are raised from there: the insertions that
+/// failed may have left worse triangles.
 void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& options,
                            MethodResult& made, const Run& run) {
   constexpr double reach_step = 3, max_reach = 15;  // length scales; some two edges, and a dozen
