@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "refine/names.h"
@@ -97,7 +98,8 @@ class VertexRemoval {
 
   /// Cuts the polygon.
   /// @param size        of the triangle (a, b, c) that would cut off b, or never
-  /// @param is_allowed  asked once more of the triangle chosen; if not, all ends
+  /// @param is_allowed  asked of every triangle of a plan that is complete, the last ones first,
+  ///                    for these are the largest; one refused refuses the plan
   /// @return whether v can be taken out
   /// @pre v has no boundary, nor have its neighbours
   template <class Size, class IsAllowed>
@@ -116,14 +118,14 @@ class VertexRemoval {
   TriangleId left_;
   std::vector<VertexId> polygon_;  ///< the neighbours left, counter-clockwise
   std::vector<double> ears_;       ///< by corner, the size of the triangle that would cut it off
-  std::vector<VertexId> tips_;     ///< of the corners cut off, in turn
+  std::vector<std::array<VertexId, 3>> cut_;  ///< triangles, all but the last with a tip cut off
 };
 
 template <class Size, class IsAllowed>
 bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
                          const IsAllowed& is_allowed) {
   vertex_ = v;
-  tips_.clear();
+  cut_.clear();
   polygon_.clear();
   mesh.for_each_outgoing(v, [&](HalfEdgeId h) { polygon_.push_back(mesh.target(h)); });
   ears_.resize(polygon_.size());
@@ -141,8 +143,7 @@ bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
       ears_[best] = never;
       continue;
     }
-    if (!is_allowed(a, tip, b)) return false;
-    tips_.push_back(tip);
+    cut_.push_back({a, tip, b});
     polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(best));
     ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(best));
     const std::size_t next = best == polygon_.size() ? 0 : best;
@@ -150,14 +151,17 @@ bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
     measure(next);
   }
   const auto [a, b, c] = std::array{polygon_[0], polygon_[1], polygon_[2]};
+  cut_.push_back({a, b, c});
   return a != b && b != c && c != a &&
          std::ranges::all_of(polygon_, [&](VertexId x) { return mesh.has_degree_above(x, 3); }) &&
-         size(a, b, c) != never && is_allowed(a, b, c);
+         size(a, b, c) != never && std::all_of(cut_.rbegin(), cut_.rend(), [&](const auto& t) {
+           return is_allowed(t[0], t[1], t[2]);
+         });
 }
 
 template <class Flipped>
 SurfaceMesh::FreeSlots VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
-  for (const VertexId tip : tips_) {
+  for (const auto& [a, tip, b] : std::span(cut_).first(cut_.size() - 1)) {
     HalfEdgeId to_tip;
     mesh.for_each_outgoing(vertex_, [&](HalfEdgeId h) {
       if (mesh.target(h) == tip) to_tip = h;
