@@ -42,7 +42,7 @@ figures: build  ## draw the pictures of the pages into papers/figures/, the pape
 test: build  ## run every test but the slow ones
 	ctest --test-dir build --output-on-failure
 
-test-slow: build  ## run the slow tests
+test-slow: build  ## run the slow tests, the commands of the pages and the fuzz targets
 	@cmake/install_packages.sh cmake/python_packages.txt
 	@cmake/install_packages.sh cmake/readers_packages.txt
 	@cmake/install_packages.sh cmake/packaging_packages.txt
@@ -51,6 +51,7 @@ test-slow: build  ## run the slow tests
 	cmake --preset dev
 	cmake --build build/dev --parallel $(JOBS) --target morskin_command
 	python3 tests/same_bytes.py build/morskin build/dev/morskin
+	$(MAKE) papers
 	$(MAKE) fuzz SECONDS=5
 
 stress: deps  ## mesh SETS random sets of balls (default 2000), the nasty kinds in turn
