@@ -145,10 +145,10 @@ void add_method_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
              {"auto", "sweep", "static", "dynamic", "marching-cubes"},
              "How to mesh: sweep, Algorithm 1 of the paper; static, restricted\n"
              "Delaunay refinement, which makes fewer triangles; auto, the sweep, or\n"
-             "static with C above 0.25 where no length limits most edges, up to 50,000\n"
-             "balls: it takes less time there; dynamic, growth from nothing;\n"
-             "marching-cubes, for comparison: without quality, so as a rule not\n"
-             "certified");
+             "static with C above 0.25, up to 50,000 balls, unless edges are asked for\n"
+             "far shorter than their radii: it takes less time there; dynamic, growth\n"
+             "from nothing; marching-cubes, for comparison: without quality, so as a\n"
+             "rule not certified");
   command.add_option("--grid", mesh.grid_step, "Step of the grid of marching-cubes, Angstrom")
       ->default_str("for as many triangles as the sweep makes");
   command

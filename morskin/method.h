@@ -88,9 +88,9 @@ struct MeshingOptions {
   double goal_deg() const { return angle_goal_deg.value_or(refine::AngleGoal::usual_deg(sizing)); }
 };
 
-/// What meshes best: the sweep, but the static method where triangles are coarse, the curvature
-/// makes their sizes and there are at most 50,000 balls. There the sweep lays three to four times
-/// as many as are kept.
+/// What meshes best: the sweep, but the static method where triangles are coarse, no limit makes
+/// length scales far smaller than the balls, and there are at most 50,000 balls. There the sweep
+/// lays three to four times as many as are kept.
 /// @pre there is a ball
 Method usual_method(std::span<const geometry::WeightedPoint> balls, const certify::Sizing& sizing);
 /// The method asked for or, without one, the usual one; the sweep for all that asks for a part of

@@ -103,8 +103,9 @@ struct MeshOptions {
   /// No angle is smaller where that is reached; from 30 on none below 30 is certified. 0 to 60.
   /// Without one 35 up to C = 0.2, and no angle above 105; 30 beyond.
   std::optional<double> angle_goal_deg = {};
-  /// Without one the sweep, or, up to 50,000 balls, the static method with C above 0.25 where no
-  /// length limits most edges: it makes as dense a mesh in less time there.
+  /// Without one the sweep, or, up to 50,000 balls, the static method with C above 0.25, unless
+  /// length scales are limited to less than a quarter of the median ball's radius: it makes as
+  /// dense a mesh in less time there.
   std::optional<Method> method = {};
   /// So many subdomains are swept each for itself: a power of two, 1 to 65,536. 1: one front from
   /// below, the paper's Algorithm 1. Without one, as many as the size of the mesh is worth.
