@@ -67,11 +67,11 @@ ordered_json skipped_json(const skin::ReadingCounts& counts) {
   return json;
 }
 
-ordered_json fallbacks_json(const std::vector<morskin::Fallback>& fallbacks) {
+ordered_json fallbacks_json(const MeshReport& report) {
   ordered_json json = ordered_json::array();
-  for (const morskin::Fallback& f : fallbacks) {
+  for (const morskin::Fallback& f : report.fallbacks) {
     json.push_back({{"component", f.component},
-                    {"from", "sweep"},
+                    {"from", name_of(report.method)},
                     {"to", replacement_text(f)},
                     {"why", f.reason}});
   }
@@ -117,7 +117,7 @@ void add_run_json(ordered_json& json, const MeshReport& report) {
   json["subdomains"] = counts.subdomains;
   json["triangles_laid"] = counts.triangles_laid;
   json["seam_triangles"] = counts.seam_triangles;
-  json["fallbacks"] = fallbacks_json(report.fallbacks);
+  json["fallbacks"] = fallbacks_json(report);
   json["operations"] = operations_json(report);
   json["smoothing"] = {
       {"goal_deg", report.angle_goal_deg},  {"below", counts.smoothing.below},

@@ -88,14 +88,16 @@ std::string method_text(const MeshReport& report) {
 }
 
 /// What was replaced; first what could not be, which is why the mesh is not certified.
-std::string fallback_text(std::vector<morskin::Fallback> fallbacks) {
+std::string fallback_text(const MeshReport& report) {
   constexpr std::size_t max_lines = 5;
+  std::vector<morskin::Fallback> fallbacks = report.fallbacks;
   std::stable_partition(fallbacks.begin(), fallbacks.end(),
                         [](const morskin::Fallback& f) { return !f.replacement; });
   std::string text;
   for (std::size_t i = 0; i < std::min(fallbacks.size(), max_lines); ++i) {
     const morskin::Fallback& f = fallbacks[i];
-    text += line("fallback", "component " + std::to_string(f.component) + ", from sweep to " +
+    text += line("fallback", "component " + std::to_string(f.component) + ", from " +
+                                 std::string(name_of(report.method)) + " to " +
                                  replacement_text(f) + ": " + f.reason);
   }
   if (fallbacks.size() <= max_lines) return text;
@@ -147,7 +149,7 @@ std::string people_text(const MeshReport& report) {
   text +=
       certificate_text(report.certificate) + quality_text(report.quality, report.certificate.area);
   text += method_text(report);
-  text += fallback_text(report.fallbacks);
+  text += fallback_text(report);
   text += line("time", brief(s.total, 3) + " s: read " + brief(s.read, 2) + ", triangulate " +
                            brief(s.triangulate, 2) + ", sweep " + brief(s.sweep, 2) + ", refine " +
                            brief(s.refine, 2) + ", smooth " + brief(s.smooth, 2) + ", certify " +

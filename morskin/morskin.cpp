@@ -91,7 +91,7 @@ std::string in_words(const Fallback& fallback) {
   const std::string part = "component " + std::to_string(fallback.component) + ": ";
   if (!fallback.replacement) return part + "nothing helped: " + fallback.reason;
   const bool is_sweep = fallback.replacement->method == Method::Sweep;
-  return part + (is_sweep ? "swept along another direction: " : "meshed by the static method: ") +
+  return part + (is_sweep ? "swept another way: " : "meshed by the static method: ") +
          fallback.reason;
 }
 
