@@ -19,7 +19,9 @@ namespace {
 // The canonical path of a file.
 std::filesystem::path one_name(const std::filesystem::path& path) {
   std::error_code failed;
-  const std::filesystem::path absolute = std::filesystem::absolute(path);
+  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
+  // An empty name, or one in a working folder that is gone: whoever opens the file will say so.
+  if (failed) return path.lexically_normal();
   std::filesystem::path name = std::filesystem::weakly_canonical(absolute, failed);
   return failed ? absolute.lexically_normal() : name;
 }

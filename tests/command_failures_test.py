@@ -2,6 +2,7 @@
 """Exit codes and messages. Usage: command_failures_test.py path/to/morskin"""
 
 import json
+import os
 import re
 import resource
 import signal
@@ -116,6 +117,8 @@ class Failures(CommandTest):
                       ("morse", self.ring, "-o", "a.json", "--persistence", "-1"),
                       ("morse", self.ring, "-o", "a.json", "--persistence", "nan"),
                       ("morse", self.ring, "-o", "a.json", "--persistence", "1", "--raw"),
+                      ("mesh", self.ring, "-o", ""), ("mesh", self.ring, "-o", "a.vert", "-o", ""),
+                      ("features", self.ring, "-o", ""),
                       ("morse", self.ring, "-o", self.ring),
                       ("balls", self.ring, "-o", self.ring)]:
             with self.subTest(words=words):
@@ -189,6 +192,16 @@ class Failures(CommandTest):
         self.run_morskin("balls", self.ring, "-o", "no/out.xyzr", code=7)
         self.run_morskin("morse", self.ring, "-o", "no/out.json", code=7)
         self.assertEqual(self.names(), ["folder.ply"])
+
+    def test_a_working_folder_that_is_gone_is_no_place_for_outputs(self):
+        def lose_folder():
+            os.mkdir("gone")
+            os.chdir("gone")
+            os.rmdir(self.folder / "gone")
+        for words in (("mesh", "-o", "a.ply"), ("morse", "-o", "a.json"), ("balls", "-o", "a.xyzr"),
+                      ("view", "-o", "a.html"), ("batch", "-o", "out")):
+            with self.subTest(words=words):
+                self.run_morskin(words[0], self.ring, *words[1:], code=7, preexec_fn=lose_folder)
 
     @unittest.skipUnless(Path("/dev/full").exists(), "needs /dev/full")
     def test_a_full_disk_gives_7(self):
