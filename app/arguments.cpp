@@ -87,6 +87,10 @@ void finish(FeaturesArguments& features, const Typed& typed) {
 }
 
 void finish(const CheckArguments& check, const Typed& typed) {
+  // As of an unset variable of a script: without a molecule most of what can be wrong would pass.
+  if (check.against && check.against->input.empty()) {
+    throw UsageError("--against is empty; name the molecule");
+  }
   if (check.surface && check.against) {
     throw UsageError("--against and --surface are two surfaces; give one of them");
   }
@@ -149,7 +153,7 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
     finish(all.figure);
     return all.figure;
   }
-  if (!all.against.input.empty()) all.check.against = all.against;
+  if (app.get_subcommand("check")->count("--against") > 0) all.check.against = all.against;
   all.check.typed = typed.skin;
   finish(all.check, typed);
   return all.check;

@@ -127,6 +127,12 @@ class Failures(CommandTest):
                 self.assertEqual(done.stdout, b"")
         self.assertEqual(self.names(), [])
 
+    def test_a_molecule_without_a_name_is_no_reason_to_check_the_mesh_alone(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        for words in (("check", "m.ply"), ("m.ply",)):
+            said = self.run_morskin(*words, "--against", "", code=2).stderr
+            self.assertIn(b"--against is empty", said)
+
     def test_too_many_triangles_are_told_how_many_there_may_be(self):
         done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "--triangles", "1e11", code=2)
         self.assertRegex(done.stderr, rb"--triangles must be from 4 to \d{9,}")
