@@ -94,6 +94,11 @@ void finish(const CheckArguments& check, const Typed& typed) {
   if (check.surface && check.against) {
     throw UsageError("--against and --surface are two surfaces; give one of them");
   }
+  const bool is_more_from_input =
+      check.against && (check.against->input == "-" || check.against->radii == "-");
+  if (check.mesh == "-" && is_more_from_input) {
+    throw UsageError("the mesh and what it is checked by cannot both be standard input");
+  }
   // -C, -Q and --size may be of the surface that the mesh states.
   if (!check.against && !check.surface && is_of_molecules(typed.skin)) {
     throw UsageError("the options of a skin are of a mesh and its molecule: add --against");
@@ -103,6 +108,9 @@ void finish(const CheckArguments& check, const Typed& typed) {
   }
   if (!check.certificate) return;
   if (!check.against) throw UsageError("--certificate is of a mesh and a molecule: add --against");
+  if (check.json && is_standard_output(*check.certificate)) {
+    throw UsageError("only one thing can go to standard output");
+  }
   check_not_input(*check.certificate, *check.against);
   check_not_input(*check.certificate, {.input = check.mesh});
   if (is_msms(check.mesh)) check_not_input(*check.certificate, {.input = msms_partner(check.mesh)});

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <exception>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "app/commands.h"
 #include "app/limits.h"
 #include "app/molecule_input.h"
+#include "app/output_names.h"
 #include "app/percent_encoding.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
@@ -239,7 +239,8 @@ ExitCode check_command(const CheckArguments& asked) {
   time_limit.cancel();
   if (outputs) write_to_all(*outputs, certificate);  // last, for a limit leaves no file
   report.seconds = stopwatch.seconds();
-  std::cout << (arguments.json ? json_text(report) : people_text(report));
+  print_beside(arguments.certificate.value_or(""),
+               arguments.json ? json_text(report) : people_text(report));
   const std::vector<Verdict> verdicts = report.verdicts();
   const bool passes =
       std::ranges::all_of(verdicts, [](const Verdict& v) { return v.holds || !v.is_required; });

@@ -179,6 +179,23 @@ class Failures(CommandTest):
             self.run_morskin(*words, "file", "-q")
             self.assertEqual(done.stdout, (self.folder / "file").read_bytes())
 
+    def test_a_certificate_of_check_on_standard_output_is_all_that_is_there(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        words = ("check", "m.ply", "--against", self.ring, "--certificate")
+        done = self.run_morskin(*words, "-")
+        self.assertIn(b"homeomorphic", done.stderr)
+        self.run_morskin(*words, "file")
+        self.assertEqual(done.stdout, (self.folder / "file").read_bytes())
+        self.run_morskin(*words, "-", "--json", code=2)
+
+    def test_standard_input_is_one_file(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        mesh = (self.folder / "m.ply").read_bytes()
+        for words in (("-",), (self.ring, "--radii", "-")):
+            said = self.run_morskin("check", "-", "--against", *words, code=2, input=mesh).stderr
+            self.assertIn(b"standard input", said)
+        self.run_morskin("check", "-", "--against", self.ring, input=mesh)
+
     def test_an_uncertified_mesh_and_what_belongs_to_it_need_their_places_as_well(self):
         (self.folder / "b.ply.unverified").mkdir()
         for words in ((self.ring, "-o", "a.ply", "-o", "b.ply"),
