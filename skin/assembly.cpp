@@ -68,12 +68,16 @@ void check_motion(const Motion& motion, const std::string& location) {
   constexpr double tolerance = 1e-3;  // of a matrix in six decimals, or of one in three
   const Eigen::Matrix3d& r = motion.rotation;
   const double error = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (error <= tolerance && r.determinant() > 0 && motion.translation.allFinite()) return;
-  std::string determinant;
-  geometry::append_number(determinant, r.determinant());
+  const bool is_finite = r.allFinite() && motion.translation.allFinite();
+  if (is_finite && error <= tolerance && r.determinant() > 0) return;
+  std::string why = "it has a number that is not finite";
+  if (is_finite) {
+    why = "its determinant is ";
+    geometry::append_number(why, r.determinant());
+  }
   throw RefusedInput(location + ": the motion " + geometry::quoted(motion.name) +
-                     " of a biological assembly is no rotation with a shift, its determinant is " +
-                     determinant + "; correct it");
+                     " of a biological assembly is no rotation with a shift, " + why +
+                     "; correct it");
 }
 
 void refuse_assembly(const std::string& source, const std::string& name,

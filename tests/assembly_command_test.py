@@ -211,6 +211,9 @@ class Assemblies(CommandTest):
             atoms = [("A", "A", "C", 0, 0, 0)]
             self.input("bad.cif", cif(atoms, {"1": motion}, [("1", "1", "A")]))
             self.assertIn("no rotation", self.positions("bad.cif", *asked, code=4))
+        self.input("bad.pdb", remark_350([IDENTITY, (IDENTITY[0], [0, float("nan"), 0])]) + text)
+        said = self.positions("bad.pdb", *asked, code=4)
+        self.assertRegex(said, "bad.pdb:8: .* it has a number that is not finite;")
         many = {str(i): ([*IDENTITY[0]], [i, 0, 0]) for i in range(60)}
         for expression, code, words in (
                 ("(0-59)(0-59)(0-59)", 4, "more than 100,000 copies"),
