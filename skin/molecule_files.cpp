@@ -181,9 +181,8 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
   molecule.source = source;
   molecule.counts = molecule_formats::keep_selected(file, options.selection, source);
   if (assembly) {
-    const std::size_t max_atoms = options.max_bytes / pdb_line_bytes;
-    molecule.counts.other_chains +=
-        molecule_formats::assemble(file.atoms, *assembly, source, max_atoms);
+    molecule.counts.other_chains += molecule_formats::assemble(file.atoms, *assembly, source,
+                                                               options.max_bytes / pdb_line_bytes);
   }
   molecule.atoms.reserve(file.atoms.size());
   for (AtomRecord& record : file.atoms) {
@@ -205,9 +204,10 @@ Molecule finish(ParsedFile file, const std::string& source, const ReadOptions& o
     molecule.charges.push_back(record.charge);
   }
   if (molecule.atoms.empty()) {
-    throw RefusedInput(source + ": has no atom" +
-                       (molecule.counts.zero_radii > 0 ? " with a radius above 0" : "") +
-                       "; name another file");
+    const char* const kind = molecule.counts.zero_radii > 0 ? " with a radius above 0"
+                             : molecule.counts.unknown > 0  ? " of a known element"
+                                                            : "";
+    throw RefusedInput(source + ": has no atom" + kind + "; name another file");
   }
   molecule.counts.duplicates = count_duplicates(molecule.atoms);
   molecule.radii = radii_in_words(molecule, table);

@@ -165,6 +165,10 @@ class Failures(CommandTest):
     def test_an_input_without_usable_atoms_gives_4(self):
         self.input("zero.pqr", "ATOM 1 C ALA 1 0.0 0.0 0.0 0.0 0.0\n")
         self.run_morskin("mesh", "zero.pqr", "-o", "out.ply", code=4)
+        self.input("x.cif", "data_x\n_atom_site.type_symbol X\n" +
+                   "".join(f"_atom_site.Cartn_{axis} 0\n" for axis in "xyz"))
+        done = self.run_morskin("mesh", "x.cif", "-o", "out.ply", code=4)
+        self.assertIn(b"no atom of a known element", done.stderr)
         self.input("huge.xyzr", "0 0 0 900000\n")
         self.run_morskin("mesh", "huge.xyzr", "-o", "out.ply", "--model", "vdw", code=4)
 
