@@ -122,7 +122,7 @@ class Rows(Batch):
             with self.subTest(words):
                 self.batch(*words, code=2)
         self.assertEqual(self.names(), ["in"])
-        for words in (("no*.pdb",), ("nothing",), ("in", "--only", "*.pdb")):
+        for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",), ("in", "--only", "*.pdb")):
             self.batch(*words, "-o", "out", code=3)
         self.assertEqual(self.names(), ["in"])
 

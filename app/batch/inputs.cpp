@@ -77,6 +77,7 @@ std::vector<BatchInput> in_archive(const path& file, const std::string& only) {
   return inputs;
 }
 
+/// @throws UnreadableInput  there are none: a slip more often than a wish
 std::vector<BatchInput> fitting(const std::string& pattern) {
   // Relative to the last folder before the first wildcard.
   const std::size_t slash = pattern.substr(0, pattern.find_first_of("*?[")).rfind('/');
@@ -85,12 +86,16 @@ std::vector<BatchInput> fitting(const std::string& pattern) {
   const auto free = [](glob_t* result) { ::globfree(result); };
   const std::unique_ptr<glob_t, decltype(free)> owner(&found, free);
   std::vector<BatchInput> inputs;
-  if (::glob(pattern.c_str(), 0, nullptr, &found) != 0) return inputs;
-  for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+  const bool is_found = ::glob(pattern.c_str(), 0, nullptr, &found) == 0;
+  for (std::size_t i = 0; is_found && i < found.gl_pathc; ++i) {
     const path file = found.gl_pathv[i];
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) continue;
     inputs.push_back({(base.empty() ? file : file.lexically_relative(base)).string(), file});
+  }
+  if (inputs.empty()) {
+    throw geometry::UnreadableInput("no file fits the pattern " + pattern +
+                                    "; mend it or leave it out");
   }
   std::ranges::sort(inputs, {}, &BatchInput::name);
   return inputs;
