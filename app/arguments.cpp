@@ -45,7 +45,7 @@ void finish(MorseArguments& morse, const Typed& typed) {
   }
 }
 
-/// The ending must not say that the fourth numbers are what they are not.
+/// The ending must not say that the bytes are what they are not.
 void finish(BallsArguments& balls, const Typed&) {
   const auto format = skin::molecule_format_of(balls.output);
   if (balls.weights && format == skin::MoleculeFormat::Xyzr) {
@@ -53,6 +53,13 @@ void finish(BallsArguments& balls, const Typed&) {
   }
   if (!balls.weights && format == skin::MoleculeFormat::Xyzw) {
     throw UsageError(balls.output.string() + ": only --weights writes .xyzw");
+  }
+  const bool is_of_balls =
+      format == skin::MoleculeFormat::Xyzr || format == skin::MoleculeFormat::Xyzw;
+  const bool is_of_another = (format && !is_of_balls) || names_a_mesh(balls.output);
+  if (is_of_another || lower_extension(balls.output) == ".gz") {
+    throw UsageError(balls.output.string() +
+                     ": balls are written as .xyzr or, with --weights, .xyzw");
   }
 }
 

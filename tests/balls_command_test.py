@@ -45,6 +45,13 @@ class Balls(CommandTest):
         self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzw", code=2)
         self.run_morskin("balls", "--weights", "ball.xyzr", "-o", "out.xyzr", code=2)
 
+    def test_balls_get_no_ending_of_another_format(self):
+        for name in ("out.pdb", "out.xyz", "out.cif.gz", "out.xyzr.gz", "out.PLY", "out.gz"):
+            said = self.run_morskin("balls", self.ring, "-o", name, code=2).stderr
+            self.assertIn(b"written as .xyzr", said)
+        self.run_morskin("balls", self.ring, "-o", "out.txt")
+        self.assertEqual(self.names(), ["out.txt"])
+
     def test_noise_in_the_place_of_zero_is_rounded_and_told(self):
         self.input("noise.xyzr", "1e-25 0 0 1\n1 -3e-300 0 1\n")
         self.input("zero.xyzr", "0 0 0 1\n1 0 0 1\n")
