@@ -69,9 +69,7 @@ Verdict on_nodes(const certify::Residuals& found) {
   Verdict verdict{"nodes in edges on the skin", !found.first_off_skin, "", true};
   if (verdict.holds) return verdict;
   const auto& [node, distance] = *found.first_off_skin;
-  verdict.reason = "node " + std::to_string(node) +
-                   (distance > 0 ? " lies about " + brief(distance) + " Angstrom off the skin"
-                                 : " is not known to lie on the skin");
+  verdict.reason = "node " + std::to_string(node) + " " + certify::off_skin_in_words(distance);
   return verdict;
 }
 

@@ -170,10 +170,7 @@ void Certifier::check_vertices() {
   out_.max_relative_distance_to_skin = found.max_relative_distance;
   if (!found.first_off_skin) return;
   const auto& [v, distance] = *found.first_off_skin;
-  out_.fail(Claim::OnSkin,
-            "vertex " + std::to_string(v) +
-                (distance > 0 ? " lies about " + number(distance) + " Angstrom off the skin"
-                              : " is not known to lie on the skin"));
+  out_.fail(Claim::OnSkin, "vertex " + std::to_string(v) + " " + off_skin_in_words(distance));
 }
 
 void Certifier::check_triangles(DelaunayFilter& filter) {

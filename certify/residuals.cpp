@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 #include "certify/tube.h"
@@ -21,6 +22,14 @@ bool is_single_precision(std::span<const surface::Point> positions) {
     return std::abs(p.x()) <= FLT_MAX && std::abs(p.y()) <= FLT_MAX && std::abs(p.z()) <= FLT_MAX &&
            is_float(p.x()) && is_float(p.y()) && is_float(p.z());
   });
+}
+
+std::string off_skin_in_words(double distance) {
+  if (!(distance > 0)) return "is not known to lie on the skin";
+  if (std::isinf(distance)) return "lies off the skin, by a distance that is not known";
+  char text[64];
+  std::snprintf(text, sizeof text, "lies about %.3g Angstrom off the skin", distance);
+  return text;
 }
 
 Residuals residuals(std::span<const surface::SurfacePoint> points,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "certify/located_vertices.h"
@@ -26,9 +27,13 @@ struct Residuals {
   double max_distance = 0;           ///< bound on a vertex's distance to the skin, Angstrom
   double max_relative_distance = 0;  ///< the same over the length scale
   /// The first vertex farther off than residual_bound() and rounding allow, with its distance by
-  /// the least |G|, estimated; 0 where nothing is known of it.
+  /// the least |G|, estimated; 0 where nothing is known of it, infinite where no direction leads to
+  /// the skin, as in the middle of a round void.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
+
+/// What follows the name of such a vertex: "lies about 0.1 Angstrom off the skin".
+std::string off_skin_in_words(double distance);
 
 /// @param points, bounds       by vertex
 /// @param is_single_precision  whether vertices may be off by the rounding to floats

@@ -128,6 +128,8 @@ class Check(CommandTest):
         self.write(vertices, triangles)
         broken = self.broken(*self.words)
         self.assertIn("vertex 20 lies ", broken["vertices on the skin"])
+        self.write([[0.0, 0.0, 0.0], *vertices], [])  # in the void's middle, far from the skin
+        self.assertNotIn("inf", self.broken(*self.words)["vertices on the skin"])
         report = self.check("bad.off", *self.words, code=5)
         self.assertEqual(report["farthest_vertices"][0]["vertex"], 20)
 
