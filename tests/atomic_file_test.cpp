@@ -35,6 +35,12 @@ TEST_CASE("links to a file that does not exist yet lead to where it is made") {
   CHECK_THROWS_AS(write_file_atomically(folder / "circle.json", "new"), UnwritableOutput);
 }
 
+TEST_CASE("a name too long is not blamed on the folder") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(write_file_atomically(folder / std::string(300, 'a'), "text"),
+                       doctest::Contains("choose a shorter one"), UnwritableOutput);
+}
+
 TEST_CASE("devices are written to and not replaced") {
   namespace fs = std::filesystem;
   write_file_atomically("/dev/null", "text");

@@ -30,6 +30,10 @@ std::string reason(int error) { return std::generic_category().message(error); }
     advice = "choose a folder that you may write to";
   }
   if (error == EISDIR) advice = "name a file, not a folder";
+  if (error == ENAMETOOLONG) advice = "choose a shorter one";
+  if (error == EFBIG) advice = "choose another folder or allow larger files (ulimit -f)";
+  if (error == EMFILE || error == ENFILE) advice = "allow more open files (ulimit -n)";
+  if (error == EPIPE || error == EBADF) advice = "whoever was to read it is gone";
   throw UnwritableOutput(path.string() + ": cannot write: " + reason(error) + "; " + advice);
 }
 
