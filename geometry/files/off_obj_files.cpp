@@ -25,10 +25,12 @@ std::string_view next_off_line(TextLines& lines) {
   return {};
 }
 
-std::size_t take_count(std::string_view& fields, const TextLines& lines) {
-  const std::optional<std::int64_t> count = parse_integer(take_field(fields));
+std::size_t take_count(std::string_view& fields, std::string_view what, const TextLines& lines) {
+  const std::string_view field = take_field(fields);
+  const std::optional<std::int64_t> count = parse_integer(field);
   if (!count || *count < 0) {
-    lines.fail("expected the numbers of vertices, faces and edges; write the mesh again");
+    lines.fail("expected " + std::string(what) + ", found " + quoted(field) +
+               "; write the mesh again");
   }
   return static_cast<std::size_t>(*count);
 }
@@ -91,8 +93,9 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
   if (fields.find("BINARY") != std::string_view::npos) {
     lines.fail("binary OFF is not read; write the mesh as text OFF or as PLY");
   }
-  const std::size_t vertices = take_count(fields, lines);
-  const std::size_t faces = take_count(fields, lines);
+  constexpr std::string_view counts = "the numbers of vertices, faces and edges";
+  const std::size_t vertices = take_count(fields, counts, lines);
+  const std::size_t faces = take_count(fields, counts, lines);
   if (vertices > max_vertices) lines.fail("too many vertices; at most 2^32 - 1 are read");
 
   // A vertex needs six bytes of text ("0 0 0\n") and a face eight, which bounds the counts.
@@ -108,7 +111,7 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
   for (std::size_t face = 0; face < faces; ++face) {
     std::string_view line = next_off_line(lines);
     if (line.empty()) lines.fail("the file ends before its last face; write it again");
-    const std::size_t corners = take_count(line, lines);
+    const std::size_t corners = take_count(line, "the number of a face's corners", lines);
     if (corners < 3) lines.fail("a face needs three corners; remove it");
     polygon.clear();
     for (std::size_t corner = 0; corner < corners; ++corner) {
