@@ -47,7 +47,7 @@ void finish_method(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--grid is for --method marching-cubes");
   }
   if (mesh.grid_step && !(*mesh.grid_step > 0 && std::isfinite(*mesh.grid_step))) {
-    throw UsageError("--grid must be above 0");
+    throw UsageError("--grid must be above 0 and finite");
   }
   if (!typed.grow) return;
   if (mesh.method != MeshMethod::Dynamic) throw UsageError("--grow is for --method dynamic");
@@ -93,7 +93,7 @@ void finish_sizes(MeshArguments& mesh, const Typed& typed) {
   mesh.grading = typed.grading;
   if (!mesh.grading) return;
   if (!(*mesh.grading >= morskin::min_grading && std::isfinite(*mesh.grading))) {
-    throw UsageError("--grading must be at least 0.01");
+    throw UsageError("--grading must be at least 0.01 and finite");
   }
   if (mesh.method != MeshMethod::Auto && mesh.method != MeshMethod::Static) {
     throw UsageError("--grading is for --method static");
@@ -159,7 +159,7 @@ void finish(morskin::SizeGoal& goal, const Typed& typed) {
     throw UsageError("--size, --density and --triangles are three ways to say one thing");
   }
   if (typed.density && !(*typed.density > 0 && std::isfinite(*typed.density))) {
-    throw UsageError("--density must be above 0");
+    throw UsageError("--density must be above 0 and finite");
   }
   constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
   if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {

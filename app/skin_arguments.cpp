@@ -28,9 +28,10 @@ void check_radii(const std::string& radii, const std::filesystem::path& molecule
 
 void check_sizing(const certify::Sizing& sizing) {
   if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
-    throw UsageError("-C must be at least 1e-5");
+    throw UsageError("-C must be at least 1e-5 and finite");
   }
-  if (!(sizing.Q > 1) || !std::isfinite(sizing.Q)) throw UsageError("-Q must be above 1");
+  if (!(sizing.Q > 1) || !std::isfinite(sizing.Q))
+    throw UsageError("-Q must be above 1 and finite");
   if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");
 }
 
@@ -81,7 +82,7 @@ void finish(MoleculeArguments& molecule, const std::filesystem::path& file,
 
 void finish(certify::Sizing& sizing, const TypedSkin& typed, double default_C) {
   if (typed.size && !(*typed.size >= certify::Sizing::min_size && std::isfinite(*typed.size))) {
-    throw UsageError("--size must be at least 1e-6 Angstrom");
+    throw UsageError("--size must be at least 1e-6 Angstrom and finite");
   }
   sizing.C = typed.C.value_or(typed.size ? certify::Sizing::coarsest_C : default_C);
   sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));

@@ -133,6 +133,12 @@ class Failures(CommandTest):
             said = self.run_morskin(*words, "--against", "", code=2).stderr
             self.assertIn(b"--against is empty", said)
 
+    def test_numbers_that_are_not_finite_are_told_so(self):
+        for words in (("-C",), ("-Q",), ("--size",), ("--density",), ("--grading",),
+                      ("--method", "marching-cubes", "--grid")):
+            said = self.run_morskin("mesh", self.ring, "-o", "a.ply", *words, "inf", code=2).stderr
+            self.assertIn(b"finite", said)
+
     def test_too_many_triangles_are_told_how_many_there_may_be(self):
         done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "--triangles", "1e11", code=2)
         self.assertRegex(done.stderr, rb"--triangles must be from 4 to \d{9,}")
