@@ -12,11 +12,12 @@
 namespace morskin::app {
 namespace {
 
-std::int64_t required_number(std::string_view text) {
+/// @param typed  what it is a part of, for the message
+std::int64_t required_number(std::string_view text, std::string_view typed) {
   const std::optional<std::int64_t> value = parse_digits(text);
   if (!value) {
     throw UsageError("--model-number takes whole numbers from 0, as in 3 or 1,3-5, or all; not " +
-                     geometry::quoted(text));
+                     geometry::quoted(typed));
   }
   return *value;
 }
@@ -31,8 +32,9 @@ std::optional<ModelSet> ModelSet::parsed(const std::string& text) {
     const std::size_t comma = std::min(text.find(',', first), text.size());
     const std::string_view item = std::string_view(text).substr(first, comma - first);
     const std::size_t hyphen = std::min(item.find('-'), item.size());
-    Range range{required_number(item.substr(0, hyphen)), 0};
-    range.last = hyphen == item.size() ? range.first : required_number(item.substr(hyphen + 1));
+    Range range{required_number(item.substr(0, hyphen), item), 0};
+    range.last =
+        hyphen == item.size() ? range.first : required_number(item.substr(hyphen + 1), item);
     if (range.last < range.first) {
       throw UsageError("--model-number: " + std::string(item) + " ends before it begins");
     }
@@ -63,6 +65,6 @@ std::vector<std::int64_t> ModelSet::chosen_from(const std::vector<std::int64_t>&
   return chosen;
 }
 
-std::int64_t parsed_model_number(const std::string& text) { return required_number(text); }
+std::int64_t parsed_model_number(const std::string& text) { return required_number(text, text); }
 
 }  // namespace morskin::app

@@ -123,6 +123,9 @@ class Models(CommandTest):
                       "1,99999999999999999999"):
             with self.subTest(words):
                 self.mesh(f"--model-number={words}", "-o", "m.ply", code=2)
+        for words in ("-1", "1,2-"):
+            said = self.mesh(f"--model-number={words}", "-o", "m.ply", code=2).stderr.decode()
+            self.assertIn(f'not "{words.split(",")[-1]}"', said)
         several = ("--model-number", "all")
         self.mesh(*several, "-o", "-", code=2)
         self.mesh(*several, "-o", "m.ply", "--report", "-", code=2)
