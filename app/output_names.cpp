@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "geometry/files/mesh_files.h"
@@ -44,6 +45,17 @@ void check_not_given_otherwise(const std::filesystem::path& name, const MeshArgu
       path.filename().string().starts_with("snapshot-")) {
     throw UsageError(name.string() + " may become a snapshot's name; choose another");
   }
+}
+
+// The command that a file of no mesh format may be meant for.
+std::string maker_of(const std::filesystem::path& output) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> makers{
+      {{".html", "view"}, {".png", "render"}, {".xyzr", "balls"}, {".xyzw", "balls"}}};
+  for (const auto& [ending, command] : makers) {
+    if (lower_extension(output) != ending) continue;
+    return "; for " + std::string(ending) + " there is morskin " + std::string(command);
+  }
+  return "";
 }
 
 }  // namespace
@@ -112,7 +124,8 @@ void check_outputs(const MeshArguments& mesh) {
     if (!is_special(output) && !geometry::mesh_format_of(output)) {
       throw UsageError(output.string() +
                        ": the ending stands for no mesh format; use .ply, .off, .obj, .stl, "
-                       ".vtu, .glb, .npz, .msh or .vert");
+                       ".vtu, .glb, .npz, .msh or .vert" +
+                       maker_of(output));
     }
   }
 }

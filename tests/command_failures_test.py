@@ -65,6 +65,11 @@ class Failures(CommandTest):
         said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--model", "2", code=2).stderr
         self.assertIn(b"--model-number", said)
 
+    def test_an_output_that_another_command_makes_is_told_of_it(self):
+        for name, command in (("a.html", b"view"), ("a.PNG", b"render"), ("a.xyzw", b"balls")):
+            said = self.run_morskin(self.ring, "-o", name, code=2).stderr
+            self.assertIn(b"there is morskin " + command, said)
+
     def test_a_grid_of_too_many_cells_gives_6(self):
         self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "marching-cubes",
                          "--grid", "1e-9", code=6)
