@@ -120,7 +120,7 @@ class Rows(Batch):
                       ("in", "-o", "out", "--shard", "1/2x"), ("in", "-o", "out", "--workers", "0"),
                       ("in", "-o", "out", "--timeout", "-1"), ("in", "-o", "out", "--report", "x")):
             with self.subTest(words):
-                self.batch(*words, code=2)
+                self.assertNotIn("molecule.pdb", self.batch(*words, code=2))
         self.assertEqual(self.names(), ["in"])
         for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",), ("in", "--only", "*.pdb")):
             self.batch(*words, "-o", "out", code=3)

@@ -3,12 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "app/features_options.h"
 #include "app/shared_options.h"
 #include "app/typed_values.h"
+#include "geometry/files/mesh_files.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 namespace {
@@ -22,6 +26,20 @@ Shard parsed_shard(std::string_view text) {
     throw UsageError("--shard takes I/N, with I from 1 to N, as in 3/16");
   }
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
+}
+
+/// Here, for mesh would complain of a file that nobody named.
+void check_endings(const std::vector<std::string>& endings) {
+  for (const std::string& ending : endings) {
+    const bool is_folder_too = ending.find('/') != std::string::npos;
+    if (is_folder_too || !geometry::mesh_format_of("molecule." + ending)) {
+      throw UsageError("--format takes endings of meshes, as in ply,vtu; not " +
+                       geometry::quoted(ending));
+    }
+    if (std::ranges::count(endings, ending) > 1) {
+      throw UsageError("--format has " + ending + " twice");
+    }
+  }
 }
 
 /// An option as it was typed, in one word for each of its values.
@@ -84,6 +102,7 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
   if (typed.shard) batch.shard = parsed_shard(*typed.shard);
   if (batch.folder.empty()) throw UsageError("an output's name is empty");
   if (batch.features && command.count("--format") == 0) batch.endings = {"npz"};
+  check_endings(batch.endings);
   for (const char* name : features_lack) {
     if (batch.features && command.count(name) > 0) {
       throw UsageError(std::string(name) + " is of mesh; features sets what it writes");
