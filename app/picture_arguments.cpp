@@ -124,6 +124,9 @@ void add_figure(CLI::App& app, FigureArguments& figure) {
 
 void finish(RenderArguments& render, const TypedPicture& typed) {
   check_png(render.output);
+  for (const std::filesystem::path& mesh : render.meshes) {
+    check_not_input(render.output, {.input = mesh});
+  }
   if (!typed.size.empty()) set_size(render, typed.size);
   if (!typed.view.empty()) render.view = direction(typed.view, "--view");
   if (!typed.up.empty()) render.up = direction(typed.up, "--up");

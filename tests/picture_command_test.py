@@ -85,6 +85,8 @@ class PictureCommand(CommandTest):
         self.run_morskin("render", mesh, "-o", "x.png", "--size", "2000000x1", code=2)
         self.run_morskin("figure", "12", "-o", "x.png", code=2)
         self.run_morskin("figure", "9", "-o", "x.png", "--scale", "9", code=2)
+        (self.folder / "link.png").symlink_to(self.folder / mesh)
+        self.run_morskin("render", mesh, "-o", "link.png", code=2)  # it would replace the mesh
         self.run_morskin("render", "missing.ply", "-o", "x.png", code=3)
         self.run_morskin("render", mesh, "-o", "missing/x.png", code=7)
         self.assertFalse((self.folder / "x.png").exists())
