@@ -140,7 +140,10 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
     throw UsageError("MSMS's files are of molecules; write --surface to another format");
   }
   const auto molecule = molecule_of_surface(*mesh.surface);
-  if (mesh.report && molecule) check_not_input(*mesh.report, {.input = *molecule});
+  if (!molecule) return;
+  for (const std::filesystem::path& name : all_outputs(mesh)) {
+    check_not_input(name, {.input = *molecule});
+  }
 }
 
 }  // namespace

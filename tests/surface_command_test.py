@@ -41,8 +41,10 @@ class Surfaces(CommandTest):
                 dented = [v if k else [1.02 * x for x in v] for k, v in enumerate(vertices)]
                 self.assertFalse(self.check_mutant(surface, dented, triangles)["certified"])
 
-    def test_a_report_does_not_replace_the_molecule_of_gaussians(self):
+    def test_no_output_replaces_the_molecule_of_gaussians(self):
         self.refused(f"gaussian:{self.ring},decay=1", 2, "--report", "./ring.xyzr")
+        (self.folder / "link.ply").symlink_to(self.ring)
+        self.refused(f"gaussian:{self.ring},decay=1", 2, "-o", "link.ply")
         self.assertEqual(self.ring.read_bytes(), (MOLECULES / "ring12.xyzr").read_bytes())
 
     def test_check_of_a_surface_takes_no_options_of_molecules(self):
