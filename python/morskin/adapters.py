@@ -7,9 +7,10 @@ for, and of alternate locations the likeliest is taken, as `morskin.read` does.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,68 +21,106 @@ from .molecule import Molecule
 
 _FRAME = np.dtype([("frame", np.int64), ("time", np.float64), ("area", np.float64),
                    ("volume", np.float64), ("components", np.int64), ("genus", np.int64)])
+# What `morskin.read` takes for water; the other packages know three or four of these names.
+_WATERS = frozenset(("HOH", "DOD", "WAT", "H2O", "D2O", "SOL", "SPC", "TIP", "TP3", "TP4", "TP5",
+                     "T3P", "TIP3", "TIP4", "TIP5"))
+
+
+class _Site(NamedTuple):
+    """An atom at one of its locations."""
+
+    position: Any
+    element: str
+    name: str
+    residue: str
+    letter: str  # of the location, a blank where there is none
+    occupancy: float
 
 
 def from_gemmi(entity: Any, *, waters: bool = False) -> Molecule:
     """The atoms of a gemmi.Structure, of which it is the first model, or of a gemmi.Model."""
-    model = entity if hasattr(entity, "subchains") else entity[0]
-    atoms = list(_gemmi_atoms(model, waters))
-    return _molecule([[a.pos.x, a.pos.y, a.pos.z] for a in atoms], [a.element.name for a in atoms])
+    model = entity if hasattr(entity, "subchains") else _first(entity)
+    return _molecule_of(_gemmi_places(model), waters)
 
 
-def _gemmi_atoms(model: Any, waters: bool) -> Iterator[Any]:
+def _gemmi_places(model: Any) -> Iterator[list[_Site]]:
     for chain in model:
-        kept = (residue for residue in chain if waters or not residue.is_water())
         # Where a site may be one of several residues, they have the same number.
-        for _, residues in groupby(kept, key=lambda residue: str(residue.seqid)):
-            yield from _likeliest([(residue.name, atom) for residue in residues
-                                   for atom in residue])
-
-
-def _likeliest(site: list[tuple[str, Any]]) -> Iterator[Any]:
-    """The atoms of a site: those without alternate locations, and of the likeliest residue the
-    likeliest location of each."""
-    located = [(residue, atom) for residue, atom in site if atom.has_altloc()]
-    if not located:
-        yield from (atom for _, atom in site)
-        return
-
-    def rank(atom: Any) -> tuple[float, int]:
-        return atom.occ, -ord(atom.altloc)
-
-    name = max(located, key=lambda one: rank(one[1]))[0]
-    best: dict[str, Any] = {}
-    for residue, atom in located:
-        key = _without_deuterium(atom)
-        if residue == name and (key not in best or rank(atom) > rank(best[key])):
-            best[key] = atom
-    chosen = {id(atom) for atom in best.values()}
-    yield from (atom for _, atom in site if not atom.has_altloc() or id(atom) in chosen)
-
-
-def _without_deuterium(atom: Any) -> str:
-    """The name of the site, where deuterium may stand for hydrogen."""
-    name: str = atom.name
-    return name.replace("D", "H", 1) if atom.element.name == "D" else name
+        for _, residues in groupby(chain, key=lambda residue: str(residue.seqid)):
+            yield [_Site([a.pos.x, a.pos.y, a.pos.z], a.element.name, a.name, residue.name,
+                         a.altloc if a.has_altloc() else " ", a.occ)
+                   for residue in residues for a in residue]
 
 
 def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:
     """The atoms of a Bio.PDB Structure, of which it is the first model, or of a Model, Chain or
     Residue."""
     if entity.level == "S":
-        entity = next(entity.get_models())
-    atoms = list(_biopython_atoms(entity, waters))
-    return _molecule([a.coord for a in atoms], [a.element for a in atoms])
+        entity = _first(entity.get_models())
+    return _molecule_of(_biopython_places(entity), waters)
 
 
-def _biopython_atoms(entity: Any, waters: bool) -> Iterator[Any]:
+def _biopython_places(entity: Any) -> Iterator[list[_Site]]:
     for residue in [entity] if entity.level == "R" else entity.get_residues():
-        if residue.is_disordered() == 2:  # one of several at a site; Bio.PDB shows the last
-            residue = max(residue.disordered_get_list(),
-                          key=lambda one: max(atom.occupancy for atom in one))
-        # Bio.PDB knows no heavy water.
-        if waters or not (residue.id[0] == "W" or residue.resname.strip() == "DOD"):
-            yield from residue
+        # 2: one of several residues at a site. Bio.PDB itself would show the last.
+        several = residue.disordered_get_list() if residue.is_disordered() == 2 else [residue]
+        yield [_Site(a.coord, a.element, a.name, one.resname.strip(), a.altloc,
+                     1.0 if a.occupancy is None else a.occupancy)
+               for one in several for a in one.get_unpacked_list()]
+
+
+def _first(models: Iterable[Any]) -> Any:
+    for model in models:
+        return model
+    raise RefusedInput("the structure has no model")
+
+
+def _molecule_of(places: Iterable[list[_Site]], waters: bool) -> Molecule:
+    """@param places  the atoms of each residue, or of all those of which one is there"""
+    every = list(places)
+    # As in `morskin.read` water is left out of what is more than water.
+    left_out = _WATERS if not waters else frozenset()
+    if all(site.residue in left_out for place in every for site in place):
+        left_out = frozenset()
+    sites = [site for place in every
+             for site in _likeliest([s for s in place if s.residue not in left_out])]
+    return _molecule([site.position for site in sites], [site.element for site in sites])
+
+
+def _likeliest(place: list[_Site]) -> Iterator[_Site]:
+    """Those without alternate locations, and of the likeliest residue the likeliest location of
+    each. As in `morskin.read` one without a letter is a location too if its name has others."""
+    lettered = {_without_deuterium(site) for site in place if site.letter != " "}
+    located = [site for site in place if _without_deuterium(site) in lettered]
+    if not located:
+        yield from place
+        return
+
+    def rank(site: _Site) -> tuple[float, int]:
+        return site.occupancy, -ord(site.letter)
+
+    residue = max(located, key=rank).residue
+    best: dict[tuple[str, int], _Site] = {}
+    copies: Counter[tuple[str, str]] = Counter()  # files made by symmetry repeat name and letter
+    for site in located:
+        if site.residue != residue:
+            continue
+        name = _without_deuterium(site)
+        key = name, copies[name, site.letter]
+        copies[name, site.letter] += 1
+        if key not in best or rank(site) > rank(best[key]):
+            best[key] = site
+    chosen = {id(site) for site in best.values()}
+    yield from (site for site in place
+                if _without_deuterium(site) not in lettered or id(site) in chosen)
+
+
+def _without_deuterium(site: _Site) -> str:
+    """The name of the atom, where deuterium may stand for hydrogen."""
+    letters = site.name.lstrip("0123456789")
+    if site.element != "D" or not letters.startswith("D"):
+        return site.name
+    return site.name[:-len(letters)] + "H" + letters[1:]
 
 
 def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:

@@ -18,12 +18,9 @@ def gemmi_atom(name, x, element="C", occ=1.0, altloc="\0"):
 
 
 class GemmiResidue(list):
-    def __init__(self, atoms, water=False, name="ALA", seqid="1"):
+    def __init__(self, atoms, name="ALA", seqid="1"):
         super().__init__(atoms)
-        self.water, self.name, self.seqid = water, name, seqid
-
-    def is_water(self):
-        return self.water
+        self.name, self.seqid = name, seqid
 
 
 class GemmiModel(list):
@@ -32,17 +29,24 @@ class GemmiModel(list):
 
 
 class BioResidue:
-    def __init__(self, *atoms, kind=" "):
-        self.id = (kind, 1, " ")
-        self.level, self.resname = "R", "HOH" if kind == "W" else "ALA"
-        self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element)
-                      for x, element in atoms]
+    """@param atoms  places, elements, and what else is known of them"""
+
+    def __init__(self, *atoms, name="ALA"):
+        self.level, self.resname = "R", name
+        self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element, name=element,
+                            altloc=" ", occupancy=1.0) for x, element in atoms]
+
+    def located(self, *places):
+        """Gives the atoms names, letters and occupancies."""
+        for atom, place in zip(self.atoms, places):
+            atom.name, atom.altloc, atom.occupancy = place
+        return self
 
     def is_disordered(self):
         return 0
 
-    def __iter__(self):
-        return iter(self.atoms)
+    def get_unpacked_list(self):
+        return self.atoms
 
 
 class Trajectory(list):
@@ -70,7 +74,7 @@ class Adapters(ModuleTest):
         residue = GemmiResidue([gemmi_atom("N", 0.0, "N"),
                                 gemmi_atom("CA", 1.5, occ=0.4, altloc="A"),
                                 gemmi_atom("CA", 1.6, occ=0.6, altloc="B")])
-        water = GemmiResidue([gemmi_atom("O", 9.0, "O")], water=True)
+        water = GemmiResidue([gemmi_atom("O", 9.0, "O")], name="HOH")
         model = GemmiModel([[residue, water]])
         for entity in (model, [model, GemmiModel()]):
             molecule = adapters.from_gemmi(entity)
@@ -99,12 +103,56 @@ class Adapters(ModuleTest):
         self.assertEqual(self.positions(residue), [1])
 
     def test_of_a_biopython_structure_the_first_model_is_taken_and_no_water(self):
-        protein, water = BioResidue((0, "C"), (1.5, "N")), BioResidue((9, "O"), kind="W")
+        protein, water = BioResidue((0, "C"), (1.5, "N")), BioResidue((9, "O"), name="HOH")
         chain = Thing(level="C", get_residues=lambda: iter([protein, water]))
         structure = Thing(level="S", get_models=lambda: iter([chain, None]))
         for entity in (structure, chain, protein):
             np.testing.assert_array_equal(adapters.from_biopython(entity).radii, [1.7, 1.55])
         self.assertEqual(len(adapters.from_biopython(structure, waters=True)), 3)
+
+    def test_of_biopython_s_deuterium_and_hydrogen_at_one_site_one_is_taken(self):
+        places = ("1DB", "A", 0.3), ("1HB", "B", 0.7), ("HD1", "A", 0.3)
+        residue = BioResidue((0, "D"), (1, "H"), (2, "D")).located(*places)
+        self.assertEqual(adapters.from_biopython(residue).positions[:, 0].tolist(), [1, 2])
+
+    def test_of_biopython_s_locations_alike_the_first_letter_s_is_taken(self):
+        for occupancy in (0.5, None):
+            places = [("CA", letter, occupancy) for letter in "CAB"]
+            residue = BioResidue((0, "C"), (1, "C"), (2, "C")).located(*places)
+            self.assertEqual(adapters.from_biopython(residue).positions[:, 0].tolist(), [1])
+
+    def test_a_location_without_a_letter_is_one_of_those_with_and_copies_are_not(self):
+        for letters, kept in (("A\0", [0]), ("\0A", [1]), ("AA", [0, 1]), ("BAAB", [1, 2])):
+            residue = GemmiResidue([gemmi_atom("CA", float(x), altloc=letter,
+                                               occ=0.4 if letter == "\0" else 0.6)
+                                    for x, letter in enumerate(letters)])
+            with self.subTest(letters=letters):
+                self.assertEqual(self.positions(residue), kept)
+
+    def test_what_read_takes_for_water_is_water(self):
+        waters = "HOH DOD WAT H2O D2O SOL SPC TIP TP3 TP4 TP5 T3P TIP3 TIP4 TIP5".split()
+        for name in [*waters, "OH2", "TIP6", "UNX"]:
+            file = self.folder / "a.cif"
+            file.write_text("data_a\nloop_\n" + "".join(f"_atom_site.{field}\n" for field in (
+                "group_PDB", "type_symbol", "label_atom_id", "label_comp_id", "auth_asym_id",
+                "auth_seq_id", "Cartn_x", "Cartn_y", "Cartn_z")) +
+                f"ATOM C CA ALA A 1 0 0 0\nHETATM O O {name} A 2 9 0 0\n")
+            both = [GemmiResidue([gemmi_atom("CA", 0.0)]),
+                    GemmiResidue([gemmi_atom("O", 9.0, "O")], name=name, seqid="2")]
+            chain = Thing(level="C", get_residues=lambda name=name: iter(
+                [BioResidue((0, "C")), BioResidue((9, "O"), name=name)]))
+            with self.subTest(name):
+                kept = len(morskin.read(file))
+                self.assertEqual(kept, 1 if name in waters else 2)
+                self.assertEqual(len(adapters.from_gemmi(GemmiModel([both]))), kept)
+                self.assertEqual(len(adapters.from_biopython(chain)), kept)
+                self.assertEqual(len(adapters.from_gemmi(GemmiModel([both[1:]]))), 1)  # alone
+
+    def test_a_structure_without_a_model_is_refused(self):
+        for found in (lambda: adapters.from_gemmi([]), lambda: adapters.from_biopython(
+                Thing(level="S", get_models=lambda: iter([])))):
+            with self.assertRaisesRegex(morskin.RefusedInput, "no model"):
+                found()
 
     def test_an_element_without_a_radius_is_refused_with_its_atoms(self):
         with self.assertRaises(morskin.RefusedInput) as caught:

@@ -52,11 +52,16 @@ class Packages(ModuleTest):
                 ("ATOM", " CB", "A", "SER", 2, 4, 0.7, "C"),
                 ("ATOM", " SG", "B", "CYS", 2, 5, 0.3, "S"),
                 ("HETATM", " O", " ", "HOH", 3, 9, 1, "O"),
-                ("HETATM", " O", " ", "DOD", 4, 12, 1, "O")], start=1))
+                ("HETATM", " O", " ", "DOD", 4, 12, 1, "O"),
+                ("HETATM", " O", " ", "SOL", 5, 15, 1, "O"),
+                ("ATOM", " D", "B", "GLY", 6, 18, 0.5, "D"),
+                ("ATOM", " H", "A", "GLY", 6, 19, 0.5, "H"),
+                ("ATOM", " CA", "B", "GLY", 6, 20, 0.5, "C"),
+                ("ATOM", " CA", "A", "GLY", 6, 21, 0.5, "C")], start=1))
         file = self.folder / "a.pdb"
         file.write_text(text + "END\n")
         molecule = morskin.read(file)
-        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5, 4])
+        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5, 4, 19, 21])
         structure = Bio.PDB.PDBParser(QUIET=True).get_structure("a", str(file))
         for found in (adapters.from_gemmi(gemmi.read_structure(str(file))),
                       adapters.from_biopython(structure)):
