@@ -20,7 +20,8 @@ def _vertex_data(mesh: Mesh) -> dict[str, NDArray[Any]]:
 def to_meshio(mesh: Mesh) -> Any:
     """Mesh.to_meshio."""
     import meshio
-    return meshio.Mesh(mesh.vertices, [("triangle", mesh.faces)], point_data=_vertex_data(mesh))
+    triangles = mesh.faces.astype(np.int64)  # meshio's writer of Gmsh's files knows no uint32
+    return meshio.Mesh(mesh.vertices, [("triangle", triangles)], point_data=_vertex_data(mesh))
 
 
 def to_vtk(mesh: Mesh) -> Any:

@@ -191,10 +191,11 @@ class Exports(ModuleTest):
     def test_meshio_gets_the_mesh_and_what_is_known_of_its_vertices(self):
         import meshio
         mesh = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2]).mesh(C=0.3)
-        mesh.to_meshio().write(self.folder / "m.vtu")
-        read = meshio.read(self.folder / "m.vtu")
-        np.testing.assert_array_equal(read.points, mesh.vertices)
-        np.testing.assert_array_equal(read.cells_dict["triangle"], mesh.faces)
+        for ending in ("msh", "vtu"):
+            mesh.to_meshio().write(self.folder / f"m.{ending}")
+            read = meshio.read(self.folder / f"m.{ending}")
+            np.testing.assert_array_equal(read.points, mesh.vertices)
+            np.testing.assert_array_equal(read.cells_dict["triangle"], mesh.faces)
         for name in ("normals", "curvatures", "atoms", "length_scales", "components"):
             np.testing.assert_array_equal(read.point_data[name].squeeze(), getattr(mesh, name))
 
