@@ -91,7 +91,9 @@ std::optional<RadiusTable> parse_radius_table(std::string_view text) {
   for (const auto& [name, source] : names) {
     if (text == name) return RadiusTable(source);
   }
-  if (text.find('=') == std::string_view::npos) return std::nullopt;
+  // No element or residue has a slash: what has one first is a file, even "./pH=7/mine.txt".
+  const std::size_t mark = text.find_first_of("/:=");
+  if (text.find('=') == std::string_view::npos || text[mark] == '/') return std::nullopt;
   RadiusTable table;
   for (std::size_t first = 0; first <= text.size();) {
     const std::size_t comma = std::min(text.find(',', first), text.size());

@@ -46,6 +46,13 @@ class Radii(CommandTest):
         self.assertEqual(self.radii("--radii", "C=1.5,N=1.6,ALA:CB=1.9,H=1,D=1.1"),
                          [1.5, 1.9, 1.6, 1.1])
 
+    def test_what_begins_like_a_path_is_a_file_whatever_its_name_holds(self):
+        (self.folder / "pH=7").mkdir()
+        for name in ("./C=1.7,N=2", "./pH=7/my.txt", "./bondi", self.folder / "C=1"):
+            (self.folder / name).write_text("C 1.5\nN 1.6\nH 1\n")
+            self.assertEqual(self.radii("--radii", name), [1.5, 1.5, 1.6, 1])
+        self.assertEqual(self.radii("--radii", "C=1.5,N=1.6,H=1,ALA:C/D=3"), [1.5, 1.5, 1.6, 1])
+
     def test_a_file_that_means_harm_is_refused_with_its_line(self):
         for line, words in (("C nan", 'C is "nan"'), ("C inf", "above 0"), ("C -1.7", "above 0"),
                             ("C 0", "above 0"), ("C 1e7", "at most 10^6"), ("C 1,7", "above 0"),

@@ -124,7 +124,7 @@ def check(vertices: ArrayLike, faces: ArrayLike, skin: Skin, *, C: float = 0.08,
 class ReadOptions:
     def __init__(self, *, chains: Sequence[bytes], waters: bool, hetatms: Sequence[bytes] | None,
                  altloc: str, hydrogens: bool, model_number: int | None,
-                 biological_assembly: str | None, radii: str | None) -> None: ...
+                 biological_assembly: str | None, radii: bytes | None) -> None: ...
 
 def features(file: _File, options: ReadOptions, *, density: float, model: Model, probe: float,
              drop_voids_below: float, C: float, Q: float | None, angle_goal_deg: float | None,

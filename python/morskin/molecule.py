@@ -49,13 +49,16 @@ class Molecule:
         return skin.mesh(**options)
 
 
-def _radii_text(radii: Radii) -> str | None:
+def _radii_text(radii: Radii) -> bytes | None:
     """A table as the library takes it: a name, a file, or a list of entries."""
     if isinstance(radii, Mapping):
         if not radii:
             raise ValueError("radii lists none")
-        return ",".join(f"{key}={float(value)!r}" for key, value in radii.items())
-    return None if radii is None else os.fspath(radii)
+        return os.fsencode(",".join(f"{key}={float(value)!r}" for key, value in radii.items()))
+    if isinstance(radii, os.PathLike):
+        # With a slash it is a file, even if its name is a table's or looks like a list.
+        radii = os.path.join(os.curdir, radii)
+    return None if radii is None else os.fsencode(radii)
 
 
 def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
@@ -87,7 +90,7 @@ def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool 
     model_number         of the file's models; None: the first
     biological_assembly  the copies that make up this one, of PDB and mmCIF; None: as in the file
     radii                "elements", "bondi", "alvarez", a file of lines "C 1.7" and "ALA:CA 1.9",
-                         or a dict of such; None: the file's own, else "elements"
+                         or a dict of such; None: the file's own, else "elements". A Path is a file
 
     Raises UnreadableInput or RefusedInput.
     """

@@ -3,6 +3,9 @@
 
 from support import MOLECULES, ModuleTest, main
 
+import os
+from pathlib import Path
+
 import morskin
 import numpy as np
 
@@ -46,6 +49,18 @@ class Reading(ModuleTest):
                                       [1.66, 1.2, 1.5, 1.77, 1.89])
         np.testing.assert_array_equal(morskin.read(self.file, radii="elements").radii,
                                       morskin.read(self.file).radii)
+
+    def test_a_path_of_radii_is_a_file_whatever_it_is_called(self) -> None:
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        (self.folder / "pH=7").mkdir()
+        for name in (b"bondi", b"C=1.7,N=2", b"pH=7/mine.txt", b"\xff"):
+            table = Path(os.fsdecode(name))
+            table.write_text("N 1.6\nH 1.1\nC 1.9\nS 2\nO 1.5\n")
+            for path in (table, self.folder / table):
+                with self.subTest(path):
+                    np.testing.assert_array_equal(morskin.read(self.file, radii=path).radii,
+                                                  [1.6, 1.1, 1.5, 1.9, 2])
 
     def test_charges_are_those_of_a_pqr_file_in_the_order_of_its_atoms(self) -> None:
         file = self.folder / "a.pqr"
