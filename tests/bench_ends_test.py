@@ -97,6 +97,14 @@ class Ends(unittest.TestCase):
         failed = second_order.row_of(Path("caffeine.xyz"), 0.2, BAD, 1)
         self.assertIn("| FAILED |", second_order.table([failed]))
 
+    def test_a_density_that_is_missed_is_good_where_the_mesh_is_finer_only(self):
+        for made, missed, verdict in ((2, {}, "made"),
+                                      (3, {"missed_size": "so"}, "coarser is not possible"),
+                                      (1, {"missed_size": "not 2"}, "FAILED: not 2")):
+            report = {"certified": True, "quality": {"vertices_per_square_angstrom": made}} | missed
+            found = densities.verdict_of(Run(0, report, "", 1, 1), report, 2)
+            self.assertEqual(found, verdict)
+
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
         for script in (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities,
