@@ -17,6 +17,7 @@ from ._morskin import Mesh, ReadOptions, Skin, read_molecule
 
 Model = Literal["vdw", "sas", "ses-like", "paper"]
 Radii = Union[str, "PathLike[str]", Mapping[str, float], None]
+Progress = Optional[Callable[[str, Optional[float]], Any]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,10 +44,11 @@ class Molecule:
         return Skin(self.positions, self.radii, model, **options)
 
     def mesh(self, *, model: Model = "vdw", probe: float = 1.4, drop_voids_below: float = 0,
-             **options: Any) -> Mesh:
+             threads: Optional[int] = None, progress: Progress = None, **options: Any) -> Mesh:
         """A mesh of their skin; the other options are those of `Skin.mesh`."""
-        skin = self.skin(model, probe=probe, drop_voids_below=drop_voids_below)
-        return skin.mesh(**options)
+        skin = self.skin(model, probe=probe, drop_voids_below=drop_voids_below, threads=threads,
+                         progress=progress)
+        return skin.mesh(threads=threads, progress=progress, **options)
 
 
 def _radii_text(radii: Radii) -> bytes | None:
@@ -102,8 +104,7 @@ def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool 
 def features(file: str | PathLike[str], *, density: float = 2, model: Model = "ses-like",
              probe: float = 1.4, drop_voids_below: float = math.inf, C: float = 0.4,
              Q: float | None = None, angle_goal_deg: float | None = None,
-             threads: int | None = None,
-             progress: Optional[Callable[[str, Optional[float]], Any]] = None,
+             threads: int | None = None, progress: Progress = None,
              **options: Any) -> dict[str, NDArray[Any]]:
     """What learning on surfaces takes of a molecule: the arrays of the command `features`, of the
     same mesh, by their names there (papers/features.md). "vertices" (n, 3) and "faces" (m, 3) are

@@ -9,6 +9,7 @@ import signal
 import threading
 import time
 from pathlib import Path
+from unittest import mock
 
 import morskin
 import numpy as np
@@ -102,6 +103,13 @@ print(skin.mesh(C=0.3).certificate.certified)
         morskin.Skin(*BALLS, progress=lambda stage, share: stages.add(stage)).mesh(
             C=0.2, threads=2, progress=lambda stage, share: stages.add(stage))
         self.assertLessEqual({"triangulate", "sweep", "certify"}, stages)
+
+    def test_a_molecule_s_skin_is_prepared_on_as_many_threads_and_tells_its_stages_too(self):
+        molecule, stages = morskin.Molecule(*map(np.array, BALLS)), set()
+        with mock.patch("morskin.molecule.Skin", wraps=morskin.Skin) as skin:
+            molecule.mesh(C=0.3, threads=1, progress=lambda stage, share: stages.add(stage))
+        self.assertEqual(skin.call_args.kwargs["threads"], 1)
+        self.assertLessEqual({"dual complex", "certify"}, stages)
 
     def test_the_lock_is_released_while_a_run_is_on(self):
         ticks, is_over = [], threading.Event()
