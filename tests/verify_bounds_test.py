@@ -21,7 +21,7 @@ from enclosure import Skin  # noqa: E402
 from manifold import NotProved, check_manifold  # noqa: E402
 from skin_components import Balls, skin_components  # noqa: E402
 from support.exact_skin import exact_values, nasty_set  # noqa: E402
-from support.told_skin import sphere  # noqa: E402
+from support.told_skin import sphere, told  # noqa: E402
 
 ONE, TWO = np.array([[0., 0, 0, 2]]), np.array([[0., 0, 0, 2], [9, 0, 0, 2]])
 
@@ -64,14 +64,46 @@ class VerifyBounds(unittest.TestCase):
             x, y, z = ([Fraction(v) for v in row] for row in corners.tolist())
             e, f = ([v - u for u, v in zip(x, other)] for other in (y, z))
             n = [e[k - 2] * f[k - 1] - e[k - 1] * f[k - 2] for k in range(3)]
-            nn, ee, ff = (sum(u * u for u in v) for v in (n, e, f))
-            gg = sum((u - v)**2 for u, v in zip(e, f))
-            self.assertGreaterEqual(Fraction(float(found.R[0]))**2, ee * ff * gg / (4 * nn))
-            root = self.root(nn)
+            self.assertGreaterEqual(Fraction(float(found.R[0]))**2, self.square_of_radius(corners))
+            root = self.root(sum(u * u for u in n))
             m = [Fraction(v) for v in found.normal[0].tolist()]
             off = sum((u / root - v)**2 for u, v in zip(n, m))
             self.assertGreaterEqual(Fraction(float(found.normal_error[0]))**2, off)
         self.assertGreater(bounded, 300)
+
+    def test_circumradii_are_bounded_where_edges_are_rounded_and_hardly_an_area_is_left(self):
+        chance = np.random.default_rng(0)
+        p, exact = [], []
+        for _ in range(4000):
+            x, y = chance.normal(size=3) * 10.0**chance.uniform(-4, -1), chance.uniform(0.5, 1, 3)
+            z = x + chance.uniform(0.3, 0.9) * (y - x) + chance.normal(size=3) * 1e-13
+            corners = chance.permutation([x, y, z])
+            square = self.square_of_radius(corners)
+            if square < 1e26:
+                p.append(corners)
+                exact.append(square)
+        every = np.arange(3 * len(p)).reshape(-1, 3)
+        found = Covering(np.concatenate(p), every, Skin(ONE), np.zeros((every.size, 4), int))
+        self.assertTrue(all(Fraction(R)**2 >= square for R, square in zip(found.R.tolist(), exact)))
+        self.assertGreater(len(p), 3000)
+
+    def square_of_radius(self, corners):
+        x, y, z = ([Fraction(v) for v in row] for row in corners.tolist())
+        e, f, g = ([v - u for u, v in zip(*ends)] for ends in ((x, y), (x, z), (y, z)))
+        n = [e[k - 2] * f[k - 1] - e[k - 1] * f[k - 2] for k in range(3)]
+        nn, ee, ff, gg = (sum(u * u for u in v) for v in (n, e, f, g))
+        return ee * ff * gg / (4 * nn)
+
+    def test_no_rounding_makes_upright_what_is_not(self):
+        chance = np.random.default_rng(7)
+        p, t = sphere(2)
+        found = Covering(p, t, Skin(ONE), np.zeros((len(p), 4), dtype=np.int64))
+        found.normal_error[:] = 0
+        for k, normal in enumerate(found.normal):
+            aside = np.cross(normal, chance.normal(size=3))
+            n = aside + normal * chance.normal() * 1e-16
+            exact = sum(Fraction(a) * Fraction(b) for a, b in zip(n.tolist(), normal.tolist()))
+            self.assertLessEqual(found.upright(told(n[None]), [k])[0], exact)
 
     def test_a_triangle_whose_area_rounding_hides_is_refused(self):
         needle = np.array([[1e3, 0, 0], [1e3, 1, 2], [1e3, 2, 4 + 1e-15], [1e3, 2, 5]])
