@@ -37,6 +37,7 @@ GOOD = Run(0, REPORT, "", 1, 1)
 FALLEN = Run(0, REPORT | {"fallbacks": [{"to": "static"}]}, "", 1, 1)
 BAD = Run(5, {}, "not certified", 1, 1)
 SINGULAR = Run(4, {}, "singular", 1, 1)
+EMPTY = Run(4, {}, "no ball has a positive weight", 1, 1)
 
 
 class Ends(unittest.TestCase):
@@ -68,7 +69,7 @@ class Ends(unittest.TestCase):
             self.assertEqual((code, named), (1, [r is not GOOD for r in runs]), row)
 
     def test_angles_of_no_run_are_none(self):
-        for runs, ends in (((BAD, BAD), 1), ((SINGULAR, SINGULAR), 0)):
+        for runs, ends in (((BAD, BAD), 1), ((SINGULAR, SINGULAR), 0), ((SINGULAR, EMPTY), 1)):
             code, row = self.angles(*runs)
             self.assertEqual((code, row["runs"], row["min_angle"]), (ends, "0", "-"))
 
