@@ -91,9 +91,10 @@ std::optional<RadiusTable> parse_radius_table(std::string_view text) {
   for (const auto& [name, source] : names) {
     if (text == name) return RadiusTable(source);
   }
-  // No element or residue has a slash: what has one first is a file, even "./pH=7/mine.txt".
-  const std::size_t mark = text.find_first_of("/:=");
-  if (text.find('=') == std::string_view::npos || text[mark] == '/') return std::nullopt;
+  // What begins like a path is a file, whatever its name holds.
+  const auto begins = [&](std::string_view start) { return text.starts_with(start); };
+  const bool is_path = begins("/") || begins("./") || begins("../");
+  if (is_path || text.find('=') == std::string_view::npos) return std::nullopt;
   RadiusTable table;
   for (std::size_t first = 0; first <= text.size();) {
     const std::size_t comma = std::min(text.find(',', first), text.size());

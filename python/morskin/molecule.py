@@ -58,7 +58,7 @@ def _radii_text(radii: Radii) -> bytes | None:
             raise ValueError("radii lists none")
         return os.fsencode(",".join(f"{key}={float(value)!r}" for key, value in radii.items()))
     if isinstance(radii, os.PathLike):
-        # With a slash it is a file, even if its name is a table's or looks like a list.
+        # Beginning like a path it is a file, even if its name is a table's or looks like a list.
         radii = os.path.join(os.curdir, radii)
     return None if radii is None else os.fsencode(radii)
 
