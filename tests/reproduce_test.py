@@ -202,6 +202,25 @@ class Order(unittest.TestCase):
         limits, rows = self.table1(is_quick=False)
         self.assertEqual((len(limits), set(limits)), (len(rows), {20}))
 
+    def test_of_the_scaling_only_runs_out_of_time_keep_a_method_from_larger_inputs(self):
+        for code, reason, count in ((-1, "still running after 30 s", 1), (4, "singular", 2)):
+            def mesh(path, *words, code=code, reason=reason, **_):
+                if "static" in words and path.name == "a.pdb":
+                    return molecule_runs.Run(code, {}, reason, 1.0, 1.0)
+                report = {"triangles": 10, "certified": True, "seconds": {"total": 1.0}}
+                return molecule_runs.Run(0, report, "", 1.0, 1.0)
+            files = [(20, Path("a.pdb")), (2000, Path("b.pdb"))]
+            with (tempfile.TemporaryDirectory() as folder,
+                  mock.patch.object(reproduce, "sized_files", lambda *_, files=files: (files, [])),
+                  mock.patch.object(reproduce_part, "mesh", mesh)):
+                options = argparse.Namespace(quick=False, results=Path(folder), timeout=20, only="",
+                                             repetitions=1, largest=8000, finest=1,
+                                             scaling_timeout=30)
+                part = reproduce.scaling(options, ["sweep", "static"], reproduce_part.Notes(),
+                                         Path(folder))
+            tried = [r["molecule"] for r in part.rows if r["method"] == "static"]
+            self.assertEqual(tried, ["a.pdb", "b.pdb"][:count])
+
 
 if __name__ == "__main__":
     unittest.main()
