@@ -50,6 +50,23 @@ def triangle(R):
     return np.round(R * arms * 2**12) / 2**12
 
 
+def square_of_distance(ends, axis):
+    """Of a triangle that does not go round it from a line through 0, exactly."""
+    rows, x = ([[Fraction(v) for v in row] for row in some] for some in (ends.tolist(), [axis]))
+    across = [[v - dot(row, x[0]) / dot(x[0], x[0]) * u for u, v in zip(x[0], row)] for row in rows]
+    found = []
+    for a, b in zip(across, across[1:] + across[:1]):
+        e = [v - u for u, v in zip(a, b)]
+        share = min(max(-dot(a, e) / dot(e, e), 0), 1)
+        nearest = [u + share * v for u, v in zip(a, e)]
+        found.append(dot(nearest, nearest))
+    return min(found)
+
+
+def dot(a, b):
+    return sum(u * v for u, v in zip(a, b))
+
+
 class Piece:
     """A triangle and what is known of N at its corners."""
     def __init__(self, R, middle_n, spread, r, off, corner=0):
@@ -195,6 +212,22 @@ class VerifyLimits(unittest.TestCase):
                         top.add_tetrahedron(np.array(corner), np.array(outwards), there, size,
                                             first)
                         self.assertEqual(top.is_proved(its_path), share > 1)
+
+    def test_needles_along_an_axis_are_no_nearer_to_it_than_their_bound(self):
+        # They are much longer than far, and what is rounded is of their length.
+        chance, near = np.random.default_rng(5), 0
+        for _ in range(800):
+            axis, aside = chance.normal(size=(2, 3))
+            axis /= np.linalg.norm(axis)
+            w = np.cross(axis, aside)
+            w *= 10**chance.uniform(-9, -1) / np.linalg.norm(w)
+            ends = chance.uniform(-1, 1, (3, 1)) * axis + chance.uniform(1, 1.001, (3, 1)) * w
+            ends += 1e-3 * chance.normal(size=(3, 1)) * np.cross(axis, w)
+            seen = ends - (ends @ axis)[:, None] * axis
+            found = covering.distance_below(seen[None], ends[None], axis)[0]
+            near += found > 0.99 * np.linalg.norm(w)
+            self.assertLessEqual(max(Fraction(found), 0)**2, square_of_distance(ends, axis))
+        self.assertGreater(near, 400)
 
     def test_a_vertex_whose_triangles_go_round_it_twice_is_not_proved(self):
         for rounds in (1, 2):

@@ -157,9 +157,10 @@ class Verify(CommandTest):
         moved = p.copy()
         moved[7] += 0.1 * (p[7] - p.mean(0)) / np.linalg.norm(p[7] - p.mean(0))
         self.refused("^on skin: vertex 7", balls, moved, t, pair)
-        wrong = p.copy()
-        wrong[3, 1] = np.nan
-        self.refused("^manifold: a coordinate", balls, wrong, t)
+        for coordinate in (np.nan, np.inf, -2.0**101):
+            wrong = p.copy()
+            wrong[3, 1] = coordinate
+            self.refused("^manifold: a coordinate", balls, wrong, t)
         self.refused("^degree: .* more than once", balls, np.vstack([p, p]),
                      np.vstack([t, t + n]), pair)
         self.refused("^degree: .* more than once", balls, *self.slit(p, t), pair)
