@@ -216,6 +216,8 @@ class VerifyBounds(unittest.TestCase):
                 check_manifold(vertices, np.array(triangles))
         four = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
         check_manifold(4, np.array(four))
+        refused("a vertex is unused", 0, np.zeros((0, 3), dtype=int))
+        refused("a vertex is unused", 5, four)
         refused("twice in a triangle", 4, four + [[0, 0, 1], [0, 1, 0]])
         refused("not there once", 4, four + four)
         other = [[{0: 0}.get(v, v + 3) for v in row] for row in four]
