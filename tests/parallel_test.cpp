@@ -1,5 +1,7 @@
 #include "geometry/parallel.h"
 
+#include <pthread.h>
+
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
@@ -7,11 +9,31 @@
 
 #include "tests/support/test.h"
 
+using namespace morskin;
 using namespace morskin::geometry;
 
 namespace {
 
 void work_a_while() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
+
+#ifdef __GLIBC__
+/// While it lives the system starts no thread: none has room for its stack.
+class NoMoreThreads {
+ public:
+  NoMoreThreads() {
+    ::pthread_getattr_default_np(&usual_);
+    pthread_attr_t attributes = usual_;
+    ::pthread_attr_setstacksize(&attributes, std::size_t{1} << 60);
+    ::pthread_setattr_default_np(&attributes);
+  }
+  NoMoreThreads(const NoMoreThreads&) = delete;
+  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+  ~NoMoreThreads() { ::pthread_setattr_default_np(&usual_); }
+
+ private:
+  pthread_attr_t usual_{};
+};
+#endif
 
 }  // namespace
 
@@ -106,3 +128,44 @@ TEST_CASE("an exception of either of two works comes out when what was begun has
     if (threads == 1) CHECK(ended == 1);  // the second never begins
   }
 }
+
+#ifdef __GLIBC__
+TEST_CASE("where the system starts no thread the calling one does all tasks, once each, in order") {
+  const NoMoreThreads no_more;
+  CHECK_THROWS_AS(std::thread([] {}).join(), std::system_error);
+  const auto caller = std::this_thread::get_id();
+  for (const unsigned threads : {2U, 5U, 100U}) {
+    for (const std::size_t count : {std::size_t{2}, std::size_t{1000}}) {
+      CAPTURE(threads);
+      CAPTURE(count);
+      std::vector<std::size_t> done;
+      for_each_task(threads, count, [&](std::size_t i) {
+        CHECK(std::this_thread::get_id() == caller);
+        done.push_back(i);
+      });
+      REQUIRE(done.size() == count);
+      for (std::size_t i = 0; i < count; ++i) CHECK(done[i] == i);
+    }
+    int first = 0, second = 0;
+    do_both(
+        threads, [&] { ++first; }, [&] { ++second; });
+    CHECK(first == 1);
+    CHECK(second == 1);
+    CHECK_THROWS_AS(for_each_task(threads, 9, [](std::size_t) { throw std::logic_error("no"); }),
+                    std::logic_error);  // the task's, and not the missing thread's
+  }
+}
+
+TEST_CASE("where the system starts some threads and then no more, those do all tasks, once each") {
+  support::for_seeds(20, [](unsigned seed) {
+    std::optional<NoMoreThreads> no_more;
+    std::vector<std::atomic<int>> visits(2000);
+    for_each_task(200, visits.size(), [&](std::size_t i) {
+      if (i == seed) no_more.emplace();  // while the caller still starts others
+      ++visits[i];
+    });
+    REQUIRE(no_more);
+    CHECK(std::ranges::all_of(visits, [](int n) { return n == 1; }));
+  });
+}
+#endif
