@@ -1,5 +1,9 @@
 #include "geometry/files/atomic_file.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
+
 #include "geometry/error.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test.h"
@@ -7,6 +11,31 @@
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::support;
+
+namespace {
+
+/// While it lives no file of the process grows beyond so many bytes: the write that would reaches
+/// the limit, and the next one fails.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &usual_);
+    const rlimit limit{bytes, usual_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &usual_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit usual_{};
+};
+
+}  // namespace
 
 TEST_CASE("a file that is replaced keeps its permissions, a link keeps its target") {
   namespace fs = std::filesystem;
@@ -50,4 +79,92 @@ TEST_CASE("devices are written to and not replaced") {
                          doctest::Contains("free some space"), UnwritableOutput);
     CHECK(fs::is_character_file("/dev/full"));
   }
+}
+
+TEST_CASE("what does not fit whole gets no name, and leaves the older file and no other") {
+  constexpr std::size_t limit = 1000;
+  for (const bool has_older : {false, true}) {
+    for (const std::size_t size : {limit - 1, limit, limit + 1, 2 * limit, 1000 * limit}) {
+      CAPTURE(has_older);
+      CAPTURE(size);
+      const TemporaryFolder folder;
+      const std::filesystem::path path = folder / "mesh.ply";
+      if (has_older) folder.file("mesh.ply", "old");
+      std::string said;
+      {
+        const FileSizeLimit limited(limit);
+        try {
+          write_file_atomically(path, std::string(size, 'x'));
+        } catch (const UnwritableOutput& error) {
+          said = error.what();
+        }
+      }
+      if (size <= limit) {
+        CHECK(said.empty());
+        CHECK(bytes_of(path) == std::string(size, 'x'));
+      } else {
+        CHECK(said == path.string() + ": cannot write: File too large; choose another folder");
+        CHECK(bytes_of(path) == (has_older ? "old" : ""));
+      }
+      CHECK(folder.file_count() == (size <= limit || has_older ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("a file that was written before is replaced whole by a shorter one") {
+  const TemporaryFolder folder;
+  PendingFile file(folder / "mesh.ply");
+  for (const std::size_t size : {5000UL, 10UL, 0UL, 100UL}) {
+    file.write(std::string(size, 'x'));
+    CHECK(bytes_of(file.temporary_name()).size() == size);
+  }
+  CHECK(file.commit(".unverified") == folder / "mesh.ply.unverified");
+  CHECK(bytes_of(folder / "mesh.ply.unverified").size() == 100);
+  CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("a file that cannot have its name is told of, and gone") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  {
+    PendingFile file(folder / "mesh.ply");
+    file.write("new");
+    fs::create_directory(folder / "mesh.ply");  // after it was found to be free
+    CHECK_THROWS_WITH_AS(file.commit(), doctest::Contains("name a file, not a folder"),
+                         UnwritableOutput);
+    CHECK(file.commit(".unverified") == folder / "mesh.ply.unverified");  // another name will do
+  }
+  CHECK(folder.file_count() == 2);
+  {
+    PendingFile file(folder / "mesh.ply.unverified");
+    file.write("newer");
+    fs::create_directory(folder / "mesh.ply.unverified.too");
+    CHECK_THROWS_AS(file.commit(".too"), UnwritableOutput);
+  }
+  CHECK(folder.file_count() == 3);
+  CHECK(bytes_of(folder / "mesh.ply.unverified") == "new");
+}
+
+TEST_CASE("where the folder goes away meanwhile neither the bytes nor the name are lost silently") {
+  const TemporaryFolder folder;
+  for (const bool is_open : {false, true}) {
+    CAPTURE(is_open);
+    std::filesystem::create_directory(folder / "inner");
+    PendingFile file(folder / "inner/mesh.ply");
+    if (!is_open) file.write("new");
+    std::filesystem::remove_all(folder / "inner");
+    if (!is_open) {
+      CHECK_THROWS_WITH_AS(file.write("newer"), doctest::Contains("create the folder first"),
+                           UnwritableOutput);
+    }
+    CHECK_THROWS_WITH_AS(file.commit(), doctest::Contains("create the folder first"),
+                         UnwritableOutput);
+  }
+}
+
+TEST_CASE("a file that fails while it is read is told of") {
+  if (!std::filesystem::exists("/proc/self/mem")) return;
+  // Nothing is mapped at its beginning.
+  CHECK_THROWS_WITH_AS(read_file("/proc/self/mem"), doctest::Contains("reading failed"),
+                       UnreadableInput);
 }

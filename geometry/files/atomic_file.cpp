@@ -180,7 +180,6 @@ PendingFile::~PendingFile() {
 
 void PendingFile::write(std::string_view bytes) {
   if (number_ < 0) number_ = ::open(temporary_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
-  if (number_ < 0) fail_to_write(path_.string(), errno);
   Descriptor file(std::exchange(number_, -1));
   write_directly(path_, file, bytes);
 }
