@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "geometry/error.h"
-#include "geometry/id.h"
 
 namespace morskin::implicit {
 
@@ -71,18 +70,16 @@ Gaussians::Grid Gaussians::grid(double tail) const {
           const double far = (middle - ball.centre).norm() + radius;
           least = std::min(least, far * far - ball.radius * ball.radius);
         }
-        result.first.push_back(static_cast<std::uint32_t>(result.ids.size()));
+        result.first.push_back(result.ids.size());
         for (const std::uint32_t id : all_) {
           const Ball& ball = balls_[id];
           const double near = std::max(0.0, (middle - ball.centre).norm() - radius);
           if (near * near - ball.radius * ball.radius < least + gap) result.ids.push_back(id);
         }
-        geometry::require_capacity(result.ids.size(), geometry::no_index,
-                                   "pairs of a voxel and a ball near it");
       }
     }
   }
-  result.first.push_back(static_cast<std::uint32_t>(result.ids.size()));
+  result.first.push_back(result.ids.size());
   return result;
 }
 

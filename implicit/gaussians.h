@@ -48,8 +48,9 @@ class Gaussians final : public Function {
 
   /// The balls that count in each voxel of the extent.
   struct Grid {
-    double tail;  ///< the others have less than this share of the sum, together
-    std::vector<std::uint32_t> first, ids;  ///< by voxel, into ids
+    double tail;                     ///< the others have less than this share of the sum, together
+    std::vector<std::size_t> first;  ///< by voxel, into ids
+    std::vector<std::uint32_t> ids;
   };
   Grid grid(double tail) const;
   /// The balls that count all over a box.
