@@ -1,6 +1,8 @@
 #include "certify/covering_degree.h"
 
 #include "skin/skin_surface.h"
+#include "tests/support/ball_sets.h"
+#include "tests/support/rationals.h"
 #include "tests/support/test.h"
 #include "tests/support/wrong_meshes.h"
 
@@ -76,6 +78,57 @@ class Top {
   std::vector<VertexBounds> bounds_;
 };
 
+/// An octahedron at the origin, so small that no path matters, whose first triangle at its top is a
+/// needle: the third corner lies nearly on the line of the two others. N is the same all over.
+struct Needle {
+  explicit Needle(support::Random& random) {
+    // On a grid on which products of coordinates are rounded by about as much as the needle is
+    // wide.
+    const double size = 0x1p48, width = std::exp2(random.between(0, 7));
+    const auto on_grid = [](const Vector& x) { return Vector(x.array().round().matrix()); };
+    const Vector along = on_grid(size * random.direction());
+    const Vector off = on_grid(width * random.in_cube(-1, 1));
+    const Vector across = along.cross(off).normalized(), out = along.cross(across).normalized();
+    N = (out + 2 * std::pow(random.between(-1, 1), 3) / width * across).normalized();
+    const Vector left = N.cross(along);
+    positions = {Point::Zero(),
+                 along,
+                 2 * along + off,
+                 on_grid(left - 0.5 * along),
+                 on_grid(-left - 0.5 * along),
+                 on_grid(-size * N)};
+    for (Point& x : positions) x *= 0x1p-148;
+  }
+
+  bool is_proved() const {
+    const IndexedMesh mesh{
+        positions,
+        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {2, 1, 5}, {3, 2, 5}, {4, 3, 5}, {1, 4, 5}}};
+    const std::vector<VertexBounds> bounds(positions.size(), {0, 0, 0});
+    std::vector<SurfacePoint> points;
+    for (const Point& x : positions) points.push_back({x, N, 1, geometry::CellId{0U}});
+    const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
+    const LocatedMesh located{mesh, points, bounds, skin};
+    const auto built = geometry::closed_mesh(positions.size(), mesh.triangles);
+    REQUIRE_FALSE(built.defect);
+    const geometry::Components components = geometry::components(built.mesh);
+    return CoveringDegree(located, built.mesh, components, FlowBounds{}).proved_vertices()[0] ==
+           VertexId{0U};
+  }
+  bool seems_upright() const { return N.dot(positions[1].cross(positions[2])) > 0; }
+  bool is_upright() const {
+    const auto a = support::rational::exact(positions[1]),
+               b = support::rational::exact(positions[2]);
+    const auto n = support::rational::exact(N);
+    const mpq_class x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2],
+                    z = a[0] * b[1] - a[1] * b[0];
+    return n[0] * x + n[1] * y + n[2] * z > 0;
+  }
+
+  std::vector<Point> positions;
+  Vector N;
+};
+
 /// Errors of N that leave a vertex a candidate.
 constexpr std::array errors{0.0, 0.99 * FlowBounds::max_doubt};
 constexpr double less = 1 - 1e-4, more = 1 + 1e-4;
@@ -146,4 +199,18 @@ TEST_CASE("a triangle is tested at a vertex if their two paths together are as l
       CHECK_FALSE(top.is_proved(1 - under, 2 * FlowBounds::max_doubt));  // a far one
     }
   }
+}
+
+TEST_CASE("no vertex is proved with a triangle that only seems upright, its normal being rounded") {
+  std::size_t proved = 0, deceptive = 0;
+  support::for_seeds(3000, [&](unsigned seed) {
+    support::Random random(seed);
+    const Needle needle(random);
+    deceptive += needle.seems_upright() && !needle.is_upright();
+    if (!needle.is_proved()) return;
+    CHECK(needle.is_upright());
+    ++proved;
+  });
+  CHECK(proved > 200);
+  CHECK(deceptive > 30);  // the law was put to the test
 }
