@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include "certify/tube.h"
@@ -52,7 +53,9 @@ Residuals residuals(std::span<const surface::SurfacePoint> points,
     const bool is_on_skin = std::isfinite(distance) && least <= tolerance;
     if (!is_on_skin && !found.first_off_skin) {
       const double value = bounds[v].low > 0 ? least : -least;
-      found.first_off_skin = {v, estimated_distance(value, rho)};
+      const bool is_cut = least >= FLT_MAX;  // the bounds are floats
+      found.first_off_skin = {
+          v, is_cut ? std::numeric_limits<double>::infinity() : estimated_distance(value, rho)};
     }
   };
   std::vector<Residuals> found(geometry::block_count(points.size()));

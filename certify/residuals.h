@@ -28,7 +28,7 @@ struct Residuals {
   double max_relative_distance = 0;  ///< the same over the length scale
   /// The first vertex farther off than residual_bound() and rounding allow, with its distance by
   /// the least |G|, estimated; 0 where nothing is known of it, infinite where no direction leads to
-  /// the skin, as in the middle of a round void.
+  /// the skin, as in the middle of a round void, or where |G| exceeds all floats.
   std::optional<std::pair<std::size_t, double>> first_off_skin;
 };
 
