@@ -164,7 +164,9 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   }
   const std::string& radii = input.molecule.radii;
   text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A, " +
-                            (radii == "input" ? "as in the file" : "of the table " + radii));
+                            (radii == "input"     ? "as in the file"
+                             : radii == "weights" ? "by the weights in the file"
+                                                  : "of the table " + radii));
   text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +
                               " A, " + model_text(arguments.molecule));
   text += line("duplicates", grouped(counts.duplicates));

@@ -42,6 +42,7 @@ class Balls(CommandTest):
         for numbers in (weights, weights.splitlines()[1]):
             done = self.run_morskin("info", "-", "--model", "given", input=numbers)
             self.assertIn(b"model given", done.stdout)
+            self.assertIn(b"by the weights in the file", done.stdout)
         self.run_morskin("balls", "ball.xyzr", "-o", "out.xyzw", code=2)
         self.run_morskin("balls", "--weights", "ball.xyzr", "-o", "out.xyzr", code=2)
 
