@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/commands.h"
 #include "app/molecule_input.h"
@@ -138,12 +139,23 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
   return strict_json(json);
 }
 
+/// A word as a shell takes it for one.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+  if (word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 /// What a newcomer types to have the mesh.
 std::string next_step(const std::filesystem::path& input) {
   const bool is_named = input != "-";
   std::filesystem::path mesh = is_named ? input.filename() : "mesh";
   if (mesh.extension() == ".gz") mesh = mesh.stem();
-  return "morskin " + input.string() + " -o " + mesh.replace_extension(".ply").string() +
+  return "morskin " + shell_word(input.string()) + " -o " +
+         shell_word(mesh.replace_extension(".ply").string()) +
          " writes the mesh; all options: morskin mesh --help";
 }
 

@@ -5,6 +5,7 @@ terminal as commands nor a page as markup. Usage: names_test.py path/to/morskin"
 import base64
 import json
 import re
+import shlex
 import unittest
 from html.parser import HTMLParser
 
@@ -54,6 +55,14 @@ class Names(CommandTest):
 
     def assert_no_commands(self, said):
         self.assertIsNone(CONTROL.search(said), repr(said))
+
+    def test_what_to_type_next_is_one_command_whatever_the_name(self):
+        for name in ("plain.pdb", "a b.pdb", "it's.pdb", "$(ls);*.pdb", "-d.pdb"):
+            self.input(name, (MOLECULES / "benzene.pdb").read_bytes())
+            line = self.said(f"./{name}").splitlines()[-1]
+            typed = line.split(" writes the mesh")[0].split(maxsplit=1)[1]
+            self.assertEqual(shlex.split(typed),
+                             ["morskin", f"./{name}", "-o", name[:-4] + ".ply"])
 
     def test_no_name_of_a_file_commands_the_terminal(self):
         for name in ESCAPES:
