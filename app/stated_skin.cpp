@@ -6,6 +6,7 @@
 #include "app/percent_encoding.h"
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
+#include "skin/molecule_files.h"
 #include "skin/radius_table.h"
 
 namespace morskin::app {
@@ -35,16 +36,18 @@ std::optional<std::string> radii(const std::string& encoded) {
   }
 }
 
-/// What a reader does without being asked.
-bool is_usual(const std::string& radii) {
-  return radii == "input" || radii == "weights" || radii == "elements";
+/// Whether a reader of the file goes by these radii without being asked.
+bool is_usual(const std::string& radii, const std::filesystem::path& file) {
+  const bool has_radii_besides = skin::molecule_format_of(file) == skin::MoleculeFormat::Pqr;
+  return radii == "input" || radii == "weights" || (radii == "elements" && !has_radii_besides);
 }
 
 /// Takes statements one by one.
 class Completion {
  public:
-  Completion(const TypedSkin& given, const Provenance& provenance)
-      : provenance_(provenance), skin_{given, {}, {}} {}
+  Completion(const TypedSkin& given, const Provenance& provenance,
+             const std::filesystem::path& molecule)
+      : provenance_(provenance), molecule_(molecule), skin_{given, {}, {}} {}
 
   template <class Option, class Parse>
   void take(std::string_view key, Option& option, const Parse& parse) {
@@ -62,7 +65,7 @@ class Completion {
     const bool is_size_given = typed.C || typed.Q || typed.size;
     take("model", typed.model, model);
     take("probe", typed.probe, number);
-    if (!is_usual(stated(provenance_, "radii").value_or("input"))) {
+    if (!is_usual(stated(provenance_, "radii").value_or("input"), molecule_)) {
       take("radii", typed.radii, radii);
     }
     take("voids", typed.voids, text);
@@ -91,6 +94,7 @@ class Completion {
   }
 
   const Provenance& provenance_;
+  const std::filesystem::path& molecule_;
   StatedSkin skin_;
 };
 
@@ -100,7 +104,7 @@ bool is_size(std::string_view key) { return key == "C" || key == "Q" || key == "
 /// @throws UsageError, geometry::RefusedInput  for statements that make no sense
 StatedMolecule read_with(const std::filesystem::path& file, const TypedSkin& given,
                          const Provenance& provenance) {
-  StatedSkin stated = completed(given, provenance);
+  StatedSkin stated = completed(given, provenance, file);
   MoleculeArguments molecule{.input = file};
   certify::Sizing sizing;
   finish(molecule, molecule.input, stated.typed);
@@ -118,13 +122,14 @@ std::optional<std::string> stated(const Provenance& provenance, std::string_view
   return std::ranges::find(entries, key, &Provenance::Entry::key)->value;
 }
 
-StatedSkin completed(const TypedSkin& given, const Provenance& provenance) {
-  return Completion(given, provenance).all();
+StatedSkin completed(const TypedSkin& given, const Provenance& provenance,
+                     const std::filesystem::path& molecule) {
+  return Completion(given, provenance, molecule).all();
 }
 
 StatedMolecule read_stated(MoleculeArguments molecule, const certify::Sizing& sizing,
                            const TypedSkin& given, const Provenance& provenance) {
-  StatedSkin all = completed(given, provenance);
+  StatedSkin all = completed(given, provenance, molecule.input);
   if (!all.taken.empty()) {
     try {
       return read_with(molecule.input, given, provenance);

@@ -3,6 +3,7 @@
 /// What a mesh file states of its skin, taken by `check` where the command line says nothing. No
 /// statement is believed: it only says which skin to check against.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,10 @@ struct StatedSkin {
   std::vector<std::string> not_taken;  ///< "model: is named twice", ...
 };
 
-/// @param given  on the command line; goes first. C, Q and size are one choice
-StatedSkin completed(const TypedSkin& given, const geometry::Provenance& provenance);
+/// @param given     on the command line; goes first. C, Q and size are one choice
+/// @param molecule  the file to be read, if any: whether it gives radii is told by its ending
+StatedSkin completed(const TypedSkin& given, const geometry::Provenance& provenance,
+                     const std::filesystem::path& molecule = {});
 
 /// The molecule of a mesh, read as it was for it.
 struct StatedMolecule {
