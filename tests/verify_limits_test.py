@@ -17,6 +17,7 @@ from support.command import main
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "certify" / "verify"))
 import covering  # noqa: E402
 from covering import Covering  # noqa: E402
+from enclosure import down, up  # noqa: E402
 from manifold import NotProved  # noqa: E402
 from support.told_skin import OCTAHEDRON, ToldSkin, sphere, told  # noqa: E402
 
@@ -120,6 +121,12 @@ class Top:
 
 
 class VerifyLimits(unittest.TestCase):
+    def test_up_and_down_leave_room_for_two_hundred_roundings_and_what_underflows(self):
+        for x in (1.0, -3.0, 2.0**-40, -1e30, 1e-250, 0.0):
+            room = 200 * abs(Fraction(x)) / 2**53
+            self.assertGreater(Fraction(up(x)) - Fraction(x), room)
+            self.assertGreater(Fraction(x) - Fraction(down(x)), room)
+
     def test_a_path_is_bounded_by_what_g_changes_along_it_in_exact_arithmetic(self):
         chance = np.random.default_rng(4)
         n = chance.uniform(1, 2, 3000) * 2.0**chance.integers(-30, 30, 3000)
