@@ -77,6 +77,17 @@ struct Told {
   }
 };
 
+/// The largest number from 0 on, known to the last digit, for which a condition holds.
+/// @pre it holds for 0 and not for `no`
+template <class Condition>
+double largest(double no, Condition holds) {
+  double yes = 0;
+  for (double middle = no / 2; middle != yes && middle != no; middle = yes + (no - yes) / 2) {
+    (holds(middle) ? yes : no) = middle;
+  }
+  return yes;
+}
+
 const std::array centres{Point(0, 0, 0), Point(0x1p40, 0, 0)};
 
 }  // namespace
@@ -151,4 +162,34 @@ TEST_CASE("a fine triangle is proved until the doubts about N and its normal eat
       CHECK(straight.proof().holds() == (share < 1));
     }
   }
+}
+
+TEST_CASE("up to the last digit a proof holds of the very numbers told, whatever is rounded") {
+  support::for_seeds(400, [](unsigned seed) {
+    support::Random random(seed);
+    const double R = std::exp2(-random.between(4, 8));
+    Told told(R, Point::Zero(), Vector(random.between(1.2, 2), 0, random.between(0.5, 1)), 0);
+    // As prove_tube has N and its size.
+    const Vector N = told.N[0].norm() * told.N[0].normalized();
+    const long double size = std::hypot(static_cast<long double>(N.x()), N.z());
+    const long double bound = told.shape().circumradius;  // on the bend, too
+    const long double upright = N.z() * static_cast<long double>(told.shape().normal.z());
+    const auto is_proved_with = [&](double& number) {
+      return [&](double value) {
+        number = value;
+        return told.proof().holds();
+      };
+    };
+
+    told.normal_error = random.between(0, 0.1);
+    told.max_error = largest(2, is_proved_with(told.max_error));
+    CHECK(upright - told.normal_error * size - told.max_error - told.off() > bound);
+
+    told.normal_error = 0;
+    told.max_error = random.between(0.1, 0.4);
+    told.max_G = largest(10, is_proved_with(told.max_G));
+    // One corner alone shows more than all three with their bend.
+    const long double least_N = told.N[0].norm() - static_cast<long double>(told.max_error) - bound;
+    CHECK(least_N * least_N > told.max_G + bound * bound);
+  });
 }
