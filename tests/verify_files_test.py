@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""What the second checker, certify/verify/, reads, and that it takes nothing else for it.
+"""What the second checker, certify/verify/, reads, and that it takes nothing else for it; and that
+it ends where a process of its own does.
 Usage: verify_files_test.py path/to/morskin (not run)"""
 
 import json
+import os
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -14,6 +17,7 @@ from support.programs import temporary_folder
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "certify" / "verify"))
 import files  # noqa: E402
+import verify  # noqa: E402
 
 POINTS = [(0., 0, 0), (1, 0, 0), (0, 1, 0), (0.1, 0, 1)]
 FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
@@ -42,6 +46,11 @@ def ply(real="double", faces=FACES, size=3, header=HEADER):
     points = np.array([(*p, 7) for p in POINTS], [*((axis, kind) for axis in "xyz"), ("m", "u1")])
     rows = np.array([(size, f, -1) for f in faces], [("s", "u1"), ("f", "<i4", 3), ("m", "<i4")])
     return header.format(real=real).encode() + points.tobytes() + rows.tobytes()
+
+
+def killed(_):
+    """As the system ends a process that takes too much memory."""
+    os._exit(137)
 
 
 class VerifyFiles(unittest.TestCase):
@@ -97,6 +106,14 @@ class VerifyFiles(unittest.TestCase):
         wrong += [{"component_vertices": [v]} for v in (-1, 4)] + [{"dropped_voids": "some"}]
         self.refused([json.dumps(right | change) for change in wrong], files.read_certificate,
                      5, 4, 4)
+
+    def test_a_process_that_the_system_ends_leaves_a_verdict_on_each_mesh(self):
+        with mock.patch.object(verify, "verify", killed):
+            reports = list(verify.verify_all([("b", "m1", "c"), ("b", "m2", "c")]))
+        self.assertEqual([r["mesh"] for r in reports], ["m1", "m2"])
+        for report in reports:
+            self.assertFalse(report["homeomorphic"] or report["on_skin"])
+            self.assertRegex(report["reason"], "^not proved: a process was ended")
 
 
 if __name__ == "__main__":
