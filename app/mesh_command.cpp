@@ -103,7 +103,7 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   const bool is_size_asked = is_by_length || arguments.size_goal.is_set();
   if (is_size_asked && makes_report(arguments))
     report.bent = run.stage("describe", [&] { return bent_part(skin.surface, result); });
-  if (arguments.grading) {
+  if (arguments.grading && !result.mesh.triangles.empty()) {
     report.grading = run.stage(
         "describe", [&] { return morskin::measure_grading(result.mesh, *arguments.grading); });
   }

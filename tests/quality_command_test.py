@@ -93,6 +93,11 @@ class Quality(CommandTest):
         self.assertEqual(quality["largest_angle_histogram"][-1], 1)
         self.assertEqual(quality["vertices_by_valence"], [2, 0, 0, 1] + 6 * [0])
 
+    def test_a_mesh_without_triangles_has_no_grading_to_report(self):
+        pair = self.input("pair.xyzr", "0 0 0 1.7\n1.5 0 0 1.7\n")
+        words = ("mesh", pair, "-o", "mesh.ply", "-C", "1", "--grading", "0.1", "--json")
+        self.assertNotIn("grading", json.loads(self.run_morskin(*words, code=5).stdout))
+
     def test_a_grading_is_reported_and_words_that_do_not_go_with_it_are_refused(self):
         words = ("mesh", MOLECULES / "9dna.pdb", "-o", "mesh.ply", "-C", "0.4", "--json")
         report = json.loads(self.run_morskin(*words, "--grading", "0.2").stdout)
