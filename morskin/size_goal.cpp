@@ -111,7 +111,9 @@ MethodResult mesh_of_size(const PreparedSkin& skin, MeshingOptions& options, Obs
   for (int k = 1;; ++k) {
     observer.sized(sizing);
     MethodResult made = run_method(skin, options, observer, run);
-    if (made.open_edges > 0 || k == max_trials) return made;
+    // Without triangles there is nothing to tell other sizes by.
+    const bool is_empty = made.mesh.surface.triangle_count() == 0;
+    if (made.open_edges > 0 || is_empty || k == max_trials) return made;
     const Trial trial(made.mesh, sizing.largest_length_scale);
     const double wanted = wanted_vertices(options.size_goal, trial.area());
     if (std::abs(trial.vertices() / wanted - 1) <= near_enough) return made;

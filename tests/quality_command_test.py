@@ -98,6 +98,11 @@ class Quality(CommandTest):
         words = ("mesh", pair, "-o", "mesh.ply", "-C", "1", "--grading", "0.1", "--json")
         self.assertNotIn("grading", json.loads(self.run_morskin(*words, code=5).stdout))
 
+    def test_a_goal_of_size_ends_where_the_first_mesh_has_no_triangle(self):
+        pair = self.input("pair.xyzr", "0 0 0 1.7\n1.5 0 0 1.7\n")
+        self.run_morskin("mesh", pair, "-o", "mesh.ply", "-q", "--method", "static", "-C", "1",
+                         "--density", "0.01", code=5)
+
     def test_a_grading_is_reported_and_words_that_do_not_go_with_it_are_refused(self):
         words = ("mesh", MOLECULES / "9dna.pdb", "-o", "mesh.ply", "-C", "0.4", "--json")
         report = json.loads(self.run_morskin(*words, "--grading", "0.2").stdout)
