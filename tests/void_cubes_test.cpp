@@ -1,0 +1,66 @@
+// Voids against the cubes that measure them: two chambers that nearly touch, or are joined by a
+// neck far thinner than any cube.
+
+#include "skin/void_volume.h"
+#include "tests/support/meshes.h"
+#include "tests/support/test.h"
+
+using namespace morskin;
+using geometry::Point;
+using geometry::Vector;
+using geometry::WeightedPoint;
+using skin::VolumeBounds;
+
+namespace {
+
+/// Two equal chambers along an axis, with three balls about what lies between them.
+/// @param half_weight  w/2 of the neck's orthocentre, the origin: it is closed where that is above
+/// 0
+std::vector<WeightedPoint> two_chambers(const Vector& axis, const Vector& first,
+                                        const Vector& second, double half_weight) {
+  constexpr double to_chamber = 0.125;
+  std::vector<WeightedPoint> points;
+  for (const Vector& around : {Vector(first), Vector(-first + second), Vector(-first - second)}) {
+    points.push_back({around, around.squaredNorm() + 2 * half_weight});
+  }
+  // The power of the chambers' deepest points by the three, at which it is as much by the fourth.
+  const double power = to_chamber * to_chamber * axis.squaredNorm() - 2 * half_weight;
+  for (const double side : {-1.0, 1.0}) {
+    const double beyond = 1 - to_chamber;
+    points.push_back({side * axis, beyond * beyond * axis.squaredNorm() - power});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("chambers with a neck thinner than any cube are one void, that touch nearly are two") {
+  const std::array<std::array<Vector, 3>, 3> ways{{
+      {Vector(1, 1, 0), Vector(0, 0, 1.5), Vector(1, -1, 0)},
+      {Vector(1, 1, 1), Vector(1.25, -1.25, 0), Vector(0.75, 0.75, -1.5)},
+      {Vector(1, 2, 2), Vector(2, 1, -2), Vector(2, -2, 1)},
+  }};
+  for (const auto& [axis, first, second] : ways) {
+    for (const int exponent : {24, 44}) {
+      CAPTURE(axis);
+      CAPTURE(exponent);
+      const double thin = std::ldexp(1, -exponent);
+      const auto open = support::prepared(two_chambers(axis, first, second, -thin));
+      const auto closed = support::prepared(two_chambers(axis, first, second, thin));
+      REQUIRE(open);
+      REQUIRE(closed);
+      REQUIRE(open->topology.voids.size() == 1);
+      REQUIRE(closed->topology.voids.size() == 2);
+      const auto volume = [](const auto& of, std::uint32_t cavity) {
+        return skin::void_volume(of->surface, of->topology, cavity, 0.25);
+      };
+      const VolumeBounds whole = volume(open, 0);
+      const VolumeBounds half = volume(closed, 0), other = volume(closed, 1);
+      // A neck's half weight moves the skin by no more than its root.
+      const double moved = 10 * std::sqrt(thin) * whole.high;
+      CHECK(whole.low <= half.high + other.high + moved);
+      CHECK(whole.high >= half.low + other.low - moved);
+      CHECK(std::max(half.high, other.high) < whole.low - moved);
+    }
+  }
+}
