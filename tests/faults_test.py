@@ -57,6 +57,21 @@ class Faults(CommandTest):
         (self.folder / name).unlink()
         return content, seconds
 
+    def in_place_of_the_system(self, text):
+        """The environment in which these functions in C are called in place of the system's."""
+        self.input("in_place.c", """
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+""" + text)
+        words = ["cc", "-w", "-shared", "-fPIC", "-o", "in_place.so", "in_place.c", "-ldl"]
+        subprocess.run(words, cwd=self.folder, check=True)
+        return {**os.environ, "LD_PRELOAD": str(self.folder / "in_place.so")}
+
     def signals(self, number):
         """The files beside the output after each run that a signal ended at a random moment."""
         new, seconds = self.mesh_bytes(self.ring)
@@ -123,12 +138,7 @@ class Faults(CommandTest):
 
     def test_a_mesh_that_cannot_be_read_back_gives_5_and_leaves_no_file_but_the_older(self):
         # Whoever opens a temporary file to read finds its first hundred bytes only.
-        self.input("cut.c", """
-#define _GNU_SOURCE
-#include <dlfcn.h>
-#include <fcntl.h>
-#include <string.h>
-#include <unistd.h>
+        cut = self.in_place_of_the_system("""
 int open(const char* path, int flags, ...) {
   int (*next)(const char*, int, int) = (int (*)(const char*, int, int))dlsym(RTLD_NEXT, "open");
   if ((flags & O_ACCMODE) == O_RDONLY && strstr(path, ".part")) truncate(path, 100);
@@ -136,18 +146,47 @@ int open(const char* path, int flags, ...) {
 }
 int open64(const char* path, int flags, ...) { return open(path, flags, 0600); }
 """)
-        words = ["cc", "-w", "-shared", "-fPIC", "-o", "cut.so", "cut.c", "-ldl"]
-        subprocess.run(words, cwd=self.folder, check=True)
         self.input("out.ply", self.old)
         before = self.names()
-        done = self.run_morskin("mesh", self.ring, "-o", "out.ply", "--json", code=5,
-                                env={**os.environ, "LD_PRELOAD": str(self.folder / "cut.so")})
+        done = self.run_morskin("mesh", self.ring, "-o", "out.ply", "--json", code=5, env=cut)
         self.assertIn(b"not certified: out.ply", done.stderr)
         self.assertIn(b"see the report", done.stderr)
         report = json.loads(done.stdout)
         self.assertEqual((report["certified"], report["outputs"]), (False, []))
         self.assertEqual((self.folder / "out.ply").read_bytes(), self.old)
         self.assertEqual(self.names(), before)
+
+    def test_a_full_disk_that_only_the_close_tells_of_gives_7_and_keeps_the_older_file(self):
+        full = self.in_place_of_the_system("""
+int close(int number) {
+  int (*next)(int) = (int (*)(int))dlsym(RTLD_NEXT, "close");
+  char link[40], path[4096] = "";
+  snprintf(link, sizeof link, "/proc/self/fd/%d", number);
+  readlink(link, path, sizeof path - 1);
+  next(number);
+  if (!strstr(path, ".ply.part")) return 0;
+  errno = ENOSPC;
+  return -1;
+}
+""")
+        self.input("out.ply", self.old)
+        before = self.names()
+        for name in ("out.ply", "new.ply"):
+            done = self.run_morskin("mesh", self.ring, "-o", name, code=7, env=full)
+            self.assertIn(f"{name}: cannot write: No space left on device".encode(), done.stderr)
+            self.assertEqual(self.names(), before)
+        self.assertEqual((self.folder / "out.ply").read_bytes(), self.old)
+
+    def test_permissions_that_cannot_be_kept_give_7_and_keep_the_older_file(self):
+        strict = self.in_place_of_the_system(
+            "int fchmod(int number, unsigned mode) { errno = EPERM; return -1; }")
+        self.input("out.ply", self.old)
+        before = self.names()
+        done = self.run_morskin("mesh", self.ring, "-o", "out.ply", code=7, env=strict)
+        self.assertIn(b"out.ply: cannot write: Operation not permitted", done.stderr)
+        self.assertEqual(self.names(), before)
+        self.assertEqual((self.folder / "out.ply").read_bytes(), self.old)
+        self.run_morskin("mesh", self.ring, "-o", "new.ply", env=strict)  # which has none to keep
 
     def test_of_two_writers_of_one_file_one_wins(self):
         other = self.input("other.xyzr", (MOLECULES / "two_balls.xyzr").read_bytes())
