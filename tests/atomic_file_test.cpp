@@ -103,7 +103,8 @@ TEST_CASE("what does not fit whole gets no name, and leaves the older file and n
         CHECK(said.empty());
         CHECK(bytes_of(path) == std::string(size, 'x'));
       } else {
-        CHECK(said == path.string() + ": cannot write: File too large; choose another folder");
+        CHECK(said == path.string() + ": cannot write: File too large; choose another folder or " +
+                          "allow larger files (ulimit -f)");
         CHECK(bytes_of(path) == (has_older ? "old" : ""));
       }
       CHECK(folder.file_count() == (size <= limit || has_older ? 1 : 0));

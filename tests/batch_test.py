@@ -199,7 +199,7 @@ class Sources(Batch):
         for ending in ("", ".gz", ".xz"):
             with tarfile.open(self.folder / f"in.tar{ending}", "w:" + ending[1:]) as archive:
                 archive.add(self.folder / "in", arcname=".")
-        ways = [["list.txt"], ["-"], ["in/*.gz", "in/b*/*.gz", "in/*.xyzr"], ["in.tar"],
+        ways = [["list.txt"], ["-"], ["in/b*/*.gz", "in/*.xyzr"], ["in.tar"],
                 ["in.tar.gz"], ["in.tar.xz"], listed.split()]
         for number, words in enumerate(ways):
             with self.subTest(words):

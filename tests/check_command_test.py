@@ -128,11 +128,11 @@ class Check(CommandTest):
         self.write(vertices, triangles)
         broken = self.broken(*self.words)
         self.assertIn("vertex 20 lies ", broken["vertices on the skin"])
+        report = self.check("bad.off", *self.words, code=5)
+        self.assertEqual(report["farthest_vertices"][0]["vertex"], 20)
         for far in (0.0, 1e30):  # in the void's middle, and where the bounds on G overflow
             self.write([[far, 0.0, 0.0], *vertices], [])
             self.assertIn("not known", self.broken(*self.words)["vertices on the skin"])
-        report = self.check("bad.off", *self.words, code=5)
-        self.assertEqual(report["farthest_vertices"][0]["vertex"], 20)
 
     def test_a_self_intersection(self):
         vertices, triangles = self.good_mesh(MOLECULES / "two_balls.xyzr")
