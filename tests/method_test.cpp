@@ -19,7 +19,7 @@ certify::Sizing limited(double C, double largest_length_scale) {
 
 }  // namespace
 
-TEST_CASE("coarse meshes are static unless most edges are limited by length or balls are many") {
+TEST_CASE("coarse meshes are static unless a limit is far below the radii or balls are many") {
   const WeightedPoints balls(50'000, ball(0, 0, 0, 2));
   CHECK(usual_method(balls, sizing_for(0.25)) == Method::Sweep);
   CHECK(usual_method(balls, sizing_for(0.26)) == Method::Static);
