@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/error.h"
@@ -228,16 +229,41 @@ AtomRecord atom_in(const AtomTable& table, std::size_t row, const std::string& s
   return record;
 }
 
+ParsedFile atoms_of(const AtomTable& table, const std::string& source, ModelSearch& models) {
+  if (!table.has(X) || !table.has(Y) || !table.has(Z)) {
+    throw geometry::UnreadableInput(
+        source + ": the atoms have no Cartn_x, _y and _z; coordinates in Angstrom are needed");
+  }
+  ParsedFile file;
+  file.has_chains = table.has(Chain);
+  file.has_hetatms = table.has(Record);
+  file.has_elements = true;
+  file.has_locations = table.has(Alternate);
+  file.atoms.reserve(table.size());
+  Names names(source);
+  std::set<std::string> begun;
+  std::optional<std::string> read;  // the model to read, as the table calls it
+  std::string last;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const std::string model = table.value(row, ModelNumber);
+    const bool is_new = (row == 0 || model != last) && begun.insert(model).second;
+    if (is_new && models.begin(geometry::parse_integer(model))) read = model;
+    last = model;
+    if (model == read) file.atoms.push_back(atom_in(table, row, source, names));
+  }
+  file.long_names = names.long_names();
+  return file;
+}
+
 }  // namespace
 
 AssemblyTables assembly_tables(std::string_view bytes, const std::string& source) {
   cif::Document document = parse_document(bytes, source);
   AssemblyTables tables;
   std::vector<std::string> numbers{"id"};
-  for (const char* row : {"1", "2", "3"}) {
-    for (const char* column : {"1", "2", "3"}) {
-      numbers.push_back(std::string("matrix[") + row + "][" + column + "]");
-    }
+  for (const std::string row : {"1", "2", "3"}) {
+    for (const char* column : {"1", "2", "3"})
+      numbers.push_back("matrix[" + row + "][" + column + "]");
   }
   for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
   for (cif::Block& block : document.blocks) {
@@ -259,34 +285,15 @@ AssemblyTables assembly_tables(std::string_view bytes, const std::string& source
 
 ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelSearch& models) {
   cif::Document document = parse_document(bytes, source);
+  std::optional<ParsedFile> file;
   for (cif::Block& block : document.blocks) {
     const AtomTable table(block, bytes);
-    if (!table.is_present()) continue;
-    if (!table.has(X) || !table.has(Y) || !table.has(Z)) {
-      throw geometry::UnreadableInput(source +
-                                      ": the atoms have no Cartn_x, _y and _z; "
-                                      "coordinates in Angstrom are needed");
-    }
-    ParsedFile file;
-    file.has_chains = table.has(Chain);
-    file.has_hetatms = table.has(Record);
-    file.has_elements = true;
-    file.has_locations = table.has(Alternate);
-    file.atoms.reserve(table.size());
-    Names names(source);
-    std::set<std::string> begun;
-    std::optional<std::string> read;  // the model to read, as the table calls it
-    std::string last;
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      const std::string model = table.value(row, ModelNumber);
-      const bool is_new = (row == 0 || model != last) && begun.insert(model).second;
-      if (is_new && models.begin(geometry::parse_integer(model))) read = model;
-      last = model;
-      if (model == read) file.atoms.push_back(atom_in(table, row, source, names));
-    }
-    file.long_names = names.long_names();
-    if (models.has_begun()) return file;
+    if (table.is_present() && file) models.pass_over();
+    if (!table.is_present() || file) continue;
+    ParsedFile read = atoms_of(table, source, models);
+    if (models.has_begun()) file = std::move(read);
   }
+  if (file) return *std::move(file);
   throw geometry::UnreadableInput(source + ": has no table _atom_site with atoms; is it mmCIF?");
 }
 

@@ -62,9 +62,13 @@ class ModelSearch {
   /// @return whether its atoms are to be read
   bool begin(std::optional<std::int64_t> number = std::nullopt);
 
+  /// A data block with atoms after the first such, which nothing can ask for. Counts as a model.
+  void pass_over() { ++passed_over_; }
+
   bool has_begun() const { return !numbers_.empty(); }
   /// Each once, in the file's order.
-  /// @throws RefusedInput  for one that occurs twice: the second could not be asked for
+  /// @throws RefusedInput  for one that occurs twice, or that is passed over: the second could not
+  ///                       be asked for
   std::vector<std::int64_t> numbers(const std::string& source) const;
 
   /// How many models are not to be read.
@@ -74,6 +78,7 @@ class ModelSearch {
  private:
   std::optional<std::int64_t> wanted_;
   std::vector<std::int64_t> numbers_;  // of all that began
+  std::size_t passed_over_ = 0;
   bool is_found_ = false;
 };
 

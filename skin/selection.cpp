@@ -143,7 +143,7 @@ bool ModelSearch::begin(std::optional<std::int64_t> number) {
 }
 
 std::size_t ModelSearch::others(const std::string& source) const {
-  if (is_found_ || numbers_.empty()) return numbers_.size() - (is_found_ ? 1 : 0);
+  if (is_found_ || numbers_.empty()) return numbers_.size() - (is_found_ ? 1 : 0) + passed_over_;
   const auto [least, most] = std::ranges::minmax(numbers_);
   throw RefusedInput(
       source + ": has no model " + std::to_string(*wanted_) + "; " +
@@ -152,6 +152,9 @@ std::size_t ModelSearch::others(const std::string& source) const {
 }
 
 std::vector<std::int64_t> ModelSearch::numbers(const std::string& source) const {
+  if (passed_over_ > 0) {
+    throw RefusedInput(source + ": its models are in several data blocks; make a file of each");
+  }
   std::set<std::int64_t> seen;
   for (const std::int64_t number : numbers_) {
     if (seen.insert(number).second) continue;

@@ -78,6 +78,17 @@ class Selections(CommandTest):
                       self.run_morskin(*words, "--model-number", "all", code=4).stderr)
         self.run_morskin(*words, "--model-number", "1")
 
+    def test_of_several_data_blocks_the_first_is_read_and_the_others_are_told(self):
+        columns = ("group_PDB", "type_symbol", "label_atom_id", "Cartn_x", "Cartn_y", "Cartn_z")
+        block = "data_{}\nloop_\n" + "".join(f"_atom_site.{c}\n" for c in columns)
+        self.input("two.cif", "".join(block.format(name) + f"ATOM C CA {x} 0 0\n"
+                                      for name, x in (("A", 0), ("B", 9))))
+        self.assertIn(b"the first of 2", self.run_morskin("info", "two.cif").stdout)
+        words = ("mesh", "two.cif", "-o", "out.ply", "-C", "0.3")
+        self.assertIn(b"in several data blocks",
+                      self.run_morskin(*words, "--model-number", "all", code=4).stderr)
+        self.run_morskin(*words, "--model-number", "1")
+
     def cif(self, *atoms):
         keys = ("group_PDB", "type_symbol", "label_atom_id", "label_comp_id", "label_asym_id",
                 "label_seq_id", "Cartn_x", "Cartn_y", "Cartn_z")
