@@ -36,10 +36,12 @@ std::optional<std::string> radii(const std::string& encoded) {
   }
 }
 
-/// Whether a reader of the file goes by these radii without being asked.
+/// Whether any reader of the file goes by these radii without being asked. A PQR file has radii
+/// besides elements, and so may one whose ending tells nothing, as standard input.
 bool is_usual(const std::string& radii, const std::filesystem::path& file) {
-  const bool has_radii_besides = skin::molecule_format_of(file) == skin::MoleculeFormat::Pqr;
-  return radii == "input" || radii == "weights" || (radii == "elements" && !has_radii_besides);
+  const auto format = skin::molecule_format_of(file);
+  const bool may_have_radii = !format || *format == skin::MoleculeFormat::Pqr;
+  return radii == "input" || radii == "weights" || (radii == "elements" && !may_have_radii);
 }
 
 /// Takes statements one by one.

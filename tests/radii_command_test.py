@@ -127,11 +127,14 @@ class Radii(CommandTest):
         self.assertIn(b"would replace the radii", said.stderr)
 
     def test_check_takes_the_table_that_was_given_for_a_file_with_radii(self):
-        self.input("a.pqr", "ATOM 1 CA ALA 1 0 0 0 0.1 1.9\nATOM 2 CB ALA 1 1.5 0 0 0.1 1.8\n")
+        text = "ATOM 1 CA ALA 1 0 0 0 0.1 1.9\nATOM 2 CB ALA 1 1.5 0 0 0.1 1.8\n"
+        self.input("a.pqr", text)
         for words, is_taken in ((("--radii", "elements"), True), ((), False)):
             self.run_morskin("mesh", "a.pqr", "-o", "m.ply", "-q", "-C", "0.3", *words)
-            origin = self.check("m.ply", "--against", "a.pqr")["origin"]
-            self.assertEqual("radii" in origin["taken"], is_taken)
+            for name in ("a.pqr", "-"):
+                told = self.run_morskin("check", "m.ply", "--against", name, "--json",
+                                        input=text.encode())
+                self.assertEqual("radii" in json.loads(told.stdout)["origin"]["taken"], is_taken)
 
     def test_info_names_the_table(self):
         self.assertIn(b"of the table bondi",
