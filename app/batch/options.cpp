@@ -28,7 +28,7 @@ Shard parsed_shard(std::string_view text) {
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
 }
 
-/// Here, for mesh would complain of a file that nobody named.
+/// Checked here, since mesh would name a file of the batch and not the option.
 void check_endings(const std::vector<std::string>& endings) {
   for (const std::string& ending : endings) {
     const bool is_folder_too = ending.find('/') != std::string::npos;
