@@ -143,8 +143,13 @@ void publish(const MeshReport& report, const MeshArguments& arguments) {
   free_stream << (arguments.json ? json_text(report) : people_text(report));
 }
 
+/// Of C and Q as they come with a size nothing is noted: nearly every skin is certified with them.
 void note_doubts(const MeshArguments& arguments) {
-  const std::string doubts = doubts_about(arguments.sizing);
+  constexpr double usual_C = certify::Sizing::coarsest_C;
+  const certify::Sizing& sizing = arguments.sizing;
+  const bool is_sized = arguments.size_goal.is_set() || std::isfinite(sizing.largest_length_scale);
+  if (is_sized && sizing.C == usual_C && sizing.Q == certify::Sizing::quality_for(usual_C)) return;
+  const std::string doubts = doubts_about(sizing);
   if (doubts.empty() || arguments.quiet || arguments.is_brief) return;
   std::cerr << "morskin: note: " << doubts << "\n";
 }

@@ -93,9 +93,11 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
   }
 }
 
-MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
+MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
                         const Run& run) {
-  const bool is_sweep = method_of(skin, options) == Method::Sweep;
+  const bool is_sweep = method_of(skin, asked) == Method::Sweep;
+  MeshingOptions options = asked;
+  if (!is_sweep) options.sizing = options.sizing.sampled();
   MethodResult made = options.mesher ? options.mesher(skin, options, observer, run)
                       : is_sweep     ? sweep_method(skin, options, observer, run)
                                      : static_method(skin, options, observer, run);

@@ -37,7 +37,8 @@ SizeEstimate::SizeEstimate(const PreparedSkin& skin) : samples_(skin.surface.sam
   }
 }
 
-double SizeEstimate::vertices(const certify::Sizing& sizing, Method method) const {
+double SizeEstimate::vertices(const certify::Sizing& asked, Method method) const {
+  const certify::Sizing sizing = method == Method::Static ? asked.sampled() : asked;
   const double laid_limit = sizing.laid().largest_length_scale;
   double demand = 0;
   for (const surface::SurfacePoint& p : samples_.points) {

@@ -50,6 +50,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("so do edges of the static method, on molecules too") {
+  const auto median_over = [](const std::vector<geometry::WeightedPoint>& balls, double C,
+                              double length) {
+    MeshingOptions options = with(by_length(C, length));
+    options.method = Method::Static;
+    const MeshResult result = make_mesh(prepare_skin(balls), options);
+    CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
+    const std::vector<double> edges = edge_lengths(result.mesh);
+    return edges[edges.size() / 2] / length;
+  };
+  for (const double C : {0.08, 0.3, 0.4}) {
+    CAPTURE(C);
+    CHECK(median_over({ball(0, 0, 0, 4)}, C, 0.5) == doctest::Approx(1).epsilon(0.1));
+  }
+  for_molecules({"5tmn_ligand.pdb", "9dna.pdb"}, [&](const auto& balls) {
+    CHECK(median_over(balls, 0.4, 0.4) == doctest::Approx(1).epsilon(0.1));
+  });
+}
+
 TEST_CASE("a front that has passed itself on a hyperboloid does not go round it for ever") {
   // Of 1ATP. Found by taking balls away while the front still went round the neck of two of them.
   const std::vector<std::array<double, 4>> balls{
