@@ -17,7 +17,6 @@
 /// rounding to floats where all coordinates are floats, as in STL, is a claim of its own.
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "certify/curved_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <tuple>
 #include <vector>

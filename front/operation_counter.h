@@ -3,7 +3,6 @@
 /// Counts of a sweep: its operations, and the touches of the front, by whether Morse theory
 /// predicts them and whether anything came of them (papers/3.1-morse-functions.md).
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

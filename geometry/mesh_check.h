@@ -3,7 +3,6 @@
 /// Whether a triangle list is a closed oriented 2-manifold, and if not, all its defects: each kind
 /// counted, its first element named. closed_mesh (surface_mesh.h) stops at the first defect.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>

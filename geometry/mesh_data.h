@@ -4,7 +4,6 @@
 /// insertion, contraction, compaction, appending of another mesh with the same data. New elements
 /// have a value given beforehand. Each is a flat array and nothing else.
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 

@@ -3,7 +3,6 @@
 /// What a mesh file says of its own origin.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace morskin::geometry {

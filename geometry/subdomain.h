@@ -6,7 +6,6 @@
 /// three corners, so all triangles at a vertex belong to the vertex's part or to none: that part
 /// may read them, and walk from one to the next over an edge of which it contains an end.
 
-#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cassert>

@@ -4,7 +4,6 @@
 /// one, meets a mixed cell: only then does it belong to the skin.
 
 #include <optional>
-#include <string>
 
 #include "skin/mixed_complex.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "geometry/point.h"
 
 namespace morskin::morse {

@@ -10,7 +10,6 @@
 /// component of the mesh.
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "implicit/implicit_surface.h"

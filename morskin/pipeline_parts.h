@@ -4,7 +4,6 @@
 /// and other surfaces go the same way.
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "morskin/pipeline.h"

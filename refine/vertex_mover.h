@@ -4,9 +4,7 @@
 /// to a goal: what smoothing does (smoothing.h), and all it asks of a position before a vertex goes
 /// there.
 
-#include <cstdint>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 

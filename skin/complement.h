@@ -2,7 +2,6 @@
 
 /// The parts of the complement of the dual complex K: the voids and the outside (dual_complex.cpp).
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "geometry/run.h"

@@ -15,7 +15,6 @@
 /// Molecular skins obey them (skin/skin_surface.h), and so does a torus
 /// (tests/support/formula_surfaces.h).
 
-#include <cmath>
 #include <optional>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 #include "geometry/mesh_shape.h"
 #include "tests/support/meshes.h"

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "certify/curved_mesh.h"
 #include "geometry/error.h"

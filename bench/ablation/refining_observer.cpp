@@ -1,6 +1,5 @@
 #include "bench/ablation/refining_observer.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace morskin::ablation {

@@ -14,7 +14,6 @@
 #include <iostream>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "certify/curved_mesh.h"
 #include "geometry/error.h"

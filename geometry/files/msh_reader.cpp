@@ -1,9 +1,7 @@
 // Reads Gmsh's MSH 4.1 as text: triangles of three nodes, or of six where they are curved. Points
 // and lines are skipped, as are sections other than nodes and elements.
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>

@@ -1,7 +1,6 @@
 // Reads VTU as this program and others write it by default: one piece, arrays inline, as base64
 // without compression or as text. Triangles have three nodes, or six where they are curved.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

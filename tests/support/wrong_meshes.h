@@ -3,7 +3,6 @@
 /// Meshes that are wrong in ways a certificate must see.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <set>
