@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "geometry/id.h"
+#include "geometry/indexed_mesh.h"
 #include "geometry/point.h"
-#include "geometry/triangle_contact.h"
 
 namespace morskin::geometry {
 
@@ -54,7 +54,7 @@ class BoxTree {
 
   /// @param leaves  neighbours should be near each other
   /// @param corners  by triangle; must outlive this object
-  BoxTree(std::vector<Leaf> leaves, std::span<const Corners> corners)
+  BoxTree(std::vector<Leaf> leaves, std::span<const TriangleCorners> corners)
       : leaves_(std::move(leaves)), corners_(corners) {
     std::vector<Node> level((leaves_.size() + leaf_size - 1) / leaf_size);
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -101,13 +101,13 @@ class BoxTree {
 
   struct Node {
     FloatBox box;
-    Corners common{no_index, no_index, no_index};  ///< then no_index
+    TriangleCorners common{no_index, no_index, no_index};  ///< then no_index
   };
   struct Pair {
     std::size_t level, i, j;
   };
 
-  static bool has(const Corners& corners, std::uint32_t v) {
+  static bool has(const TriangleCorners& corners, std::uint32_t v) {
     return corners[0] == v || corners[1] == v || corners[2] == v;
   }
 
@@ -117,7 +117,7 @@ class BoxTree {
       node.common = part.common;
       return;
     }
-    Corners common{no_index, no_index, no_index};
+    TriangleCorners common{no_index, no_index, no_index};
     std::size_t count = 0;
     for (const std::uint32_t v : node.common) {
       if (v != no_index && has(part.common, v)) common[count++] = v;
@@ -126,7 +126,7 @@ class BoxTree {
   }
 
   template <class IsExempt>
-  static bool share(const Corners& a, const Corners& b, const IsExempt& is_exempt) {
+  static bool share(const TriangleCorners& a, const TriangleCorners& b, const IsExempt& is_exempt) {
     return std::ranges::any_of(
         a, [&](std::uint32_t v) { return v != no_index && has(b, v) && is_exempt(v); });
   }
@@ -147,7 +147,7 @@ class BoxTree {
   }
 
   std::vector<Leaf> leaves_;
-  std::span<const Corners> corners_;
+  std::span<const TriangleCorners> corners_;
   std::vector<std::vector<Node>> levels_;
 };
 

@@ -26,9 +26,9 @@ class LeafOrder {
   /// Adds a triangle at a point of the box. Those with the same exempt corners become neighbours,
   /// so that whole nodes of the tree share them.
   template <class IsExempt>
-  void add(const Point& p, const BoxTree::Leaf& leaf, const Corners& corners,
+  void add(const Point& p, const BoxTree::Leaf& leaf, const TriangleCorners& corners,
            const IsExempt& is_exempt) {
-    Corners exempt{no_index, no_index, no_index};
+    TriangleCorners exempt{no_index, no_index, no_index};
     std::ranges::copy_if(corners, exempt.begin(), is_exempt);
     std::ranges::sort(exempt);
     keyed_.push_back({std::uint64_t{exempt[0]} << 32 | exempt[1], along_curve(p), leaf});
@@ -100,10 +100,11 @@ class Search {
   Search(const IndexedMesh& mesh, const SelfIntersectionLimits& limits)
       : mesh_(mesh), at_(mesh.positions), limits_(limits), degree_(mesh.positions.size()) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      if (a == b || b == c || c == a || are_collinear(at_[a], at_[b], at_[c])) continue;
+      const TriangleCorners& corners = mesh.triangles[t];
+      const auto& [a, b, c] = corners;
+      if (repeats_a_corner(corners) || are_collinear(at_[a], at_[b], at_[c])) continue;
       solid_.push_back(t);
-      for (const std::uint32_t v : mesh.triangles[t]) ++degree_[v];
+      for (const std::uint32_t v : corners) ++degree_[v];
     }
   }
 

@@ -121,7 +121,8 @@ bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
 
 }  // namespace
 
-bool is_improper_contact(const ExactPositions& positions, const Corners& s, const Corners& t) {
+bool is_improper_contact(const ExactPositions& positions, const TriangleCorners& s,
+                         const TriangleCorners& t) {
   // Common corners first, in the same order in both.
   Triangle a, b;
   std::array<bool, 3> is_taken{};

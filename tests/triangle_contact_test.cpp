@@ -44,7 +44,7 @@ bool hulls_meet(const Wholes& a, const Wholes& b) {
 }
 
 /// By the definition, given which corners are shared.
-bool oracle(const Wholes& at, const Corners& s, const Corners& t) {
+bool oracle(const Wholes& at, const TriangleCorners& s, const TriangleCorners& t) {
   std::vector<std::uint32_t> common, of_s, of_t;
   for (const std::uint32_t v : s) {
     (std::ranges::find(t, v) != t.end() ? common : of_s).push_back(v);
@@ -69,7 +69,7 @@ bool oracle(const Wholes& at, const Corners& s, const Corners& t) {
   return hulls_meet(hull(s), hull(t));
 }
 
-bool is_flat(const Wholes& at, const Corners& t) {
+bool is_flat(const Wholes& at, const TriangleCorners& t) {
   return cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]).isZero();
 }
 
@@ -79,9 +79,9 @@ std::vector<Point> as_points(const Wholes& at, double scale = 1) {
   return result;
 }
 
-constexpr Corners first{0, 1, 2};
-constexpr Corners partners[] = {{3, 4, 5}, {0, 4, 5}, {4, 1, 5}, {4, 5, 2},
-                                {0, 1, 5}, {1, 5, 0}, {2, 0, 5}, {5, 2, 1}};
+constexpr TriangleCorners first{0, 1, 2};
+constexpr TriangleCorners partners[] = {{3, 4, 5}, {0, 4, 5}, {4, 1, 5}, {4, 5, 2},
+                                        {0, 1, 5}, {1, 5, 0}, {2, 0, 5}, {5, 2, 1}};
 
 }  // namespace
 
@@ -96,7 +96,7 @@ TEST_CASE("improper contact of triangles on a small lattice is what parting dire
     }
     const std::vector<Point> points = as_points(at);
     const ExactPositions positions(points);
-    for (const Corners& t : partners) {
+    for (const TriangleCorners& t : partners) {
       if (is_flat(at, first) || is_flat(at, t)) continue;
       CAPTURE(&t - partners);
       const bool expected = oracle(at, first, t);
@@ -117,10 +117,10 @@ TEST_CASE("contact does not depend on the order of triangles, corners, or on the
     }
     const std::vector<Point> points = as_points(at);
     const ExactPositions positions(points);
-    for (const Corners& t : partners) {
+    for (const TriangleCorners& t : partners) {
       if (is_flat(at, first) || is_flat(at, t)) continue;
       const bool expected = is_improper_contact(positions, first, t);
-      Corners s = first, turned = t;
+      TriangleCorners s = first, turned = t;
       do {
         CHECK(is_improper_contact(positions, turned, s) == expected);
         std::ranges::next_permutation(turned);
