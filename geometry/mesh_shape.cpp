@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "geometry/id.h"
 #include "geometry/prefetch.h"
 #include "geometry/union_find.h"
 
@@ -90,27 +90,26 @@ AngleHistogram angle_histogram(const IndexedMesh& mesh) {
 
 std::vector<std::uint32_t> vertex_components(const IndexedMesh& mesh) {
   // A triangle's corners take a label that one of them has, or a new one; labels that meet are one.
-  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> component(mesh.positions.size(), none);
+  std::vector<std::uint32_t> component(mesh.positions.size(), no_index);
   UnionFind labels(0);
   for (const auto& corners : mesh.triangles) {
-    std::uint32_t label = none;
+    std::uint32_t label = no_index;
     for (const std::uint32_t v : corners) {
       const std::uint32_t other = component[v];
-      if (other == none || other == label) continue;
-      if (label != none) labels.join(label, other);
+      if (other == no_index || other == label) continue;
+      if (label != no_index) labels.join(label, other);
       label = other;
     }
-    if (label == none) label = labels.add();
+    if (label == no_index) label = labels.add();
     for (const std::uint32_t v : corners) component[v] = label;
   }
-  std::vector<std::uint32_t> number(labels.size(), none);
+  std::vector<std::uint32_t> number(labels.size(), no_index);
   std::uint32_t count = 0;
   for (std::uint32_t& label : component) {
-    if (label == none) label = labels.add();
-    number.resize(labels.size(), none);
+    if (label == no_index) label = labels.add();
+    number.resize(labels.size(), no_index);
     std::uint32_t& n = number[labels.root(label)];
-    if (n == none) n = count++;
+    if (n == no_index) n = count++;
     label = n;
   }
   return component;
