@@ -1,19 +1,19 @@
 #include "implicit/known_surfaces.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/error.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::implicit {
 
 namespace {
 
-/// With all digits, in parentheses.
+/// With all digits, in parentheses; with a point in any locale, as Expression reads it.
 std::string number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "(%.17g)", x);
-  return text;
+  std::string text = "(";
+  geometry::append_number(text, x);
+  return text + ")";
 }
 
 }  // namespace
