@@ -91,8 +91,8 @@ bool Neighbourhood::is_acute(FrontEdgeId corner, double cosine) const {
   if (along <= 0 || along * along < cosine * cosine * in.squaredNorm() * out.squaredNorm()) {
     return false;
   }
-  constexpr double min_fan_sine = -0.3;  // as in bare_angle()
-  return cross(in, out) > min_fan_sine * along;
+  constexpr double min_fan_tangent = 0.3;  // about that of min_fan_angle in bare_angle()
+  return cross(in, out) > -min_fan_tangent * along;
 }
 
 }  // namespace morskin::front

@@ -66,7 +66,7 @@ class Neighbourhood : public FrontMirror {
   void follow(const FrontChange& change) override;
 
   /// Counter-clockwise angle, in [0, 2 pi), that is bare at a corner: from the edge before round to
-  /// the edge itself. An overlap of less than `min_fan_angle` counts as no angle at all.
+  /// the edge itself. An overlap of less than 0.3 counts as no angle at all.
   double bare_angle(FrontEdgeId corner) const;
 
   /// Whether the bare angle at a corner is below the (acute) angle with this cosine, without an arc
