@@ -133,7 +133,7 @@ class SurfaceMesh {
   void remove(std::span<const TriangleId> triangles);
 
   std::size_t degree(VertexId v) const;
-  /// Whether v has more neighbours than a count, after one step more than that.
+  /// Whether v has more neighbours than a count; takes as many steps at most.
   /// @pre v has no boundary.
   bool has_degree_above(VertexId v, std::size_t count) const {
     const HalfEdgeId first = outgoing_[v];

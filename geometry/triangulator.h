@@ -51,8 +51,8 @@ class Triangulator {
   static constexpr std::size_t index_of(Facet facet) { return facet & 3; }
 
   static constexpr std::size_t max_points = (std::size_t{1} << 27) - 1;
-  static constexpr std::size_t max_tetrahedra = std::size_t{1}
-                                                << 30;  ///< a Facet has two bits less
+  /// A Facet has two bits less.
+  static constexpr std::size_t max_tetrahedra = std::size_t{1} << 30;
 
   struct alignas(32) Tetrahedron {
     std::array<Corner, 4> corners;

@@ -118,7 +118,7 @@ void Refinement::insert_by_boxes() {
             [](const auto& a, const auto& b) { return a.vertex > b.vertex; });
 }
 
-/// The first is the last.
+/// The lowest ids last, for slots are taken from the end.
 std::vector<SurfaceMesh::FreeSlots> Refinement::new_slots(std::size_t count) {
   std::vector<SurfaceMesh::FreeSlots> slots(count);
   for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) {

@@ -170,7 +170,7 @@ class Search {
     return best_.high - best_.low < 4 * rounding(Real(size_));
   }
 
-  /// Tries again with the atom of least power, which no atom tried before had.
+  /// Tries all combinations of the atoms so far, and of that of least power if it is none of them.
   /// @return false if that can lead no further
   bool improve() {
     const bool is_new = std::find(ids_.begin(), ids_.begin() + count_, nearest_) ==
