@@ -35,6 +35,9 @@ struct CriticalPoints {
   long euler_characteristic() const;
 };
 
+/// "at (x, y, z)", for messages.
+std::string position_text(const Point& x);
+
 /// @pre function.curvature >= 0; a height's direction is a unit vector; the skin is not singular.
 CriticalPoints critical_points(const skin::SkinSurface& skin, const MorseFunction& function);
 

@@ -9,9 +9,6 @@ namespace morskin::morse {
 /// A point at less than this share of its length scale from a wall may belong to either side.
 inline constexpr double wall_doubt = 1e-9;
 
-/// "at (x, y, z)", for messages.
-std::string position_text(const Point& x);
-
 /// Adds a critical point if it lies in its cell, and a degeneracy if it may lie on a wall.
 /// @param doubt  bound on the rounding of the point and the wall, Angstrom
 /// @return       whether it was added

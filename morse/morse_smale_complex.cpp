@@ -17,12 +17,8 @@ namespace {
 
 using skin::CellId;
 
-std::string coordinates(const CriticalPoint& p) {
-  const Point& x = p.point.position;
-  std::string text("(");
-  text += std::to_string(x.x()) + ", " + std::to_string(x.y()) + ", " + std::to_string(x.z());
-  return text + ")";
-}
+/// Where it is, for messages.
+std::string location(const CriticalPoint& p) { return position_text(p.point.position); }
 
 class Builder {
  public:
@@ -81,11 +77,10 @@ class Builder {
       }
       all = false;
       const std::string end =
-          course.saddle       ? "runs into the saddle at " + coordinates(point(*course.saddle))
+          course.saddle       ? "runs into the saddle " + location(point(*course.saddle))
           : course.is_at_rest ? "comes to rest where the function is flat within rounding"
                               : "finds no extremum";
-      report("the integral line from the saddle at " + coordinates(point(lines_.saddle(a))) + " " +
-             end);
+      report("the integral line from the saddle " + location(point(lines_.saddle(a))) + " " + end);
     }
     if (!all) complex_.arcs.clear();
     return all;
@@ -148,7 +143,7 @@ class Builder {
   void report_doubts() {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       if (orders_[i].is_certain) continue;
-      report("integral lines to the extremum at " + coordinates(complex_.points[i]) +
+      report("integral lines to the extremum " + location(complex_.points[i]) +
              " are too near to each other to be told apart");
     }
     // One quadrangle for each descending arc.
@@ -245,7 +240,7 @@ class Builder {
       if (const auto top = maximum_above(CriticalId{i})) {
         sets.join(i, top->value);
       } else {
-        report("the integral line from beside the minimum at " + coordinates(complex_.points[i]) +
+        report("the integral line from beside the minimum " + location(complex_.points[i]) +
                " finds no maximum");
       }
     }
