@@ -34,6 +34,8 @@ Method method_of(const PreparedSkin& skin, const MeshingOptions& options) {
   return usual_method(skin.surface.points(), options.sizing);
 }
 
+namespace {
+
 /// So much more than asked, in degrees, that rounding cannot bring a file's angle below.
 constexpr double angle_margin_deg = 1e-9;
 
@@ -48,6 +50,8 @@ bool is_thinned(const MeshingOptions& options) {
       options.size_goal.is_set() || std::isfinite(options.sizing.largest_length_scale);
   return is_by_length && options.sizing.is_coarser_than_laid() && !options.sizes;
 }
+
+}  // namespace
 
 void raise_angles(const surface::Surface& surface, const MeshingOptions& options,
                   MethodResult& made, const Run& run) {
@@ -69,6 +73,8 @@ void raise_angles(const surface::Surface& surface, const MeshingOptions& options
     return refine::refine_angles(*sized, options.sizing, made.mesh, angle_bound_deg(options), run);
   });
 }
+
+namespace {
 
 /// Thins the mesh, then raises its angles. Where that leaves some, the thinned mesh is made finer
 /// about these places, ever farther, and its angles are raised from there: the insertions that
@@ -92,6 +98,8 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
     raise_angles(skin.surface, options, made, run);
   }
 }
+
+}  // namespace
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
                         const Run& run) {
