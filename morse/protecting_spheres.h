@@ -36,4 +36,9 @@ class ProtectingSpheres {
   std::vector<CriticalId> spheres_;
 };
 
+/// By point, the radius of a sphere, Angstrom, such that no two overlap.
+/// @param radius_share  over the length scale at the centre; a sphere shrinks to half the distance
+///                      to the nearest other critical point. Erratum: papers/errata.md, E15.
+std::vector<double> disjoint_radii(std::span<const CriticalPoint> points, double radius_share);
+
 }  // namespace morskin::morse

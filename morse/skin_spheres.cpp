@@ -1,10 +1,7 @@
 #include "morse/skin_spheres.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include "geometry/kd_tree.h"
 
 namespace morskin::morse {
 
@@ -29,22 +26,6 @@ std::vector<CellId> cells_within(const skin::MixedComplex& complex, const Point&
     }
   }
   return reached;
-}
-
-std::vector<double> disjoint_radii(std::span<const CriticalPoint> points, double radius_share) {
-  std::vector<Point> positions;
-  positions.reserve(points.size());
-  for (const CriticalPoint& p : points) positions.push_back(p.point.position);
-  const geometry::KdTree<CriticalId> tree(positions);
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double full = radius_share * points[i].point.length_scale;
-    // A little beyond twice the full radius, so that only the minimum below decides.
-    const auto other =
-        tree.nearest(positions[i], 2.01 * full, [&](CriticalId j) { return j.index() != i; });
-    radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
-  }
-  return radii;
 }
 
 }  // namespace

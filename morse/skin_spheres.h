@@ -10,9 +10,7 @@
 
 namespace morskin::morse {
 
-/// @param radius_share  radius of a sphere over the length scale at its centre; it shrinks to half
-///                      the distance to the nearest other critical point, so that no two overlap.
-///                      Erratum: papers/errata.md, E15.
+/// With the radii of disjoint_radii().
 ProtectingSpheres protecting_spheres(const skin::SkinSurface& skin,
                                      std::span<const CriticalPoint> points, double radius_share);
 /// @param radii  by point, Angstrom; where spheres overlap, the one with the lowest id counts

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <set>
 #include <utility>
@@ -133,22 +132,13 @@ morse::Guide guide_of(const implicit::PreparedSurface& prepared, double radius_s
   guide.is_simplified = false;
   guide.function = morse::MorseFunction::height(prepared.critical.directions.height());
   guide.found = prepared.critical.counts();
-  std::vector<Point> positions;
-  for (const implicit::CriticalHeight& found : prepared.critical.points) {
-    guide.points.push_back(critical_point(prepared, found, guide.function));
-    positions.push_back(found.position);
-  }
-  const geometry::KdTree<morse::CriticalId> tree(positions);
-  std::vector<double> radii;
   std::vector<morse::ProtectingSpheres::Incidence> incidences;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const double full = radius_share * guide.points[i].point.length_scale;
-    const auto other = tree.nearest(positions[i], 2.01 * full,
-                                    [&](morse::CriticalId j) { return j.index() != i; });
-    radii.push_back(other ? std::min(full, std::sqrt(other->squared_distance) / 2) : full);
-    incidences.emplace_back(only_cell, morse::CriticalId{i});
+  for (const implicit::CriticalHeight& found : prepared.critical.points) {
+    incidences.emplace_back(only_cell, morse::CriticalId{guide.points.size()});
+    guide.points.push_back(critical_point(prepared, found, guide.function));
   }
-  guide.spheres = {guide.points, std::move(radii), std::move(incidences), 1};
+  guide.spheres = {guide.points, morse::disjoint_radii(guide.points, radius_share),
+                   std::move(incidences), 1};
   return guide;
 }
 
