@@ -52,20 +52,19 @@ morse::CriticalPoint critical_point(const implicit::PreparedSurface& prepared,
   return result;
 }
 
-/// By vertex, the component of the mesh; no_component for one of no triangle.
-constexpr std::uint32_t no_component = 0xffffffff;
+/// By vertex, the component of the mesh; no_index for one of no triangle.
 std::vector<std::uint32_t> components_of(const geometry::IndexedMesh& mesh) {
   geometry::UnionFind sets(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     sets.join(a, b);
     sets.join(a, c);
   }
-  std::vector<std::uint32_t> of_root(mesh.positions.size(), no_component);
-  std::vector<std::uint32_t> result(mesh.positions.size(), no_component);
+  std::vector<std::uint32_t> of_root(mesh.positions.size(), geometry::no_index);
+  std::vector<std::uint32_t> result(mesh.positions.size(), geometry::no_index);
   std::uint32_t count = 0;
   for (const auto& triangle : mesh.triangles) {
     std::uint32_t& component = of_root[sets.root(triangle[0])];
-    if (component == no_component) component = count++;
+    if (component == geometry::no_index) component = count++;
     for (const std::uint32_t v : triangle) result[v] = component;
   }
   return result;
@@ -148,7 +147,7 @@ std::vector<std::optional<std::uint32_t>> components_at_minima(
   std::vector<Point> positions;  // finite ones, or the tree is in no order
   std::vector<std::uint32_t> vertex;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (component[v] == no_component || !mesh.positions[v].allFinite()) continue;
+    if (component[v] == geometry::no_index || !mesh.positions[v].allFinite()) continue;
     positions.push_back(mesh.positions[v]);
     vertex.push_back(v);
   }
