@@ -14,9 +14,9 @@
 namespace morskin::app {
 
 /// What is asked for of "residue" and "chain", each counted from 0 as they begin in the file, and
-/// "partial_charge", elementary charges, between atoms by their shares; of
-/// "hphob" the nearest atom's, by skin::kyte_doolittle. An atom begins a residue
-/// where its residue's name or number, or its chain, is not the one before's.
+/// "partial_charge", elementary charges, between atoms by their shares; of "hphob" the nearest
+/// atom's, by skin::kyte_doolittle. An atom begins a residue where its residue's name or number, or
+/// its chain, is not the one before's.
 /// @throws geometry::RefusedInput  charges are asked for by name and the file gives none
 std::vector<morskin::AtomProperty> atom_properties(const skin::Molecule& molecule,
                                                    const VertexData& asked);

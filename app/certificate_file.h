@@ -12,8 +12,8 @@
 namespace morskin::app {
 
 /// JSON: the top-dimensional simplices of the regular triangulation; the number of voids that are
-/// left out; by component of the mesh a
-/// vertex at which it covers the skin once; by vertex the corners of the mixed cell it lies in.
+/// left out; by component of the mesh a vertex at which it covers the skin once; by vertex the
+/// corners of the mixed cell it lies in.
 /// @param points  by vertex, as certify::locate_vertices() finds them
 /// @param component_vertices  as certify::certify() finds them; none where it finds none
 std::string certificate_text(const geometry::IndexedMesh& mesh,

@@ -114,9 +114,9 @@ struct Sizing {
 
   /// The median edge over the length scale, where rho varies little. A front's edges are nearly as
   /// long as its disk's radius, which is 0.87 of the largest and, for small C, has an equilateral
-  /// triangle of 0.88 of the circumradius in [U]. Coarsening stops when most triangles
-  /// are near spare_limit; it leaves an even mesh alone if removing one vertex already makes
-  /// triangles beyond that limit, with circumradii as large as the edges.
+  /// triangle of 0.88 of the circumradius in [U]. Coarsening stops when most triangles are near
+  /// spare_limit; it leaves an even mesh alone if removing one vertex already makes triangles
+  /// beyond that limit, with circumradii as large as the edges.
   double edge_share() const {
     if (!is_coarser_than_laid()) {
       return std::min(usual_edge * tangent_disk_share(), usual_fine_edge * C * Q);

@@ -3,8 +3,8 @@
 /// What to do when a mesh does not pass the certificate: for each component of the skin that the
 /// sweep made try two other directions, then the static method; with a C above those for which all
 /// is proved, the static method at once; after that method, where it was not asked for, the sweep.
-/// For smaller ones a fallback is a bug of the sweep to be understood;
-/// until it is, the user has a certified mesh and the report says how it came to be.
+/// With a smaller C a fallback is a bug of the sweep to be understood; until it is, the user has a
+/// certified mesh and the report says how it came to be.
 
 #include "morskin/pipeline.h"
 
