@@ -11,6 +11,7 @@
 
 #include "app/viewer_asset.h"
 #include "geometry/error.h"
+#include "geometry/files/base64.h"
 
 namespace morskin::app {
 namespace {
@@ -32,9 +33,8 @@ std::string packed(const std::string& bytes) {
         "too much for one page; show a part of it, or a coarser mesh (-C)");
   }
   std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
-  std::string input = bytes;
-  stream.next_in = reinterpret_cast<Bytef*>(input.data());
-  stream.avail_in = static_cast<uInt>(input.size());
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(result.data());
   stream.avail_out = static_cast<uInt>(result.size());
   const int outcome = deflate(&stream, Z_FINISH);
@@ -42,24 +42,6 @@ std::string packed(const std::string& bytes) {
   deflateEnd(&stream);
   if (outcome != Z_STREAM_END) throw std::bad_alloc();
   return result;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool is_there = i + k <= bytes.size();
-      text += is_there ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
 }
 
 // JSON inside a page, without anything that resembles a tag.
@@ -168,15 +150,17 @@ std::string PageData::page() const {
       json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string page;
   std::string_view rest = viewer_asset();
-  const auto put = [&](std::string_view mark, const std::string& text) {
+  const auto take_up_to = [&](std::string_view mark) {
     const std::size_t at = rest.find(mark);
     if (at == std::string_view::npos) throw std::logic_error("the viewer lacks its place for data");
-    page.append(rest.substr(0, at)).append(text);
+    page += rest.substr(0, at);
     rest.remove_prefix(at + mark.size());
   };
-  put("@ABOUT@", harmless(head));
-  put("@DATA@", base64(packed(bytes_)));
-  page.append(rest);
+  take_up_to("@ABOUT@");
+  page += harmless(head);
+  take_up_to("@DATA@");
+  geometry::append_base64(page, packed(bytes_));
+  page += rest;
   return page;
 }
 

@@ -2,35 +2,18 @@
 
 #include "geometry/files/vtu_grid.h"
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 #include <optional>
 
+#include "geometry/files/base64.h"
 #include "geometry/files/text_lines.h"
 
 namespace morskin::geometry {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
-
-constexpr std::string_view base64_digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-void append_base64(std::string& text, std::string_view bytes) {
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? std::uint32_t{static_cast<unsigned char>(bytes[i])} : 0U;
-  };
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    const std::array<char, 4> digits = {base64_digits[group >> 18 & 63],
-                                        base64_digits[group >> 12 & 63],
-                                        i + 1 < bytes.size() ? base64_digits[group >> 6 & 63] : '=',
-                                        i + 2 < bytes.size() ? base64_digits[group & 63] : '='};
-    text.append(digits.data(), digits.size());
-  }
-}
 
 template <class Number>
 void append_array(std::string& text, std::string_view attributes,

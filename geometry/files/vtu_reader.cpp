@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "geometry/files/base64.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/text_lines.h"
 #include "geometry/files/triangle_collector.h"
@@ -23,33 +24,6 @@ namespace {
 
 [[noreturn]] void fail(const std::string& source, const std::string& what) {
   throw UnreadableInput(source + ": " + what);
-}
-
-/// The bytes that base64 stands for, without what follows padding.
-std::optional<std::string> decoded(std::string_view text) {
-  static constexpr std::array<signed char, 256> values = [] {
-    std::array<signed char, 256> result{};
-    result.fill(-1);
-    signed char value = 0;
-    for (const char c :
-         std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")) {
-      result[static_cast<unsigned char>(c)] = value++;
-    }
-    return result;
-  }();
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const signed char value = values[static_cast<unsigned char>(c)];
-    if (value < 0) return std::nullopt;
-    group = group << 6 | static_cast<std::uint32_t>(value);
-    bits += 6;
-    if (bits >= 8) bytes += static_cast<char>(group >> (bits -= 8) & 255);
-  }
-  return bytes;
 }
 
 template <class Number>
@@ -157,7 +131,7 @@ class Reader {
     const std::string_view format = value(tag, "format");
     if (format == "ascii") return ascii_array(tag);
     if (format != "binary") fail(source_, "has arrays that are not inline; write it as binary");
-    const std::optional<std::string> bytes = decoded(trimmed(tag.text));
+    const std::optional<std::string> bytes = from_base64(trimmed(tag.text));
     const std::size_t head = is_wide_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
     if (!bytes || bytes->size() < head) fail(source_, "has an array that is damaged");
     std::uint64_t size = 0;
