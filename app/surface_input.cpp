@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <span>
 #include <vector>
 
 #include "app/molecule_input.h"
@@ -71,13 +70,9 @@ void require_count(const Words& words, const std::string& text, std::size_t othe
 
 SurfaceInput of_formula(const std::string& formula, const std::optional<double>& within,
                         const std::string& text) {
-  SurfaceInput input{std::make_shared<implicit::Expression>(formula),
-                     {{implicit::Point::Zero(), within.value_or(1)}, within.has_value()},
-                     {}};
-  Sha256 hash;
-  hash.update(std::as_bytes(std::span(text)));
-  input.sha256 = hash.digest();
-  return input;
+  return {std::make_shared<implicit::Expression>(formula),
+          {{implicit::Point::Zero(), within.value_or(1)}, within.has_value()},
+          sha256_of(text)};
 }
 
 SurfaceInput of_gaussians(Words& words, const std::string& text) {
