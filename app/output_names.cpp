@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -34,7 +33,7 @@ void check_not_given_otherwise(const std::filesystem::path& name, const MeshArgu
     if (path) renamed.push_back(*path);
   }
   for (const std::filesystem::path& output : renamed) {
-    if (one_name(name) == one_name(output.string() + ".unverified")) {
+    if (one_name(name) == one_name(output.string().append(unverified))) {
       throw UsageError(name.string() + " is where " + output.string() +
                        " goes when it is not certified; choose another name");
     }

@@ -1,15 +1,19 @@
 #pragma once
 
-/// Checks of output names.
+/// Names of outputs, and checks of them.
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
 #include "geometry/files/mesh_files.h"
 
 namespace morskin::app {
+
+/// What the name of a mesh that is not certified ends in, and of what belongs to it.
+inline constexpr std::string_view unverified = ".unverified";
 
 /// The ending of a path, with its dot, in lower case.
 std::string lower_extension(const std::filesystem::path& path);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/output_names.h"
 #include "app/staged_outputs.h"
 
 namespace morskin::app {

@@ -3,6 +3,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/output_names.h"
 #include "geometry/error.h"
 
 namespace morskin::app {

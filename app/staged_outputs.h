@@ -34,9 +34,6 @@ class StagedOutputs {
   std::vector<std::filesystem::path> direct_;
 };
 
-/// What the name of a mesh that is not certified ends in, and of what belongs to it.
-inline constexpr std::string_view unverified = ".unverified";
-
 /// Finds out before the long work, as PendingFile does for the name itself.
 /// @throws geometry::UnwritableOutput  a folder has the name with that ending
 void check_unverified_name(const geometry::PendingFile& file);

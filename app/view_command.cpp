@@ -251,7 +251,7 @@ ExitCode view_command(const ViewArguments& arguments) {
   time_limit.cancel();
   for (geometry::PendingFile& file : outputs.files()) {
     file.write(bytes);
-    name = file.commit(has_failed ? ".unverified" : "");
+    name = file.commit(has_failed ? unverified : "");
   }
   for (const std::filesystem::path& path : outputs.direct()) {
     if (!has_failed) geometry::write_file_atomically(path, bytes);

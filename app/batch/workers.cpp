@@ -249,7 +249,7 @@ ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
 std::vector<std::string> Workers::move_outputs(const Job& job, bool is_killed) const {
   std::vector<std::string> moved;
   for (const path& name : output_names(arguments_, job.file.filename().string())) {
-    for (const path& made : {name, path(name.string() + ".unverified")}) {
+    for (const path& made : {name, path(name.string().append(unverified))}) {
       const path target = arguments_.folder / made;
       std::error_code failed;
       if (is_killed || !std::filesystem::exists(job.folder / made)) {
