@@ -163,24 +163,10 @@ MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
   return input;
 }
 
-/// Writes what is no regular file, or says in files that they are not certified; and tells what
-/// the files are called.
-/// @return whether there is a mesh to name
-bool write_mesh(MeshReport& report, const MeshArguments& arguments, MeshDelivery& delivery,
-                const morskin::MeshResult& result, std::span<const PendingFile> files) {
+/// MeshDelivery::complete, and what it costs.
+bool complete(MeshReport& report, MeshDelivery& delivery, const morskin::MeshResult& result) {
   const Stopwatch writing;
-  const bool is_certified = result.certificate.certified;
-  const bool is_written = is_certified || delivery.mark_not_certified(result);
-  if (is_written) {
-    for (const PendingFile& file : files) {
-      report.outputs.push_back(file.final_name(is_certified ? "" : unverified));
-    }
-  }
-  for (const std::filesystem::path& path : arguments.outputs) {
-    if (!is_certified || !geometry::is_written_directly(path)) continue;
-    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
-    report.outputs.push_back(path);
-  }
+  const bool is_written = delivery.complete(result, report.outputs);
   report.seconds.write += writing.seconds();
   report.peak_memory_bytes = peak_memory_bytes();
   return is_written;
@@ -228,7 +214,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   line.wipe();
 
   // First what may fail or take time: then no file has its name yet.
-  if (!write_mesh(report, arguments, delivery, result, files)) files = {};
+  if (!complete(report, delivery, result)) files = {};
   report.seconds.total = total.seconds();
   if (makes_report(arguments)) report.floor_seconds = morskin::floor_seconds(skin.surface, result);
   if (side.report.is_asked()) side.report.write(json_text(report));

@@ -145,18 +145,26 @@ geometry::MeshAttributes MeshDelivery::curved_attributes(
   return result;
 }
 
-bool MeshDelivery::mark_not_certified(const morskin::MeshResult& result) {
-  if (result.mesh.positions.size() != result.cells.size()) return false;
-  write(result.mesh, result.cells, false);
+bool MeshDelivery::complete(const morskin::MeshResult& result,
+                            std::vector<std::filesystem::path>& names) {
+  const IndexedMesh& mesh = result.mesh;
+  const bool is_certified = result.certificate.certified;
+  if (!is_certified) {
+    if (mesh.positions.size() != result.cells.size()) return false;
+    write(mesh, result.cells, false);
+  }
+  for (const geometry::PendingFile& file : files_) {
+    names.push_back(file.final_name(is_certified ? "" : unverified));
+  }
+  for (const std::filesystem::path& path : arguments_.outputs) {
+    if (!is_certified || !geometry::is_written_directly(path)) continue;
+    const MeshFormat format = format_of(path);
+    geometry::MeshAttributes beside = attributes(mesh, result.cells);
+    beside.provenance = origin_.provenance(hashes(mesh, format), verdict(format, true));
+    geometry::write_file_atomically(path, bytes(mesh, format, beside));
+    names.push_back(path);
+  }
   return true;
-}
-
-std::string MeshDelivery::bytes_for(const std::filesystem::path& path,
-                                    const morskin::MeshResult& result) {
-  const MeshFormat format = format_of(path);
-  geometry::MeshAttributes beside = attributes(result.mesh, result.cells);
-  beside.provenance = origin_.provenance(hashes(result.mesh, format), verdict(format, true));
-  return bytes(result.mesh, format, beside);
 }
 
 geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result) {

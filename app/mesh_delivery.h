@@ -49,12 +49,11 @@ class MeshDelivery : public morskin::Observer {
   /// certified; they have no name yet.
   Delivery deliver(geometry::IndexedMesh mesh, std::span<const geometry::CellId> cells) override;
 
-  /// Writes the files again, saying that they are not certified.
-  /// @return false if the mesh could not be read back, so that there is none to write
-  bool mark_not_certified(const morskin::MeshResult& result);
-
-  /// The file of a certified mesh that goes to a path of its own.
-  std::string bytes_for(const std::filesystem::path& path, const morskin::MeshResult& result);
+  /// Writes what is no regular file or, where the mesh is not certified, the files again, which
+  /// then say so.
+  /// @param names  gets those of all that holds the mesh, as the files will be called
+  /// @return false if the mesh could not be read back, so that there is none to name
+  bool complete(const morskin::MeshResult& result, std::vector<std::filesystem::path>& names);
 
   /// With the hashes of the mesh's doubles.
   geometry::Provenance provenance(const morskin::MeshResult& result);

@@ -77,19 +77,12 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   report.quality = certify::measure_quality(result.mesh, run);
   line.wipe();
   const bool is_certified = report.certificate.certified;
-  if (!is_certified && !delivery.mark_not_certified(result)) files = {};
-  const std::string_view suffix = is_certified ? "" : unverified;
-  for (const PendingFile& file : files) report.outputs.push_back(file.final_name(suffix));
-  for (const std::filesystem::path& path : outputs.direct()) {
-    if (!is_certified || path == arguments.report) continue;
-    geometry::write_file_atomically(path, delivery.bytes_for(path, result));
-    report.outputs.push_back(path);
-  }
+  if (!delivery.complete(result, report.outputs)) files = {};
   report.total_seconds = total.seconds();
   if (report_file.is_asked()) report_file.write(json_text(report));
   time_limit.cancel();
   outputs.undisturbed([&] {
-    for (PendingFile& file : files) file.commit(suffix);
+    for (PendingFile& file : files) file.commit(is_certified ? "" : unverified);
     report_file.commit(is_certified);
   });
   report_file.write_directly(is_certified);

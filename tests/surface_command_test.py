@@ -152,6 +152,11 @@ class Surfaces(CommandTest):
                                 "--report", "-")
         self.assertTrue(json.loads(done.stdout)["certified"])
 
+    def test_a_mesh_is_written_where_its_report_goes_too(self):
+        done = self.run_morskin("mesh", "--surface", "sphere:1", "-o", "/dev/null", *COARSE,
+                                "--report", "/dev/null", "--json")
+        self.assertEqual(json.loads(done.stdout)["outputs"], ["/dev/null"])
+
     def test_the_same_surface_gives_the_same_bytes(self):
         for threads in ("1", "3"):
             self.run_morskin("mesh", "--surface", "sphere:2", "-o", f"{threads}.ply", *COARSE, "-q",
