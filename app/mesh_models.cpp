@@ -46,7 +46,7 @@ MeshArguments for_model(const MeshArguments& all, std::int64_t model) {
   return one;
 }
 
-constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array passed_on{SIGINT, SIGTERM, SIGHUP};
 
 volatile pid_t running = 0;  // the run that signals are for
 
@@ -57,11 +57,11 @@ class PassedSignals {
  public:
   PassedSignals() {
     ::sigemptyset(&signals_);
-    for (const int number : numbers) ::sigaddset(&signals_, number);
+    for (const int number : passed_on) ::sigaddset(&signals_, number);
     ::sigprocmask(SIG_BLOCK, &signals_, &before_);
     struct sigaction action {};
     action.sa_handler = pass_on;
-    for (std::size_t i = 0; i < numbers.size(); ++i) ::sigaction(numbers[i], &action, &old_[i]);
+    for (std::size_t i = 0; i < passed_on.size(); ++i) ::sigaction(passed_on[i], &action, &old_[i]);
   }
   PassedSignals(const PassedSignals&) = delete;
   PassedSignals& operator=(const PassedSignals&) = delete;
@@ -73,13 +73,13 @@ class PassedSignals {
   }
   /// In the run itself, and at the end.
   void restore() const {
-    for (std::size_t i = 0; i < numbers.size(); ++i) ::sigaction(numbers[i], &old_[i], nullptr);
+    for (std::size_t i = 0; i < passed_on.size(); ++i) ::sigaction(passed_on[i], &old_[i], nullptr);
     ::sigprocmask(SIG_SETMASK, &before_, nullptr);
   }
 
  private:
   sigset_t signals_{}, before_{};
-  std::array<struct sigaction, numbers.size()> old_{};
+  std::array<struct sigaction, passed_on.size()> old_{};
 };
 
 /// @return what waitpid tells of it
