@@ -107,9 +107,10 @@ class Operators {
         motions.push_back(checked(item, all));
       } else if (const std::optional<Range> range = range_of(item)) {
         // The first number that is no operator ends it, so a range is no longer than their table.
-        for (std::int64_t id = range->first; id <= range->last; ++id) {
+        for (std::int64_t id = range->first;; ++id) {
           motions.push_back(checked(std::to_string(id), all));
           check_count(motions.size(), all);
+          if (id == range->last) break;
         }
       } else {
         fail(all, "names an operator " + quoted(item) + " that the file does not have");

@@ -151,6 +151,15 @@ class Assemblies(CommandTest):
             with self.subTest(name):
                 self.check(self.positions("capsid.cif", "--biological-assembly", name), expected)
 
+    def test_a_range_of_operators_may_end_at_the_largest_number(self):
+        shift = ([*IDENTITY[0]], [0, 0, 50])
+        last = 2 ** 63 - 1
+        self.input("last.cif", cif([("A", "A", "C", 1, 2, 3)],
+                                   {str(last - 1): IDENTITY, str(last): shift},
+                                   [("1", f"{last - 1}-{last}", "A")]))
+        self.check(self.positions("last.cif", "--biological-assembly", "1"),
+                   [[1, 2, 3], [1, 2, 53]])
+
     def test_chains_of_copies_stay_apart_and_a_ligand_stays_with_its_protein(self):
         def names(file, *words):
             self.run_morskin("mesh", file, "-o", "m.ply", "-q", "-C", "0.3", "--areas", "a.csv",
