@@ -86,7 +86,9 @@ class Reader {
   /// "BIOMT2   7  0.5 -0.3 0.8  12.0", row 2 of motion 7.
   void take_row(std::string_view text) {
     const std::vector<std::string_view> fields = geometry::fields_of(text);
-    if (wanted_.parts.empty()) lines_.fail("has a matrix before any chains to apply it to");
+    if (wanted_.parts.empty()) {
+      lines_.fail("has a matrix before any chains to apply it to; correct it");
+    }
     if (rows_ == 3) finish_motion();
     if (fields.size() != 6 || fields[0] != "BIOMT" + std::to_string(rows_ + 1) ||
         (rows_ > 0 && fields[1] != motion_.name)) {
