@@ -57,7 +57,8 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("garbage", "a.stl", "no STL file");
   check_refused("garbage", "a.txt", "recognised");
   check_refused("", "a.ply", "is empty");
-  check_refused("<VTKFile/>", "a.vtu", "a.vtu: has no array of cells called connectivity");
+  check_refused("<VTKFile/>", "a.vtu",
+                "a.vtu: has no array of cells called connectivity; write it again");
   check_refused("PK", "a.npz", "only written");
 }
 

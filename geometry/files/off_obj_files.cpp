@@ -37,8 +37,9 @@ std::size_t take_count(std::string_view& fields, std::string_view what, const Te
 
 std::uint32_t off_corner(std::string_view field, std::size_t vertices, const TextLines& lines) {
   const std::optional<std::int64_t> index = parse_integer(field);
-  if (!index)
+  if (!index) {
     lines.fail("corner " + quoted(field) + " is not a whole number; write the mesh again");
+  }
   if (*index < 0 || static_cast<std::size_t>(*index) >= vertices) {
     lines.fail("corner " + quoted(field) + " does not exist, there are " +
                std::to_string(vertices) + " vertices from 0 on; write the mesh again");
@@ -137,7 +138,9 @@ IndexedMesh parse_obj(std::string_view bytes, const std::string& source) {
     if (word == "v") {
       mesh.positions.push_back(take_position(fields, lines));
       check_obj_weight(fields, lines);
-      if (mesh.positions.size() > max_vertices) lines.fail("too many vertices");
+      if (mesh.positions.size() > max_vertices) {
+        lines.fail("too many vertices; at most 2^32 - 1 are read");
+      }
     } else if (word == "f") {
       polygon.clear();
       for (const std::string_view field : fields_of(fields)) {

@@ -53,11 +53,14 @@ class Reader {
     if (tag.name.starts_with('/') && tag.name != "/DataArray") section_ = {};
     if (tag.name != "DataArray") return;
     if (section_ == "Points") {
-      if (std::exchange(has_points_, true)) fail(source_, "has several arrays of points");
+      if (std::exchange(has_points_, true)) {
+        fail(source_, "has several arrays of points; write one mesh");
+      }
       points_ = array(tag);
     }
     if (section_ == "Cells" && !cells_.emplace(value(tag, "Name"), array(tag)).second) {
-      fail(source_, "has several arrays of cells called " + quoted(value(tag, "Name")));
+      fail(source_,
+           "has several arrays of cells called " + quoted(value(tag, "Name")) + "; write one mesh");
     }
     if (section_ == "FieldData") take_field_data(tag);
   }
@@ -67,7 +70,9 @@ class Reader {
     const std::vector<double>& corners = cell_array("connectivity");
     const std::vector<double>& ends = cell_array("offsets");
     const std::vector<double>& kinds = cell_array("types");
-    if (ends.size() != kinds.size()) fail(source_, "has more or fewer cell types than cells");
+    if (ends.size() != kinds.size()) {
+      fail(source_, "has more or fewer cell types than cells; write it again");
+    }
     if (!is_count(point_count_, result.point_count()) || !is_count(cell_count_, ends.size())) {
       fail(source_, "has more or fewer points or cells than it says; write it again");
     }
@@ -77,7 +82,8 @@ class Reader {
       const double end = ends[cell];
       if (end != start + static_cast<double>(nodes) ||
           !(end <= static_cast<double>(corners.size()))) {
-        fail(source_, "cell " + std::to_string(cell) + " has not the corners of its type");
+        fail(source_,
+             "cell " + std::to_string(cell) + " has not the corners of its type; write it again");
       }
       std::array<std::uint32_t, 6> at{};
       for (std::size_t k = 0; k < nodes; ++k) {
@@ -94,7 +100,9 @@ class Reader {
 
  private:
   void check_header(const XmlTag& tag) {
-    if (value(tag, "type") != "UnstructuredGrid") fail(source_, "is no unstructured grid");
+    if (value(tag, "type") != "UnstructuredGrid") {
+      fail(source_, "is no unstructured grid; write it as one");
+    }
     if (tag.attributes.contains("compressor")) {
       fail(source_, "is compressed; write it without compression");
     }
@@ -133,10 +141,12 @@ class Reader {
     if (format != "binary") fail(source_, "has arrays that are not inline; write it as binary");
     const std::optional<std::string> bytes = from_base64(trimmed(tag.text));
     const std::size_t head = is_wide_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
-    if (!bytes || bytes->size() < head) fail(source_, "has an array that is damaged");
+    if (!bytes || bytes->size() < head) {
+      fail(source_, "has an array that is damaged; write it again");
+    }
     std::uint64_t size = 0;
     std::memcpy(&size, bytes->data(), head);
-    if (size != bytes->size() - head) fail(source_, "has an array that is damaged");
+    if (size != bytes->size() - head) fail(source_, "has an array that is damaged; write it again");
     const std::string_view numbers = std::string_view(*bytes).substr(head);
     const std::string_view type = value(tag, "type");
     if (type == "Float64") return numbers_of<double>(numbers);
@@ -145,35 +155,43 @@ class Reader {
     if (type == "Int32") return numbers_of<std::int32_t>(numbers);
     if (type == "UInt32") return numbers_of<std::uint32_t>(numbers);
     if (type == "UInt8") return numbers_of<std::uint8_t>(numbers);
-    fail(source_, "has numbers of the type " + quoted(type) + ", which are not read");
+    fail(source_, "has numbers of the type " + quoted(type) +
+                      ", which are not read; write Float64 and Int64");
   }
   std::vector<double> ascii_array(const XmlTag& tag) const {
     std::vector<double> numbers;
     std::string_view rest = tag.text;
     for (std::string_view field = take_field(rest); !field.empty(); field = take_field(rest)) {
       const std::optional<double> number = parse_double(field);
-      if (!number || !std::isfinite(*number))
-        fail(source_, "has " + quoted(field) + " in the place of a number");
+      if (!number || !std::isfinite(*number)) {
+        fail(source_, "has " + quoted(field) + " in the place of a number; write it again");
+      }
       numbers.push_back(*number);
     }
     return numbers;
   }
 
   std::vector<Point> positions() const {
-    if (points_.size() % 3 != 0) fail(source_, "has points without three coordinates");
+    if (points_.size() % 3 != 0) {
+      fail(source_, "has points without three coordinates; write it again");
+    }
     if (points_.size() / 3 > std::numeric_limits<std::uint32_t>::max()) {
       fail(source_, "has too many points; at most 2^32 - 1 are read");
     }
     std::vector<Point> points;
     for (std::size_t i = 0; i < points_.size(); i += 3) {
       points.emplace_back(points_[i], points_[i + 1], points_[i + 2]);
-      if (!points.back().allFinite()) fail(source_, "has a coordinate that is not finite");
+      if (!points.back().allFinite()) {
+        fail(source_, "has a coordinate that is not finite; remove it");
+      }
     }
     return points;
   }
   const std::vector<double>& cell_array(const std::string& name) const {
     const auto found = cells_.find(name);
-    if (found == cells_.end()) fail(source_, "has no array of cells called " + name);
+    if (found == cells_.end()) {
+      fail(source_, "has no array of cells called " + name + "; write it again");
+    }
     return found->second;
   }
   std::size_t nodes_of(double kind) const {
@@ -183,7 +201,7 @@ class Reader {
   }
   std::uint32_t index(double corner, std::size_t points) const {
     if (!(corner >= 0 && corner < static_cast<double>(points)) || corner != std::floor(corner)) {
-      fail(source_, "has a corner that does not exist");
+      fail(source_, "has a corner that does not exist; write it again");
     }
     return static_cast<std::uint32_t>(corner);
   }
