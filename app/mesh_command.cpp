@@ -123,8 +123,8 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
   seconds.voids = run.seconds("voids");
   seconds.critical_points = run.seconds("critical points") + run.seconds("integral lines");
   seconds.sweep = run.seconds("sweep") + run.seconds("grow") + run.seconds("marching cubes");
-  seconds.refine = run.seconds("refine") + run.seconds("thin") + run.seconds("refine angles") +
-                   run.seconds("refine angles in space");
+  seconds.refine = run.seconds("refine") + run.seconds("thin") + run.seconds("thicken") +
+                   run.seconds("refine angles") + run.seconds("refine angles in space");
   seconds.smooth = run.seconds("smooth") + run.seconds("improve angles");
   seconds.write = delivery.seconds_writing();
   seconds.certify = run.seconds("deliver") - seconds.write + run.seconds("certify");

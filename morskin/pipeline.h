@@ -35,7 +35,8 @@ struct MeshResult : RunCounts {
 };
 
 /// Meshes, delivers and certifies a skin. Stages: "critical points", "integral lines", "sweep",
-/// "refine", "smooth", "deliver", "certify"; other methods leave some out.
+/// "refine", "smooth", "deliver", "certify" and, where they are needed, "thin", "thicken", "improve
+/// angles", "refine angles", "refine angles in space"; other methods leave some out.
 /// @throws morse::DegenerateFunction when options.function is degenerate for this skin;
 ///         geometry::RefusedInput for options that make no sense; geometry::Stopped
 MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
