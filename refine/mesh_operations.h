@@ -160,7 +160,8 @@ bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
 
 template <class Flipped>
 SurfaceMesh::FreeSlots VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
-  for (const auto& [a, tip, b] : std::span(cut_).first(cut_.size() - 1)) {
+  for (const auto& ear : std::span(cut_).first(cut_.size() - 1)) {
+    const VertexId tip = ear[1];
     HalfEdgeId to_tip;
     mesh.for_each_outgoing(vertex_, [&](HalfEdgeId h) {
       if (mesh.target(h) == tip) to_tip = h;
