@@ -11,6 +11,7 @@
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
 - Every row of a table has as many cells as its head.
 - Every console block of README.md stands on a page as well, where its commands are run.
+- Every option of the library has a place in the tables of papers/library.md.
 - Every figure is shown on some page, and every SVG well-formed.
 - Every small program of papers/steps has at most 80 lines and is run on some page.
 - The pages of the course have all their parts, every excerpt is marked in the sources and shown,
@@ -202,6 +203,17 @@ def check_readme(checks):
         checks.expect(block in shown, f"README.md:{line}", "a console block that no page runs")
 
 
+def check_library(checks):
+    page = (ROOT / "papers" / "library.md").read_text(encoding="utf-8")
+    rows = "".join(re.findall(r"^\| `(.*?) \|", page, re.MULTILINE))
+    for header, options in (("molecule.h", "ReadOptions"), ("morskin.h", "SkinOptions"),
+                            ("morskin.h", "RunOptions"), ("morskin.h", "MeshOptions")):
+        text = (ROOT / "morskin" / header).read_text(encoding="utf-8")
+        fields = re.search(rf"^struct {options} {{(.*?)^}};", text, re.MULTILINE | re.DOTALL)[1]
+        for name in re.findall(r"(\w+) = ", re.sub(r"static .*|//.*", "", fields)):
+            checks.expect(f"{name}`" in rows, "papers/library.md", f"no row for {options}::{name}")
+
+
 def declarations(path):
     """What is to be answered in a file of answers: types and names."""
     text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
@@ -272,6 +284,7 @@ def main():
                 check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
     check_figures(checks)
     check_readme(checks)
+    check_library(checks)
     check_course(checks)
     check_steps(checks)
     check_formulas(checks)
