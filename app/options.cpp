@@ -135,8 +135,10 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   add_molecule_options(command, typed);
   add_voids_option(command, typed);
   add_sizing_options(command, typed);
-  command.add_flag("!--no-self-intersections", check.self_intersections,
-                   "Do not search for self-intersections");
+  // As a flag of a bool that it turns off its help would be called --no-self-intersections{false}.
+  command.add_flag_callback(
+      "--no-self-intersections", [&check] { check.self_intersections = false; },
+      "Do not search for self-intersections");
   command.add_flag("--json", check.json, "Print all that was found as JSON");
   add_threads_option(command, check.threads);
   add_limit_options(command, check.limits, typed);
