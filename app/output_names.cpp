@@ -167,8 +167,8 @@ void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
 bool names_a_mesh(const std::filesystem::path& path) {
   std::string ending = lower_extension(path);
   if (ending == ".gz") ending = lower_extension(path.stem());
-  constexpr std::array<std::string_view, 8> endings{".ply", ".off", ".obj",  ".vtu",
-                                                    ".msh", ".stl", ".vert", ".face"};
+  constexpr std::array<std::string_view, 10> endings{".ply", ".off",  ".obj",  ".vtu", ".msh",
+                                                     ".stl", ".vert", ".face", ".glb", ".npz"};
   return std::ranges::find(endings, ending) != endings.end();
 }
 

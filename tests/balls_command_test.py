@@ -47,7 +47,8 @@ class Balls(CommandTest):
         self.run_morskin("balls", "--weights", "ball.xyzr", "-o", "out.xyzr", code=2)
 
     def test_balls_get_no_ending_of_another_format(self):
-        for name in ("out.pdb", "out.xyz", "out.cif.gz", "out.xyzr.gz", "out.PLY", "out.gz"):
+        for name in ("out.pdb", "out.xyz", "out.cif.gz", "out.xyzr.gz", "out.PLY", "out.gz",
+                     "out.npz"):
             said = self.run_morskin("balls", self.ring, "-o", name, code=2).stderr
             self.assertIn(b"written as .xyzr", said)
         self.run_morskin("balls", self.ring, "-o", "out.txt")

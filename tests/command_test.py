@@ -40,6 +40,8 @@ class WithoutACommand(CommandTest):
         self.run_morskin(self.ring, "-o", "ring.ply", "-q")
         self.assertEqual(self.run_morskin("ring.ply").stdout,
                          self.run_morskin("check", "ring.ply").stdout)
+        arrays = self.input("arrays.npz", "PK")
+        self.assertIn(b"are only written", self.run_morskin(arrays, code=3).stderr)
 
     def test_a_word_that_is_neither_command_nor_file_is_refused_with_the_commands_listed(self):
         for words in (["mehs", self.ring], ["mehs", self.ring, "-o", "ring.ply"]):

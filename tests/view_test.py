@@ -231,6 +231,7 @@ class Failures(ViewTest):
     def test_each_failure_has_its_exit_code_and_leaves_nothing(self):
         (self.folder / "broken.ply").write_text("ply\nnonsense\n")
         (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
+        (self.folder / "arrays.npz").write_text("PK")
         self.before = sorted(p.name for p in self.folder.iterdir())
         self.failure(self.ring, "-o", "page.txt", code=2)
         self.failure(self.ring, "-o", self.ring, code=2)
@@ -244,6 +245,7 @@ class Failures(ViewTest):
         self.failure(self.ring, "-o", "page.html", "--frames", "missing.ply", code=3)
         self.failure(self.ring, "-o", "page.html", "--frames", "x" * 300, code=3)
         self.failure("broken.ply", "-o", "page.html", code=3)
+        self.assertIn("are only written", self.failure("arrays.npz", "-o", "page.html", code=3))
         self.failure("empty.off", "-o", "page.html", code=4)
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)
 
