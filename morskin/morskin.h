@@ -11,6 +11,11 @@
 /// gives the same bytes on any number of threads. `papers/library.md` goes through every function
 /// with an example.
 
+// Else the first error would be of something in the standard library.
+#if __cplusplus <= 201703L
+#error "morskin is C++20: compile with -std=c++20"
+#endif
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

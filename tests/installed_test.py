@@ -7,6 +7,7 @@ import gzip
 import os
 import re
 import shutil
+import subprocess
 import sys
 import unittest
 from fnmatch import fnmatch
@@ -120,6 +121,12 @@ class Installed(unittest.TestCase):
         self.assertIn("certified, genus 0", output_of(build / "uses_morskin", molecule, mesh))
         output_of(self.prefix / "bin/morskin", "check", mesh, "--against", molecule, "--model",
                   "sas", "-C", "0.2")
+
+    def test_a_compiler_of_an_older_standard_is_told_first_that_the_library_is_of_a_newer(self):
+        program = self.prefix / "share/doc/morskin/examples/cpp/mesh_a_molecule.cpp"
+        done = subprocess.run([CXX, "-std=c++17", "-Wfatal-errors", "-fsyntax-only",
+                               f"-I{self.prefix}/include", program], capture_output=True, text=True)
+        self.assertRegex(done.stderr, r"error:.*compile with -std=c\+\+20")
 
     def test_mesh_all_gives_molecules_whose_names_begin_alike_meshes_of_their_own(self):
         molecules, box = ROOT / "bench/molecules", self.folder / "alike"
