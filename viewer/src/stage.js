@@ -31,11 +31,15 @@ export class Stage {
     this.coarse = 1;
     this.lastFrame = 0;
     this.renderer.setPixelRatio(this.finest);
+    // A graphics card that was lost comes back without the background, and nothing is drawn.
+    this.renderer.domElement.addEventListener('webglcontextrestored',
+      () => this.setBackground(this.background));
     new ResizeObserver(() => this.resize()).observe(container);
     this.fit();
   }
 
   setBackground(colour) {
+    this.background = colour;
     this.renderer.setClearColor(new THREE.Color(colour), 1);
     this.draw();
   }

@@ -1,0 +1,26 @@
+// What the page meets in a browser that is not as it was made for.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { settle } from './browser.mjs';
+import { pages, small, stage, withPage } from './pages.mjs';
+import { difference } from './pictures.mjs';
+
+test('a graphics card that was lost comes back with the same picture', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const whole = await stage(page);
+    const event = (name, act) => page.evaluate(([name, act]) => new Promise((done) => {
+      const { renderer } = window.viewer.stage;
+      window.card ??= renderer.getContext().getExtension('WEBGL_lose_context');
+      renderer.domElement.addEventListener(name, () => setTimeout(done, 100), { once: true });
+      window.card[act]();
+    }), [name, act]);
+    await event('webglcontextlost', 'loseContext');
+    const frames = await page.evaluate(() => window.viewer.stage.frames);
+    await event('webglcontextrestored', 'restoreContext');
+    await page.waitForFunction((n) => window.viewer.stage.frames > n, frames, { timeout: 60000 });
+    await settle(page);
+    const off = difference(whole, await stage(page));
+    assert.ok(off < 0.001, `${off} of the picture is another`);
+  });
+});
