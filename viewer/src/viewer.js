@@ -293,7 +293,8 @@ export class Viewer {
 
   toggleHelp() {
     const help = document.getElementById('help');
-    if (help.open) help.close();
-    else help.showModal();
+    if (help.open) return help.close();
+    help.showModal();
+    help.scrollTop = 0; // the button at its end has the focus, and may be out of view
   }
 }

@@ -24,3 +24,17 @@ test('a graphics card that was lost comes back with the same picture', { timeout
     assert.ok(off < 0.001, `${off} of the picture is another`);
   });
 });
+
+test('the help opens at its beginning where it is longer than the window', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, { width: 390, height: 500, scale: 0.5 }, async (page) => {
+    const help = page.locator('#help');
+    for (let round = 0; round < 2; ++round) {
+      await page.keyboard.press('h');
+      const [at, most] = await help.evaluate((part) =>
+        [part.scrollTop, part.scrollHeight - part.clientHeight]);
+      assert.ok(most > 50, `all of it is in view: ${most}`);
+      assert.equal(at, 0);
+      await page.keyboard.press('h');
+    }
+  });
+});
