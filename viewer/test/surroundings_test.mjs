@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { settle } from './browser.mjs';
+import { launch, settle } from './browser.mjs';
 import { pages, small, stage, withPage } from './pages.mjs';
 import { difference } from './pictures.mjs';
 
@@ -37,4 +37,15 @@ test('the help opens at its beginning where it is longer than the window', { tim
       await page.keyboard.press('h');
     }
   });
+});
+
+test('without scripts the page says so, and is not unpacked for ever', { timeout: 900000 }, async () => {
+  const browser = await launch();
+  try {
+    const page = await browser.newPage({ javaScriptEnabled: false });
+    await page.goto(`file://${pages.ligand}`);
+    assert.match(await page.locator('body').innerText(), /^The page cannot be shown: .*JavaScript/);
+  } finally {
+    await browser.close();
+  }
 });
