@@ -49,3 +49,18 @@ test('without scripts the page says so, and is not unpacked for ever', { timeout
     await browser.close();
   }
 });
+
+test('colours that a system forces upon the page leave the legend its own', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const colours = (part) => page.locator(part).evaluateAll((list) =>
+      list.map((e) => getComputedStyle(e).backgroundColor));
+    const legend = await colours('.legend .dot'), layers = await colours('.toggle .dot');
+    assert.ok(new Set(legend).size === 4 && layers.length > 8, `${legend}, ${layers}`);
+    await page.emulateMedia({ forcedColors: 'active' });
+    assert.deepEqual(await colours('.legend .dot'), legend);
+    assert.deepEqual(await colours('.toggle .dot'), layers);
+    await page.locator('#colour').selectOption('quality');
+    const [bars, panel] = [await colours('.histogram i'), await colours('#panel')];
+    assert.ok(!bars.includes(panel[0]), `bars are ${bars[0]} like the panel`);
+  });
+});
