@@ -4,6 +4,7 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/complex_files.h"
 #include "app/features_options.h"
@@ -174,6 +175,12 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   return all.check;
 }
 
+/// The last words of a complaint: where the options of the command given are explained.
+std::string help_hint(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return "; see morskin " + (given.empty() ? "" : given[0]->get_name() + " ") + "--help\n";
+}
+
 }  // namespace
 
 Arguments parse_arguments(int count, const char* const* words) {
@@ -187,7 +194,7 @@ Arguments parse_arguments(int count, const char* const* words) {
       const std::optional<std::string> option = nearest_option(*parser, word);
       if (option) meant += "; " + word + " is no option, did you mean " + *option + "?";
     }
-    return "morskin: " + std::string(error.what()) + meant + "; see morskin --help\n";
+    return "morskin: " + std::string(error.what()) + meant + help_hint(*parser);
   });
   AllArguments all;
   Typed typed;
@@ -207,7 +214,7 @@ Arguments parse_arguments(int count, const char* const* words) {
     app.exit(error, std::cout, std::cerr);
     return Finished{is_complaint ? ExitCode::Usage : ExitCode::Success};
   } catch (const UsageError& error) {
-    std::cerr << "morskin: " << error.what() << "; see morskin --help\n";
+    std::cerr << "morskin: " << error.what() << help_hint(app);
     return Finished{ExitCode::Usage};
   }
 }

@@ -156,7 +156,7 @@ void finish(RenderArguments& render, const TypedPicture& typed) {
 void finish(const FigureArguments& figure) {
   check_png(figure.output);
   if (figures::find_figure(figure.name) == nullptr) {
-    throw UsageError("no figure " + figure.name + "; see morskin figure --help for the numbers");
+    throw UsageError("no figure " + figure.name);
   }
   if (!(figure.scale >= 0.1 && figure.scale <= 4)) {
     throw UsageError("--scale must be from 0.1 to 4");

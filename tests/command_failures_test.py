@@ -154,6 +154,15 @@ class Failures(CommandTest):
             self.assertIn(b"Usage", self.run_morskin(command, "--help").stdout)
         self.assertTrue(self.run_morskin("--version").stdout.startswith(b"morskin "))
 
+    def test_a_complaint_names_the_help_that_has_the_options(self):
+        for words, command in (((), ""), (("--nope",), ""), (("mehs",), ""), (("mesh",), "mesh "),
+                               ((self.ring, "-o", "a.foo"), "mesh "), (("info",), "info "),
+                               (("figure", "12", "-o", "a.png"), "figure "),
+                               (("check", "a.ply", "--wat"), "check ")):
+            said = self.run_morskin(*words, code=2).stderr.decode()
+            self.assertTrue(said.endswith(f"; see morskin {command}--help\n"), said)
+            self.assertEqual(said.count("--help"), 1)
+
     def test_an_unreadable_input_gives_3(self):
         self.input("empty.pdb", "")
         self.input("words.xyzr", "0 0 zero 1\n")

@@ -177,7 +177,7 @@ class Selections(CommandTest):
                       ("--model-number=-1",), ("--model-number", "1-3"),
                       ("--model-number", "1.5"), ("--model-number", "+1")):
             with self.subTest(words):
-                self.assertIn("see morskin --help", self.complaint(*words, code=2))
+                self.assertIn("see morskin info --help", self.complaint(*words, code=2))
 
     def test_info_tells_which_model_was_read(self):
         self.assertIn(b"the first of 2", self.run_morskin("info", "two.pdb").stdout)

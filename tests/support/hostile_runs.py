@@ -191,6 +191,6 @@ def limit_cases():
     yield Case("--timeout and --max-memory that make no sense", crambin,
                [(*fine, "--timeout", word) for word in ("0", "-1", "nan", "1e300", "soon")] +
                [(*fine, "--max-memory", word) for word in ("0", "-1", "nan", "1e300", "2X")],
-               code=2, says="see morskin --help")
+               code=2, says="see morskin mesh --help")
     yield Case("a limit of the shell's (ulimit -v)", crambin, [fine], code=6,
                says="out of memory", memory=True, address_space=60 << 20)
