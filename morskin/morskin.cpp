@@ -129,6 +129,7 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
 
 std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
                                               const SkinOptions& options, const Run& run) {
+  if (atoms.empty()) throw geometry::RefusedInput("there are no atoms, and so there is no surface");
   std::vector<geometry::WeightedPoint> points = weighted_points(atoms, options);
   const std::size_t rounded = geometry::move_to_exact_grid(points);
   PreparedSkin skin = prepare_skin(std::move(points), run);

@@ -121,6 +121,8 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
         MeshOptions{.max_length_scale = nan}}) {
     CHECK(kind_of([&] { skin.certify(mesh, options); }) == Kind::Refused);
   }
+  CHECK_THROWS_WITH_AS(Skin(std::vector<Atom>{}), "there are no atoms, and so there is no surface",
+                       Error);
   CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
   for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
                            Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6},
