@@ -30,13 +30,15 @@ class SweepObserver : public FrontMirror {
 };
 
 /// Calls back after each operation with the number of triangles there are by then. Without
-/// coarsening, triangles come in the order of their ids.
+/// coarsening, triangles come in the order of their ids. With it they are fewer than were laid: of
+/// a mesh that records births the number is of those laid.
 class OperationObserver : public SweepObserver {
  public:
   using Callback = std::function<void(Operation, std::size_t triangles)>;
   explicit OperationObserver(Callback callback) : callback_(std::move(callback)) {}
   void operation_done(Operation operation, const Front& front) override {
-    callback_(operation, front.mesh().surface.triangle_count());
+    const surface::Mesh& mesh = front.mesh();
+    callback_(operation, mesh.births ? mesh.births->laid() : mesh.surface.triangle_count());
   }
 
  private:

@@ -106,6 +106,9 @@ class TriangleBirths : public TriangleData<std::uint32_t> {
  public:
   using TriangleData<std::uint32_t>::TriangleData;
 
+  /// How many were laid, those counted that are no more. Births are below it.
+  std::uint32_t laid() const { return laid_; }
+
  private:
   void triangles_resized(std::size_t triangles) override {
     while (size() < triangles) push_back(laid_++);

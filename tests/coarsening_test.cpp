@@ -183,6 +183,19 @@ TEST_CASE("a mesh coarsened behind the front is certified, and never there as a 
   });
 }
 
+TEST_CASE("each operation tells of more triangles laid, whatever is coarsened behind the front") {
+  const Sizing sizing = sizing_for(0.3), laid = sizing.laid();
+  const front::CoarseningOptions coarsening{.sizing = sizing, .min_triangles = 300};
+  for_skins(20, [&](const PreparedSkin& skin) {
+    std::size_t told = 0;
+    front::OperationObserver observer([&](front::Operation, std::size_t triangles) {
+      CHECK(triangles > std::exchange(told, triangles));
+    });
+    front::sweep_once(skin.surface, guide_for(skin, laid), {.sizing = laid, .record_births = true},
+                      coarsening, {&observer});
+  });
+}
+
 TEST_CASE("subdomains that are coarsened on their way give one mesh for any number of threads") {
   const Sizing sizing = sizing_for(0.35), laid = sizing.laid();
   for_skins(20, [&](const PreparedSkin& skin) {

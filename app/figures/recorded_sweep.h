@@ -15,7 +15,7 @@ namespace morskin::figures {
 
 struct Event {
   front::Operation operation;
-  std::size_t before, after;  ///< triangles
+  std::size_t before, after;  ///< triangles laid
 };
 
 struct RecordedSweep {
