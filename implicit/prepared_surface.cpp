@@ -86,15 +86,16 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   Box cube = space.cube;
   std::optional<Cover> found;
   std::optional<BoundedRoom> bounded;
-  double radius = 0;  // of the body that it is about
+  std::size_t boxes = 0;  // of the body that it is about
   for (;; cube.half *= 2) {
     found = run.stage("cover", [&] { return cover(*f, cube, found, run); });
+    if (!found) bounded.reset();  // the next cube keeps no boxes
     if (found && !found->boxes.empty()) {
-      // Cubes about one point have the same boxes, so that a larger one mostly finds the same body.
-      const bool is_same_body = bounded && found->bounding_ball().radius == radius;
+      // A larger cube keeps all boxes of the one before, and mostly adds none.
+      const bool is_same_body = bounded && found->boxes.size() == boxes;
       if (!is_same_body) {
         bounded = run.stage("second derivatives", [&] { return best_room(*f, *found, run); });
-        radius = found->bounding_ball().radius;
+        boxes = found->boxes.size();
       }
       if (cube.contains(bounded->room.cube())) break;
     }

@@ -279,3 +279,16 @@ TEST_CASE("a mesh without one of the surface's components is not certified") {
   CHECK(!certificate.holds(certify::Claim::Counts));
   CHECK(!certificate.certified);
 }
+
+TEST_CASE("bodies that a larger cube adds have room, however symmetric they lie to those before") {
+  std::string text = "0.3";
+  for (const char* at : {"(x-0.75)^2+(y-0.75)^2+(z-0.75)^2", "(x+0.75)^2+(y+0.75)^2+(z+0.75)^2",
+                         "x^2+(y-1.25)^2+z^2", "x^2+(y+1.25)^2+z^2"}) {
+    text += std::string("-exp(-60*(") + at + "))";  // within 0.15 of the point
+  }
+  const implicit::PreparedSurface prepared = of_formula(text);
+  CHECK(prepared.critical.points.size() == 8);
+  for (const implicit::CriticalHeight& p : prepared.critical.points) {
+    CHECK(std::isfinite(prepared.surface.enclose(p.position, surface::CellId{0U}).error));
+  }
+}
