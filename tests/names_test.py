@@ -6,9 +6,11 @@ import base64
 import json
 import re
 import shlex
+import tarfile
 import unittest
 from html.parser import HTMLParser
 
+from support.batch_case import COARSE, Batch, chain
 from support.command import MOLECULES, CommandTest, main
 
 ESCAPES = ["\x1b[31mred", "\x1b]0;title\x07", "a\tb", "\x9b2J", "\x7f", "back\x08space",
@@ -111,6 +113,23 @@ class Names(CommandTest):
                 about = next(json.loads(script) for script in page.scripts
                              if script.lstrip().startswith("{"))
                 self.assertEqual(about["title"], molecule)
+
+
+class Batches(Batch):
+    def test_names_that_mean_harm_stay_in_the_folder(self):
+        (self.folder / "in").mkdir()
+        names = ["-o.xyzr", "a b.xyzr", "$(touch x).xyzr", "'q\".xyzr", "new\nline.xyzr", "ö.xyzr"]
+        for seed, name in enumerate(names):
+            self.input(f"in/{name}", chain(seed))
+        with tarfile.open(self.folder / "up.tar", "w") as archive:
+            archive.add(self.folder / "in" / names[1], arcname="../../up.xyzr")
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE)["statuses"], {"ok": len(names)})
+        self.assertEqual(sorted(self.rows()), sorted(names))
+        self.batch("up.tar", "-o", "up", *COARSE)
+        self.assertEqual(list(self.made("up")), ["up.xyzr.ply"])
+        self.assertEqual(self.names(), ["in", "out", "up", "up.tar"])
+        self.input(b"in/\xff.xyzr".decode(errors="surrogateescape"), chain(9))
+        self.assertIn("no UTF-8", self.batch("in", "-o", "out", *COARSE, code=2))
 
 
 if __name__ == "__main__":
