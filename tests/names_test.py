@@ -117,7 +117,8 @@ class Names(CommandTest):
 
 class Batches(Batch):
     def test_names_that_mean_harm_stay_in_the_folder(self):
-        (self.folder / "in").mkdir()
+        for folder in ("in", "bad"):
+            (self.folder / folder).mkdir()
         names = ["-o.xyzr", "a b.xyzr", "$(touch x).xyzr", "'q\".xyzr", "new\nline.xyzr", "ö.xyzr"]
         for seed, name in enumerate(names):
             self.input(f"in/{name}", chain(seed))
@@ -127,7 +128,10 @@ class Batches(Batch):
         self.assertEqual(sorted(self.rows()), sorted(names))
         self.batch("up.tar", "-o", "up", *COARSE)
         self.assertEqual(list(self.made("up")), ["up.xyzr.ply"])
-        self.assertEqual(self.names(), ["in", "out", "up", "up.tar"])
+        self.assertEqual(self.names(), ["bad", "in", "out", "up", "up.tar"])
+        self.input("bad/no\natoms.pdb", "x\n")
+        self.batch("bad", "-o", "rows", *COARSE)
+        self.assertIn("no\natoms.pdb: has no ATOM", self.rows("rows")["no\natoms.pdb"]["reason"])
         self.input(b"in/\xff.xyzr".decode(errors="surrogateescape"), chain(9))
         self.assertIn("no UTF-8", self.batch("in", "-o", "out", *COARSE, code=2))
 

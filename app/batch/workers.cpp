@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -64,16 +65,16 @@ std::vector<path> output_names(const BatchArguments& arguments, const std::strin
   return names;
 }
 
-/// The last line that a worker said, without the program's name and with the molecule's name in
-/// the row in the place of its file's.
+/// What a worker said last, behind the program's name and with the molecule's name in the row in
+/// the place of its file's.
 std::string last_words(const path& errors, const path& file, const std::string& name) {
   std::ifstream stream(errors);
-  std::string last;
-  for (std::string line; std::getline(stream, line);) {
-    if (!geometry::trimmed(line).empty()) last = line;
-  }
-  constexpr std::string_view program = "morskin: ";
-  if (last.starts_with(program)) last.erase(0, program.size());
+  const std::string text = "\n" + std::string(std::istreambuf_iterator<char>(stream), {});
+  // To the end and not to that of the line, for a name may hold several lines.
+  constexpr std::string_view program = "\nmorskin: ";
+  const std::size_t begin = text.rfind(program);
+  std::string last(geometry::trimmed(
+      begin == std::string::npos ? text : std::string_view(text).substr(begin + program.size())));
   const std::size_t at = last.find(file.string());
   if (at != std::string::npos) last.replace(at, file.string().size(), name);
   return last;
