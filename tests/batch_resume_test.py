@@ -5,11 +5,12 @@ import os
 import random
 import shutil
 import signal
+import subprocess
 import time
 from pathlib import Path
 
 from support.batch_case import COARSE, Batch
-from support.command import main
+from support.command import main, morskin
 
 
 def is_alive(process):
@@ -190,6 +191,15 @@ class Resume(Batch):
             self.assertFalse(any(map(is_alive, workers)))
             names = sorted(p.name for p in (self.folder / "out").iterdir())
             self.assertEqual(names, ["rows.jsonl"])
+
+    def test_a_folder_that_is_removed_meanwhile_ends_the_run_in_words(self):
+        self.chains(4, balls=400)
+        run = subprocess.Popen([morskin(), "batch", "in", "-o", "out", "-C", "0.05", "-q"],
+                               cwd=self.folder, stderr=subprocess.PIPE)
+        self.first_workers(run)
+        shutil.rmtree(self.folder / "out", ignore_errors=True)
+        self.assertRegex(run.communicate()[1], rb"morskin: out\S*: \w+")
+        self.assertEqual(run.returncode, 7)
 
 
 if __name__ == "__main__":

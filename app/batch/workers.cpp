@@ -208,12 +208,16 @@ std::optional<ordered_json> Workers::next_row() {
       continue;
     }
     if (ended->exit_code == Children::not_started) {
-      throw geometry::UnwritableOutput(arguments_.folder.string() +
-                                       ": no worker could be started; is there space, and /proc?");
+      throw geometry::UnwritableOutput(
+          arguments_.folder.string() +
+          ": no worker could be started; is the folder there, with space, and /proc?");
     }
     if (ended->exit_code == static_cast<int>(ExitCode::UnwritableOutput)) {
+      const std::string words = last_words(job.folder / errors_name, job.file, job.input.name);
       throw geometry::UnwritableOutput(
-          last_words(job.folder / errors_name, job.file, job.input.name));
+          words.empty() ? job.folder.string() + ": is gone; leave the folder alone while a batch " +
+                              "writes there"
+                        : words);
     }
     ordered_json row = row_of(job, *ended);
     std::error_code ignored;
