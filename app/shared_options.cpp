@@ -112,7 +112,8 @@ void add_surface_option(CLI::App& command, std::optional<std::string>& surface) 
       .add_option("--surface", surface,
                   "No molecule: sphere:R torus:R,r genus2 formula:... gaussian:...\n"
                   "Write formula:EXPRESSION[,within=W], where the expression in x y z is 0 and\n"
-                  "|x|, |y|, |z| <= W, or gaussian:MOLECULE[,decay=D][,level=L]")
+                  "|x|, |y|, |z| <= W; by default W is the least of 1, 2, 4, ... that holds\n"
+                  "a closed surface with room. Or gaussian:MOLECULE[,decay=D][,level=L]")
       ->default_str("none");
 }
 

@@ -19,6 +19,7 @@ struct SurfaceFacts {
   std::size_t boxes = 0;        ///< of the cover
   double hessian_bound = 0;     ///< M, of the levelled function
   double max_length_scale = 0;  ///< Angstrom
+  double within = 0;            ///< half the side of the cube that was searched, Angstrom
   std::size_t undecided = 0;    ///< boxes that may hold a critical point of the height
   morskin::CriticalCounts critical{};
 

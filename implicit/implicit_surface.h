@@ -80,10 +80,11 @@ class ImplicitSurface final : public surface::Surface {
   double error_ = 0;         ///< four times the largest rounding of G that was met, Angstrom^2
 };
 
-/// The function of the seam, its topology's proof, and what they were made from.
+/// The function of the seam, its topology's proof, and the part of space that they speak of.
 struct PreparedSurface {
   ImplicitSurface surface;
   CriticalHeights critical;
+  Box searched;  ///< whether f has zeros outside is not known
 };
 
 /// The part of space that a surface is searched in.

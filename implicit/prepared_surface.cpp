@@ -123,7 +123,7 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   }
   return {ImplicitSurface(std::move(f), std::move(*found), bounded->levelling,
                           std::move(bounded->room), bounded->M),
-          std::move(*critical)};
+          std::move(*critical), cube};
 }
 
 }  // namespace morskin::implicit

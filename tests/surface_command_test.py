@@ -137,6 +137,16 @@ class Surfaces(CommandTest):
             with self.subTest(surface=surface):
                 self.assertIn(says, self.refused(surface, code))
 
+    def test_the_report_tells_how_far_a_formula_was_searched(self):
+        pair = "formula:0.3-exp(-x^2-y^2-z^2)-exp(-(x-8)^2-y^2-z^2)"
+        first = self.meshed(pair)
+        self.assertEqual((first["within"], first["components"]), (4, 1))
+        both = self.meshed(pair + ",within=16")
+        self.assertEqual((both["within"], both["components"]), (16, 2))
+        done = self.run_morskin("mesh", "--surface", pair, "-o", "mesh.ply", *COARSE)
+        self.assertIn(b"where |x|, |y|, |z| <= 4; what is zero beyond is left out", done.stdout)
+        self.assertNotIn("within", self.meshed("torus:2.5,1"))
+
     def test_what_only_skins_have_is_a_usage_error(self):
         for words in (("--model", "sas"), ("--chain", "A"), ("--areas", "a.csv"),
                       ("--method", "static"), ("--grading", "0.2"), ("--density", "3"),
