@@ -96,6 +96,12 @@ def test_an_answer_may_begin_with_a_minus_sign():
     assert asked("9", "predict", "-4") == (0, "Right.\n")
 
 
+def test_a_number_may_have_commas_between_thousands():
+    assert asked("8", "predict", "2,194") == (0, "Right.\n")
+    assert asked("8", "predict", "2,147")[1].startswith("2147 is not it. ")
+    assert asked("1", "predict", "2,83")[0] == 2  # that is a decimal comma
+
+
 def test_without_the_program_a_run_is_not_judged():
     code, said = asked("1", "run", "1", "--command", "/nowhere/morskin")
     assert code == 2 and "no /nowhere/morskin; make build first" in said, said

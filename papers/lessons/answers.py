@@ -5,6 +5,7 @@ import dataclasses
 import json
 import math
 import operator
+import re
 import subprocess
 import tempfile
 from collections.abc import Callable
@@ -60,6 +61,11 @@ def evaluated(text, variables):
         raise NoValue(f"{text}: {error}") from error
 
 
+def number_in(text):
+    """The value of a text without variables, in which commas may part thousands: 2,140."""
+    return evaluated(re.sub(r"(?<=\d),(?=\d{3}(?!\d))", "", text), {})
+
+
 def value_or_none(text, variables):
     try:
         return evaluated(text, variables)
@@ -80,7 +86,7 @@ class Number:
 
     def reply(self, text):
         """Nothing to a right answer."""
-        given = evaluated(text, {})
+        given = number_in(text)
         if agree(given, self.right):
             return None
         hint = next((h for wrong, h in self.mistakes.items() if agree(given, wrong)), "")
@@ -138,7 +144,7 @@ class Run:
         return value
 
     def reply(self, text, command):
-        given = evaluated(text.replace(",", ""), {})
+        given = number_in(text)
         if given == self.right(command):
             return None
         return f"{given:g} is not it. The command is: morskin {self.words}"
