@@ -6,7 +6,7 @@
 /// many critical points are left?
 Count left_on_gramicidin = unanswered;
 
-/// Run. `2buk.pdb.gz`, -C 0.2, as the program simplifies it: how many saddles are left?
+/// Run. `2buk.pdb.gz`, meshed with -C 0.2: how many saddles are left?
 Count saddles_left = unanswered;
 
 /// Explain. May the saddle a be cancelled with the minimum b, when a also leads down to c, given
