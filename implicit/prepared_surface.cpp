@@ -11,6 +11,9 @@ namespace morskin::implicit {
 
 namespace {
 
+/// Of the cubes that are tried, unless a molecule's is larger.
+constexpr double largest_half = 0x1p12;
+
 /// A levelling, the room in which the Hessian is bounded, and the bound.
 struct BoundedRoom {
   Levelling levelling;
@@ -72,6 +75,25 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
       "roots and quotients that vanish there");
 }
 
+/// Says why the last cube holds no surface. @param found  in it
+[[noreturn]] void refuse(const std::optional<Cover>& found, double half) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.6g", half);
+  const std::string where = std::string("within ") + number + " of the centre ";
+  const bool is_largest = half >= largest_half;
+  if (found && found->boxes.empty()) {
+    throw geometry::RefusedInput(where + "the function has no zero");
+  }
+  if (found) {
+    throw geometry::RefusedInput(where + "the surface has not room enough; " +
+                                 (is_largest ? "scale it down" : "choose more with within="));
+  }
+  throw geometry::RefusedInput(
+      where + "the surface is not closed, or the function is not above zero outside; " +
+      (is_largest ? "scale a larger surface down, or of a formula " : "") +
+      "choose another space with within=, or its negative");
+}
+
 /// Off the axes, off the default and off each other.
 std::vector<Vector> default_heights() {
   return {Vector(0.0231, 1, 0.0137), Vector(1, 0.0443, -0.0291), Vector(-0.0367, 0.0519, 1),
@@ -82,7 +104,6 @@ std::vector<Vector> default_heights() {
 
 PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchSpace& space,
                                 const std::optional<Vector>& height, const geometry::Run& run) {
-  constexpr double largest = 0x1p12;
   Box cube = space.cube;
   std::optional<Cover> found;
   std::optional<BoundedRoom> bounded;
@@ -99,17 +120,8 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
       }
       if (cube.contains(bounded->room.cube())) break;
     }
-    if (!space.is_fixed && cube.half < largest) continue;
-    char half[32];
-    std::snprintf(half, sizeof half, "%.6g", cube.half);
-    const std::string where = std::string("within ") + half;
-    throw geometry::RefusedInput(
-        !found ? where +
-                     " of the centre the surface is not closed, or the function is not above "
-                     "zero outside; choose another space with within=, or its negative"
-        : found->boxes.empty() ? where + " of the centre the function has no zero"
-                               : where + " of the centre the surface has not room enough; choose " +
-                                     "more with within=");
+    if (!space.is_fixed && cube.half < largest_half) continue;
+    refuse(found, cube.half);
   }
   const std::vector<Vector> heights = height ? std::vector{*height} : default_heights();
   std::optional<CriticalHeights> critical;

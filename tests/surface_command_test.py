@@ -117,6 +117,8 @@ class Surfaces(CommandTest):
         for surface, code, says in (("cube:1", 2, "--surface"), ("torus:1", 2, "2 values"),
                                     ("torus:1,2", 4, "R > r > 0"),
                                     ("sphere:1e200", 4, "radius"),
+                                    ("sphere:5000", 4, "scale a larger surface down"),
+                                    ("sphere:3000", 4, "room enough; scale it down"),
                                     ("torus:1e160,1", 4, "R^2"),
                                     ("sphere:x", 2, "no number"),
                                     ("sphere:-1", 4, "radius"), ("genus2:1", 2, "no values"),
