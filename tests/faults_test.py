@@ -7,6 +7,7 @@
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -235,6 +236,21 @@ int close(int number) {
             finally:
                 is_over.set()
                 thread.join()
+
+    def test_a_folder_of_molecules_that_may_not_be_read_is_named(self):
+        closed = self.folder / "in/closed"
+        closed.mkdir(parents=True)
+        program, options = morskin(), {}
+        if os.geteuid() == 0:  # who may read all
+            program = shutil.copy(program, self.folder)
+            self.folder.chmod(0o755)
+            options = {"user": 65534, "group": 65534, "extra_groups": []}
+        closed.chmod(0)
+        done = subprocess.run([program, "batch", "in", "-o", "out"], cwd=self.folder,
+                              capture_output=True, check=False, **options)
+        closed.chmod(0o755)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(b"morskin: in/closed: Permission denied", done.stderr)
 
 
 if __name__ == "__main__":

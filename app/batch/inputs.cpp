@@ -46,9 +46,11 @@ std::vector<BatchInput> listed(const std::string& list) {
 
 std::vector<BatchInput> in_folder(const path& folder, const std::string& only) {
   std::vector<BatchInput> inputs;
+  path at = folder;  // which an error of the iterator does not tell
   try {
     using Iterator = std::filesystem::recursive_directory_iterator;
     for (Iterator i(folder), end; i != end; ++i) {
+      at = i->path();
       const bool is_hidden = i->path().filename().string().starts_with('.');
       if (i->is_directory() && is_hidden) i.disable_recursion_pending();
       // A link that leads nowhere gets a row, so that nobody takes its molecule for made.
@@ -57,7 +59,7 @@ std::vector<BatchInput> in_folder(const path& folder, const std::string& only) {
       inputs.push_back({i->path().lexically_relative(folder).string(), i->path()});
     }
   } catch (const std::filesystem::filesystem_error& error) {
-    throw geometry::UnreadableInput(error.path1().string() + ": " + error.code().message() +
+    throw geometry::UnreadableInput(at.string() + ": " + error.code().message() +
                                     "; leave it out or make it readable");
   }
   std::ranges::sort(inputs, {}, &BatchInput::name);
