@@ -67,6 +67,13 @@ Image panel(pictures::Scene& scene, const Camera& camera, const RenderArguments&
   return pictures::render(scene, camera, {.shadows = arguments.shadows});
 }
 
+/// Squares and cubes of coordinates stay in the range of doubles.
+bool is_usable(const Camera& camera) {
+  constexpr double farthest = 1e50, finest = 1e60;
+  return camera.target.cwiseAbs().maxCoeff() < farthest && camera.scale > 1 / finest &&
+         camera.scale < finest;
+}
+
 Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
                   const RenderArguments& arguments) {
   std::vector<geometry::Point> points;
@@ -76,16 +83,14 @@ Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
   Camera camera =
       pictures::camera_from(arguments.view, arguments.up, arguments.width, arguments.height)
           .fitted(points);
-  if (arguments.at) camera.target = *arguments.at;
-  camera.scale *= arguments.zoom;
-  // Beyond these, squares and cubes of coordinates leave the range of doubles.
-  constexpr double farthest = 1e50, finest = 1e60;
-  if (!(camera.target.cwiseAbs().maxCoeff() < farthest) ||
-      !(camera.scale > 1 / finest && camera.scale < finest)) {
+  if (!is_usable(camera)) {
     throw geometry::UnreadableInput(
         arguments.meshes.front().string() +
         ": too large, too small or too far away to be drawn; scale it to some 1e-50 to 1e50");
   }
+  if (arguments.at) camera.target = *arguments.at;
+  camera.scale *= arguments.zoom;
+  if (!is_usable(camera)) throw UsageError("--at and --zoom lead too far away from the mesh");
   return camera;
 }
 

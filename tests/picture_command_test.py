@@ -78,7 +78,8 @@ class PictureCommand(CommandTest):
                       ("--view", "0,0,0"), ("--view", "1,2"), ("--up", "1,x,0"), ("--zoom", "0"),
                       ("--colour", "red"), ("--by", "mood"), ("--inset", "0.5,0.5"),
                       ("--inset", "0.5,0.5,-1"), ("--inset", "0.5,1.5,2"),
-                      ("--inset", "-0.1,0.5,2"), ("--columns", "0"), ("--zoom", "nan")):
+                      ("--inset", "-0.1,0.5,2"), ("--columns", "0"), ("--zoom", "nan"),
+                      ("--zoom", "1e-300"), ("--at", "1e300,0,0")):
             said = self.run_morskin("render", mesh, "-o", "x.png", *words, code=2).stderr
             self.assertIn(words[0].encode(), said)
         self.assertIn(b"x.jpg", self.run_morskin("render", mesh, "-o", "x.jpg", code=2).stderr)
