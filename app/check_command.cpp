@@ -14,6 +14,7 @@
 #include "app/staged_outputs.h"
 #include "app/stated_skin.h"
 #include "app/surface_input.h"
+#include "app/surface_report.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
@@ -114,6 +115,7 @@ AgainstSkin check_surface(const geometry::MeshFile& file, const SurfaceInput& in
       morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
   measure(result, file, prepared.surface, points, arguments.sizing, run);
   result.covered = components_by_minima(mesh, prepared);
+  result.within = searched_within(*arguments.surface, prepared);
   return result;
 }
 

@@ -184,7 +184,7 @@ std::string skin_text(const CheckReport& report) {
   text += line("normals", "no more than " + brief(d.max_normal_deg) + " degrees off the skin's");
   text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
                                " with a vertex in the surface ball");
-  if (report.arguments.surface) text = about_surface(std::move(text));
+  if (report.arguments.surface) text = searched_text(against.within) + about_surface(text);
   text += "the worst ten:\n";
   const auto triangle = [](const certify::BadTriangle& bad) {
     return std::to_string(bad.triangle) + ": " + brief(bad.value);
@@ -215,6 +215,7 @@ std::string json_text(const CheckReport& report) {
     add_selection(json, arguments.against->selection);
   }
   if (arguments.surface) json["surface"] = *arguments.surface;
+  if (report.against && report.against->within) json["within"] = *report.against->within;
   if (arguments.against || arguments.surface) {
     json["C"] = arguments.sizing.C;
     json["Q"] = arguments.sizing.Q;

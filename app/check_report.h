@@ -35,6 +35,7 @@ struct AgainstSkin {
   certify::Deviations deviations;
   certify::RestrictedDelaunay delaunay;
   std::vector<CoveredComponent> covered;  ///< empty if the components are indistinguishable
+  std::optional<double> within;           ///< of a formula: searched_within()
   std::optional<certify::Residuals>
       in_edges;  ///< of the nodes in edges, where triangles are curved
 };

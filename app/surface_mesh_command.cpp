@@ -59,6 +59,7 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   const implicit::PreparedSurface prepared = prepare_surface(input, height, run);
   SurfaceReport report;
   report.surface = *arguments.surface;
+  report.within = searched_within(report.surface, prepared);
   report.facts = SurfaceFacts::of(prepared);
   report.prepare_seconds = total.seconds();
   MeshDelivery delivery(arguments, outputs, files, nullptr, MeshOrigin(arguments, input.sha256), {},

@@ -12,17 +12,22 @@ namespace morskin::app {
 
 using nlohmann::ordered_json;
 
-namespace {
-
-/// Of the other surfaces it is known that the cube that was searched holds all.
-bool is_formula(const SurfaceReport& report) { return report.surface.starts_with("formula:"); }
-
-}  // namespace
-
 SurfaceFacts SurfaceFacts::of(const implicit::PreparedSurface& prepared) {
   return {prepared.surface.cover().boxes.size(), prepared.surface.hessian_bound(),
-          prepared.surface.max_length_scale(),   prepared.searched.half,
-          prepared.critical.undecided.size(),    prepared.critical.counts()};
+          prepared.surface.max_length_scale(), prepared.critical.undecided.size(),
+          prepared.critical.counts()};
+}
+
+std::optional<double> searched_within(const std::string& surface,
+                                      const implicit::PreparedSurface& prepared) {
+  if (!surface.starts_with("formula:")) return std::nullopt;
+  return prepared.searched.half;
+}
+
+std::string searched_text(const std::optional<double>& within) {
+  if (!within) return "";
+  return line("searched", "where |x|, |y|, |z| <= " + brief(*within) +
+                              "; what is zero beyond is left out (within=)");
 }
 
 std::string json_text(const SurfaceReport& report) {
@@ -33,7 +38,7 @@ std::string json_text(const SurfaceReport& report) {
                        {"second_derivative_bound", rounded_bound(report.facts.hessian_bound)},
                        {"max_length_scale", rounded(report.facts.max_length_scale)},
                        {"undecided_boxes", report.facts.undecided}};
-  if (is_formula(report)) json["within"] = report.facts.within;
+  if (report.within) json["within"] = *report.within;
   if (std::isfinite(report.sizing.largest_length_scale)) {
     json["edge_length"] = rounded(report.sizing.edge_length());
   }
@@ -74,10 +79,7 @@ std::string people_text(const SurfaceReport& report) {
                           " it; second derivatives up to " + brief_bound(facts.hessian_bound, 4) +
                           ", length scales up to " + brief(facts.max_length_scale) + "; C " +
                           brief(report.sizing.C) + ", Q " + brief(report.sizing.Q));
-  if (is_formula(report)) {
-    text += line("searched", "where |x|, |y|, |z| <= " + brief(facts.within) +
-                                 "; what is zero beyond is left out (within=)");
-  }
+  text += searched_text(report.within);
   text += line("function", in_words(report.counts.function));
   text += line("critical", critical_text(facts.critical) +
                                (facts.undecided == 0

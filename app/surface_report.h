@@ -3,6 +3,7 @@
 /// What `mesh --surface` tells, for people and for programs.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,15 +20,22 @@ struct SurfaceFacts {
   std::size_t boxes = 0;        ///< of the cover
   double hessian_bound = 0;     ///< M, of the levelled function
   double max_length_scale = 0;  ///< Angstrom
-  double within = 0;            ///< half the side of the cube that was searched, Angstrom
   std::size_t undecided = 0;    ///< boxes that may hold a critical point of the height
   morskin::CriticalCounts critical{};
 
   static SurfaceFacts of(const implicit::PreparedSurface& prepared);
 };
 
+/// How far from the axes' planes a formula was searched, Angstrom; nothing of other surfaces, of
+/// which it is known that the cube that was searched holds all.
+std::optional<double> searched_within(const std::string& surface,
+                                      const implicit::PreparedSurface& prepared);
+/// A line of a report, or nothing.
+std::string searched_text(const std::optional<double>& within);
+
 struct SurfaceReport {
   std::string surface;
+  std::optional<double> within;  ///< searched_within()
   certify::Sizing sizing;
   SurfaceFacts facts;
   std::vector<std::filesystem::path> outputs;

@@ -147,7 +147,11 @@ class Surfaces(CommandTest):
         self.assertEqual((both["within"], both["components"]), (16, 2))
         done = self.run_morskin("mesh", "--surface", pair, "-o", "mesh.ply", *COARSE)
         self.assertIn(b"where |x|, |y|, |z| <= 4; what is zero beyond is left out", done.stdout)
+        self.assertIn(b"where |x|, |y|, |z| <= 4", self.run_morskin("check", "mesh.ply").stdout)
+        self.assertEqual(self.check("mesh.ply", "--surface", pair + ",within=16", *COARSE,
+                                    code=5)["within"], 16)
         self.assertNotIn("within", self.meshed("torus:2.5,1"))
+        self.assertNotIn("within", self.check("mesh.ply"))
 
     def test_what_only_skins_have_is_a_usage_error(self):
         for words in (("--model", "sas"), ("--chain", "A"), ("--areas", "a.csv"),
