@@ -53,7 +53,7 @@ Verdict on_components(const AgainstSkin& against) {
     verdict.holds = false;
     verdict.reason += verdict.reason.empty() ? "" : "; ";
     verdict.reason += component.by.empty()
-                          ? component.name + " is missing"
+                          ? component.name + " " + component.absence
                           : component.name +
                                 (component.is_dropped ? ", which is to be dropped," : "") +
                                 " is covered by components " + list(component.by);

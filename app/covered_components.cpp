@@ -75,7 +75,8 @@ std::vector<CoveredComponent> components_by_minima(const IndexedMesh& mesh,
     covered.push_back({"the component with the minimum at " + brief(p.position.x()) + " " +
                            brief(p.position.y()) + " " + brief(p.position.z()),
                        false,
-                       {}});
+                       {},
+                       "has no vertex near enough to tell that it is covered"});
     if (component) covered.back().by.push_back(*component);
   }
   return covered;

@@ -22,6 +22,7 @@ struct CoveredComponent {
   std::string name;  ///< "outer surface of the body with atom CA of ALA 12"
   bool is_dropped;
   std::vector<std::uint32_t> by;
+  std::string absence = "is missing";  ///< what is said where there is none
 
   bool is_well() const { return by.size() == (is_dropped ? 0 : 1); }
 };

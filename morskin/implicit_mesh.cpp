@@ -90,23 +90,49 @@ bool leads_to_component(const Point& vertex, const implicit::CriticalHeight& min
 }
 
 /// What the critical points and the mesh tell together.
-surface::Topology expected_topology(const geometry::IndexedMesh& mesh,
-                                    const implicit::PreparedSurface& prepared) {
+struct Expected {
+  surface::Topology topology;
+  /// A minimum whose component of the surface is not shown to be covered, if there is one. How many
+  /// such components there are is not known, so that no number of the mesh's is the right one.
+  std::optional<Point> missed;
+};
+
+Expected expected_topology(const geometry::IndexedMesh& mesh,
+                           const implicit::PreparedSurface& prepared) {
+  Expected result;
   std::set<std::uint32_t> reached;
-  std::size_t missed = 0;
-  for (const auto& component : components_at_minima(mesh, prepared)) {
-    if (component) {
+  const auto components = components_at_minima(mesh, prepared);
+  std::size_t minimum = 0;
+  for (const implicit::CriticalHeight& p : prepared.critical.points) {
+    if (p.index != 0) continue;
+    if (const auto& component = components[minimum++]) {
       reached.insert(*component);
-    } else {
-      missed = 1;  // some are missing, it is not known how many
+    } else if (!result.missed) {
+      result.missed = p.position;
     }
   }
-  surface::Topology result;
-  result.components = reached.size() + missed;
-  result.euler_characteristic = prepared.critical.euler_characteristic();
-  const long genus = static_cast<long>(result.components) - result.euler_characteristic / 2;
-  result.genus = static_cast<std::size_t>(std::max(0L, genus));
+  surface::Topology& topology = result.topology;
+  topology.components = reached.size() + (result.missed ? 1 : 0);
+  topology.euler_characteristic = prepared.critical.euler_characteristic();
+  const long genus = static_cast<long>(topology.components) - topology.euler_characteristic / 2;
+  topology.genus = static_cast<std::size_t>(std::max(0L, genus));
   return result;
+}
+
+/// Why the counts tell nothing; empty where they do.
+std::string objection_to_counts(const implicit::PreparedSurface& prepared,
+                                const Expected& expected) {
+  const bool is_complete = prepared.critical.is_complete();
+  if (is_complete && !expected.missed) return "";
+  const Point& at = is_complete ? *expected.missed : prepared.critical.undecided.front();
+  char place[96];
+  std::snprintf(place, sizeof place, "(%.6g, %.6g, %.6g)", at.x(), at.y(), at.z());
+  if (!is_complete) {
+    return "whether the height has a critical point near " + std::string(place) +
+           " could not be decided; try another --height";
+  }
+  return "no vertex is near enough to the minimum at " + std::string(place) +
+         " to show that the mesh covers its component";
 }
 
 void require_usable_here(const MeshingOptions& options) {
@@ -168,17 +194,13 @@ std::vector<std::optional<std::uint32_t>> components_at_minima(
 certify::Certificate certify_implicit(const geometry::IndexedMesh& mesh, certify::Hints hints,
                                       const implicit::PreparedSurface& prepared,
                                       const certify::Sizing& sizing, const Run& run) {
-  certify::Certificate result = certify::certify(mesh, std::move(hints), prepared.surface,
-                                                 expected_topology(mesh, prepared), sizing, run);
-  if (prepared.critical.is_complete()) return result;
-  const Point& at = prepared.critical.undecided.front();
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "whether the height has a critical point near (%.6g, %.6g, %.6g) could not be "
-                "decided; try another --height",
-                at.x(), at.y(), at.z());
+  const Expected expected = expected_topology(mesh, prepared);
+  certify::Certificate result =
+      certify::certify(mesh, std::move(hints), prepared.surface, expected.topology, sizing, run);
+  const std::string objection = objection_to_counts(prepared, expected);
+  if (objection.empty() || !result.holds(certify::Claim::Manifold)) return result;
   // In place of what was found against an incomplete count.
-  result.broken[static_cast<std::size_t>(certify::Claim::Counts)] = text;
+  result.broken[static_cast<std::size_t>(certify::Claim::Counts)] = objection;
   result.reason.clear();
   result.conclude(sizing);
   return result;

@@ -8,6 +8,7 @@
 #include "implicit/gaussians.h"
 #include "implicit/known_surfaces.h"
 #include "morskin/implicit_mesh.h"
+#include "tests/support/mesh_part.h"
 #include "tests/support/surface_laws.h"
 #include "tests/support/test.h"
 
@@ -258,26 +259,32 @@ TEST_CASE("Gaussian surfaces of random balls are certified") {
 
 TEST_CASE("a mesh without one of the surface's components is not certified") {
   const implicit::PreparedSurface prepared = of_formula(two_spheres);
-  const morskin::MeshResult whole = meshed(prepared);
-  geometry::IndexedMesh part = whole.mesh;
-  std::erase_if(part.triangles,
-                [&](const geometry::TriangleCorners& t) { return part.positions[t[0]].x() > 1.5; });
-  std::vector<std::uint32_t> index(part.positions.size(), 0);
-  geometry::IndexedMesh kept;
-  for (geometry::TriangleCorners& triangle : part.triangles) {
-    for (std::uint32_t& v : triangle) {
-      if (index[v] == 0) {
-        kept.positions.push_back(part.positions[v]);
-        index[v] = static_cast<std::uint32_t>(kept.positions.size());
-      }
-      v = index[v] - 1;
-    }
-  }
-  kept.triangles = part.triangles;
+  const geometry::IndexedMesh whole = meshed(prepared).mesh;
+  const geometry::IndexedMesh kept = support::mesh_part(
+      whole, [&](std::size_t t) { return whole.positions[whole.triangles[t][0]].x() < 1.5; });
   const auto certificate = morskin::certify_implicit(kept, {}, prepared, coarse());
   CHECK(certificate.holds(certify::Claim::Degree));
   CHECK(!certificate.holds(certify::Claim::Counts));
   CHECK(!certificate.certified);
+}
+
+// A torus changes no Euler characteristic, and the number of components alone told the two apart:
+// the minimum that no vertex of the coarse one was near counted for the one that was left out.
+TEST_CASE("a mesh of one of two tori is not certified, though it is too coarse for its minimum") {
+  const implicit::PreparedSurface prepared = of_formula("(x^2+y^2+(z^2-9)^2/36+3)^2-16*(x^2+y^2)");
+  const certify::Sizing sizing{0.56, certify::Sizing::quality_for(0.56)};
+  morskin::Observer unobserved;
+  const geometry::IndexedMesh whole =
+      morskin::make_mesh(prepared, {.sizing = sizing, .angle_goal_deg = 0}, unobserved).mesh;
+  for (const double side : {-1, 1}) {
+    const geometry::IndexedMesh torus = support::mesh_part(whole, [&](std::size_t t) {
+      return side * whole.positions[whole.triangles[t][0]].z() > 0;
+    });
+    const auto certificate = morskin::certify_implicit(torus, {}, prepared, sizing);
+    CHECK(certificate.holds(certify::Claim::Degree));
+    CHECK(support::contains(certificate.broken_by(certify::Claim::Counts), "minimum"));
+    CHECK(!certificate.certified);
+  }
 }
 
 TEST_CASE("bodies that a larger cube adds have room, however symmetric they lie to those before") {

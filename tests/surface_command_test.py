@@ -88,6 +88,18 @@ class Surfaces(CommandTest):
                 self.assertFalse(self.check("mesh.ply", "--surface", other, *COARSE,
                                             code=5)["homeomorphic"])
 
+    def test_a_mesh_too_coarse_to_show_a_component_covered_is_not_certified(self):
+        words = ("-C", "0.6", "--angle-goal", "0")
+        self.run_morskin("mesh", "--surface", "torus:2,1", "-o", "t.off", *words, code=5)
+        (self.folder / "t.off.unverified").rename(self.folder / "t.off")
+        checked = self.check("t.off", code=5)
+        self.assertFalse(checked["homeomorphic"])
+        verdicts = {v["name"]: v for v in checked["verdicts"]}
+        self.assertTrue(verdicts["covers the surface once"]["holds"])
+        for name in ("every component once", "components, Euler characteristic and genus of the "
+                     "surface"):
+            self.assertIn("near enough", verdicts[name]["reason"])
+
     def test_gaussian_surfaces_of_molecules_are_certified(self):
         for name in ("benzene.pdb", "two_balls.xyzr"):
             with self.subTest(molecule=name):
