@@ -26,13 +26,18 @@ std::filesystem::path one_name(const std::filesystem::path& path) {
   return failed ? absolute.lexically_normal() : name;
 }
 
-// Names that the run chooses itself: of what belongs to uncertified meshes, and snapshots.
-void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
+// What gets the ending .unverified if the mesh is not certified.
+std::vector<std::filesystem::path> renamed_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> renamed = mesh.outputs;
   for (const auto& path : {mesh.certificate, mesh.areas}) {
     if (path) renamed.push_back(*path);
   }
-  for (const std::filesystem::path& output : renamed) {
+  return renamed;
+}
+
+// Names that the run chooses itself: of what belongs to uncertified meshes, and snapshots.
+void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
+  for (const std::filesystem::path& output : renamed_outputs(mesh)) {
     if (one_name(name) == one_name(output.string().append(unverified))) {
       throw UsageError(name.string() + " is where " + output.string() +
                        " goes when it is not certified; choose another name");
@@ -117,6 +122,9 @@ void check_outputs(const MeshArguments& mesh) {
         throw UsageError(names[i].string() + " is named twice");
       }
     }
+  }
+  for (const std::filesystem::path& output : renamed_outputs(mesh)) {
+    check_not_input(output.string().append(unverified), mesh.molecule);
   }
   if (standard_outputs > 1) throw UsageError("only one thing can go to standard output");
   for (const std::filesystem::path& output : mesh.outputs) {

@@ -230,6 +230,15 @@ class Failures(CommandTest):
             self.assertIn(b"b.ply.unverified", done.stderr)
             self.assertEqual(self.names(), ["b.ply.unverified"])
 
+    def test_an_uncertified_mesh_does_not_replace_the_input(self):
+        for molecule in ("a.ply.unverified", "a.csv.unverified"):
+            balls = self.ring.read_bytes()
+            self.input(molecule, balls)
+            done = self.run_morskin("mesh", molecule, "-o", "a.ply", "--areas", "a.csv",
+                                    "--method", "marching-cubes", code=2)
+            self.assertIn(b"unverified would replace the input", done.stderr)
+            self.assertEqual((self.folder / molecule).read_bytes(), balls)
+
     def test_an_unwritable_output_gives_7(self):
         (self.folder / "folder.ply").mkdir()
         for name in ("no/such/folder/out.ply", "folder.ply"):

@@ -278,11 +278,6 @@ class NotCertified(CommandTest):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *self.WORDS, code=5)
         self.assertIn(b"C Q = 1.71 is above", done.stderr)
 
-    def test_no_note_doubts_what_comes_with_a_size_of_itself(self):
-        words = ("mesh", self.ring, "-o", "ring.ply", "--size", "0.7")
-        self.assertEqual(self.run_morskin(*words).stderr, b"")
-        self.assertIn(b"C Q = 0.8 is above", self.run_morskin(*words, "-C", "0.35").stderr)
-
 
 class Info(CommandTest):
     def test_info_counts_the_elements(self):

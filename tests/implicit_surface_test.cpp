@@ -293,9 +293,8 @@ TEST_CASE("bodies that a larger cube adds have room, however symmetric they lie 
                          "x^2+(y-1.25)^2+z^2", "x^2+(y+1.25)^2+z^2"}) {
     text += std::string("-exp(-60*(") + at + "))";  // within 0.15 of the point
   }
-  const implicit::PreparedSurface prepared = of_formula(text);
+  const auto prepared = of_formula(text);
   CHECK(prepared.critical.points.size() == 8);
-  for (const implicit::CriticalHeight& p : prepared.critical.points) {
+  for (const auto& p : prepared.critical.points)
     CHECK(std::isfinite(prepared.surface.enclose(p.position, surface::CellId{0U}).error));
-  }
 }

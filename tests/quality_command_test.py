@@ -124,6 +124,11 @@ class Quality(CommandTest):
             with self.subTest(wrong=wrong):
                 self.assertIn(b"--grading", self.run_morskin(*words, *wrong, code=2).stderr)
 
+    def test_no_note_doubts_the_constants_that_come_with_a_size(self):
+        words = ("mesh", self.ring, "-o", "ring.ply", "--size", "0.7")
+        self.assertEqual(self.run_morskin(*words).stderr, b"")
+        self.assertIn(b"C Q = 0.8 is above", self.run_morskin(*words, "-C", "0.35").stderr)
+
 
 if __name__ == "__main__":
     main()
