@@ -220,6 +220,7 @@ MeshResult make_mesh(const implicit::PreparedSurface& prepared, const MeshingOpt
   if (made.open_edges == 0 && options.goal_deg() > 0) {
     raise_angles(prepared.surface, options, made, run);
   }
+  observer.finished(made.mesh);
   Parcel parcel(std::move(made), options, run);
   const Certifying certify = [&](const geometry::IndexedMesh& mesh, certify::Hints hints) {
     return certify_implicit(mesh, std::move(hints), prepared, options.sizing, run);

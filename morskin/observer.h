@@ -28,8 +28,9 @@ class Observer {
   virtual std::vector<front::SweepObserver*> sweep_observers() { return {}; }
   /// The mesh as it was swept. It may have open edges.
   virtual void swept(const surface::Mesh&) {}
-  /// The mesh as it was refined, before any vertex is moved.
-  virtual void refined(const surface::Mesh&) {}
+  /// The mesh that is about to be delivered, triangle by triangle. It has no births where it was
+  /// made anew in space (method.h).
+  virtual void finished(const surface::Mesh&) {}
 
   /// A mesh as its readers get it.
   struct Delivery {

@@ -133,7 +133,9 @@ MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& asked, Obse
     options.sizes = size_field(skin, options, run);
     if (options.sizes) options.method = Method::Static;
   }
-  Parcel parcel(mesh_by(skin, options, observer, run), options, run);
+  MethodResult made = mesh_by(skin, options, observer, run);
+  observer.finished(made.mesh);
+  Parcel parcel(std::move(made), options, run);
   const Certifying certify = [&](const geometry::IndexedMesh& mesh, certify::Hints hints) {
     return certify::certify(mesh, std::move(hints), skin.surface, skin.expected(), options.sizing,
                             run);

@@ -7,8 +7,8 @@
 
 namespace morskin {
 
-MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options,
-                           Observer& observer, const Run& run) {
+MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options, Observer&,
+                           const Run& run) {
   MethodResult result;
   const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All, run);
   const morse::ChosenFunction chosen = run.stage("critical points", [&] {
@@ -47,7 +47,6 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
     }
     result.refinement.insert += refined.counts.too_big + refined.counts.thin;
   });
-  observer.refined(result.mesh);
   return result;
 }
 

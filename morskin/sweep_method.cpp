@@ -63,7 +63,6 @@ MethodResult sweep_along(const surface::Surface& surface, const morse::Guide& gu
     refinement.run();
     result.refinement = refinement.counts();
   });
-  observer.refined(result.mesh);
   return result;
 }
 

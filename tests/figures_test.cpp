@@ -1,5 +1,10 @@
 #include "app/figures/figures.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
 #include "app/figures/bundled.h"
 #include "app/figures/free_form.h"
 #include "app/figures/recorded_sweep.h"
@@ -124,6 +129,35 @@ TEST_CASE("a recorded sweep tells of every operation and leaves out no triangle"
   CHECK(sweep.mesh.surface.triangle_list() == plain.mesh.surface.triangle_list());
   const front::Operations& o = plain.operations;
   CHECK(counts == std::array{o.creation, o.creep, o.wing, o.bridge, o.seal});
+}
+
+TEST_CASE("each triangle that a sweep left as it was laid has its birth, whatever raises angles") {
+  const PreparedSkin skin = figures::bundled_skin("5tmn_ligand.pdb", skin::Model::Paper, 1.4);
+  for (const auto& [C, largest] : {std::pair{0.08, 9.}, {0.2, 9.}, {0.3, 9.}, {0.4, 1.}}) {
+    CAPTURE(C);
+    const certify::Sizing sizing{C, certify::Sizing::quality_for(C), largest};
+    const figures::RecordedSweep sweep = figures::recorded_sweep(skin, {.sizing = sizing});
+    const geometry::IndexedMesh swept = surface::indexed_mesh(sweep.mesh);
+    const geometry::IndexedMesh& result = sweep.result.mesh;
+    REQUIRE(sweep.birth.size() == result.triangles.size());
+    CHECK(std::ranges::max(sweep.birth) < sweep.laid);
+    const auto middle = [](const geometry::IndexedMesh& mesh, std::size_t t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const geometry::Point p = mesh.positions[a] + mesh.positions[b] + mesh.positions[c];
+      return std::array{std::round(1e6 * p.x()), std::round(1e6 * p.y()), std::round(1e6 * p.z())};
+    };
+    std::map<std::array<double, 3>, std::uint32_t> births;
+    for (std::size_t t = 0; t < swept.triangles.size(); ++t) {
+      births[middle(swept, t)] = (*sweep.mesh.births)[geometry::TriangleId{t}];
+    }
+    std::size_t same = 0, others = 0;
+    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+      const auto found = births.find(middle(result, t));
+      if (found != births.end()) ++(found->second == sweep.birth[t] ? same : others);
+    }
+    CHECK(100 * others <= same);
+    if (C <= certify::Sizing::largest_proved_C) CHECK(2 * same > result.triangles.size());
+  }
 }
 
 TEST_CASE("inner polar balls are empty of samples and lie inside the head") {

@@ -24,13 +24,17 @@ class Recorder : public morskin::Observer {
   void swept(const surface::Mesh& mesh) override {
     record_.mesh = mesh;
     record_.is_on_seam = seams_.by_birth();
-    refined(mesh);
     // Coarsening behind the front lays triangles of its own.
-    const std::uint32_t last = *std::ranges::max_element(record_.birth);
+    const std::uint32_t last = *std::ranges::max_element(*mesh.births);
     record_.laid = std::max(static_cast<std::uint32_t>(record_.events.back().after), last + 1);
   }
-  void refined(const surface::Mesh& mesh) override {
-    record_.birth.assign(mesh.births->begin(), mesh.births->end());
+  // Angles are raised by operations that change the triangles, after all refinement.
+  void finished(const surface::Mesh& mesh) override {
+    const std::uint32_t last = record_.laid - 1;
+    record_.birth.assign(mesh.surface.triangle_count(), last);
+    if (!mesh.births) return;
+    std::ranges::transform(*mesh.births, record_.birth.begin(),
+                           [&](std::uint32_t birth) { return std::min(birth, last); });
   }
 
  private:
