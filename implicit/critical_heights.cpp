@@ -15,6 +15,10 @@ constexpr std::size_t max_open = 256;
 /// The test's box over the one it is for, so that a zero on a face lies well inside.
 constexpr double inflation = 1.25;
 
+/// A box of a zero narrows to rounding at once, or by next to nothing where the gradient turns much
+/// in it; halves of that one narrow. By this share one tells.
+constexpr double narrow_share = 0x1p-10;
+
 /// F of one f and two directions.
 class HeightSystem {
  public:
@@ -108,7 +112,7 @@ class Search {
     if (test.verdict == Krawczyk::Verdict::None) return true;
     if (test.verdict == Krawczyk::Verdict::Undecided) return false;
     Isolated zero{inflated, box_about(test.zeros), 0};
-    if (!narrow(zero)) return false;
+    if (!narrow(zero) || !(zero.at.half < narrow_share * box.half)) return false;
     const std::optional<int> index = system_.index(zero.at);
     if (!index) return false;
     zero.index = *index;

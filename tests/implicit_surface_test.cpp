@@ -181,6 +181,10 @@ TEST_CASE("critical points lie where they are known to") {
   }
   std::ranges::sort(found);
   CHECK(found == std::vector<std::pair<double, int>>{{-4, 0}, {-2, 1}, {2, 1}, {4, 2}});
+  const std::string waves = "(x^2+y^2+z^2-1.5)*0.3+sin(2*x)*sin(4*y)*0.5*cos(4*z)";
+  for (const implicit::CriticalHeight& p : of_formula(waves).critical.points) {
+    CHECK(p.doubt < 1e-12);
+  }
 }
 
 TEST_CASE("a singular level is refused with its critical value") {
