@@ -41,6 +41,7 @@ ImplicitSurface::ImplicitSurface(std::shared_ptr<const Function> f, Cover cover,
     widest = std::max(widest, f_->enclose(b.box.centre).value.width());
   }
   error_ = 4 * 2 * widest / M_;
+  rounding_ = 0x1p-51 * (body_.centre.cwiseAbs().maxCoeff() + body_.radius);
 }
 
 surface::Jet ImplicitSurface::jet(const Point& x, CellId) const {

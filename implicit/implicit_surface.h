@@ -14,6 +14,7 @@
 /// farther apart than 3 |N| of either no law speaks but that |N| is 1-Lipschitz, which is plain
 /// then. All is one cell.
 
+#include <algorithm>
 #include <memory>
 
 #include "implicit/critical_heights.h"
@@ -45,7 +46,7 @@ class ImplicitSurface final : public surface::Surface {
   /// is proved to arrive: see project().
   std::optional<surface::SurfacePoint> project(const Point& x, CellId hint) const override;
   double residual_bound(double rho) const override {
-    return relative_residual * rho * rho + error_;
+    return std::max(relative_residual * rho * rho + error_, 2 * rho * rounding_);
   }
   surface::LineCrossings crossings(const Point& p, const Point& q, CellId hint) const override;
   surface::BoundingBall bounding_ball() const override { return body_; }
@@ -78,6 +79,7 @@ class ImplicitSurface final : public surface::Surface {
   double max_length_scale_;
   double max_integral_ = 0;  ///< bound on that of rho^-2
   double error_ = 0;         ///< four times the largest rounding of G that was met, Angstrom^2
+  double rounding_ = 0;      ///< of coordinates, four units of their size, Angstrom
 };
 
 /// The function of the seam, its topology's proof, and the part of space that they speak of.

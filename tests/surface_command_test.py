@@ -116,6 +116,12 @@ class Surfaces(CommandTest):
                 self.assertNotIn("certified", alone)
                 self.assertIn(name, "".join(alone["origin"]["not_taken"]))
 
+    def test_a_gaussian_surface_as_far_out_as_molecules_may_lie_is_certified(self):
+        for far in ("1e5", "999990"):  # no double there has a residual of 1e-11 of the square
+            self.input("far.xyzr", f"{far} {far} {far} 1\n")
+            self.assertTrue(self.meshed("gaussian:far.xyzr")["certified"])
+            self.assertTrue(self.check("mesh.ply")["certified"])
+
     def test_singular_levels_are_refused_with_the_critical_value(self):
         text = self.refused("formula:x^2+y^2-z^2*(1-z^2)", 4)
         self.assertIn("critical value", text)
