@@ -255,8 +255,7 @@ TEST_CASE("sphere, torus, genus 2, two spheres and a user's formula are certifie
 
 TEST_CASE("Gaussian surfaces of random balls are certified") {
   support::for_seeds(6, [&](unsigned seed) {
-    const implicit::PreparedSurface prepared = of_gaussians(some_balls(seed));
-    const morskin::MeshResult result = meshed(prepared);
+    const morskin::MeshResult result = meshed(of_gaussians(some_balls(seed)));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   });
 }
@@ -278,8 +277,7 @@ TEST_CASE("a mesh of one of two tori is not certified, though it is too coarse f
   const implicit::PreparedSurface prepared = of_formula("(x^2+y^2+(z^2-9)^2/36+3)^2-16*(x^2+y^2)");
   const certify::Sizing sizing{0.56, certify::Sizing::quality_for(0.56)};
   morskin::Observer unobserved;
-  const geometry::IndexedMesh whole =
-      morskin::make_mesh(prepared, {.sizing = sizing, .angle_goal_deg = 0}, unobserved).mesh;
+  const auto whole = make_mesh(prepared, {.sizing = sizing, .angle_goal_deg = 0}, unobserved).mesh;
   for (const double side : {-1, 1}) {
     const geometry::IndexedMesh torus = support::mesh_part(whole, [&](std::size_t t) {
       return side * whole.positions[whole.triangles[t][0]].z() > 0;
@@ -292,12 +290,10 @@ TEST_CASE("a mesh of one of two tori is not certified, though it is too coarse f
 }
 
 TEST_CASE("bodies that a larger cube adds have room, however symmetric they lie to those before") {
-  std::string text = "0.3";
-  for (const char* at : {"(x-0.75)^2+(y-0.75)^2+(z-0.75)^2", "(x+0.75)^2+(y+0.75)^2+(z+0.75)^2",
-                         "x^2+(y-1.25)^2+z^2", "x^2+(y+1.25)^2+z^2"}) {
-    text += std::string("-exp(-60*(") + at + "))";  // within 0.15 of the point
-  }
-  const auto prepared = of_formula(text);
+  // Within 0.15 of four points.
+  const auto prepared = of_formula(
+      "0.3 - exp(-60*((x-0.75)^2+(y-0.75)^2+(z-0.75)^2)) - exp(-60*(x^2+(y-1.25)^2+z^2))"
+      "- exp(-60*((x+0.75)^2+(y+0.75)^2+(z+0.75)^2)) - exp(-60*(x^2+(y+1.25)^2+z^2))");
   CHECK(prepared.critical.points.size() == 8);
   for (const auto& p : prepared.critical.points)
     CHECK(std::isfinite(prepared.surface.enclose(p.position, surface::CellId{0U}).error));
