@@ -69,7 +69,8 @@ std::vector<path> output_names(const BatchArguments& arguments, const std::strin
 /// the place of its file's.
 std::string last_words(const path& errors, const path& file, const std::string& name) {
   std::ifstream stream(errors);
-  const std::string text = "\n" + std::string(std::istreambuf_iterator<char>(stream), {});
+  std::string text = "\n";
+  text.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   // To the end and not to that of the line, for a name may hold several lines.
   constexpr std::string_view program = "\nmorskin: ";
   const std::size_t begin = text.rfind(program);
