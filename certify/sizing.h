@@ -130,7 +130,7 @@ struct Sizing {
   double edge_length() const { return largest_length_scale * edge_share(); }
 
   static constexpr double usual_edge = 0.85, usual_fine_edge = 1.49, usual_coarse_edge = 1.125;
-  /// Of the static method. The median is 1.27 where nothing is bent, and 1.15 with a tenth.
+  /// Of the static method. The median is 1.27 where nothing is bent, and 1.14 with a tenth.
   static constexpr double usual_sampled_edge = 1.24;
   /// The share of [U] up to which coarsening removes vertices that may stay.
   static constexpr double spare_limit = 0.75;

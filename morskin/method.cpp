@@ -108,7 +108,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, O
   if (!is_sweep) options.sizing = options.sizing.sampled();
   MethodResult made = options.mesher ? options.mesher(skin, options, observer, run)
                       : is_sweep     ? sweep_method(skin, options, observer, run)
-                                     : static_method(skin, options, observer, run);
+                                     : static_method(skin, options, run);
   if (made.open_edges > 0) return made;
   drop_components(skin, made.mesh, run);
   if (options.mesher) return made;

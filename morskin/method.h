@@ -103,8 +103,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
 
 /// Restricted Delaunay refinement (front/static_method.h), then contraction.
 /// @throws morse::DegenerateFunction
-MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options,
-                           Observer& observer, const Run& run);
+MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options, const Run& run);
 
 /// The vertices of a mesh again, as samples of restricted Delaunay refinement until no facet has a
 /// smaller angle: the last resort where refine::refine_angles() leaves triangles.

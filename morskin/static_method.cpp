@@ -7,7 +7,7 @@
 
 namespace morskin {
 
-MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options, Observer&,
+MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options,
                            const Run& run) {
   MethodResult result;
   const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All, run);

@@ -53,7 +53,7 @@ std::vector<BatchInput> in_folder(const path& folder, const std::string& only) {
       at = i->path();
       const bool is_hidden = i->path().filename().string().starts_with('.');
       if (i->is_directory() && is_hidden) i.disable_recursion_pending();
-      // A link that leads nowhere gets a row, so that nobody takes its molecule for made.
+      // A link that leads nowhere gets a row, or its molecule would pass for made.
       const bool leads_nowhere = !i->exists();
       if (!(i->is_regular_file() || leads_nowhere) || !is_taken(i->path(), only)) continue;
       inputs.push_back({i->path().lexically_relative(folder).string(), i->path()});
