@@ -175,14 +175,14 @@ geometry::Provenance MeshDelivery::provenance(const morskin::MeshResult& result)
 
 std::string_view MeshDelivery::verdict(MeshFormat format, bool is_certified) const {
   if (!is_certified) return other_verdict;
-  return arguments_.decimals && is_msms(format) ? rounded_verdict : certified_verdict;
+  const bool is_rounded = is_single(format) || (arguments_.decimals && is_msms(format));
+  return is_rounded ? rounded_verdict : certified_verdict;
 }
 
 const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat format) {
   const bool is_rounded = arguments_.decimals && is_msms(format);
-  const bool is_single = format == MeshFormat::Stl || format == MeshFormat::Glb;
   // All other files store the same numbers.
-  if (!is_single) format = is_rounded ? MeshFormat::MsmsVertices : MeshFormat::PlyBinary;
+  if (!is_single(format)) format = is_rounded ? MeshFormat::MsmsVertices : MeshFormat::PlyBinary;
   const auto [place, is_new] = hashes_.try_emplace(format);
   if (!is_new) return place->second;
   const Stored stored = format == MeshFormat::Stl   ? Stored::FloatCorners

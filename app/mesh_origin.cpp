@@ -30,13 +30,13 @@ void add_selection(Entries& entries, const TypedSelection& typed) {
   add(entries, "biological-assembly", typed.assembly);
 }
 
-// All that fits into the 80 bytes of STL; the dots say that there was more to say.
+// All that fits into the 80 bytes of STL.
 std::string brief(std::string_view verdict, const std::string& input_sha256,
                   const std::string& corners_sha256) {
-  constexpr std::size_t digits = 12;
+  constexpr std::size_t digits = 8;
   static_assert(version.size() <= 7);
   return "morskin " + std::string(version) + ", A, " + std::string(verdict) + ", input " +
-         input_sha256.substr(0, digits) + ", corners " + corners_sha256.substr(0, digits) + ", ...";
+         input_sha256.substr(0, digits) + ", corners " + corners_sha256.substr(0, digits);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::optional<std::string> in_brief(const geometry::Provenance& provenance, std:
 
 /// Whether the hash stated, or its first digits, is the one found.
 std::optional<bool> matches(const std::optional<std::string>& stated, const std::string& found) {
-  constexpr std::size_t min_digits = 12;  // no fewer are ever written
+  constexpr std::size_t min_digits = 8;  // no fewer are ever written
   if (!stated) return std::nullopt;
   return stated->size() >= min_digits && found.starts_with(*stated);
 }

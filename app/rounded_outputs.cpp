@@ -20,9 +20,7 @@ using geometry::MeshFormat;
 /// The mesh as a file stores it, if that is another.
 std::optional<IndexedMesh> stored(const IndexedMesh& mesh, MeshFormat format,
                                   const std::optional<int>& decimals) {
-  if (format == MeshFormat::Stl || format == MeshFormat::Glb) {
-    return geometry::in_single_precision(mesh);
-  }
+  if (is_single(format)) return geometry::in_single_precision(mesh);
   if (format != MeshFormat::MsmsVertices || !decimals) return std::nullopt;
   return geometry::with_decimals(mesh, *decimals);
 }
