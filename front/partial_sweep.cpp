@@ -21,8 +21,8 @@ std::vector<SweepObserver*> PartialSweep::all_observers(const std::vector<SweepO
   return all;
 }
 
-void PartialSweep::absorb(PartialSweep& other, const geometry::Run& run) {
-  const IdOffsets offsets = sweep_.absorb(other.sweep_, run);
+void PartialSweep::absorb(PartialSweep& other) {
+  const IdOffsets offsets = sweep_.absorb(other.sweep_);
   counter_.absorb(other.counter_, offsets.edges);
   if (coarsening_) coarsening_->absorb(*other.coarsening_);
 }

@@ -35,7 +35,7 @@ class PartialSweep {
     sweep_.run(region, bowls);
   }
   /// @pre both have run, over disjoint regions
-  void absorb(PartialSweep& other, const geometry::Run& run = geometry::Run());
+  void absorb(PartialSweep& other);
   std::size_t triangles_laid() const { return sweep_.triangles_laid(); }
   /// The mesh, moved out, and the counts.
   SweepResult take_result();

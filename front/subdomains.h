@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "front/partial_sweep.h"
+#include "geometry/run.h"
 
 namespace morskin::front {
 

@@ -25,12 +25,12 @@ Sweep::Sweep(const surface::Surface& surface, const morse::Guide& guide,
   for (SweepObserver* observer : observers_) front_.add_mirror(*observer);
 }
 
-IdOffsets Sweep::absorb(Sweep& other, const geometry::Run& run) {
+IdOffsets Sweep::absorb(Sweep& other) {
   const IdOffsets offsets{
       .vertices = static_cast<std::uint32_t>(mesh_.surface.vertex_count()),
       .half_edges = static_cast<std::uint32_t>(3 * mesh_.surface.triangle_count()),
       .edges = static_cast<std::uint32_t>(front_.capacity())};
-  mesh_.surface.append(std::move(other.mesh_.surface), run.threads());
+  mesh_.surface.append(std::move(other.mesh_.surface));
   front_.absorb(other.front_, offsets);
   departures_.absorb(other.departures_, offsets.edges);
   marks_.absorb(other.marks_);

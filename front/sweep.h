@@ -22,7 +22,6 @@
 #include "front/sweep_observer.h"
 #include "front/sweep_region.h"
 #include "front/tangent_disk.h"
-#include "geometry/run.h"
 #include "morse/guide.h"
 #include "surface/surface.h"
 
@@ -52,7 +51,7 @@ class Sweep {
   /// coverage. Nothing is laid. Associative; nothing is left of the other's mesh.
   /// @pre both have run, along the same function, over disjoint regions.
   /// @return  by how much the other's ids moved up
-  IdOffsets absorb(Sweep& other, const geometry::Run& run = geometry::Run());
+  IdOffsets absorb(Sweep& other);
 
   std::size_t triangles_laid() const { return front_.triangles_added(); }
   /// Front edges left open: 0 when the mesh is closed.

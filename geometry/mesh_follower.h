@@ -66,7 +66,7 @@ class MeshFollower {
   virtual void triangle_split(TriangleId /*first*/, TriangleId /*second*/, TriangleId /*third*/) {}
   /// The mesh is compacted, perhaps at this moment by another thread.
   virtual void compacted(const Renaming&) {}
-  /// Another mesh is appended, perhaps at this moment by another thread.
+  /// Another mesh is appended.
   /// @param other      what follows it and was made in the same turn; nullptr if there is none. It
   ///                   is not needed afterwards.
   /// @param vertices, triangles  of both together

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "geometry/error.h"
-#include "geometry/parallel.h"
 
 namespace morskin::geometry {
 
@@ -107,36 +106,31 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
   set_twin(h, g);
 }
 
-void SurfaceMesh::append(SurfaceMesh&& other, unsigned threads) {
-  constexpr std::size_t big = std::size_t{1} << 21;  // its arrays grow one after the other
+void SurfaceMesh::append(SurfaceMesh&& other) {
   const std::size_t vertices = vertex_count(), all_vertices = vertices + other.vertex_count();
   const std::size_t triangles = triangle_count();
   const std::size_t all_triangles = triangles + other.triangle_count();
   if (all_triangles > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
-  const auto append_elements = [&] {
-    const auto moved = [](auto id, std::size_t by) {
-      return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
-    };
-    reserve(capacity_for(all_vertices));
-    half_edges_.resize(3 * all_triangles);
-    std::ranges::transform(other.half_edges_, half_edges_.data() + 3 * triangles,
-                           [&](const HalfEdge& h) -> HalfEdge {
-                             return {moved(h.origin, vertices), moved(h.twin, 3 * triangles)};
-                           });
-    outgoing_.resize(all_vertices);
-    std::ranges::transform(other.outgoing_, outgoing_.data() + vertices,
-                           [&](HalfEdgeId h) { return moved(h, 3 * triangles); });
-    other.half_edges_ = {};
-    other.outgoing_ = {};
+  const auto moved = [](auto id, std::size_t by) {
+    return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
   };
-  const auto append_data = [&] {
-    for (std::size_t k = 0; k < followers_.all.size(); ++k) {
-      const std::vector<MeshFollower*>& others = other.followers_.all;
-      followers_.all[k]->appended(k < others.size() ? others[k] : nullptr, all_vertices,
-                                  all_triangles);
-    }
-  };
-  do_both(vertices < big ? threads : 1, append_elements, append_data);
+  reserve(capacity_for(all_vertices));
+  half_edges_.resize(3 * all_triangles);
+  std::ranges::transform(other.half_edges_, half_edges_.data() + 3 * triangles,
+                         [&](const HalfEdge& h) -> HalfEdge {
+                           return {moved(h.origin, vertices), moved(h.twin, 3 * triangles)};
+                         });
+  outgoing_.resize(all_vertices);
+  std::ranges::transform(other.outgoing_, outgoing_.data() + vertices,
+                         [&](HalfEdgeId h) { return moved(h, 3 * triangles); });
+  // One array after the other, so that not all is there twice at once.
+  other.half_edges_ = {};
+  other.outgoing_ = {};
+  for (std::size_t k = 0; k < followers_.all.size(); ++k) {
+    const std::vector<MeshFollower*>& others = other.followers_.all;
+    followers_.all[k]->appended(k < others.size() ? others[k] : nullptr, all_vertices,
+                                all_triangles);
+  }
   other.tell_vertex_count();
   other.tell_triangle_count();
 }

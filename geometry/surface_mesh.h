@@ -97,8 +97,7 @@ class SurfaceMesh {
 
   /// Appends all vertices and triangles of another mesh, in their order, and empties it. The k-th
   /// follower takes over the values of the other mesh's k-th, if both have one type.
-  /// @param threads  at most; one for a big mesh, so that not all is there twice at once
-  void append(SurfaceMesh&& other, unsigned threads = 1);
+  void append(SurfaceMesh&& other);
   /// What append() reserves for a count of elements: seams add one vertex to every sixty,
   /// refinement one to every fourteen, and growth would double the arrays.
   static constexpr std::size_t capacity_for(std::size_t count) { return count + count / 8; }

@@ -74,7 +74,7 @@ struct Labelled {
 }  // namespace
 
 TEST_CASE("data stay with their vertices and triangles through edits, compaction and appending") {
-  for_seeds<Random>(200, [](unsigned seed, Random& random) {
+  for_seeds<Random>(200, [](unsigned, Random& random) {
     Labelled one;
     for (int step = 0; step < 80; ++step) {
       // A flip moves corners between two triangles; all else keeps what it does not touch.
