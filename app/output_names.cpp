@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/files/atomic_file.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/text_lines.h"
 
@@ -16,13 +17,15 @@ using geometry::MeshFormat;
 
 namespace {
 
-// The canonical path of a file.
+// The canonical path of a file, of one that links lead to and that is yet to be made as well.
 std::filesystem::path one_name(const std::filesystem::path& path) {
   std::error_code failed;
   const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
   // An empty name, or one in a working folder that is gone: whoever opens the file will say so.
   if (failed) return path.lexically_normal();
-  std::filesystem::path name = std::filesystem::weakly_canonical(absolute, failed);
+  const std::filesystem::path target = geometry::link_target(absolute, failed);
+  if (failed) return absolute.lexically_normal();
+  std::filesystem::path name = std::filesystem::weakly_canonical(target, failed);
   return failed ? absolute.lexically_normal() : name;
 }
 

@@ -199,6 +199,16 @@ int close(int number) {
             self.assertIn((self.folder / "out.ply").read_bytes(), whole)
             self.assertEqual(self.names(), ["other.xyzr", "out.ply"])
 
+    def test_two_outputs_of_which_one_links_to_the_other_are_refused_made_or_not(self):
+        for link, option in (("link.off", "-o"), ("link.json", "--report")):
+            (self.folder / link).symlink_to("middle")
+            (self.folder / "middle").symlink_to("a.ply")
+            done = self.run_morskin("mesh", self.ring, "-o", "a.ply", option, link, code=2)
+            self.assertIn(f"{link} is named twice".encode(), done.stderr)
+            self.assertEqual(self.names(), sorted((link, "middle")))
+            for name in self.names():
+                (self.folder / name).unlink()
+
     def test_an_input_that_changes_while_it_is_read_is_one_of_the_two_or_refused(self):
         texts = [(MOLECULES / name).read_bytes() for name in ("ring12.xyzr", "two_balls.xyzr")]
         whole = []

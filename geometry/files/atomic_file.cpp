@@ -142,20 +142,31 @@ bool is_written_directly(const std::filesystem::path& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)), target_(path_) {
+std::filesystem::path link_target(std::filesystem::path path, std::error_code& error) {
+  error.clear();
+  std::error_code ignored;
+  constexpr int max_links = 40;  // as many as the system follows
+  // One by one, for the last may lead to a file that does not exist yet.
+  for (int k = 0; std::filesystem::is_symlink(path, ignored); ++k) {
+    if (k == max_links) {
+      error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+      break;
+    }
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / next;  // which an absolute path replaces
+  }
+  return path;
+}
+
+PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)) {
   struct stat status {};
   const bool exists = ::stat(path_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail_to_write(path_, EISDIR);
   if (exists && ::access(path_.c_str(), W_OK) != 0) fail_to_write(path_, errno);
   std::error_code error;
-  constexpr int max_links = 40;  // as many as the system follows
-  // One by one, for the last may lead to a file that does not exist yet.
-  for (int k = 0; std::filesystem::is_symlink(target_, error); ++k) {
-    if (k == max_links) fail_to_write(path_, ELOOP);
-    const std::filesystem::path next = std::filesystem::read_symlink(target_, error);
-    if (error) fail_to_write(path_, error.value());
-    target_ = target_.parent_path() / next;  // which an absolute path replaces
-  }
+  target_ = link_target(path_, error);
+  if (error) fail_to_write(path_, error.value());
   std::string name = create_beside(target_, number_);
   if (number_ < 0) fail_to_write(path_, errno);
   if (exists && ::fchmod(number_, status.st_mode & 07777) != 0) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace morskin::geometry {
@@ -34,6 +35,11 @@ FileBytes read_file(const std::filesystem::path& path,
 /// "/dev/stdout" (standard output), "/dev/stderr" (standard error), and whatever else exists and is
 /// neither a regular file nor a folder (a pipe, /dev/null).
 bool is_written_directly(const std::filesystem::path& path);
+
+/// The file that `path` leads to through symbolic links, whether it exists or not; `path` itself if
+/// it is no link.
+/// @param error  set where they lead round in a circle or cannot be read
+std::filesystem::path link_target(std::filesystem::path path, std::error_code& error);
 
 /// A file under a temporary name beside its final one, which commit() gives it. Without commit()
 /// the destructor removes it.
