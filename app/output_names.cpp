@@ -29,6 +29,12 @@ std::filesystem::path one_name(const std::filesystem::path& path) {
   return failed ? absolute.lexically_normal() : name;
 }
 
+// Where an output goes if the mesh is not certified: beside the file that a link leads to.
+std::filesystem::path unverified_name(const std::filesystem::path& output) {
+  std::error_code ignored;
+  return geometry::link_target(output, ignored).concat(unverified);
+}
+
 // What gets the ending .unverified if the mesh is not certified.
 std::vector<std::filesystem::path> renamed_outputs(const MeshArguments& mesh) {
   std::vector<std::filesystem::path> renamed = mesh.outputs;
@@ -41,7 +47,7 @@ std::vector<std::filesystem::path> renamed_outputs(const MeshArguments& mesh) {
 // Names that the run chooses itself: of what belongs to uncertified meshes, and snapshots.
 void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
   for (const std::filesystem::path& output : renamed_outputs(mesh)) {
-    if (one_name(name) == one_name(output.string().append(unverified))) {
+    if (one_name(name) == one_name(unverified_name(output))) {
       throw UsageError(name.string() + " is where " + output.string() +
                        " goes when it is not certified; choose another name");
     }
@@ -127,7 +133,7 @@ void check_outputs(const MeshArguments& mesh) {
     }
   }
   for (const std::filesystem::path& output : renamed_outputs(mesh)) {
-    check_not_input(output.string().append(unverified), mesh.molecule);
+    check_not_input(unverified_name(output), mesh.molecule);
   }
   if (standard_outputs > 1) throw UsageError("only one thing can go to standard output");
   for (const std::filesystem::path& output : mesh.outputs) {

@@ -209,6 +209,19 @@ int close(int number) {
             for name in self.names():
                 (self.folder / name).unlink()
 
+    def test_an_uncertified_mesh_behind_a_link_replaces_neither_the_input_nor_a_report(self):
+        (self.folder / "link.ply").symlink_to("a.ply")
+        words = ("-o", "link.ply", "--method", "marching-cubes")
+        for _ in ("a file to be made", "one that is there"):
+            done = self.run_morskin("mesh", self.ring, *words, "--report", "a.ply.unverified",
+                                    code=2)
+            self.assertIn(b"goes when it is not certified", done.stderr)
+            self.input("a.ply.unverified", self.ring.read_bytes())
+            done = self.run_morskin("mesh", "a.ply.unverified", *words, code=2)
+            self.assertIn(b"a.ply.unverified would replace the input", done.stderr)
+            (self.folder / "a.ply.unverified").unlink()
+            self.input("a.ply", self.old)
+
     def test_an_input_that_changes_while_it_is_read_is_one_of_the_two_or_refused(self):
         texts = [(MOLECULES / name).read_bytes() for name in ("ring12.xyzr", "two_balls.xyzr")]
         whole = []
