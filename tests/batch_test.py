@@ -11,7 +11,7 @@ import tarfile
 from pathlib import Path
 
 from support.batch_case import COARSE, Batch, chain
-from support.command import main, morskin
+from support.command import MOLECULES, main, morskin
 
 
 class Rows(Batch):
@@ -70,8 +70,11 @@ class Rows(Batch):
             self.assertEqual(made[f"{name}.npz"], (self.folder / "one.npz").read_bytes())
             self.assertGreater(rows[name]["triangles"], 100)
         self.assertEqual(self.batch("in", "-o", "out", "--features", *options)["made"], 0)
-        for option in (["--vertex-data", "all"], ["--decimals", "3"], ["--order", "2"]):
+        page = (MOLECULES.parent.parent / "papers" / "batch.md").read_text()
+        for option in (["--vertex-data", "all"], ["--decimals", "3"], ["--order", "2"],
+                       ["--grid", "1"], ["--grow", "0..1"]):
             self.assertIn(option[0], self.batch("in", "-o", "x", "--features", *option, code=2))
+            self.assertIn(f"`{option[0]}`", page.partition("the same options, but for")[2])
         self.assertFalse((self.folder / "x").exists())
 
     def test_each_end_of_a_worker_is_a_status_with_its_reason(self):
