@@ -68,10 +68,11 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_limit_options(command, mesh.limits, typed);
   add_progress_option(command, typed);
   group_options(command, !typed.wants_short_help);
-  command.footer(
-      "--help-all has more on each, and the rest: grading, methods, Q, fronts, Morse functions.\n"
-      "OUT gets its name once it has been read back and certified; else it is OUT.unverified, exit "
-      "code 5.");
+  const std::string more =
+      "--help-all has more on each, and the rest: grading, methods, Q, fronts, Morse functions.\n";
+  command.footer((typed.wants_short_help ? more : std::string()) +
+                 "OUT gets its name once it has been read back and certified; else it is "
+                 "OUT.unverified, exit code 5.");
 }
 
 void add_morse(CLI::App& app, MorseArguments& morse, Typed& typed) {

@@ -37,7 +37,8 @@ class Failures(CommandTest):
         for option in ("-Q FLOAT", "--guard", "--fronts", "--snapshot-at", "--certificate"):
             self.assertNotIn(option, short)
             self.assertIn(option, whole)
-        self.assertIn("--help-all", short)
+        self.assertIn("--help-all has more", short)
+        self.assertNotIn("--help-all has more", whole)
         self.assertLessEqual(short.count("\n"), 48)
         self.assertLessEqual(max(map(len, short.splitlines())), 100)
         for line in re.findall(r"^  (-.*)$", short, re.M):
