@@ -126,7 +126,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command
       .add_option("MESH", check.mesh,
                   "PLY, OFF, OBJ, STL, VTU, MSH or MSMS (.vert or .face), of any tool, each\n"
-                  "also gzipped; of curved triangles the corners")
+                  "also gzipped; of curved triangles the corners and the nodes in edges")
       ->required();
   command.add_option("--against", against.input,
                      "The molecule; runs the whole certificate. Options below that are not\n"

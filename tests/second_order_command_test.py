@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files of curved triangles: what meshio reads of them, and that `check` reads their corners.
+"""Files of curved triangles: what meshio reads, and what `check` finds of corners and nodes.
 Usage: second_order_command_test.py path/to/morskin"""
 
 import base64
@@ -93,6 +93,7 @@ class SecondOrder(CommandTest):
                 found = self.check(name, "--against", MOLECULES / "benzene.pdb")
                 self.assertEqual(found["second_order"], report["second_order"])
                 self.assertIn("nodes in edges on the skin", {v["name"] for v in found["verdicts"]})
+                self.assertIn(b"nodes in edges", self.run_morskin("check", "--help").stdout)
                 said = self.run_morskin("check", name).stdout
                 self.assertIn(b"coordinates of corners, faces, by SHA-256", said)
 
