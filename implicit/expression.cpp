@@ -1,5 +1,6 @@
 #include "implicit/expression.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -25,7 +26,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 ///     sum = product (("+" | "-") product)*
 ///     product = signed (("*" | "/") signed)*
 ///     signed = ("+" | "-") signed | power
-///     power = primary ("^" digits)*
+///     power = primary ("^" exponent)?
+///     exponent = digits ("^" exponent)?
 ///     primary = number | variable | function "(" sum ")" | "(" sum ")"
 class Parser {
  public:
@@ -92,19 +94,35 @@ class Parser {
     }
     if (take('+')) return nested([&] { signed_power(); });
     primary();
-    while (take('^')) {
-      next();
-      int exponent = 0;
-      const char* const end = text_.data() + text_.size();
-      const auto [stop, error] = std::from_chars(text_.data() + at_, end, exponent);
-      const bool is_whole = error == std::errc() && (stop == end || *stop != '.');
-      if (!is_whole || exponent < 0 || exponent > Expression::max_exponent) {
-        fail("an exponent is a whole number from 0 to " + std::to_string(Expression::max_exponent) +
-             "; write a root as sqrt( )");
-      }
+    if (take('^')) add(Operation::Power, exponent());
+  }
+  int exponent() {
+    next();
+    const std::size_t begin = at_;
+    int value = 0;
+    const char* const end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + at_, end, value);
+    bool is_taken = error == std::errc() && (stop == end || *stop != '.') && value >= 0;
+    if (is_taken) {
       at_ = static_cast<std::size_t>(stop - text_.data());
-      add(Operation::Power, exponent);
+      if (take('^')) nested([&] { value = power(value, exponent()); });
+      is_taken = value <= Expression::max_exponent;
     }
+    if (!is_taken) {
+      at_ = begin;
+      fail("an exponent is a whole number from 0 to " + std::to_string(Expression::max_exponent) +
+           "; write a root as sqrt( )");
+    }
+    return value;
+  }
+  /// Of whole numbers; one more than the largest exponent stands for all beyond.
+  static int power(int base, int exponent) {
+    int result = 1;
+    for (int k = 0; k < exponent; ++k) {
+      result = std::min(result * std::min(base, Expression::max_exponent + 1),
+                        Expression::max_exponent + 1);
+    }
+    return result;
   }
   void primary() {
     const char c = next();

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Functions written as text: x, y, z, numbers, + - * /, ^ with a whole exponent, sqrt exp log sin
-/// cos, parentheses. A minus binds less than ^, so -x^2 is -(x^2).
+/// cos, parentheses. A minus binds less than ^, so -x^2 is -(x^2); x^2^3 is
+/// x^(2^3).
 
 #include <cstdint>
 #include <string>

@@ -50,7 +50,9 @@ TEST_CASE("operators bind as in mathematics") {
   CHECK(value("(-x)^2", p) == 4);
   CHECK(value("z-y-x", p) == 0);
   CHECK(value("12/x/y", p) == 2);
-  CHECK(value("x^2^3", p) == 64);
+  CHECK(value("x^2^3", p) == 256);
+  CHECK(value("(x^2)^3", p) == 64);
+  CHECK(value("x^2^1^5", p) == 4);
   CHECK(value("2*-x", p) == -4);
   CHECK(value(" 1.5e1 + .5*x ", p) == 16);
   CHECK(value("sqrt(x+2)*exp(0)-log(1)+sin(0)+cos(0)", p) == 3);
@@ -105,6 +107,7 @@ TEST_CASE("bad formulas are refused with the column") {
   CHECK(support::contains(refusal("sin x"), "column 5: \"(\" is missing after sin"));
   CHECK(support::contains(refusal("x^-1"), "an exponent is a whole number"));
   CHECK(support::contains(refusal("x^0.5"), "an exponent is a whole number"));
+  CHECK(support::contains(refusal("x^2^7"), "column 3: an exponent is a whole number"));
   CHECK(support::contains(refusal("x^65"), "an exponent is a whole number"));
   CHECK(support::contains(refusal("x^y"), "an exponent is a whole number"));
   CHECK(support::contains(refusal("1e999*x"), "no number that a double holds"));
