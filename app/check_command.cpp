@@ -113,6 +113,7 @@ AgainstSkin check_surface(const geometry::MeshFile& file, const SurfaceInput& in
   AgainstSkin result;
   result.certificate =
       morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
+  result.certificate.reason = about_surface(result.certificate.reason);
   measure(result, file, prepared.surface, points, arguments.sizing, run);
   result.covered = components_by_minima(mesh, prepared);
   result.within = searched_within(*arguments.surface, prepared);

@@ -44,6 +44,7 @@ std::string json_text(const SurfaceReport& report) {
   }
   json.update(critical_json(report.facts.critical));
   json.update(certificate_json(report.certificate));
+  if (!report.certificate.certified) json["reason"] = about_surface(report.certificate.reason);
   json["quality"] = quality_json(report.quality, report.certificate.area);
   json["certified_file"] = report.certified_file;
   json["outputs"] = ordered_json::array();

@@ -83,6 +83,7 @@ class Surfaces(CommandTest):
         near = self.check("mesh.ply", "--surface", "torus:2.6,1", *COARSE, code=5)
         self.assertTrue(near["homeomorphic"])  # so it is, but its vertices lie off that torus
         self.assertFalse(near["certified"])
+        self.assertIn("off the surface", near["reason"])
         for other in ("sphere:2", "genus2"):
             with self.subTest(surface=other):
                 self.assertFalse(self.check("mesh.ply", "--surface", other, *COARSE,
