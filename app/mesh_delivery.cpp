@@ -249,7 +249,7 @@ void MeshDelivery::read_back(Delivery& delivery) {
     }
   }
   if (!certified_file_.empty()) return;
-  certified_file_ = "the same mesh as binary PLY, in memory";
+  certified_file_ = "a binary PLY copy in memory";
   const std::string bytes = geometry::serialized(delivery.mesh, MeshFormat::PlyBinary);
   delivery.mesh = {};
   delivery.mesh = geometry::parse_mesh(bytes, certified_file_);
