@@ -228,6 +228,11 @@ class Sources(Batch):
         complaint = self.batch("more/chain00.xyzr", "-o", "out", *COARSE, code=2)
         self.assertIn("has a row of in/chain00.xyzr", complaint)
 
+    def test_one_file_under_two_names_is_called_the_same_file(self):
+        self.chains(1)
+        complaint = self.batch("in/chain00.xyzr", "./in/chain00.xyzr", "-o", "out", code=2)
+        self.assertIn("are the same file; leave one out", complaint)
+
     def test_a_torn_archive_is_unreadable(self):
         self.chains(3)
         with tarfile.open(self.folder / "in.tar.gz", "w:gz") as archive:

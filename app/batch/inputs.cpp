@@ -120,6 +120,14 @@ std::string place_of(const BatchInput& input) {
   return (input.is_in_archive ? input.name + " in " : "") + input.file.string();
 }
 
+/// @throws UsageError  for one file under two names
+void check_given_once(const BatchInput& a, const BatchInput& b) {
+  std::error_code ignored;
+  if (a.is_in_archive || b.is_in_archive) return;
+  if (!std::filesystem::equivalent(a.file, b.file, ignored)) return;
+  throw UsageError(place_of(a) + " and " + place_of(b) + " are the same file; leave one out");
+}
+
 void check_name(const BatchInput& input) {
   try {
     // Only for what it throws.
@@ -145,6 +153,7 @@ std::vector<BatchInput> batch_inputs(const std::vector<std::string>& words,
       if (is_new) {
         inputs.push_back(std::move(input));
       } else if (input.is_in_archive || other.is_in_archive || input.file != other.file) {
+        check_given_once(other, input);
         throw UsageError("what is made of " + place_of(other) + " and of " + place_of(input) +
                          " would have the same name; rename one, or take them in two runs, to " +
                          "two folders");
