@@ -28,6 +28,13 @@ class Radii(CommandTest):
     def complaint(self, *words, code, file="a.pdb"):
         return self.run_morskin("balls", file, "-o", "b.xyzr", *words, code=code).stderr.decode()
 
+    def test_a_radius_below_what_the_certificate_resolves_is_refused(self):
+        self.input("small.xyzr", "0 0 0 1e-21\n")
+        self.run_morskin("mesh", "small.xyzr", "-o", "small.ply")
+        self.input("smaller.xyzr", "0 0 0 1e-22\n")
+        done = self.run_morskin("mesh", "smaller.xyzr", "-o", "smaller.ply", code=4)
+        self.assertIn(b"has so small a radius that nothing can be proved", done.stderr)
+
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
                                 (("--radii", "elements"), [1.7, 1.7, 1.55, 1.2, 2.44]),
