@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace morskin::python {
 
@@ -36,6 +37,27 @@ Point point(const Contiguous<double>& rows, py::ssize_t row) {
   return {rows.at(row, 0), rows.at(row, 1), rows.at(row, 2)};
 }
 
+template <class Index>
+std::vector<std::array<std::uint32_t, 3>> triangles_from(const py::object& faces,
+                                                         py::ssize_t vertices) {
+  const auto corners = numbers<Index>(faces, "iu", "faces", "whole numbers");
+  require_rows_of_three(corners, "faces");
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (py::ssize_t t = 0; t < corners.shape(0); ++t) {
+    std::array<std::uint32_t, 3>& triangle = triangles.emplace_back();
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      const Index corner = corners.at(t, k);
+      if (std::cmp_less(corner, 0) || std::cmp_greater_equal(corner, vertices)) {
+        throw py::value_error("face " + std::to_string(t) + " has a corner " +
+                              std::to_string(corner) + ", but there are " +
+                              std::to_string(vertices) + " vertices, counted from 0");
+      }
+      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corner);
+    }
+  }
+  return triangles;
+}
+
 }  // namespace
 
 std::vector<Atom> atoms_from(const py::object& positions, const py::object& radii) {
@@ -54,23 +76,14 @@ std::vector<Atom> atoms_from(const py::object& positions, const py::object& radi
 
 TriangleMesh mesh_from(const py::object& vertices, const py::object& faces) {
   const auto positions = real_numbers(vertices, "vertices");
-  const auto corners = numbers<std::int64_t>(faces, "iu", "faces", "whole numbers");
   require_rows_of_three(positions, "vertices");
-  require_rows_of_three(corners, "faces");
   TriangleMesh mesh;
   for (py::ssize_t v = 0; v < positions.shape(0); ++v) mesh.vertices.push_back(point(positions, v));
-  for (py::ssize_t t = 0; t < corners.shape(0); ++t) {
-    std::array<std::uint32_t, 3>& triangle = mesh.triangles.emplace_back();
-    for (py::ssize_t k = 0; k < 3; ++k) {
-      const std::int64_t corner = corners.at(t, k);
-      if (corner < 0 || corner >= positions.shape(0)) {
-        throw py::value_error("face " + std::to_string(t) + " has a corner " +
-                              std::to_string(corner) + ", but there are " +
-                              std::to_string(positions.shape(0)) + " vertices, counted from 0");
-      }
-      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corner);
-    }
-  }
+  // The largest unsigned numbers would be negative ones as signed, and named so.
+  const auto array = py::array::ensure(faces);
+  mesh.triangles = array && array.dtype().kind() == 'u'
+                       ? triangles_from<std::uint64_t>(array, positions.shape(0))
+                       : triangles_from<std::int64_t>(faces, positions.shape(0));
   return mesh;
 }
 

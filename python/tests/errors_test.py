@@ -46,6 +46,12 @@ class Errors(ModuleTest):
             with self.assertRaises(ValueError):
                 morskin.check(vertices, faces, skin)
 
+    def test_a_corner_out_of_range_is_named_as_it_was_given(self):
+        skin = morskin.Skin(*BALLS)
+        for corner, kind in ((2**64 - 1, "u8"), (2**63, "u8"), (2**32 - 1, "u4"), (-1, "i8")):
+            with self.assertRaisesRegex(ValueError, f"face 0 has a corner {corner},"):
+                morskin.check([[0, 0, 0]], np.array([[0, 0, corner]], kind), skin)
+
     def test_check_refuses_sizes_that_make_no_sense(self):
         skin = morskin.Skin(*BALLS)
         mesh = skin.mesh(C=0.3)
