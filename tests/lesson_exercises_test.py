@@ -107,5 +107,11 @@ def test_without_the_program_a_run_is_not_judged():
     assert code == 2 and "no /nowhere/morskin; make build first" in said, said
 
 
+def test_a_folder_in_place_of_the_program_is_an_error_of_one_line():
+    folder = str(Path(__file__).resolve().parent)
+    code, said = asked("1", "run", "1", "--command", folder)
+    assert code == 2 and said.endswith(f"error: cannot run {folder}: Permission denied\n"), said
+
+
 if __name__ == "__main__":
     sys.exit(run_all(globals()))

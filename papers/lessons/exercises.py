@@ -43,6 +43,8 @@ def main():
         parser.error(str(error))
     except FileNotFoundError as error:
         parser.error(f"no {error.filename}; make build first")
+    except OSError as error:
+        parser.error(f"cannot run {error.filename}: {error.strerror}")
     print(reply or "Right.")
     return 1 if reply else 0
 
