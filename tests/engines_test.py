@@ -107,9 +107,10 @@ class Engines(Batch):
 
 
 class Snakemake(Engines):
-    def words(self, command, output):
+    def words(self, command, output, inputs="in"):
         return ["snakemake", "--snakefile", ENGINES / "Snakefile", "--cores", "2",
-                "--rerun-incomplete", "--config", "list=in", f"out={output}", f"shards={SHARDS}",
+                "--rerun-incomplete", "--config", f"list={inputs}", f"out={output}",
+                f"shards={SHARDS}",
                 f"morskin={command}", "options=" + shlex.join(OPTIONS)]
 
     def test_the_paths_of_snakemake_may_hold_blanks(self):
@@ -118,6 +119,18 @@ class Snakemake(Engines):
         subprocess.run(self.words(command, "my out"), cwd=self.folder, check=True,
                        capture_output=True, timeout=600)
         self.assertEqual(self.rows("my out"), self.rows("whole"))
+
+    def test_braces_are_letters_to_snakemake_but_in_the_output_where_they_are_refused(self):
+        command = self.folder / "{the} command"
+        command.symlink_to(morskin())
+        (self.folder / "in{1}").symlink_to("in")
+        subprocess.run(self.words(command, "braced", "in{1}"), cwd=self.folder, check=True,
+                       capture_output=True, timeout=600)
+        self.assertTrue((self.folder / "braced/summary.json").exists())
+        refused = subprocess.run(self.words(command, "out{1}"), cwd=self.folder, check=False,
+                                 capture_output=True, text=True, timeout=600)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("out=out{1}: Snakemake takes what is in braces", refused.stderr)
 
     def test_snakemake_goes_on_after_it_was_killed(self):
         words = self.words(morskin(), "out")
