@@ -93,7 +93,7 @@ class Pages(ManualTest):
 class Completion(ManualTest):
     def setUp(self):
         folder = temporary_folder(self)
-        for name in ("my molecule.pdb", "other.xyz", "7"):
+        for name in ("my molecule.pdb", "other.xyz", "7", "12:30.pdb", "r=1 C=2.pdb"):
             (folder / name).touch()
         (folder / "models").mkdir()
         self.shell = Shell(SHELL, folder, self.manual)
@@ -142,6 +142,16 @@ class Completion(ManualTest):
                     "other.xyz")
         self.expect("morskin mesh --snapshot-dir mod", "mesh", "--snapshot-dir", "models/")
         self.expect("morskin mesh -C oth", "mesh", "-C", "oth")
+
+    def test_names_with_a_colon_or_an_equals_sign_are_completed_however_they_are_begun(self):
+        for begun in ("12", "12:", "12:3", r"12\:3", "'12:3"):
+            self.expect(f"morskin mesh {begun}", "mesh", "12:30.pdb")
+            self.expect(f"morskin {begun}", "12:30.pdb")
+        for begun in ("r", "r=", "r=1", r"r\=1\ C"):
+            self.expect(f"morskin mesh other.xyz -o {begun}", "mesh", "other.xyz", "-o",
+                        "r=1 C=2.pdb")
+        self.expect("morskin check x.ply --against=12:", "check", "x.ply", "--against=12:30.pdb")
+        self.expect("morskin mesh 12:30.pdb --voi", "mesh", "12:30.pdb", "--voids")
 
 
 if __name__ == "__main__":

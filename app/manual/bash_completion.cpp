@@ -51,11 +51,23 @@ _morskin() {
   elif [[ $previous == = ]]; then
     previous=${COMP_WORDS[COMP_CWORD-2]}
   fi
+  # It takes a:b for three too, and of these a completion is the last. Where something is quoted
+  # there may be no break, and readline itself completes the names of files.
+  local whole=${COMP_LINE:0:COMP_POINT} breaks=${COMP_WORDBREAKS//[^:=]} broken=
+  if [[ $whole != *[\\\'\"\$\`~]* ]]; then
+    whole=${whole##*[[:space:]]}
+    [[ $whole == --*=* ]] && whole=${whole#*=}
+    [[ $whole != -* ]] && broken=${whole%"${whole##*[$breaks]}"}
+  fi
   case ${COMP_WORDS[1]} in
 )";
 
 constexpr std::string_view middle = R"(  esac
-  if ((COMP_CWORD == 1)); then
+  if [[ -n $broken ]]; then
+    mapfile -t COMPREPLY < <(compgen -f -- "$whole")
+    COMPREPLY=("${COMPREPLY[@]#"$broken"}")
+    compopt -o filenames
+  elif ((COMP_CWORD == 1)); then
     COMPREPLY=($(compgen -W ")";
 
 constexpr std::string_view end = R"(" -- "$word"))
