@@ -70,8 +70,7 @@ int main(int count, char** words) {
     for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
       const auto [a, b, c] = m.mesh.triangles[t];
       const std::array p{&m.points[a], &m.points[b], &m.points[c]};
-      filter.note(geometry::TriangleId{t}, p,
-                  certify::circumcircle(p[0]->position, p[1]->position, p[2]->position),
+      filter.note(geometry::TriangleId{t}, p, certify::TriangleSides(p),
                   m.skin.surface.residual_bound(p[0]->length_scale));
     }
     return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, filter);
