@@ -199,7 +199,9 @@ std::string complex_vtu(const ComplexReport& report) {
   };
   std::array of_cells{column("index", true), column("id", true), column("arc", true),
                       column("survives", true), column("value", false)};
-  auto& [index, id, arc, survives, value] = of_cells;
+  // By hand: clang 14 lets no lambda capture structured bindings.
+  auto &index = of_cells[0], &id = of_cells[1], &arc = of_cells[2], &survives = of_cells[3],
+       &value = of_cells[4];
   const auto end_cell = [&](VtuCell kind, CriticalId named, CriticalId described,
                             double of_arc = -1) {
     arc.numbers.push_back(of_arc);

@@ -29,12 +29,12 @@ std::optional<IndexedMesh> stored(const IndexedMesh& mesh, MeshFormat format,
 std::size_t count_spoilt(const IndexedMesh& mesh, const IndexedMesh& rounded,
                          double most_lost_deg) {
   std::size_t count = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     const auto normal = [&](const std::vector<geometry::Point>& at) -> geometry::Vector {
-      return (at[b] - at[a]).cross(at[c] - at[a]);
+      return (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]);
     };
     const auto smallest_deg = [&](const std::vector<geometry::Point>& at) {
-      return certify::angle_range(at[a], at[b], at[c]).smallest_deg;
+      return certify::angle_range(at[t[0]], at[t[1]], at[t[2]]).smallest_deg;
     };
     const double lost_deg = smallest_deg(mesh.positions) - smallest_deg(rounded.positions);
     const double along = normal(mesh.positions).dot(normal(rounded.positions));

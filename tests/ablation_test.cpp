@@ -60,9 +60,9 @@ TEST_CASE("with nothing as printed the ablation's mesh is that of one front, uns
 }
 
 TEST_CASE("each departure that is taken back changes some mesh") {
-  for (const auto& [name, member] : switches) {
-    CAPTURE(name);
-    const auto changes = [m = member](const PreparedSkin& skin) {
+  for (const auto& each : switches) {
+    CAPTURE(each.first);
+    const auto changes = [m = each.second](const PreparedSkin& skin) {
       const MeshResult ours = make_mesh(skin, options_for({}));
       return !is_same(make_mesh(skin, options_for(only(m))).mesh, ours.mesh);
     };

@@ -203,8 +203,9 @@ TEST_CASE("a mesh cut short anywhere is turned down or the same, of OBJ its firs
         CHECK(cut == whole);
       } else if (!cut.triangles.empty()) {  // the file does not say how many there are
         CHECK(cut.positions == whole.positions);
-        CHECK(std::ranges::equal(cut.triangles,
-                                 whole.triangles | std::views::take(cut.triangles.size())));
+        CHECK(std::mismatch(cut.triangles.begin(), cut.triangles.end(), whole.triangles.begin(),
+                            whole.triangles.end())
+                  .first == cut.triangles.end());
       }
     }
     // Of a text the end of the last line may be missing.

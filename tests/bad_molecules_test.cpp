@@ -149,7 +149,9 @@ TEST_CASE("a file cut short or with flipped bits is read or turned down, never w
     } catch (const RefusedInput&) {
     }
   };
-  for (const auto& [name, bytes] : files) {
+  for (const auto& file : files) {
+    const auto& name = file.first;
+    const auto& bytes = file.second;
     CAPTURE(name);
     for (std::size_t size = 0; size < bytes.size(); ++size) survives(bytes.substr(0, size), name);
     for_seeds<std::mt19937>(1000, [&](unsigned seed, std::mt19937& random) {

@@ -134,8 +134,8 @@ TEST_CASE("a recorded sweep tells of every operation and leaves out no triangle"
 TEST_CASE("each triangle that a sweep left as it was laid has its birth, whatever raises angles") {
   const PreparedSkin skin = figures::bundled_skin("5tmn_ligand.pdb", skin::Model::Paper, 1.4);
   for (const auto& [C, largest] : {std::pair{0.08, 9.}, {0.2, 9.}, {0.3, 9.}, {0.4, 1.}}) {
-    CAPTURE(C);
     const certify::Sizing sizing{C, certify::Sizing::quality_for(C), largest};
+    CAPTURE(sizing.C);
     const figures::RecordedSweep sweep = figures::recorded_sweep(skin, {.sizing = sizing});
     const geometry::IndexedMesh swept = surface::indexed_mesh(sweep.mesh);
     const geometry::IndexedMesh& result = sweep.result.mesh;

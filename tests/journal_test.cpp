@@ -20,7 +20,7 @@ Triangles triangles(const Mesh& mesh) {
   for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
     if (mesh.surface.is_removed(TriangleId{t})) continue;
     std::array<VertexId, 3> corners = mesh.surface.corners(TriangleId{t});
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     all.insert(corners);
   }
   return all;

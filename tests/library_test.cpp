@@ -121,8 +121,9 @@ TEST_CASE("the Gaussian curvature adds up to 2 pi times the Euler characteristic
   // Balls, a ring with a hole, a hollow shell with a void: 2, 0 and 4.
   for (const auto& [name, characteristic] :
        {std::pair{"two_balls.xyzr", 2}, {"ring12.xyzr", 0}, {"shell_hollow.xyzr", 4}}) {
-    CAPTURE(name);
-    const auto atoms = morskin::read_molecule(std::string("bench/molecules/") + name);
+    const std::string file = std::string("bench/molecules/") + name;
+    CAPTURE(file);
+    const auto atoms = morskin::read_molecule(file);
     const Skin skin(atoms, balls);
     CHECK(2 * static_cast<long>(skin.components()) - 2 * static_cast<long>(skin.genus()) ==
           characteristic);
@@ -201,8 +202,9 @@ TEST_CASE("a mesh is written under its name only if it is certified") {
 TEST_CASE("critical points add up to the Euler characteristic, and arcs and regions join them") {
   for (const auto& [name, characteristic] :
        {std::pair{"two_balls.xyzr", 2}, {"ring12.xyzr", 0}, {"shell_hollow.xyzr", 4}}) {
-    CAPTURE(name);
-    const Skin skin(morskin::read_molecule(std::string("bench/molecules/") + name), balls);
+    const std::string file = std::string("bench/molecules/") + name;
+    CAPTURE(file);
+    const Skin skin(morskin::read_molecule(file), balls);
     for (const std::optional<Point>& direction :
          {std::optional<Point>(), std::optional<Point>({0.3, 0.9, 0.2})}) {
       std::array<int, 3> counts{};

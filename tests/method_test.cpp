@@ -75,12 +75,12 @@ TEST_CASE("what thinning left too coarse for 30 degrees is made finer there, not
     Method method;
   };
   double seconds = 0;
-  for (const auto& [seed, edge_length, method] :
+  for (const Case& each :
        {Case{162, 0.3, Method::Static}, {151, 0.5, Method::Sweep}, {384, 0.8, Method::Sweep}}) {
-    CAPTURE(seed);
-    const auto skin = prepared(ball_set(seed));
+    CAPTURE(each.seed);
+    const auto skin = prepared(ball_set(each.seed));
     REQUIRE(skin);
-    seconds += thickening_seconds(*skin, edge_length, method);
+    seconds += thickening_seconds(*skin, each.edge_length, each.method);
   }
   CHECK(seconds > 0);  // else this tries nothing: other seeds are needed
 }

@@ -82,7 +82,7 @@ Side side_of(const Balls& p, const std::array<AtomId, 5>& ids = in_order) {
 
 /// Every tier of both predicates that answers gives these signs.
 void check_tiers(const Balls& p, Sign volume, Sign power) {
-  const auto& [a, b, c, d, e] = p;
+  const WeightedPoint &a = p[0], &b = p[1], &c = p[2], &d = p[3], &e = p[4];
   const auto check = [](const auto& answers, Sign sign) {
     for (const std::optional<Sign>& answer : answers) CHECK(answer.value_or(sign) == sign);
   };

@@ -63,8 +63,9 @@ TEST_CASE("a flat hole that is inside out does not start the sweep over the fini
 TEST_CASE("funnels that narrow ahead of the front leave no edge longer than the length scale") {
   // Edges across a lane were left as they were while the length scale shrank along it.
   for (const auto& [seed, direction] : {std::pair{44U, 2U}, std::pair{588U, 1U}}) {
-    CAPTURE(seed);
-    Random random(1000 * seed + direction);
+    const unsigned number = 1000 * seed + direction;
+    CAPTURE(number);
+    Random random(number);
     const MeshResult result = meshed(ball_set(seed), along(random.direction()));
     CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   }

@@ -32,9 +32,9 @@ TEST_CASE("the vertices of a mesh are foreseen within a tenth, of both methods a
     for (const auto& [C, limit] :
          {std::pair(0.4, 1.2), std::pair(0.4, 0.7), std::pair(0.4, 0.42), std::pair(0.4, 0.3),
           std::pair(0.3, 0.5), std::pair(0.25, 0.6), std::pair(0.2, 0.7), std::pair(0.1, 1.)}) {
-      CAPTURE(C);
-      CAPTURE(limit);
       const MeshingOptions options = limited(C, limit);
+      CAPTURE(options.sizing.C);
+      CAPTURE(options.sizing.largest_length_scale);
       CHECK(made_over_foreseen(skin, options) == doctest::Approx(1).epsilon(0.1));
       ++(method_of(skin, options) == Method::Sweep ? by_sweep : by_static_method);
     }

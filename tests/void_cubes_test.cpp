@@ -40,7 +40,8 @@ TEST_CASE("chambers with a neck thinner than any cube are one void, that touch n
       {Vector(1, 1, 1), Vector(1.25, -1.25, 0), Vector(0.75, 0.75, -1.5)},
       {Vector(1, 2, 2), Vector(2, 1, -2), Vector(2, -2, 1)},
   }};
-  for (const auto& [axis, first, second] : ways) {
+  for (const auto& way : ways) {
+    const auto &axis = way[0], &first = way[1], &second = way[2];
     for (const int exponent : {24, 44}) {
       CAPTURE(axis);
       CAPTURE(exponent);

@@ -123,7 +123,7 @@ TEST_CASE("a point on a path is found however far it lies from the first corner 
     for (std::uint32_t v = 0; v < mesh.positions.size(); v += 7) {
       IndexedMesh begun_elsewhere = mesh;
       for (auto& triangle : begun_elsewhere.triangles) {
-        if (triangle[0] == v) std::ranges::rotate(triangle, triangle.begin() + 1);
+        if (triangle[0] == v) std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
       }
       for (const double share : {0.1, 0.9}) {
         CAPTURE(radius);

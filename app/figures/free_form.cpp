@@ -140,8 +140,8 @@ std::vector<geometry::WeightedPoint> inner_polar_balls(const std::vector<Point>&
     return std::array{p.position.x(), p.position.y(), p.position.z(), p.weight};
   };
   std::ranges::sort(balls, {}, as_numbers);
-  const auto twice = std::ranges::unique(balls, {}, as_numbers);
-  balls.erase(twice.begin(), twice.end());
+  const auto same = [&](const auto& p, const auto& q) { return as_numbers(p) == as_numbers(q); };
+  balls.erase(std::unique(balls.begin(), balls.end(), same), balls.end());
   return balls;
 }
 

@@ -84,7 +84,8 @@ std::array<geometry::VertexId, 4> ends_of_bridge(const Stage& stage, const Event
                                                  std::size_t after_all) {
   const FrontBefore front(stage, event.before);
   auto c = stage.corners(event.before);
-  for (int i = 0; i < 2 && !front.has(c[0], c[1]); ++i) std::ranges::rotate(c, c.begin() + 1);
+  for (int i = 0; i < 2 && !front.has(c[0], c[1]); ++i)
+    std::rotate(c.begin(), c.begin() + 1, c.end());
   for (std::size_t t = event.before; t < after_all; ++t) {
     for (const geometry::VertexId v : stage.corners(t)) {
       if (std::ranges::find(c, v) == c.end() && front.has(c[2], v)) return {c[0], c[1], c[2], v};

@@ -46,7 +46,7 @@ std::optional<SmallAngle> overlapping(const Stage& stage, const Event& wing) {
   const FrontBefore front(stage, wing.before);
   auto c = stage.corners(wing.before);
   for (int i = 0; i < 2 && !(front.has(c[0], c[1]) && front.has(c[0], c[2])); ++i) {
-    std::ranges::rotate(c, c.begin() + 1);
+    std::rotate(c.begin(), c.begin() + 1, c.end());
   }
   const auto next = front.other(c[2], c[0]);
   if (!next) return std::nullopt;

@@ -78,8 +78,8 @@ void drop_copies(std::vector<Edge>& edges, const geometry::IndexedMesh& mesh) {
     order.push_back({{std::min(first[a], first[b]), std::max(first[a], first[b])}, {a, b}});
   }
   std::ranges::sort(order);
-  const auto copies = std::ranges::unique(order, {}, &std::pair<Edge, Edge>::first);
-  order.erase(copies.begin(), copies.end());
+  const auto same = [](const auto& p, const auto& q) { return p.first == q.first; };
+  order.erase(std::unique(order.begin(), order.end(), same), order.end());
   edges.clear();
   for (const auto& [unused, edge] : order) edges.push_back(edge);
   std::ranges::sort(edges);
@@ -112,7 +112,7 @@ void drop_copies(geometry::IndexedMesh& mesh) {
   order.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     geometry::TriangleCorners t{first[a], first[b], first[c]};
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     order.push_back({t[0], t[1], t[2], static_cast<std::uint32_t>(order.size())});
   }
   std::ranges::sort(order);

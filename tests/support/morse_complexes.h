@@ -115,8 +115,11 @@ inline morse::MorseSmaleComplex complex_of(const EmbeddedGraph& graph, Random& r
                                            unsigned steps = 0) {
   using morse::CriticalId;
   const std::uint32_t n = graph.half_edges(), saddles = n / 2;
-  const auto [vertex, vertices] = orbits(n, [&](auto i) { return graph.next(i); });
-  const auto [face, faces] = orbits(n, [&](auto i) { return graph.along_face(i); });
+  // By hand: clang 14 lets no lambda capture structured bindings.
+  const auto vertex_orbits = orbits(n, [&](auto i) { return graph.next(i); });
+  const auto face_orbits = orbits(n, [&](auto i) { return graph.along_face(i); });
+  const auto &vertex = vertex_orbits.first, &face = face_orbits.first;
+  const std::uint32_t vertices = vertex_orbits.second, faces = face_orbits.second;
   const std::size_t count = std::size_t{vertices} + saddles + faces;
 
   // Ids in random order, so that kinds are mixed as they are among cells.

@@ -261,7 +261,7 @@ class Mutant {
     for (std::size_t v = 0; v < name.size(); ++v) other.positions[name[v]] = mesh.positions[v];
     for (auto& t : other.triangles) {
       for (std::uint32_t& v : t) v = name[v];
-      std::ranges::rotate(t, t.begin() + static_cast<std::ptrdiff_t>(random_.below(3)));
+      std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random_.below(3)), t.end());
     }
     random_.shuffle(other.triangles);
     mesh = std::move(other);

@@ -33,7 +33,7 @@ inline geometry::IndexedMesh begun_at(geometry::IndexedMesh mesh, std::uint32_t 
   const auto has_v = [&](const auto& t) { return std::ranges::find(t, v) != t.end(); };
   std::iter_swap(mesh.triangles.begin(), std::ranges::find_if(mesh.triangles, has_v));
   auto& first = mesh.triangles.front();
-  std::ranges::rotate(first, std::ranges::find(first, v));
+  std::rotate(first.begin(), std::ranges::find(first, v), first.end());
   return mesh;
 }
 
