@@ -113,7 +113,6 @@ void describe_run(MeshReport& report, const MeshArguments& arguments,
     report.parts = run.stage("describe", [&] { return skin_parts(skin, result); });
   }
   report.curved = delivery.curved();
-  report.certified_file = delivery.certified_file();
   report.counts = result;
   report.fallbacks = result.fallbacks;
   RunSeconds& seconds = report.seconds;
@@ -167,6 +166,7 @@ MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
 bool complete(MeshReport& report, MeshDelivery& delivery, const morskin::MeshResult& result) {
   const Stopwatch writing;
   const bool is_written = delivery.complete(result, report.outputs);
+  report.certified_file = delivery.certified_file();
   report.seconds.write += writing.seconds();
   report.peak_memory_bytes = peak_memory_bytes();
   return is_written;

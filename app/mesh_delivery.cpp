@@ -155,6 +155,7 @@ bool MeshDelivery::complete(const morskin::MeshResult& result,
   }
   for (const geometry::PendingFile& file : files_) {
     names.push_back(file.final_name(is_certified ? "" : unverified));
+    if (!is_certified && file.path() == certified_file_) certified_file_ = names.back().string();
   }
   for (const std::filesystem::path& path : arguments_.outputs) {
     if (!is_certified || !geometry::is_written_directly(path)) continue;

@@ -74,11 +74,11 @@ ExitCode mesh_surface_command(const MeshArguments& arguments) {
   report.counts = result;
   report.certificate = result.certificate;
   report.provenance = delivery.provenance(result);
-  report.certified_file = delivery.certified_file();
   report.quality = certify::measure_quality(result.mesh, run);
   line.wipe();
   const bool is_certified = report.certificate.certified;
   if (!delivery.complete(result, report.outputs)) files = {};
+  report.certified_file = delivery.certified_file();
   report.total_seconds = total.seconds();
   if (report_file.is_asked()) report_file.write(json_text(report));
   time_limit.cancel();

@@ -243,6 +243,7 @@ class NotCertified(CommandTest):
         self.assertFalse(report["certified"])
         self.assertTrue(report["reason"])
         self.assertEqual(report["outputs"], ["ring.ply.unverified"])
+        self.assertEqual(report["certified_file"], "ring.ply.unverified")  # that was looked at
         self.assertEqual((self.folder / "ring.ply").read_text(), "an older mesh")
         self.assertEqual(self.names(), ["ring.ply", "ring.ply.unverified"])
 
