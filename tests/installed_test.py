@@ -70,6 +70,8 @@ class Installed(unittest.TestCase):
             self.assertFalse(path.is_symlink(), path)
             self.assertTrue(path.stat().st_mode & 0o444 == 0o444, path)
         self.assertTrue(os.access(there / "shell" / "mesh_all.sh", os.X_OK))
+        for target in re.findall(r"\]\(([^)#]+)", (there / "README.md").read_text()):
+            self.assertTrue((there / target).exists(), f"{target} leads nowhere")
 
     def test_nothing_that_is_installed_names_the_folder_of_the_build_or_of_the_sources(self):
         if CONFIG != "Release":
