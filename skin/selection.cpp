@@ -148,7 +148,8 @@ std::size_t ModelSearch::others(const std::string& source) const {
   throw RefusedInput(
       source + ": has no model " + std::to_string(*wanted_) + "; " +
       (least == most ? "its only one is number " + std::to_string(least)
-                     : "choose from " + std::to_string(least) + " to " + std::to_string(most)));
+                     : "choose from " + std::to_string(least) + " to " + std::to_string(most)) +
+      (passed_over_ > 0 ? "; those of later data blocks cannot be read: make a file of each" : ""));
 }
 
 std::vector<std::int64_t> ModelSearch::numbers(const std::string& source) const {

@@ -87,6 +87,8 @@ class Selections(CommandTest):
         words = ("mesh", "two.cif", "-o", "out.ply", "-C", "0.3")
         self.assertIn(b"in several data blocks",
                       self.run_morskin(*words, "--model-number", "all", code=4).stderr)
+        self.assertIn(b"its only one is number 1; those of later data blocks cannot be read",
+                      self.run_morskin(*words, "--model-number", "2", code=4).stderr)
         self.run_morskin(*words, "--model-number", "1")
 
     def cif(self, *atoms):
