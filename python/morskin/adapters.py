@@ -2,7 +2,9 @@
 own documentation names.
 
 Radii are those of morskin's table, `van_der_waals_radius(element)`. Water is left out unless asked
-for, and of alternate locations the likeliest is taken, as `morskin.read` does.
+for, and of alternate locations the likeliest is taken, as `morskin.read` does. It leaves out atoms
+of the unknown element X too, as files say; here they are refused, with their numbers, for X may
+be what another package could not tell, and the skin would lack atoms without a word.
 """
 
 from __future__ import annotations

@@ -160,6 +160,12 @@ class Adapters(ModuleTest):
         self.assertEqual(caught.exception.atoms, (1, 2))
         self.assertIn("Qq", str(caught.exception))
 
+    def test_an_atom_of_the_unknown_element_is_refused_not_left_out(self):
+        residue = GemmiResidue([gemmi_atom("CA", 0.0), gemmi_atom("X", 1.0, "X")])
+        with self.assertRaises(morskin.RefusedInput) as caught:
+            self.positions(residue)
+        self.assertEqual(caught.exception.atoms, (1,))
+
     def test_radii_of_one_s_own_take_the_place_of_elements(self):
         found = adapters.from_mdanalysis(Thing(atoms=Thing(positions=np.ones((2, 3), "f4"))),
                                          radii=[1, 2])
