@@ -99,6 +99,16 @@ TEST_CASE("no more than 64 entries are read, and none that is longer than 16 KiB
   CHECK(read.entries[0].key == "k");
 }
 
+TEST_CASE("numbers that are no character stand as question marks in the provenance of a VTU file") {
+  const std::string text =
+      R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><FieldData>)"
+      R"(<DataArray type="UInt8" Name="input" format="ascii">97 -1e300 -1 128 1e300 98</DataArray>)"
+      "</FieldData>";
+  const Provenance read = mesh_formats::vtu_provenance(text);
+  REQUIRE(read.entries.size() == 1);
+  CHECK(read.entries[0].value == "a????b");
+}
+
 TEST_CASE("coordinates with a few decimals are those that the file of columns gives back") {
   IndexedMesh mesh = plain_tetrahedron();
   mesh.positions[0] = {-0.0004, 1.0005, -1234.56789};

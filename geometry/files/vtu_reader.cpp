@@ -124,7 +124,9 @@ class Reader {
     const std::vector<double> numbers = array(tag);
     std::string text;
     if (value(tag, "type") == "UInt8") {
-      for (const double byte : numbers) text += byte < 128 ? static_cast<char>(byte) : '?';
+      for (const double byte : numbers) {
+        text += byte >= 0 && byte < 128 ? static_cast<char>(byte) : '?';
+      }
     } else if (numbers.size() == 1) {
       append_number(text, numbers[0]);
     }
