@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
