@@ -46,10 +46,9 @@ void check_weights(const MoleculeInput& input) {
     if (weight >= least_weight && geometry::is_exact_weight(weight)) continue;
     throw geometry::RefusedInput(
         input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
-        (weight > geometry::largest_exact ? " has too big a radius; give lengths in Angstrom"
-         : geometry::is_exact_weight(weight)
-             ? " has so small a radius that nothing can be proved of its skin; remove it"
-             : " has so small a radius that its weight would lose digits below 2^-240; remove it"));
+        (weight > geometry::largest_exact
+             ? " has too big a radius; give lengths in Angstrom"
+             : " has so small a radius that nothing can be proved of its skin; remove it"));
   }
 }
 

@@ -11,7 +11,7 @@ import tarfile
 from pathlib import Path
 
 from support.batch_case import COARSE, Batch, chain
-from support.command import MOLECULES, main, morskin
+from support.command import main, morskin
 
 
 class Rows(Batch):
@@ -70,11 +70,9 @@ class Rows(Batch):
             self.assertEqual(made[f"{name}.npz"], (self.folder / "one.npz").read_bytes())
             self.assertGreater(rows[name]["triangles"], 100)
         self.assertEqual(self.batch("in", "-o", "out", "--features", *options)["made"], 0)
-        page = (MOLECULES.parent.parent / "papers" / "batch.md").read_text()
-        for option in (["--vertex-data", "all"], ["--decimals", "3"], ["--order", "2"],
-                       ["--grid", "1"], ["--grow", "0..1"]):
-            self.assertIn(option[0], self.batch("in", "-o", "x", "--features", *option, code=2))
-            self.assertIn(f"`{option[0]}`", page.partition("the same options, but for")[2])
+        for option in ("--vertex-data all", "--decimals 3", "--order 2", "--grid 1", "--grow 0..1"):
+            words = option.split()
+            self.assertIn(words[0], self.batch("in", "-o", "x", "--features", *words, code=2))
         self.assertFalse((self.folder / "x").exists())
 
     def test_each_end_of_a_worker_is_a_status_with_its_reason(self):
@@ -230,8 +228,8 @@ class Sources(Batch):
 
     def test_one_file_under_two_names_is_called_the_same_file(self):
         self.chains(1)
-        complaint = self.batch("in/chain00.xyzr", "./in/chain00.xyzr", "-o", "out", code=2)
-        self.assertIn("are the same file; leave one out", complaint)
+        both = ("in/chain00.xyzr", "./in/chain00.xyzr")
+        self.assertIn("are the same file", self.batch(*both, "-o", "out", code=2))
 
     def test_a_torn_archive_is_unreadable(self):
         self.chains(3)
@@ -283,9 +281,8 @@ class Sources(Batch):
         (self.folder / "in/gone.txt").symlink_to("nowhere.txt")
         (self.folder / "in/folder.xyzr").mkdir()
         self.batch("in", "-o", "out", *COARSE)
-        rows = self.rows()
-        self.assertEqual(sorted(rows), [*names, "gone.xyzr"])
-        self.assertEqual(rows["gone.xyzr"]["status"], "unreadable")
+        self.assertEqual({name: row["status"] for name, row in self.rows().items()},
+                         dict.fromkeys(names, "ok") | {"gone.xyzr": "unreadable"})
 
     def test_a_name_too_long_for_its_output_is_refused_before_anything_is_made(self):
         self.chains(1)

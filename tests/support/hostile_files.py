@@ -176,7 +176,7 @@ def number_cases():
         yield Case(f"a weight {word}", {"w.xyzw": f"0 0 0 1\n1 0 0 {word}\n"}, code=4,
                    says="w.xyzw:2: ball (line 2) has a weight that is not above 0")
     yield Case("a weight 1e-60 with all its digits", {"w.xyzw": "0 0 0 1.23e-60\n"}, code=4,
-               says="would lose digits below 2^-240")
+               says="has so small a radius")
     yield Case("weights and a model", {"w.xyzw": "0 0 0 1\n"},
                [mesh("w.xyzw", "--model", "vdw"), mesh("w.xyzw", "--probe", "1")], code=2,
                says="leave out --")
@@ -188,8 +188,8 @@ def number_cases():
                says="- gives weights; add --model given", stdin=b"# x y z w\n0 0 0 1\n")
     yield Case("noise of 1e-25 in the place of 0, with a note", {"r.xyzr": "1e-25 0 -2e-30 1\n"},
                all_models("r.xyzr"))
-    yield Case("the same where radii are as small",
-               {"r.xyzr": "0 0 0 1e-25\n1.23e-25 0 0 1e-25\n"}, [mesh("r.xyzr", "--model", "vdw")],
+    yield Case("the same where radii are 1e-21",
+               {"r.xyzr": "0 0 0 1e-21\n1.23e-25 0 0 1e-21\n"}, [mesh("r.xyzr", "--model", "vdw")],
                code=4, says="ball (line 2) has a coordinate with digits below 2^-120")
     yield Case("radii of 1e-6 side by side, and a ball 10^6 Angstrom away",
                {"r.xyzr": xyzr([(0, 0, 0, 1e-6), (2e-6, 0, 0, 1e-6), (1e6, 0, 0, 1)])},
