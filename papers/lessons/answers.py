@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 MOLECULES = Path(__file__).resolve().parent.parent.parent / "bench" / "molecules"
-TOLERANCE = 2e-3  # of a number: three digits are enough
+TOLERANCE = 2e-3  # of a number that is no count: three digits are enough
 
 FUNCTIONS = {name: getattr(math, name) for name in
              ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "log", "exp", "ceil", "floor")}
@@ -87,10 +87,14 @@ class Number:
     def reply(self, text):
         """Nothing to a right answer."""
         given = number_in(text)
-        if agree(given, self.right):
+        if self.is_same(given, self.right):
             return None
-        hint = next((h for wrong, h in self.mistakes.items() if agree(given, wrong)), "")
+        hint = next((h for wrong, h in self.mistakes.items() if self.is_same(given, wrong)), "")
         return f"{given:g} is not it. {hint}".strip()
+
+    def is_same(self, given, number):
+        """A count is exact; of other numbers three digits are enough."""
+        return given == number if isinstance(self.right, int) else agree(given, number)
 
 
 @dataclasses.dataclass

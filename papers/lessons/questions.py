@@ -140,6 +140,7 @@ LESSONS = {
                           {2147: "A new vertex splits one triangle into three.",
                            2241: "One of the three takes the place of the old one.",
                            2202: "A deletion takes triangles away.",
+                           2198: "A deletion takes away as many as an insertion brings.",
                            2494: "A flip turns an edge; it makes no triangle."}),
         "run": Run("How many flips does the refinement of `bench/molecules/c60.xyz`, model paper, "
                    "with `-C` 0.05, make?",
