@@ -102,6 +102,11 @@ def test_a_number_may_have_commas_between_thousands():
     assert asked("1", "predict", "2,83")[0] == 2  # that is a decimal comma
 
 
+def test_to_leading_order_the_exact_formula_is_right_too():
+    assert asked("6", "explain", "rho - sqrt(rho^2 - e^2/4)") == (0, "Right.\n")
+    assert asked("6", "explain", "e^2/(8*rho)") == (0, "Right.\n")
+
+
 def test_without_the_program_a_run_is_not_judged():
     code, said = asked("1", "run", "1", "--command", "/nowhere/morskin")
     assert code == 2 and "no /nowhere/morskin; make build first" in said, said
