@@ -107,8 +107,11 @@ def disk_share(c=C, q=Q):
 
 def test_lessons_5_to_7_the_disk():
     share, used = disk_share(), 0.87 * disk_share()
+    half = round(C * Q / (1 + 2 * C * Q), 4)  # as the lesson goes on with it
+    cosine = math.sqrt(1 - half ** 2)
     says(7, f"= {C / (Q - 2 * C):.4f} .$$", f"= {C * Q / (1 + 2 * C * Q):.4f} .$$",
-         f"$0.2089 \\cdot 0.9945 = {share:.4f}$", f"= {2 * C / (Q - 2 * C):.4f}$. The window",
+         f"${2 * half:.4f} \\cdot {cosine:.4f} = {2 * half * cosine:.4f}$",
+         f"with $r = {share:.4f}$", f"= {2 * C / (Q - 2 * C):.4f}$. The window",
          f"That would give {share / 2:.4f}", f"= {used:.4f}\\, \\rho")
     for phi in (60, 75, 90):
         widths = [r / (2 * math.cos(math.radians(phi / 2))) for r in (share, used)]
@@ -136,8 +139,8 @@ def test_lesson_8_flip_and_constants():
 
 
 def test_lesson_9_the_path():
-    R = C * Q
-    says(9, f"R^2 = {R * R:.4f}$", f"= {1 - math.sqrt(1 - R * R):.4f}$")
+    change = round((C * Q) ** 2, 4)  # as the lesson goes on with it
+    says(9, f"R^2 = {change:.4f}$", f"= {1 - math.sqrt(1 - change):.4f}$")
 
 
 def test_lesson_10_the_power():
