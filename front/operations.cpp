@@ -122,8 +122,9 @@ void Sweep::wing() {
 }
 // [/excerpt]
 
-/// Bridge: joins the two fronts at a saddle that both have reached, over the lowest edge that sees
-/// the other side. From then on its surroundings are ordinary.
+/// Bridge: joins the two sides of a saddle that the front has reached from both, over the first
+/// edge that sees the other side: those of one side come first, each side's as they were marked.
+/// From then on its surroundings are ordinary, also where no edge does.
 void Sweep::bridge(CriticalId saddle) {
   const Marks::Sides sides = marks_.release(saddle);
   for (const auto& side : sides) departures_.put_back(side);
