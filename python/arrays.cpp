@@ -74,6 +74,15 @@ std::vector<Atom> atoms_from(const py::object& positions, const py::object& radi
   return atoms;
 }
 
+std::optional<Point> direction_from(const py::object& direction) {
+  if (direction.is_none()) return std::nullopt;
+  const auto numbers = real_numbers(direction, "direction");
+  if (numbers.ndim() != 1 || numbers.shape(0) != 3) {
+    throw py::value_error("direction must have the shape (3,)");
+  }
+  return Point{numbers.at(0), numbers.at(1), numbers.at(2)};
+}
+
 TriangleMesh mesh_from(const py::object& vertices, const py::object& faces) {
   const auto positions = real_numbers(vertices, "vertices");
   require_rows_of_three(positions, "vertices");

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "morskin/morskin.h"
@@ -60,6 +61,10 @@ py::array view(const std::vector<Row>& rows, Field Row::*field, py::handle owner
 /// @param positions  (n, 3), @param radii  (n,): anything that NumPy makes real numbers of
 /// @throws py::value_error  for other shapes; py::type_error for what are no real numbers
 std::vector<Atom> atoms_from(const py::object& positions, const py::object& radii);
+
+/// @param direction  (3,) as above, or None
+/// @throws py::value_error, py::type_error  as above
+std::optional<Point> direction_from(const py::object& direction);
 
 /// @param vertices  (n, 3), real; @param faces  (m, 3), whole
 /// @throws py::value_error, py::type_error  as above, and for a corner that does not exist

@@ -59,7 +59,7 @@ std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optio
                            std::optional<double> density, std::optional<double> triangles,
                            std::optional<double> grading, std::optional<double> angle_goal_deg,
                            const std::optional<std::string>& method, std::optional<long> fronts,
-                           const std::optional<Point>& direction, bool allow_uncertified,
+                           const py::object& direction, bool allow_uncertified,
                            std::optional<int> threads, const py::object& progress) {
   const bool is_size_given = edge_length || density || triangles;
   const MeshOptions options{
@@ -73,7 +73,7 @@ std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optio
       .angle_goal_deg = angle_goal_deg,
       .method = method_of(method),
       .fronts = subdomains_of(fronts),
-      .direction = direction};
+      .direction = direction_from(direction)};
   SkinMesh made = interruptible({threads, progress},
                                 [&](const RunOptions& run) { return skin.mesh(options, run); });
   if (!made.certificate().certified && !allow_uncertified) raise_not_certified(std::move(made));
@@ -90,17 +90,18 @@ Certificate check(const py::object& vertices, const py::object& faces, const Ski
   });
 }
 
-std::vector<CriticalPoint> critical_points(const Skin& skin,
-                                           const std::optional<Point>& direction) {
+std::vector<CriticalPoint> critical_points(const Skin& skin, const py::object& direction) {
+  const std::optional<Point> along = direction_from(direction);
   const Unlocked unlocked;
-  return skin.critical_points(direction);
+  return skin.critical_points(along);
 }
 
-MorseSmaleComplex morse_smale(const Skin& skin, const std::optional<Point>& direction,
-                              bool simplify, const py::object& progress) {
+MorseSmaleComplex morse_smale(const Skin& skin, const py::object& direction, bool simplify,
+                              const py::object& progress) {
+  const std::optional<Point> along = direction_from(direction);
   const Simplify how = simplify ? Simplify::ShortArcs : Simplify::Not;
-  return interruptible(
-      {1, progress}, [&](const RunOptions& run) { return skin.morse_smale(direction, run, how); });
+  return interruptible({1, progress},
+                       [&](const RunOptions& run) { return skin.morse_smale(along, run, how); });
 }
 
 py::tuple read_mesh(const std::filesystem::path& file) {

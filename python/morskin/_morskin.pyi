@@ -12,7 +12,7 @@ from .molecule import Model
 
 __version__: str
 
-_Direction = Union[Sequence[float], NDArray[np.floating[Any]], None]
+_Direction = Optional[ArrayLike]
 _File = Union[str, PathLike[str]]
 _Progress = Optional[Callable[[str, Optional[float]], object]]
 

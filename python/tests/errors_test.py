@@ -28,8 +28,8 @@ class Errors(ModuleTest):
                 {"max_length_scale": 0}, {"edge_length": -1}, {"edge_length": 1, "density": 1},
                 {"angle_goal_deg": 61}, {"fronts": 0}, {"fronts": -1}, {"method": "fast"},
                 {"grading": 0},
-                {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"threads": 0},
-                {"threads": -1}):
+                {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"direction": 1},
+                {"direction": []}, {"threads": 0}, {"threads": -1}):
             with self.assertRaises(ValueError, msg=options):
                 skin.mesh(**options)
         for options in ({"model": "VDW"}, {"probe": -1}, {"probe": nan}, {"drop_voids_below": -1}):
@@ -45,6 +45,14 @@ class Errors(ModuleTest):
                                 ([[0, 0]], [[0, 0, 0]])):
             with self.assertRaises(ValueError):
                 morskin.check(vertices, faces, skin)
+
+    def test_a_direction_of_other_than_three_numbers_has_an_error_of_one_line(self):
+        skin = morskin.Skin(*BALLS)
+        for direction in ([1, 2], [1, 2, 3, 4], [[1, 2, 3]]):
+            for call in (skin.critical_points, skin.morse_smale,
+                         lambda along: skin.mesh(direction=along)):
+                with self.assertRaisesRegex(ValueError, r"^direction must have the shape \(3,\)$"):
+                    call(direction)
 
     def test_a_corner_out_of_range_is_named_as_it_was_given(self):
         skin = morskin.Skin(*BALLS)
@@ -81,7 +89,8 @@ class Errors(ModuleTest):
                      lambda: morskin.Skin([[1j, 0, 0]], [1]), lambda: morskin.Skin(),
                      lambda: morskin.Skin([[0, 0, 0]], [True]),
                      lambda: skin.mesh(C="coarse"), lambda: skin.mesh(0.2),
-                     lambda: skin.mesh(densty=5), lambda: skin.mesh(direction=[1, 2]),
+                     lambda: skin.mesh(densty=5), lambda: skin.mesh(direction="abc"),
+                     lambda: skin.critical_points(np.ones(3, complex)),
                      lambda: morskin.check([[0, 0, 0]], [[0.5, 0, 0]], skin),
                      lambda: morskin.check([[0, 0, 0]], [[0, 0, 0]], None)):
             with self.assertRaises(TypeError):
