@@ -16,6 +16,20 @@ std::set<Interruption*> runs;
 /// The thread in which Python ends, once it does; only this one may begin a run then.
 std::optional<std::thread::id> last_thread;
 
+/// No machine has as many; any larger number is as good as this.
+constexpr unsigned most_threads = 1U << 20U;
+
+unsigned threads_of(const py::object& threads) {
+  if (threads.is_none()) return std::max(1U, std::thread::hardware_concurrency());
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(threads.ptr()));
+  if (!number) throw py::error_already_set();
+  int beyond = 0;
+  const long long count = PyLong_AsLongLongAndOverflow(number.ptr(), &beyond);
+  if (beyond < 0 || (beyond == 0 && count < 1)) throw py::value_error("threads must be at least 1");
+  const bool is_small = beyond == 0 && count < most_threads;
+  return is_small ? static_cast<unsigned>(count) : most_threads;
+}
+
 py::error_already_set system_exit() {
   PyErr_SetNone(PyExc_SystemExit);
   return {};
@@ -54,10 +68,8 @@ void end_runs_with_python() {
 }
 
 RunOptions RunArguments::options(Interruption& interruption) const {
-  if (threads && *threads < 1) throw py::value_error("threads must be at least 1");
   RunOptions result;
-  result.threads =
-      threads ? static_cast<unsigned>(*threads) : std::max(1U, std::thread::hardware_concurrency());
+  result.threads = threads_of(threads);
   result.stop = interruption.token();
   if (progress.is_none()) return result;
   result.progress = [call = py::handle(progress), &interruption](std::string_view stage,

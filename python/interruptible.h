@@ -8,7 +8,6 @@
 #include <chrono>
 #include <exception>
 #include <future>
-#include <optional>
 #include <stop_token>
 #include <utility>
 
@@ -63,11 +62,12 @@ void end_runs_with_python();
 
 /// How a run is done, as Python asks for it.
 struct RunArguments {
-  std::optional<int> threads;  ///< none: as many as the machine has
-  py::object progress;         ///< None, or called with the stage and the share that is done
+  py::object threads;   ///< a whole number; None: as many as the machine has
+  py::object progress;  ///< None, or called with the stage and the share that is done
 
   /// @param interruption  told of what `progress` raises; must outlive the run, as this must
   /// @throws py::value_error  for threads below 1
+  /// @throws py::error_already_set  TypeError, for what is no whole number
   RunOptions options(Interruption& interruption) const;
 };
 

@@ -77,7 +77,7 @@ py::object array_of(FeatureArray array) {
 py::dict features(const std::filesystem::path& file, const ReadOptions& reading, double density,
                   const std::string& model, double probe, double drop_voids_below, double C,
                   std::optional<double> Q, std::optional<double> angle_goal_deg,
-                  std::optional<int> threads, const py::object& progress) {
+                  const py::object& threads, const py::object& progress) {
   const FeatureOptions options{
       .reading = reading,
       .skin = {model_of(model), probe, drop_voids_below},

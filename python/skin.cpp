@@ -40,7 +40,7 @@ std::optional<Method> method_of(const std::optional<std::string>& word) {
 }
 
 Skin make_skin(const py::object& positions, const py::object& radii, const std::string& model,
-               double probe, double drop_voids_below, std::optional<int> threads,
+               double probe, double drop_voids_below, const py::object& threads,
                const py::object& progress) {
   const std::vector<Atom> atoms = atoms_from(positions, radii);
   const SkinOptions options{model_of(model), probe, drop_voids_below};
@@ -60,7 +60,7 @@ std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optio
                            std::optional<double> grading, std::optional<double> angle_goal_deg,
                            const std::optional<std::string>& method, std::optional<long> fronts,
                            const py::object& direction, bool allow_uncertified,
-                           std::optional<int> threads, const py::object& progress) {
+                           const py::object& threads, const py::object& progress) {
   const bool is_size_given = edge_length || density || triangles;
   const MeshOptions options{
       .C = C.value_or(is_size_given ? MeshOptions::coarsest_C : MeshOptions().C),
@@ -81,7 +81,7 @@ std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optio
 }
 
 Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin, double C,
-                  std::optional<double> Q, double max_length_scale, std::optional<int> threads,
+                  std::optional<double> Q, double max_length_scale, const py::object& threads,
                   const py::object& progress) {
   const TriangleMesh triangles = mesh_from(vertices, faces);
   const MeshOptions options{.C = C, .Q = Q, .max_length_scale = max_length_scale};
@@ -100,7 +100,7 @@ MorseSmaleComplex morse_smale(const Skin& skin, const py::object& direction, boo
                               const py::object& progress) {
   const std::optional<Point> along = direction_from(direction);
   const Simplify how = simplify ? Simplify::ShortArcs : Simplify::Not;
-  return interruptible({1, progress},
+  return interruptible({py::int_(1), progress},
                        [&](const RunOptions& run) { return skin.morse_smale(along, run, how); });
 }
 

@@ -54,6 +54,18 @@ class Errors(ModuleTest):
                 with self.assertRaisesRegex(ValueError, r"^direction must have the shape \(3,\)$"):
                     call(direction)
 
+    def test_threads_are_any_whole_number_from_1_on(self):
+        skin = morskin.Skin(*BALLS)
+        vertices = skin.mesh(C=0.3).vertices
+        for threads in (np.uint8(2), 2**31, 2**40, 2**70):
+            np.testing.assert_array_equal(skin.mesh(C=0.3, threads=threads).vertices, vertices)
+        for threads in (0, -2**40, -2**70):
+            with self.assertRaisesRegex(ValueError, "^threads must be at least 1$"):
+                skin.mesh(threads=threads)
+        for threads in ("2", 2.0):
+            with self.assertRaisesRegex(TypeError, "cannot be interpreted as an integer"):
+                morskin.Skin(*BALLS, threads=threads)
+
     def test_a_corner_out_of_range_is_named_as_it_was_given(self):
         skin = morskin.Skin(*BALLS)
         for corner, kind in ((2**64 - 1, "u8"), (2**63, "u8"), (2**32 - 1, "u4"), (-1, "i8")):
