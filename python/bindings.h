@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -87,6 +88,10 @@ void bind_molecule(py::module_& module);
 
 /// @throws py::value_error  for a name that is no model's
 Model model_of(const std::string& word);
+
+/// @param file  str, bytes or os.PathLike
+/// @throws py::error_already_set  TypeError for anything else, ValueError for a name with a NUL
+std::filesystem::path path_from(const py::object& file);
 
 /// @throws py::error_already_set  NotCertified, with the mesh
 [[noreturn]] void raise_not_certified(SkinMesh mesh);

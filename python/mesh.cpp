@@ -103,13 +103,13 @@ py::dict sizing_of(const Mesh& mesh) {
 /// One name or several.
 using Names = std::variant<std::string, std::vector<std::string>>;
 
-std::filesystem::path save(const Mesh& mesh, const std::filesystem::path& file,
-                           const Names& vertex_data) {
+std::filesystem::path save(const Mesh& mesh, const py::object& file, const Names& vertex_data) {
+  const std::filesystem::path path = path_from(file);
   const auto* const one = std::get_if<std::string>(&vertex_data);
   const std::vector<std::string> names =
       one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
   const Unlocked unlocked;
-  return mesh.mesh().write(file, names);
+  return mesh.mesh().write(path, names);
 }
 
 /// A function of morskin/exports.py, which imports another package, as a method.

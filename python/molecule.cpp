@@ -1,6 +1,5 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -34,12 +33,13 @@ ReadOptions read_options(std::vector<std::string> chains, bool waters,
           .radii = std::move(radii)};
 }
 
-py::tuple read_molecule(const std::filesystem::path& file, const ReadOptions& options) {
+py::tuple read_molecule(const py::object& file, const ReadOptions& options) {
+  const std::filesystem::path path = path_from(file);
   auto* const molecule = new Molecule();
   const py::capsule owner(molecule, [](void* p) { delete static_cast<Molecule*>(p); });
   {
     const Unlocked unlocked;
-    *molecule = read_molecule_file(file, options);
+    *molecule = read_molecule_file(path, options);
   }
   const std::vector<double>& charges = molecule->charges;
   return py::make_tuple(view(molecule->atoms, &Atom::position, owner),
@@ -74,7 +74,7 @@ py::object array_of(FeatureArray array) {
       array.values);
 }
 
-py::dict features(const std::filesystem::path& file, const ReadOptions& reading, double density,
+py::dict features(const py::object& file, const ReadOptions& reading, double density,
                   const std::string& model, double probe, double drop_voids_below, double C,
                   std::optional<double> Q, std::optional<double> angle_goal_deg,
                   const py::object& threads, const py::object& progress) {
@@ -82,8 +82,9 @@ py::dict features(const std::filesystem::path& file, const ReadOptions& reading,
       .reading = reading,
       .skin = {model_of(model), probe, drop_voids_below},
       .mesh = {.C = C, .Q = Q, .density = density, .angle_goal_deg = angle_goal_deg}};
+  const std::filesystem::path path = path_from(file);
   Features found = interruptible({threads, progress}, [&](const RunOptions& run) {
-    return morskin::features(file, options, run);
+    return morskin::features(path, options, run);
   });
   if (!found.mesh.certificate().certified) raise_not_certified(std::move(found.mesh));
   py::dict arrays;
@@ -95,6 +96,12 @@ py::dict features(const std::filesystem::path& file, const ReadOptions& reading,
 }
 
 }  // namespace
+
+std::filesystem::path path_from(const py::object& file) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(file.ptr(), &bytes) == 0) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
+}
 
 void bind_molecule(py::module_& module) {
   using py::arg;

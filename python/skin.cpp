@@ -1,5 +1,4 @@
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -104,12 +103,13 @@ MorseSmaleComplex morse_smale(const Skin& skin, const py::object& direction, boo
                        [&](const RunOptions& run) { return skin.morse_smale(along, run, how); });
 }
 
-py::tuple read_mesh(const std::filesystem::path& file) {
+py::tuple read_mesh(const py::object& file) {
+  const std::filesystem::path path = path_from(file);
   auto* const mesh = new TriangleMesh();
   const py::capsule owner(mesh, [](void* p) { delete static_cast<TriangleMesh*>(p); });
   {
     const Unlocked unlocked;
-    *mesh = morskin::read_mesh(file);
+    *mesh = morskin::read_mesh(path);
   }
   return py::make_tuple(view(mesh->vertices, owner), view(mesh->triangles, owner));
 }

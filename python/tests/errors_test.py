@@ -5,6 +5,7 @@ Usage: errors_test.py folder-of-the-package"""
 from support import BALLS, ROOT, ModuleTest, main
 
 import math
+import os
 import pickle
 
 import morskin
@@ -143,6 +144,16 @@ class Errors(ModuleTest):
             with self.assertRaises(morskin.UnreadableInput) as caught:
                 morskin.read(self.folder / name)
             self.assertIn(name, str(caught.exception))
+
+    def test_a_name_with_a_nul_and_what_is_no_name_have_errors_of_one_line(self):
+        mesh = morskin.Skin(*BALLS).mesh(C=0.3)
+        for call in (morskin.read, morskin.read_mesh, morskin.features, mesh.save):
+            with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
+                call("a\0.ply")
+            with self.assertRaisesRegex(TypeError, "^expected str, bytes or os.PathLike object"):
+                call(3)
+        path = self.folder / "a.ply"
+        self.assertEqual(mesh.save(os.fsencode(path)), path)
 
     def test_a_skin_that_touches_itself_names_its_atoms(self):
         with self.assertRaises(morskin.RefusedInput) as caught:
