@@ -154,7 +154,9 @@ void bind_mesh(py::module_& module) {
       .def(
           "to_meshio", exporter("to_meshio"),
           "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
-          "and components as point_data.")
+          "and components as point_data.\nFor Gmsh save() a file .msh. meshio writes Gmsh's files "
+          "under the format \"gmsh\" only, and without\ncurvatures, since they are pairs; by the "
+          "ending .msh it writes Fluent's.")
       .def("to_vtk", exporter("to_vtk"),
            "to_vtk() -> vtkPolyData\n\nThe same as a vtkPolyData; the normals are the active ones.")
       .def("__repr__", [](const Mesh& self) { return in_words(self); });

@@ -20,7 +20,7 @@ def _vertex_data(mesh: Mesh) -> dict[str, NDArray[Any]]:
 def to_meshio(mesh: Mesh) -> Any:
     """Mesh.to_meshio."""
     import meshio
-    triangles = mesh.faces.astype(np.int64)  # meshio's writer of Gmsh's files knows no uint32
+    triangles = mesh.faces.astype(np.int64)  # meshio's writer of Fluent's files knows no uint32
     return meshio.Mesh(mesh.vertices, [("triangle", triangles)], point_data=_vertex_data(mesh))
 
 

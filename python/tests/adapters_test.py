@@ -205,6 +205,17 @@ class Exports(ModuleTest):
         for name in ("normals", "curvatures", "atoms", "length_scales", "components"):
             np.testing.assert_array_equal(read.point_data[name].squeeze(), getattr(mesh, name))
 
+    def test_meshio_writes_gmsh_s_files_without_the_pairs_of_curvatures(self):
+        mesh = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2]).mesh(C=0.3)
+        self.assertIn("curvatures", morskin.Mesh.to_meshio.__doc__.partition("Gmsh")[2])
+        told = mesh.to_meshio()
+        del told.point_data["curvatures"]
+        told.write(self.folder / "gmsh.msh", file_format="gmsh", binary=False)
+        for name in ("gmsh.msh", mesh.save(self.folder / "own.msh").name):
+            vertices, faces = morskin.read_mesh(self.folder / name)
+            np.testing.assert_array_equal(vertices, mesh.vertices)
+            np.testing.assert_array_equal(faces, mesh.faces)
+
     def test_without_vtk_only_to_vtk_fails(self):
         mesh = morskin.Skin([[0, 0, 0]], [1]).mesh(C=0.3)
         hidden = dict.fromkeys([m for m in sys.modules if m.startswith("vtkmodules")] +
