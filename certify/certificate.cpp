@@ -1,7 +1,6 @@
 #include "certify/certificate.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "certify/restricted_delaunay.h"
 #include "certify/triangle_geometry.h"
 #include "certify/tube.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
 
@@ -24,12 +24,6 @@ namespace {
 
 using geometry::IndexedMesh;
 using surface::CellId;
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
 
 /// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
@@ -74,7 +68,7 @@ class Certifier {
   /// Records the first element that breaks [L] or [U], which is no reason against homeomorphy.
   static void note(Certificate& out, Claim claim, const std::string& element, double ratio) {
     out.broken[static_cast<std::size_t>(claim)] =
-        element + " has " + number(ratio) + " times its bound";
+        element + " has " + geometry::in_digits(ratio, 3) + " times its bound";
   }
   LocatedMesh located() const { return {mesh_, points_, bounds_, surface_}; }
 

@@ -1,12 +1,12 @@
 #include "certify/covered_parts.h"
 
-#include <cstdio>
 #include <optional>
 #include <vector>
 
 #include "certify/distance_bounds.h"
 #include "certify/tube.h"
 #include "certify/winding_number.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/kd_tree.h"
 
 namespace morskin::certify {
@@ -42,9 +42,8 @@ std::optional<std::size_t> point_on_path(const LocatedMesh& mesh,
 }
 
 std::string in_words(const Point& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.6g %.6g %.6g", p.x(), p.y(), p.z());
-  return text;
+  return geometry::in_digits(p.x(), 6) + " " + geometry::in_digits(p.y(), 6) + " " +
+         geometry::in_digits(p.z(), 6);
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
 #include "certify/tube.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/parallel.h"
 
 namespace morskin::certify {
@@ -28,9 +28,7 @@ bool is_single_precision(std::span<const surface::Point> positions) {
 std::string off_skin_in_words(double distance) {
   if (!(distance > 0)) return "is not known to lie on the skin";
   if (std::isinf(distance)) return "lies off the skin, by a distance that is not known";
-  char text[64];
-  std::snprintf(text, sizeof text, "lies about %.3g Angstrom off the skin", distance);
-  return text;
+  return "lies about " + geometry::in_digits(distance, 3) + " Angstrom off the skin";
 }
 
 Residuals residuals(std::span<const surface::SurfacePoint> points,

@@ -1,9 +1,9 @@
 // What follows from all that was looked at: the verdict, and the reason against it.
 
 #include <cmath>
-#include <cstdio>
 
 #include "certify/certificate.h"
+#include "geometry/files/text_lines.h"
 
 namespace morskin::certify {
 
@@ -48,10 +48,9 @@ void Certificate::conclude(const Sizing& sizing) {
   }
   if (!reason.empty() || certified) return;
   if (claimed > 0 && !has_angles) {
-    char text[96];
-    std::snprintf(text, sizeof text, "triangle %zu has an angle of %.9g degrees, below %.4g",
-                  sharpest_triangle, proved_angle_deg(), claimed);
-    reason = text;
+    reason = "triangle " + std::to_string(sharpest_triangle) + " has an angle of " +
+             geometry::in_digits(proved_angle_deg(), 9) + " degrees, below " +
+             geometry::in_digits(claimed, 4);
   } else {
     reason = std::to_string(violations_L) + " edges break [L], " + std::to_string(violations_U) +
              " triangles break [U]";

@@ -1,5 +1,6 @@
 #include "morse/critical_points.h"
 
+#include "geometry/files/text_lines.h"
 #include "geometry/kd_tree.h"
 #include "morse/cell_contact.h"
 #include "morse/critical_points_internal.h"
@@ -39,8 +40,8 @@ long CriticalPoints::euler_characteristic() const {
 }
 
 std::string position_text(const Point& x) {
-  return "at (" + std::to_string(x.x()) + ", " + std::to_string(x.y()) + ", " +
-         std::to_string(x.z()) + ")";
+  return "at (" + geometry::in_digits(x.x(), 6) + ", " + geometry::in_digits(x.y(), 6) + ", " +
+         geometry::in_digits(x.z(), 6) + ")";
 }
 
 bool take(const skin::SkinSurface& surface, const CriticalPoint& critical, double doubt,

@@ -114,6 +114,13 @@ std::optional<std::int64_t> parse_integer(std::string_view field) {
 void append_number(std::string& text, double value) { append(text, value); }
 void append_number(std::string& text, std::uint64_t value) { append(text, value); }
 
+std::string in_digits(double value, int digits) {
+  std::array<char, 64> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, digits);
+  return {text.data(), end};
+}
+
 std::string quoted(std::string_view field) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";

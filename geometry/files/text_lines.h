@@ -69,6 +69,9 @@ std::optional<std::int64_t> parse_integer(std::string_view field);
 void append_number(std::string& text, double value);
 void append_number(std::string& text, std::uint64_t value);
 
+/// With so many digits and no idle zeros, for people: as %.3g of C, with a point in any locale.
+std::string in_digits(double value, int digits);
+
 /// `field` between quotation marks, for messages: at most 40 characters, control characters as
 /// question marks.
 std::string quoted(std::string_view field);

@@ -2,11 +2,13 @@
 """Errors: bad values, and exceptions named like the exit codes.
 Usage: errors_test.py folder-of-the-package"""
 
-from support import BALLS, ROOT, ModuleTest, main
+from support import BALLS, MOLECULES, ROOT, ModuleTest, main
 
 import math
 import os
 import pickle
+import shutil
+import subprocess
 
 import morskin
 import numpy as np
@@ -154,6 +156,29 @@ class Errors(ModuleTest):
                 call(3)
         path = self.folder / "a.ply"
         self.assertEqual(mesh.save(os.fsencode(path)), path)
+
+    def test_messages_have_a_decimal_point_in_any_locale(self):
+        german = self.folder / "de_DE.UTF-8"
+        if shutil.which("localedef"):
+            subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", german], check=False,
+                           capture_output=True)
+        if not german.exists():
+            self.skipTest("no German locale can be made")
+        said = self.python("""
+import locale, sys
+import morskin
+locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+assert locale.str(0.5) == "0,5"
+skin = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2])
+mesh = skin.mesh(C=0.2)
+print(morskin.check(mesh.vertices * 1.01, mesh.faces, skin, C=0.2).reason)
+try:
+    morskin.read(sys.argv[1]).skin().critical_points([1, 0, 0])  # degenerate
+except morskin.RefusedInput as error:
+    print(error)
+""", str(MOLECULES / "cube8.xyzr"), LOCPATH=str(self.folder))
+        self.assertRegex(said, r"lies about 0\.0\d+ Angstrom off the skin\n")
+        self.assertRegex(said, r" at \(-?\d+\.\d+, ")
 
     def test_a_skin_that_touches_itself_names_its_atoms(self):
         with self.assertRaises(morskin.RefusedInput) as caught:
