@@ -37,13 +37,10 @@ std::size_t round_coordinates(const skin::Molecule& molecule, std::vector<Weight
   return count;
 }
 
-/// Angstrom^2, a radius of 4e-22. The certificate's bounds are floats, which underflow below.
-constexpr double least_weight = 0x1p-141;
-
 void check_weights(const MoleculeInput& input) {
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     const double weight = input.points[i].weight;
-    if (weight >= least_weight && geometry::is_exact_weight(weight)) continue;
+    if (weight >= morskin::least_provable_weight && geometry::is_exact_weight(weight)) continue;
     throw geometry::RefusedInput(
         input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
         (weight > geometry::largest_exact

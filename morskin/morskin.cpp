@@ -115,8 +115,9 @@ std::vector<geometry::WeightedPoint> weighted_points(std::span<const Atom> atoms
     const geometry::WeightedPoint p{
         inside(atom.position), skin::weight(atom.radius, inside(options.model), options.probe)};
     const double largest = std::max(p.position.cwiseAbs().maxCoeff(), std::abs(p.weight));
-    const bool has_lost_digits = p.weight < 1 && !geometry::is_exact_weight(p.weight);
-    if (!(p.weight > 0) || has_lost_digits) throw refused(i, "has a radius too small to be told");
+    if (!(p.weight >= least_provable_weight)) {
+      throw refused(i, "has so small a radius that nothing can be proved of its skin");
+    }
     if (!p.position.allFinite() || !(largest <= geometry::largest_exact)) {
       throw refused(i,
                     "has a coordinate that is no number, or is too far out or too large: 2^30 "

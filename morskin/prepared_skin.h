@@ -27,6 +27,9 @@ struct PreparedSkin {
   surface::Topology expected() const;
 };
 
+/// Angstrom^2, a radius of 4e-22. The certificate's bounds are floats, which underflow below.
+constexpr double least_provable_weight = 0x1p-141;
+
 /// The balls differ so much in size, or lie so far out, that doubles cannot carry both ends.
 ///
 /// A wall of the mixed complex is known to 2^-42 of the largest coordinate, and a cell narrower

@@ -124,9 +124,10 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   CHECK_THROWS_WITH_AS(Skin(std::vector<Atom>{}), "there are no atoms, and so there is no surface",
                        Error);
   CHECK(kind_of([] { Skin(std::vector<Atom>{}); }) == Kind::Refused);
-  for (const Atom& atom : {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan},
-                           Atom{{0, nan, 0}, 1}, Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6},
-                           Atom{{50, 0, 0}, 1e-30}, Atom{{50, 0, 0}, 1e-170}}) {
+  for (const Atom& atom :
+       {Atom{{0, 0, 0}, 0}, Atom{{0, 0, 0}, -1}, Atom{{0, 0, 0}, nan}, Atom{{0, nan, 0}, 1},
+        Atom{{1e12, 0, 0}, 1}, Atom{{0, 0, 0}, 1e6}, Atom{{50, 0, 0}, 3e-22},
+        Atom{{50, 0, 0}, 1e-30}, Atom{{50, 0, 0}, 1e-170}}) {
     try {
       Skin(std::vector{three_atoms[0], atom}, balls);
       FAIL("the second atom makes no sense");

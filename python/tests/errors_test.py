@@ -85,7 +85,7 @@ class Errors(ModuleTest):
 
     def test_a_refused_atom_is_named(self):
         for atom, radius in (([0, 0, 0], -1), ([0, math.nan, 0], 1), ([0, 1e12, 0], 1),
-                             ([0, 0, 0], 1e6)):
+                             ([0, 0, 0], 1e6), ([0, 0, 0], 3e-22)):
             with self.assertRaises(morskin.RefusedInput) as caught:
                 morskin.Skin([[9, 0, 0], atom], [1, radius])
             self.assertEqual(caught.exception.atoms, (1,))
