@@ -39,8 +39,10 @@ class Certifier {
     out_.expected_components = expected.components;
     out_.expected_genus = static_cast<long>(expected.genus);
     locate_and_glue();
+    run_.report(geometry::unknown_share);
     DelaunayFilter filter(mesh_.triangles.size());
     check_triangles(filter);
+    run_.report(geometry::unknown_share);
     check_fans();
     if (built_.defect) {
       out_.fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
@@ -59,6 +61,7 @@ class Certifier {
       };
       geometry::do_both(run_.threads(), check_covering, check_balls);
     }
+    run_.report(geometry::unknown_share);
     check_vertices();
     out_.conclude(sizing_);
     return std::move(out_);

@@ -84,6 +84,17 @@ print(skin.mesh(C=0.3).certificate.certified)
                 with self.subTest(last=last, of=all_reports):
                     self.assertEqual(reports(call, last), last)
 
+    def test_a_check_may_be_ended_between_its_steps(self):
+        mesh, reports = self.skin.mesh(**COARSE), []
+
+        def progress(stage, share):
+            reports.append(stage)
+            if len(reports) == 3:
+                raise TimeoutError
+        with self.assertRaises(TimeoutError):
+            morskin.check(mesh.vertices, mesh.faces, self.skin, C=0.3, progress=progress)
+        self.assertEqual(reports, ["certify"] * 3)
+
     def test_what_the_handler_of_any_signal_raises_ends_the_run(self):
         def enough(*_):
             raise TimeoutError
