@@ -149,7 +149,9 @@ void bind_functions(py::module_& module) {
              "certificate says what is wrong.\n\n"
              "vertices  (n, 3): Angstrom\n"
              "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
-             "The others are what the mesh was made with: **mesh.sizing for one of this library.");
+             "C, Q and max_length_scale are what the mesh was made with: **mesh.sizing for one of "
+             "this library.\nthreads and progress are as of Skin.mesh.\n\n"
+             "Raises RefusedInput for sizes that make no sense.");
   module.def("read_mesh", &read_mesh, arg("file"),
              "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
              "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"

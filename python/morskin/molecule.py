@@ -40,12 +40,13 @@ class Molecule:
         return len(self.radii)
 
     def skin(self, model: Model = "vdw", **options: Any) -> Skin:
-        """The skin of these atoms; the options are those of `Skin`."""
+        """The skin of these atoms; `model` and the options are those of `Skin`."""
         return Skin(self.positions, self.radii, model, **options)
 
     def mesh(self, *, model: Model = "vdw", probe: float = 1.4, drop_voids_below: float = 0,
              threads: Optional[int] = None, progress: Progress = None, **options: Any) -> Mesh:
-        """A mesh of their skin; the other options are those of `Skin.mesh`."""
+        """A mesh of their skin: `model`, `probe` and `drop_voids_below` as of `Skin`, `threads` and
+        `progress` of both it and the mesh; the other options are those of `Skin.mesh`."""
         skin = self.skin(model, probe=probe, drop_voids_below=drop_voids_below, threads=threads,
                          progress=progress)
         return skin.mesh(threads=threads, progress=progress, **options)

@@ -58,6 +58,22 @@ class Types(ModuleTest):
                 for member in public(vars(thing)):
                     self.assertTrue(getattr(thing, member).__doc__, f"{name}.{member}")
 
+    def test_help_names_every_argument(self):
+        with_help = [(morskin.check, functions(STUBS.body)["check"])]
+        for node in STUBS.body:
+            if not isinstance(node, ast.ClassDef) or node.name not in morskin.__all__:
+                continue
+            kind = getattr(morskin, node.name)
+            for name, method in functions(node.body).items():
+                with_help.append((kind if name == "__init__" else getattr(kind, name), method))
+        named = [(thing, [a.arg for a in node.args.args + node.args.kwonlyargs])
+                 for thing, node in with_help]
+        named += [(thing, list(inspect.signature(thing).parameters)) for thing in (
+            morskin.read, morskin.features, morskin.Molecule.mesh, morskin.Molecule.skin)]
+        for thing, names in named:
+            for name in set(names) - {"self"}:
+                self.assertRegex(thing.__doc__, rf"\b{name}\b", thing)
+
     def test_every_array_s_text_has_its_shape_and_type(self):
         skin = morskin.read(MOLECULES / "ring12.xyzr").skin()
         for thing in (skin.mesh(C=0.3), skin.critical_points(), skin.morse_smale()):
