@@ -27,6 +27,9 @@ void add_features(CLI::App& app, FeaturesArguments& features, Typed& typed) {
   command.get_option("--model")->default_str("ses-like");
   command.get_option("--voids")->default_str("drop");
   command.get_option("--density")->default_str("2");
+  for (const char* name : {"--size", "--triangles"}) {
+    command.get_option(name)->default_str("as --density makes");
+  }
   command.get_option("-C")->default_str("0.4, which --density makes finer");
   command
       .add_option("--report", mesh.report, "Also write the report of mesh to this file, as JSON")

@@ -49,7 +49,7 @@ void add_sizing_options(CLI::App& command, Typed& typed) {
                   "Size over the curvature radius; half makes 3 to 4 times as many")
       ->default_str("0.08");
   command.add_option("-Q", typed.skin.Q, "Quality: every angle exceeds asin(1/Q^2)")
-      ->default_str("1.65 or, with C above 0.107, the least that C allows");
+      ->default_str("1.65 or, with C above 0.107, just above the least that C allows");
   command
       .add_option("--size", typed.skin.size,
                   "Edges of about so many Angstrom where the skin is flat.\n"
