@@ -25,6 +25,14 @@ namespace {
 using geometry::IndexedMesh;
 using surface::CellId;
 
+/// Why (c1) is not proved of a triangle: a corner denies it, or it may hold all the same.
+std::string not_upright(std::size_t t, const Corners& corners, const Vector& normal) {
+  const bool is_denied = std::ranges::any_of(
+      corners, [&](const SurfacePoint* p) { return p->normal.dot(normal) < 0; });
+  return "triangle " + std::to_string(t) +
+         (is_denied ? " does not face" : " is not shown to face") + " the way the skin does";
+}
+
 /// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
  public:
@@ -233,10 +241,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
     out.sharpest_triangle = t;
   }
   const TubeProof proof = prove_tube(surface_, p, shape, bounds);
-  if (!proof.is_upright) {
-    out.fail(Claim::Upright,
-             "triangle " + std::to_string(t) + " does not face the way the skin does");
-  }
+  if (!proof.is_upright) out.fail(Claim::Upright, not_upright(t, p, shape.normal));
   if (!proof.is_in_tube) {
     out.fail(Claim::Tube, "triangle " + std::to_string(t) +
                               " is too big for its length scale to be proved near the skin");

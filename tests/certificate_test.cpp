@@ -214,6 +214,28 @@ TEST_CASE(
   CHECK(good.certify(support::sphere_mesh(Point::Zero(), 1, 1)).is_homeomorphic);
 }
 
+TEST_CASE("a triangle that faces the right way but is too large to be proved is not accused") {
+  const Good good = two_overlapping();
+  IndexedMesh coarse = support::sphere_mesh(Point::Zero(), 1, 0);
+  for (Point& x : coarse.positions) {  // the tips, and about the neck
+    x = x.x() > 0.5 ? Point(2.5, 0, 0) : x.x() < -0.5 ? Point(-1, 0, 0) : Point(0.7, x.y(), x.z());
+    const auto on = good.skin.surface.project(x, {});
+    REQUIRE(on.has_value());
+    x = on->position;
+  }
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const Point& p = coarse.positions[a];
+    const auto normal = (coarse.positions[b] - p).cross(coarse.positions[c] - p);
+    for (const std::uint32_t v : {a, b, c}) {
+      const Point& x = coarse.positions[v];
+      const auto cell = good.skin.surface.locate(x, {});
+      CHECK(good.skin.surface.jet(x, cell).half_gradient.dot(normal) > 0);
+    }
+  }
+  check_rejected(good.certify(coarse), "is not shown to face the way the skin does");
+  check_rejected(good.certify(turned_inside_out(coarse)), "does not face the way the skin does");
+}
+
 TEST_CASE("a mesh with one vertex too near to another is homeomorphic but breaks [L]") {
   const Good good = one_ball();
   IndexedMesh fine = good.mesh;

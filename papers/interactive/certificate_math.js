@@ -186,7 +186,10 @@ export function certify(balls, mesh, expected) {
     manifold: manifoldDefect(mesh),
     onSkin: first(points, ({ G, rho }) => !(Math.abs(G) < 2e-7 * rho * rho), (v) =>
       `vertex ${v} lies ${Math.abs(points[v].G / (2 * points[v].rho)).toPrecision(2)} off the skin`),
-    upright: first(proofs, (p) => !p.isUpright, (t) => `triangle ${t} does not face the way the skin does`),
+    upright: first(proofs, (p) => !p.isUpright, (t) => {
+      const isDenied = mesh.triangles[t].some((v) => dot(points[v].N, proofs[t].normal) < 0);
+      return `triangle ${t} ${isDenied ? 'does not face' : 'is not shown to face'} the way the skin does`;
+    }),
     tube: first(proofs, (p) => !p.isInTube, (t) => `triangle ${t} is too large to be proved near the skin`),
   };
   const bad = new Set(proofs.flatMap((p, t) => (p.isUpright && p.isInTube ? [] : [t])));
