@@ -142,10 +142,12 @@ std::optional<skin::Model> fitting_model(const IndexedMesh& mesh, const CheckArg
 }
 
 /// The least C, to three digits, with which [U] holds, if there is one up to the coarsest.
-std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing) {
+/// @param Q  as given; else it goes with C
+std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing,
+                                std::optional<double> Q) {
   constexpr double step = 0.001;
   for (double C = sizing.C + step; C <= certify::Sizing::coarsest_C + step / 2; C += step) {
-    const double allowed = C * certify::Sizing::quality_for(C);
+    const double allowed = C * Q.value_or(certify::Sizing::quality_for(C));
     if (worst_U * sizing.C * sizing.Q < allowed) return C;
   }
   return std::nullopt;
@@ -161,7 +163,7 @@ void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, Ch
   }
   if (!arguments.typed.C && !arguments.typed.size && certificate.is_homeomorphic &&
       certificate.violations_U > 0) {
-    report.fitting_C = fitting_C(certificate.worst_U, arguments.sizing);
+    report.fitting_C = fitting_C(certificate.worst_U, arguments.sizing, arguments.typed.Q);
   }
 }
 

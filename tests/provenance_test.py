@@ -131,6 +131,9 @@ class Provenance(ProvenanceTest):
         report = self.check("m.ply", "--against", self.ring, "--model", "sas", code=5)
         self.assertEqual(report["model"], "sas")
         self.assertNotIn("fitting_model", report)
+        words = ("--against", self.ring, "-Q", "1.3")
+        C = self.check("m.ply", *words, code=5)["fitting_C"]
+        self.assertTrue(self.check("m.ply", *words, "-C", C)["passed"])
 
     def test_a_moved_vertex_and_a_turned_triangle_are_noticed_and_judged_anew(self):
         self.meshed("-o", "m.off")
