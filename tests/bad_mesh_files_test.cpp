@@ -93,6 +93,7 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
                 "a.ply:10: \"x\" is no number");
   check_refused(start + "1" + middle + "end_header\n0 0\n", "a.ply", "too");
   check_refused(start + "1\nproperty float x\nend_header\n0\n", "a.ply", "x, y and z");
+  check_refused(start + "1" + middle + "end_header\n0 1e39 0\n", "a.ply", "not finite");
   check_refused(
       start + "1\nproperty float x\nproperty float x\nproperty float y\n" + "end_header\n0 0 0\n",
       "a.ply", "x, y and z");

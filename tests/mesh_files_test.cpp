@@ -118,6 +118,29 @@ TEST_CASE("a PLY file in the other byte order, in single precision, with more in
   CHECK(mesh.triangles == decltype(mesh.triangles){{{0, 1, 2}}, {{0, 2, 3}}});
 }
 
+TEST_CASE("numbers in text are floats where PLY or VTU says so, as for other programs") {
+  const auto ply = [](const std::string& type) {
+    const std::string property = "\nproperty " + type;
+    return parse_mesh("ply\nformat ascii 1.0\nelement vertex 1" + property + " x" + property +
+                          " y" + property + " z\nend_header\n0.1 -0.3 1e-60\n",
+                      "mesh.ply");
+  };
+  const auto vtu = [](const std::string& type) {
+    const std::string array = "<DataArray format=\"ascii\" type=\"" + type + "\"";
+    return parse_mesh("<VTKFile type=\"UnstructuredGrid\"><Points>" + array +
+                          ">0.1 -0.3 1e-60</DataArray></Points><Cells>" + array +
+                          " Name=\"connectivity\"></DataArray>" + array +
+                          " Name=\"offsets\"></DataArray>" + array +
+                          " Name=\"types\"></DataArray></Cells></VTKFile>",
+                      "mesh.vtu");
+  };
+  const Point floats(0.1F, -0.3F, 0), doubles(0.1, -0.3, 1e-60);
+  CHECK(ply("float").positions == std::vector{floats});
+  CHECK(vtu("Float32").positions == std::vector{floats});
+  CHECK(ply("double").positions == std::vector{doubles});
+  CHECK(vtu("Float64").positions == std::vector{doubles});
+}
+
 TEST_CASE("a PLY file whose triangles turn into polygons midway is read") {
   const IndexedMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}}};
   std::string bytes = serialized(square, MeshFormat::PlyBinary);

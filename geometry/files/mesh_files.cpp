@@ -38,6 +38,12 @@ void append_position(std::string& text, const Point& position) {
   text += '\n';
 }
 
+double in_single_precision(double number) {
+  // By way of memory: GCC 12 leaves out the rounding of two neighbours otherwise.
+  const volatile auto rounded = static_cast<float>(number);
+  return static_cast<double>(rounded);
+}
+
 Point take_position(std::string_view& fields, const TextLines& lines) {
   Point position;
   for (int axis = 0; axis < 3; ++axis) {
@@ -132,11 +138,7 @@ IndexedMesh with_decimals(IndexedMesh mesh, int decimals) {
 
 IndexedMesh in_single_precision(IndexedMesh mesh) {
   for (Point& position : mesh.positions) {
-    for (double& coordinate : position) {
-      // By way of memory: GCC 12 leaves out the rounding of two neighbours otherwise.
-      const volatile auto rounded = static_cast<float>(coordinate);
-      coordinate = static_cast<double>(rounded);
-    }
+    for (double& coordinate : position) coordinate = mesh_formats::in_single_precision(coordinate);
   }
   return mesh;
 }

@@ -85,6 +85,9 @@ void append_position(std::string& text, const Point& position);
 /// A number with so many decimals.
 std::string fixed(double number, int decimals);
 
+/// The nearest float; infinite beyond all.
+double in_single_precision(double number);
+
 /// Takes the three coordinates at the front of `fields`.
 /// @param lines  at their line, for messages
 /// @throws UnreadableInput  if there are not three finite numbers

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/files/mesh_formats.h"
 #include "geometry/files/ply_header.h"
 #include "geometry/files/text_lines.h"
 
@@ -95,7 +96,7 @@ class PlyAsciiBody {
   std::size_t min_size(PlyScalar) const { return 1; }
   std::string location() const { return lines_.location(); }
 
-  double take(PlyScalar) {
+  double take(PlyScalar type) {
     std::string_view field = take_field(fields_);
     while (field.empty()) {
       if (!lines_.advance()) lines_.fail("the file ends too early; write it again");
@@ -104,7 +105,7 @@ class PlyAsciiBody {
     }
     const std::optional<double> value = parse_double(field);
     if (!value) lines_.fail(quoted(field) + " is no number; write the mesh again");
-    return *value;
+    return type == PlyScalar::Float ? in_single_precision(*value) : *value;
   }
 
  private:

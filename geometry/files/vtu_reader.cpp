@@ -162,13 +162,14 @@ class Reader {
   }
   std::vector<double> ascii_array(const XmlTag& tag) const {
     std::vector<double> numbers;
+    const bool is_single = value(tag, "type") == "Float32";
     std::string_view rest = tag.text;
     for (std::string_view field = take_field(rest); !field.empty(); field = take_field(rest)) {
       const std::optional<double> number = parse_double(field);
       if (!number || !std::isfinite(*number)) {
         fail(source_, "has " + quoted(field) + " in the place of a number; write it again");
       }
-      numbers.push_back(*number);
+      numbers.push_back(is_single ? in_single_precision(*number) : *number);
     }
     return numbers;
   }
