@@ -210,6 +210,9 @@ class Verify(CommandTest):
         for voids, dropped in (("keep", 0), ("drop", 2)):
             names = self.made(name, "--model", "given", "-C", "0.2", "--voids", voids)
             self.assertEqual(verify.verify(names)["reason"], None)
+            for option in ([], ["--voids-dropped"]):  # else another claim than that of the skin
+                done = self.run_python(Path(verify.__file__), *option, *names)
+                self.assertEqual(done.returncode, 1 if dropped and not option else 0)
             witness = json.loads(Path(names[2]).read_text())
             self.assertEqual(witness["dropped_voids"], dropped)
             p, t = files.read_mesh(names[1])
