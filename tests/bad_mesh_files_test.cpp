@@ -160,6 +160,11 @@ TEST_CASE(
   for (const std::string end : {"$EndNodes\n", "$EndElements\n"}) {
     check_refused(replaced(text, end, ""), "a.msh", "ends too early");
   }
+  for (const std::string name : {"Nodes", "Elements"}) {
+    const std::string head = "$" + name + "\n1 ";
+    check_refused(replaced(text, head + "4 1 4", head + "5 1 4"), "a.msh",
+                  "where 5 were announced");
+  }
 }
 
 TEST_CASE("a count beyond what the file can hold is turned down and not allocated") {

@@ -45,6 +45,14 @@ void skip_to_end(TextLines& lines, std::string_view section) {
   }
 }
 
+/// @param told  how many the section says that there are
+void check_count(std::int64_t told, std::int64_t found, const std::string& what,
+                 const TextLines& lines) {
+  if (told == found) return;
+  lines.fail("there are " + std::to_string(found) + " " + what + " where " + std::to_string(told) +
+             " were announced; write the mesh again");
+}
+
 /// Points with Gmsh's tags for them.
 struct Nodes {
   std::vector<Point> points;
@@ -53,8 +61,8 @@ struct Nodes {
 
 Nodes parse_nodes(TextLines& lines) {
   Nodes nodes;
-  const std::int64_t blocks = integers(lines, 4)[0];
-  for (std::int64_t block = 0; block < blocks; ++block) {
+  const std::vector<std::int64_t> told = integers(lines, 4);  // blocks, nodes, and their tags
+  for (std::int64_t block = 0; block < told[0]; ++block) {
     const std::int64_t count = integers(lines, 4)[3];
     const std::size_t first = nodes.points.size();
     for (std::int64_t i = 0; i < count; ++i) {
@@ -68,6 +76,7 @@ Nodes parse_nodes(TextLines& lines) {
       nodes.points.push_back(take_position(fields, lines));
     }
   }
+  check_count(told[1], static_cast<std::int64_t>(nodes.points.size()), "nodes", lines);
   return nodes;
 }
 
@@ -78,15 +87,16 @@ std::uint32_t take_node(std::string_view& fields, const Nodes& nodes, const Text
 }
 
 void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mesh) {
-  const std::int64_t blocks = integers(lines, 4)[0];
-  for (std::int64_t block = 0; block < blocks; ++block) {
+  const std::vector<std::int64_t> told = integers(lines, 4);  // blocks, elements, and their tags
+  std::int64_t found = 0;
+  for (std::int64_t block = 0; block < told[0]; ++block) {
     const std::vector<std::int64_t> head = integers(lines, 4);
     const bool is_curved = head[2] == second_order_triangle;
     if (head[0] >= 2 && !is_curved && head[2] != triangle) {
       lines.fail("elements of type " + std::to_string(head[2]) +
                  " are not read; write triangles, of type 2 or 9");
     }
-    for (std::int64_t i = 0; i < head[3]; ++i) {
+    for (std::int64_t i = 0; i < head[3]; ++i, ++found) {
       std::string_view fields = next_line(lines);
       if (head[0] < 2) continue;
       take_integer(fields, lines);  // its tag
@@ -99,6 +109,7 @@ void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mes
       is_curved ? mesh.add(corners, take_three()) : mesh.add(corners);
     }
   }
+  check_count(told[1], found, "elements", lines);
 }
 
 }  // namespace
