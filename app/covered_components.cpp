@@ -1,6 +1,7 @@
 #include "app/covered_components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -39,6 +40,29 @@ std::map<SkinComponents::Sides, CoveredComponent> named_components(
   return named;
 }
 
+// By component of the mesh, the corner of its triangles that is nearest to the skin, by |G| over
+// the squared length scale: a vertex off the skin may have the sides of another component.
+std::vector<std::uint32_t> nearest_corners(const IndexedMesh& mesh,
+                                           const geometry::MeshCheck& topology,
+                                           const surface::Surface& skin,
+                                           std::span<const surface::SurfacePoint> points) {
+  std::vector<double> off;  // by vertex
+  off.reserve(points.size());
+  for (const surface::SurfacePoint& p : points) {
+    const double value = skin.jet(p.position, p.cell).value;
+    off.push_back(std::abs(value) / (p.length_scale * p.length_scale));
+  }
+  std::vector<std::uint32_t> nearest;
+  for (const auto& c : topology.components) nearest.push_back(mesh.triangles[c.first_triangle][0]);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::uint32_t& best = nearest[topology.component_of_triangle[t]];
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (off[v] < off[best]) best = v;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
@@ -48,9 +72,9 @@ std::vector<CoveredComponent> covered_components(const MoleculeInput& input,
                                                  std::span<const surface::SurfacePoint> points) {
   const SkinComponents parts(skin.surface, skin.topology);
   auto named = named_components(input, skin);
-  for (std::uint32_t c = 0; c < topology.components.size(); ++c) {
-    const std::uint32_t first = mesh.triangles[topology.components[c].first_triangle][0];
-    const auto sides = parts.sides(points[first]);
+  const auto nearest = nearest_corners(mesh, topology, skin.surface, points);
+  for (std::uint32_t c = 0; c < nearest.size(); ++c) {
+    const auto sides = parts.sides(points[nearest[c]]);
     const auto found = sides ? named.find(*sides) : named.end();
     if (found == named.end()) return {};
     found->second.by.push_back(c);

@@ -27,8 +27,8 @@ struct CoveredComponent {
   bool is_well() const { return by.size() == (is_dropped ? 0 : 1); }
 };
 
-/// The mesh's components on each of the skin's, by their first vertex. Empty if rounding makes the
-/// skin's indistinguishable.
+/// The mesh's components on each of the skin's, by their vertices nearest to it. Empty if rounding
+/// makes the skin's indistinguishable.
 /// @param topology  of the mesh
 /// @param points    by vertex
 std::vector<CoveredComponent> covered_components(const MoleculeInput& input,

@@ -50,6 +50,16 @@ class Voids(CommandTest):
         reason = self.broken(self.checked("--voids", "drop", code=5))[name]
         self.assertRegex(reason, "wall of the void at .*, which is to be dropped, is covered by")
 
+    def test_a_vertex_off_the_skin_makes_no_component_missing(self):
+        self.run_morskin("mesh", SHELL, "-o", "good.off", "-q", "-C", "0.2")
+        places, triangles = self.read_off("good.off")
+        first = triangles[0][0]
+        places[first] = [x / 2 for x in places[first]]  # near the inner wall
+        self.write_off("mesh.ply", places, triangles)
+        broken = self.broken(self.checked(code=5))
+        self.assertIn(f"vertex {first} lies", broken["vertices on the skin"])
+        self.assertNotIn("every component once", broken)
+
     def test_a_volume_that_is_none_is_refused(self):
         for wrong in ("-1", "all", "nan", "inf", ""):
             words = ("mesh", SHELL, "-o", "mesh.ply", f"--voids={wrong}")
