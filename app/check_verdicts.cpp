@@ -100,8 +100,8 @@ void add_skin_verdicts(const AgainstSkin& against, std::vector<Verdict>& verdict
                       std::to_string(d.deepest[0].triangle) + ", " + brief(d.deepest[0].depth, 2) +
                       " of its squared radius deep (the deepest of " + grouped(d.violations) + ")";
   } else if (d.undecided > 0) {
-    delaunay.reason = "triangle " + std::to_string(d.first_undecided[0]) +
-                      " has no surface ball (the first of " + grouped(d.undecided) + ")";
+    delaunay.reason = "no surface ball of triangle " + std::to_string(d.first_undecided[0]) +
+                      " was found (the first of " + grouped(d.undecided) + ")";
   }
   verdicts.push_back(delaunay);
   if (against.in_edges) verdicts.push_back(on_nodes(*against.in_edges));

@@ -59,6 +59,7 @@ class Voids(CommandTest):
         broken = self.broken(self.checked(code=5))
         self.assertIn(f"vertex {first} lies", broken["vertices on the skin"])
         self.assertNotIn("every component once", broken)
+        self.assertIn("no surface ball of triangle 0 was found", broken["restricted Delaunay"])
 
     def test_a_volume_that_is_none_is_refused(self):
         for wrong in ("-1", "all", "nan", "inf", ""):
