@@ -33,6 +33,18 @@ std::string not_upright(std::size_t t, const Corners& corners, const Vector& nor
          (is_denied ? " does not face" : " is not shown to face") + " the way the skin does";
 }
 
+/// Why (c2) is not proved of a triangle: |G| < |N|^2 at each corner, or not.
+std::string not_in_tube(std::size_t t, const Corners& corners, const CornerBounds& bounds) {
+  bool is_off = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double rho = corners[k]->length_scale;
+    is_off = is_off || !(bounds.max_values[k] < rho * rho);
+  }
+  return "triangle " + std::to_string(t) +
+         (is_off ? " has a corner that is too far off" : " is too big for its length scale") +
+         " to be proved near the skin";
+}
+
 /// Checks one claim after the other; the first broken one is the reason.
 class Certifier {
  public:
@@ -242,10 +254,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   }
   const TubeProof proof = prove_tube(surface_, p, shape, bounds);
   if (!proof.is_upright) out.fail(Claim::Upright, not_upright(t, p, shape.normal));
-  if (!proof.is_in_tube) {
-    out.fail(Claim::Tube, "triangle " + std::to_string(t) +
-                              " is too big for its length scale to be proved near the skin");
-  }
+  if (!proof.is_in_tube) out.fail(Claim::Tube, not_in_tube(t, p, bounds));
   found.flow.add(static_cast<std::uint32_t>(t), shape.circumradius, proof.max_path,
                  rho - bounds.max_error, bounds.max_error);
 }

@@ -167,6 +167,7 @@ TEST_CASE(
     check_uncertified(certificate, "vertex 5 lies");
     CHECK(certificate.is_homeomorphic == (off > -0.1));  // a spike is a graph over the ball
     CHECK(certificate.max_distance_to_skin > std::abs(off) / 2);
+    CHECK(support::contains(certificate.broken_by(certify::Claim::Tube), "off") == (off < -0.1));
   }
 }
 
@@ -210,7 +211,7 @@ TEST_CASE("a mesh too coarse for its sizing is homeomorphic but breaks [U]") {
 TEST_CASE(
     "an octahedron in place of a ball is too coarse to be proved, one cut finer once is not") {
   const Good good = one_ball();
-  check_rejected(good.certify(support::sphere_mesh(Point::Zero(), 1, 0)), "triangle");
+  check_rejected(good.certify(support::sphere_mesh(Point::Zero(), 1, 0)), "is too big");
   CHECK(good.certify(support::sphere_mesh(Point::Zero(), 1, 1)).is_homeomorphic);
 }
 

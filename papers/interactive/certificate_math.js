@@ -190,7 +190,10 @@ export function certify(balls, mesh, expected) {
       const isDenied = mesh.triangles[t].some((v) => dot(points[v].N, proofs[t].normal) < 0);
       return `triangle ${t} ${isDenied ? 'does not face' : 'is not shown to face'} the way the skin does`;
     }),
-    tube: first(proofs, (p) => !p.isInTube, (t) => `triangle ${t} is too large to be proved near the skin`),
+    tube: first(proofs, (p) => !p.isInTube, (t) => {
+      const isOff = mesh.triangles[t].some((v) => !(Math.abs(points[v].G) < points[v].rho ** 2));
+      return `triangle ${t} ${isOff ? 'has a corner that is too far off' : 'is too large'} to be proved near the skin`;
+    }),
   };
   const bad = new Set(proofs.flatMap((p, t) => (p.isUpright && p.isInTube ? [] : [t])));
   if (result.manifold === null) {
