@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -38,6 +39,24 @@ struct CosineRange {
   }
 };
 
+/// The extreme angles of a mesh with needles: of an angle within some 10^-6 degrees of 0 or 180 the
+/// cosine tells nothing.
+void measure_needles(const IndexedMesh& mesh, MeshShape& shape) {
+  shape.min_angle_deg = 180;
+  shape.max_angle_deg = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Point &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    const std::array<Vector, 3> sides{q - p, r - q, p - r};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector to = sides[k].stableNormalized(), from = sides[(k + 2) % 3].stableNormalized();
+      const bool is_none = to.isZero(0) || from.isZero(0);
+      const double angle = std::atan2(to.cross(from).norm(), -to.dot(from)) * degrees;
+      shape.min_angle_deg = std::min(shape.min_angle_deg, is_none ? 0 : angle);
+      shape.max_angle_deg = std::max(shape.max_angle_deg, is_none ? 180 : angle);
+    }
+  }
+}
+
 }  // namespace
 
 TriangleShape triangle_shape(const Point& p, const Point& q, const Point& r, const Point& apex) {
@@ -70,6 +89,8 @@ MeshShape measure_shape(const IndexedMesh& mesh) {
   }
   shape.min_angle_deg = std::acos(std::clamp(cosines.largest, -1.0, 1.0)) * degrees;
   shape.max_angle_deg = std::acos(std::clamp(cosines.smallest, -1.0, 1.0)) * degrees;
+  constexpr double of_needles = 1 - 1e-8;  // within 0.01 degrees
+  if (std::max(cosines.largest, -cosines.smallest) > of_needles) measure_needles(mesh, shape);
   return shape;
 }
 

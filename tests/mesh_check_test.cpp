@@ -257,6 +257,17 @@ TEST_CASE("the extreme angles of a mesh are exactly those of its triangles one b
   });
 }
 
+TEST_CASE("the angles of needles are told, of which cosines tell nothing") {
+  for (const double height : {1e-3, 1e-6, 1e-9, 1e-12, 1e-100}) {
+    const IndexedMesh needle{{{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}, {0.5, 0.3, 1}},
+                             {{0, 1, 2}, {0, 1, 3}}};
+    const geometry::MeshShape shape = geometry::measure_shape(needle);
+    const double angle = std::atan(2 * height) * (180 / std::numbers::pi);
+    CHECK(shape.min_angle_deg == doctest::Approx(angle).epsilon(1e-9).scale(0));
+    CHECK(shape.max_angle_deg == doctest::Approx(180 - 2 * angle).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("the histogram counts three angles a triangle, each in its ten degrees") {
   const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}},
                          {{0, 1, 2}, {0, 1, 3}, {0, 0, 1}}};
