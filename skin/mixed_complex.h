@@ -11,7 +11,8 @@
 /// Cells at or near the skin are kept with their patches and walls; the others, by far the most in
 /// a big molecule, are made on demand. Ids of kept cells come first, then those of the others, both
 /// by dimension: vertices, edges, triangles, tetrahedra, in the order of the triangulation's
-/// arrays. Ties of the triangulation give cells without volume, which are harmless.
+/// arrays. Ties of the triangulation give cells without volume, which may have no walls along their
+/// plane: SkinSurface::locate() asks more than walls there.
 
 #include <array>
 #include <span>
@@ -103,6 +104,9 @@ class MixedComplex {
     return numbered(first_number_[static_cast<std::size_t>(dimension)] +
                     static_cast<std::uint32_t>(index));
   }
+
+  /// The cell of an atom that is not hidden.
+  CellId cell(AtomId atom) const { return cell(0, vertex_of(atom)); }
 
   /// The cell of the same simplex, given its cell in another complex of the same points.
   CellId same(CellId cell, const MixedComplex& other) const { return numbered(other.number(cell)); }

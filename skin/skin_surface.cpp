@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "geometry/error.h"
 #include "skin/enclosure.h"
@@ -59,12 +60,16 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   // Detects a cycle by a mark on the path, moved on as the path grows (Brent 1980).
   CellId passed = hint;
   std::size_t steps = 0, next_mark = 8;
+  bool is_anew = false;
   for (;;) {
-    const CellId beyond = complex_.is_kept(current)
-                              ? next_cell(x, current, complex_.kept_walls(current))
-                              : next_cell(x, current, complex_.walls(current));
-    if (beyond == current) return current;
-    current = beyond;
+    const Step step = step_from(x, current);
+    if (step.is_in) return current;
+    if (step.next == current) {  // a flat cell, which does not contain x: there is no wall to cross
+      if (std::exchange(is_anew, true)) return search(x, current);
+      current = complex_.cell(nearest_atom(x, current));
+      continue;
+    }
+    current = step.next;
     if (current == passed) return search(x, current);
     if (++steps == next_mark) {
       passed = current;
@@ -73,22 +78,51 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   }
 }
 
-/// The cell behind the wall that x is farthest beyond; the cell itself if it contains x.
+/// The wall of a cell that x is farthest beyond, or least far within.
 template <class Walls>
-CellId SkinSurface::next_cell(const Point& x, CellId cell, const Walls& walls) const {
-  double farthest = complex_.wall_tolerance();
+SkinSurface::Step SkinSurface::step_over(const Point& x, CellId cell, const Walls& walls) const {
+  const double tolerance = complex_.wall_tolerance();
+  Step step{cell, -std::numeric_limits<double>::infinity(), false};
+  CellId beyond = cell;
   for (const Wall& wall : walls) {
     const double distance = wall.normal.dot(x) - wall.offset;
-    if (distance > farthest) {
-      farthest = distance;
-      cell = wall.beyond;
+    if (distance > step.farthest) {
+      step.farthest = distance;
+      beyond = wall.beyond;
     }
   }
-  return cell;
+  if (step.farthest > tolerance) {
+    step.next = beyond;
+  } else {
+    step.is_in = step.farthest < -tolerance || is_in_dual(x, cell);
+  }
+  return step;
+}
+
+SkinSurface::Step SkinSurface::step_from(const Point& x, CellId cell) const {
+  return complex_.is_kept(cell) ? step_over(x, cell, complex_.kept_walls(cell))
+                                : step_over(x, cell, complex_.walls(cell));
+}
+
+/// Whether x is half a point of the simplex and half one of its dual, given that it is within the
+/// walls: these leave a cell without volume, of a tie, open along its plane. The two points are
+/// x - N and x + N; no atom has less power than the simplex at that of the dual.
+bool SkinSurface::is_in_dual(const Point& x, CellId cell) const {
+  const AtomId own = *atoms(cell).begin();
+  const Point q = x + jet(x, cell).half_gradient;
+  const AtomId other = powers_.nearest(q, own);
+  const auto at = [&](AtomId a) { return points()[a.index()].position; };
+  const auto power = [&](AtomId a) {
+    return (q - at(a)).squaredNorm() - points()[a.index()].weight;
+  };
+  // Powers of atoms h apart differ by 2 h d where q is d beyond the wall between them, and x d / 2.
+  constexpr double of_flat_simplices = 64;
+  const double beyond = 2 * of_flat_simplices * complex_.wall_tolerance();
+  return power(own) - power(other) <= 2 * (at(own) - at(other)).norm() * beyond;
 }
 
 bool SkinSurface::is_in(const Point& x, CellId cell) const {
-  return complex_.is_kept(cell) && next_cell(x, cell, complex_.kept_walls(cell)) == cell;
+  return complex_.is_kept(cell) && step_over(x, cell, complex_.kept_walls(cell)).is_in;
 }
 
 /// Searches all cells that can be reached over walls with x beyond them for one that contains x,
@@ -100,19 +134,18 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
   while (!waiting.empty()) {
     const CellId cell = waiting.back();
     waiting.pop_back();
-    double farthest = 0;
+    const Step step = step_from(x, cell);
+    if (step.is_in) return cell;
     for (const Wall& wall : complex_.walls(cell)) {
       const double distance = wall.normal.dot(x) - wall.offset;
-      farthest = std::max(farthest, distance);
       if (distance <= complex_.wall_tolerance()) continue;
       const auto at = std::ranges::lower_bound(seen, wall.beyond);
       if (at != seen.end() && *at == wall.beyond) continue;
       seen.insert(at, wall.beyond);
       waiting.push_back(wall.beyond);
     }
-    if (farthest <= complex_.wall_tolerance()) return cell;
-    if (farthest < min_beyond) {
-      min_beyond = farthest;
+    if (step.next != cell && step.farthest < min_beyond) {
+      min_beyond = step.farthest;
       best = cell;
     }
   }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "geometry/error.h"
+#include "tests/support/nasty_sets.h"
 #include "tests/support/skin_case.h"
 
 using namespace morskin;
@@ -77,6 +78,32 @@ TEST_CASE(
     for (int k = 0; k < 4; ++k) any.emplace_back(test.random.below(test.skin.points().size()));
     CHECK(upper_bound(test.skin.points(), any, some / some.sum(), x) >= g - test.value_rounding());
   });
+}
+
+TEST_CASE(
+    "where ties make cells without volume a walk from any cell finds G, at any place of them") {
+  // Such a cell has no walls along its plane, and so points far away lie within its walls.
+  for (unsigned round = 0; round < 100; ++round) {
+    for (const Nasty kind : {Nasty::Lattice, Nasty::Coplanar, Nasty::SmallIntegers}) {
+      const auto seed = static_cast<unsigned>(round * nasty_kinds + static_cast<std::size_t>(kind));
+      CAPTURE(seed);
+      for (const auto keep : {MixedComplex::Keep::NearSkin, MixedComplex::Keep::All}) {
+        const SkinSurface skin(nasty_set(seed), keep);
+        const double span = span_of(box_of(skin.points()));
+        Random random(seed);
+        const auto some_centre = [&] {
+          return skin.points()[random.below(skin.points().size())].position;
+        };
+        for (int i = 0; i < 100; ++i) {
+          const Point a = some_centre(), b = some_centre();
+          const Point x = i % 2 == 0 ? a : Point((a + b) / 2);
+          const CellId cell = skin.locate(x, CellId{random.below(skin.complex().size())});
+          const auto [g, n] = skin.jet(x, cell);
+          CHECK(lower_bound(skin.points(), x, x + n) >= g - 1e-10 * span * span);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE(

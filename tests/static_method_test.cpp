@@ -57,6 +57,13 @@ TEST_CASE("the static method breaks what the certificate could not prove of a co
   });
 }
 
+TEST_CASE("the static method meshes a lattice whose samples have the atoms as circumcentres") {
+  // An atom of this one lies within the walls of a far cell without volume, was outside of the skin
+  // by the formula there, and its ball's tetrahedra made no surface.
+  const Outcome outcome = outcome_of(nasty_set(4001983), by_static_method(sizing_for(0.3)));
+  CHECK_MESSAGE(outcome.kind == Outcome::Kind::Certified, outcome.why);
+}
+
 TEST_CASE("where a neck is too narrow for the signs of G beside it the static method ends") {
   // A turned lattice, shrunk to five balls: samples were put into a neck of radius 3e-9 for ever.
   for (const double C : {0.25, 0.3}) {
