@@ -1,7 +1,9 @@
 #pragma once
 
 /// Every crossing of a segment with the skin, cell by cell. Inside one mixed cell G is a quadratic
-/// along a line, so its zeros have a closed form and none is missed.
+/// along a line, so its zeros have a closed form and none is missed. But a line that runs in a wall,
+/// as from atom to atom of a lattice, may miss some, or not come to an end (is_complete): nothing
+/// that is proved rests on them.
 
 #include "skin/skin_surface.h"
 
