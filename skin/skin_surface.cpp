@@ -55,6 +55,22 @@ AtomId SkinSurface::nearest_atom(const Point& x, CellId cell) const {
   return powers_.nearest(x, *atoms(cell).begin());
 }
 
+/// One step of the walk to x: over the wall of a cell that x is farthest beyond, if there is one.
+template <class Walls>
+SkinSurface::Step SkinSurface::step_over(const Point& x, CellId cell, const Walls& walls) const {
+  const double tolerance = complex_.wall_tolerance();
+  double farthest = -tolerance;
+  CellId beyond = cell;
+  for (const Wall& wall : walls) {
+    const double distance = wall.normal.dot(x) - wall.offset;
+    if (distance > farthest) {
+      farthest = distance;
+      beyond = wall.beyond;
+    }
+  }
+  return farthest > tolerance ? Step{beyond, false} : Step{cell, beyond != cell};
+}
+
 CellId SkinSurface::locate(const Point& x, CellId hint) const {
   CellId current = hint;
   // Detects a cycle by a mark on the path, moved on as the path grows (Brent 1980).
@@ -62,9 +78,12 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   std::size_t steps = 0, next_mark = 8;
   bool is_anew = false;
   for (;;) {
-    const Step step = step_from(x, current);
-    if (step.is_in) return current;
-    if (step.next == current) {  // a flat cell, which does not contain x: there is no wall to cross
+    const Step step = complex_.is_kept(current)
+                          ? step_over(x, current, complex_.kept_walls(current))
+                          : step_over(x, current, complex_.walls(current));
+    if (step.next == current) {
+      if (!step.is_on_wall || is_by_definition_in(x, current)) return current;
+      // Within the walls of a flat cell that does not contain it: from there no wall leads on.
       if (std::exchange(is_anew, true)) return search(x, current);
       current = complex_.cell(nearest_atom(x, current));
       continue;
@@ -78,36 +97,16 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   }
 }
 
-/// The wall of a cell that x is farthest beyond, or least far within.
-template <class Walls>
-SkinSurface::Step SkinSurface::step_over(const Point& x, CellId cell, const Walls& walls) const {
-  const double tolerance = complex_.wall_tolerance();
-  Step step{cell, -std::numeric_limits<double>::infinity(), false};
-  CellId beyond = cell;
-  for (const Wall& wall : walls) {
-    const double distance = wall.normal.dot(x) - wall.offset;
-    if (distance > step.farthest) {
-      step.farthest = distance;
-      beyond = wall.beyond;
-    }
-  }
-  if (step.farthest > tolerance) {
-    step.next = beyond;
-  } else {
-    step.is_in = step.farthest < -tolerance || is_in_dual(x, cell);
-  }
-  return step;
-}
-
-SkinSurface::Step SkinSurface::step_from(const Point& x, CellId cell) const {
-  return complex_.is_kept(cell) ? step_over(x, cell, complex_.kept_walls(cell))
-                                : step_over(x, cell, complex_.walls(cell));
-}
-
-/// Whether x is half a point of the simplex and half one of its dual, given that it is within the
-/// walls: these leave a cell without volume, of a tie, open along its plane. The two points are
-/// x - N and x + N; no atom has less power than the simplex at that of the dual.
-bool SkinSurface::is_in_dual(const Point& x, CellId cell) const {
+/// Whether a cell contains x, which is within its walls and on one: half a point of the simplex and
+/// half one of its dual. A cell without volume, of a tie, has two walls on each other, and may have
+/// none along their plane. The two points are x - N and x + N; at that of the dual no atom has less
+/// power than the simplex.
+bool SkinSurface::is_by_definition_in(const Point& x, CellId cell) const {
+  const auto is_on = [&](const Wall& wall) {
+    return wall.normal.dot(x) - wall.offset > -complex_.wall_tolerance();
+  };
+  const Walls walls = complex_.walls(cell);
+  if (std::count_if(walls.begin(), walls.end(), is_on) < 2) return true;
   const AtomId own = *atoms(cell).begin();
   const Point q = x + jet(x, cell).half_gradient;
   const AtomId other = powers_.nearest(q, own);
@@ -122,7 +121,9 @@ bool SkinSurface::is_in_dual(const Point& x, CellId cell) const {
 }
 
 bool SkinSurface::is_in(const Point& x, CellId cell) const {
-  return complex_.is_kept(cell) && step_over(x, cell, complex_.kept_walls(cell)).is_in;
+  if (!complex_.is_kept(cell)) return false;
+  const Step step = step_over(x, cell, complex_.kept_walls(cell));
+  return step.next == cell && (!step.is_on_wall || is_by_definition_in(x, cell));
 }
 
 /// Searches all cells that can be reached over walls with x beyond them for one that contains x,
@@ -134,18 +135,20 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
   while (!waiting.empty()) {
     const CellId cell = waiting.back();
     waiting.pop_back();
-    const Step step = step_from(x, cell);
-    if (step.is_in) return cell;
+    double farthest = 0;
     for (const Wall& wall : complex_.walls(cell)) {
       const double distance = wall.normal.dot(x) - wall.offset;
+      farthest = std::max(farthest, distance);
       if (distance <= complex_.wall_tolerance()) continue;
       const auto at = std::ranges::lower_bound(seen, wall.beyond);
       if (at != seen.end() && *at == wall.beyond) continue;
       seen.insert(at, wall.beyond);
       waiting.push_back(wall.beyond);
     }
-    if (step.next != cell && step.farthest < min_beyond) {
-      min_beyond = step.farthest;
+    if (farthest <= complex_.wall_tolerance()) {
+      if (is_by_definition_in(x, cell)) return cell;
+    } else if (farthest < min_beyond) {
+      min_beyond = farthest;
       best = cell;
     }
   }

@@ -106,16 +106,13 @@ class SkinSurface final : public surface::Surface {
   PatchExtent extent(CellId cell, double max_length_scale) const override;
 
  private:
-  /// Of the walk to x, from one cell.
   struct Step {
-    CellId next;      ///< the cell itself where x is beyond no wall
-    double farthest;  ///< beyond a wall, Angstrom; below zero within all
-    bool is_in;       ///< the cell contains x
+    CellId next;      ///< the cell itself where x is within all its walls
+    bool is_on_wall;  ///< so, but for rounding
   };
   template <class Walls>
   Step step_over(const Point& x, CellId cell, const Walls& walls) const;
-  Step step_from(const Point& x, CellId cell) const;
-  bool is_in_dual(const Point& x, CellId cell) const;
+  bool is_by_definition_in(const Point& x, CellId cell) const;
   CellId search(const Point& x, CellId start) const;
 
   MixedComplex complex_;
