@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include "geometry/files/text_lines.h"
 
 namespace morskin::app {
 
@@ -30,11 +31,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return grouped(count) + " " + (count == 1 ? one : more);
 }
 
-std::string brief(double number, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, number);
-  return text;
-}
+std::string brief(double number, int digits) { return geometry::in_digits(number, digits); }
 
 std::string brief_bound(double number, int digits) {
   return brief(rounded_bound(number, digits), digits);
