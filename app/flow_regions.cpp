@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "geometry/glued_triangles.h"
 #include "geometry/parallel.h"
 #include "geometry/sort_unique.h"
-#include "geometry/surface_mesh.h"
 
 namespace morskin::app {
 namespace {

@@ -18,6 +18,7 @@
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/glued_triangles.h"
 #include "geometry/mesh_shape.h"
 #include "morse/validate_complex.h"
 
@@ -90,7 +91,7 @@ void describe(PageData& page, const Context& context, const MoleculeArguments& m
 }
 
 bool is_closed(const geometry::IndexedMesh& mesh) {
-  return !geometry::closed_mesh(mesh.positions.size(), mesh.triangles).defect;
+  return !geometry::closed_triangles(mesh.positions.size(), mesh.triangles).defect;
 }
 
 void describe(PageData& page, const geometry::IndexedMesh& mesh) {

@@ -8,10 +8,10 @@
 #include "certify/located_vertices.h"
 #include "certify/mesh_quality.h"
 #include "certify/restricted_delaunay.h"
+#include "geometry/glued_triangles.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/self_intersections.h"
-#include "geometry/surface_mesh.h"
 #include "morskin/pipeline.h"
 
 namespace {
@@ -23,8 +23,10 @@ constexpr certify::Sizing sizing{0.0425, 1.65};
 struct Million {
   PreparedSkin skin = prepare_skin(bundled_balls("1grm_model1.pdb"));
   geometry::IndexedMesh mesh = make_mesh(skin, {.sizing = sizing, .has_safety_net = false}).mesh;
-  geometry::SurfaceMesh surface = geometry::closed_mesh(mesh.positions.size(), mesh.triangles).mesh;
+  geometry::GluedTriangles glued =
+      geometry::closed_triangles(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<surface::SurfacePoint> points = certify::locate_vertices(mesh, skin.surface);
+  std::vector<certify::LocatedVertex> vertices = certify::locate_with_bounds(mesh, skin.surface);
 };
 
 const Million& million() {
@@ -73,7 +75,8 @@ int main(int count, char** words) {
       filter.note(geometry::TriangleId{t}, p, certify::TriangleSides(p),
                   m.skin.surface.residual_bound(p[0]->length_scale));
     }
-    return certify::local_delaunay_violations(m.mesh, m.surface, m.skin.surface, m.points, filter);
+    return certify::local_delaunay_violations({m.mesh, m.vertices, m.skin.surface}, m.glued,
+                                              filter);
   });
   benchmark::Initialize(&count, words);
   benchmark::RunSpecifiedBenchmarks();

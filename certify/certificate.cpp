@@ -15,6 +15,7 @@
 #include "certify/triangle_geometry.h"
 #include "certify/tube.h"
 #include "geometry/files/text_lines.h"
+#include "geometry/glued_triangles.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/parallel.h"
 
@@ -77,7 +78,7 @@ class Certifier {
       };
       const auto check_balls = [&] {
         out_.restricted_delaunay_violations =
-            local_delaunay_violations(mesh_, built_.mesh, surface_, points_, filter);
+            local_delaunay_violations(located(), built_.mesh, filter);
       };
       geometry::do_both(run_.threads(), check_covering, check_balls);
     }
@@ -93,7 +94,7 @@ class Certifier {
     out.broken[static_cast<std::size_t>(claim)] =
         element + " has " + geometry::in_digits(ratio, 3) + " times its bound";
   }
-  LocatedMesh located() const { return {mesh_, points_, bounds_, surface_}; }
+  LocatedMesh located() const { return {mesh_, vertices_, surface_}; }
 
   void measure_shape();  ///< angles, area and volume
   void locate_and_glue();
@@ -125,11 +126,9 @@ class Certifier {
   Hints hints_;
   const geometry::Run& run_;
   Certificate out_;
-  geometry::MeshOrDefect built_;
+  geometry::OrDefect<geometry::GluedTriangles> built_;
   bool is_built_by_hints_ = false;
-  geometry::Components components_;
-  std::vector<SurfacePoint> points_;  ///< by vertex
-  std::vector<VertexBounds> bounds_;  ///< by vertex
+  std::vector<LocatedVertex> vertices_;
   FlowBounds flow_;
 };
 
@@ -154,8 +153,7 @@ void Certifier::locate_and_glue() {
       run_.threads(), [&] { glue(); }, count, locate,
       has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
   locator.locate_rest();
-  points_ = locator.take_points();
-  bounds_ = locator.take_bounds();
+  vertices_ = locator.take_vertices();
 }
 
 void Certifier::glue() {
@@ -164,25 +162,26 @@ void Certifier::glue() {
     return;
   }
   const std::size_t count = mesh_.positions.size();
-  auto mesh = geometry::SurfaceMesh::glued_by_twins(count, mesh_.triangles, hints_.twins);
-  hints_.twins = std::vector<geometry::HalfEdgeId>();  // {} would keep the memory
-  is_built_by_hints_ = mesh.has_value();
-  built_ = is_built_by_hints_ ? geometry::MeshOrDefect{std::move(*mesh), std::nullopt}
-                              : geometry::glued_mesh(count, mesh_.triangles);
-  if (!built_.defect) components_ = geometry::components(built_.mesh);
+  auto glued = geometry::GluedTriangles::by_twins(count, mesh_.triangles, std::move(hints_.twins));
+  is_built_by_hints_ = glued.has_value();
+  if (is_built_by_hints_) {
+    built_.mesh = std::move(*glued);
+  } else {
+    built_ = geometry::glued_triangles(count, mesh_.triangles);
+  }
 }
 
 void Certifier::check_fans() {
   if (!built_.defect) built_.defect = geometry::fan_defect(built_.mesh, run_.threads());
   // Gluing is unique only if no edge occurs twice; the defect must not depend on hints.
   if (built_.defect && is_built_by_hints_) {
-    built_ = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
+    built_ = geometry::closed_triangles(mesh_.positions.size(), mesh_.triangles);
   }
 }
 
 void Certifier::check_vertices() {
   out_.is_single_precision = is_single_precision(mesh_.positions);
-  const Residuals found = residuals(points_, bounds_, surface_, out_.is_single_precision, run_);
+  const Residuals found = residuals(located(), out_.is_single_precision, run_);
   out_.max_distance_to_skin = found.max_distance;
   out_.max_relative_distance_to_skin = found.max_relative_distance;
   if (!found.first_off_skin) return;
@@ -198,7 +197,10 @@ void Certifier::check_triangles(DelaunayFilter& filter) {
     found[block].out.worst_L = out_.worst_L;
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
-      for (const std::uint32_t v : mesh_.triangles[later]) geometry::prefetch(&points_[v]);
+      for (const std::uint32_t v : mesh_.triangles[later]) {
+        geometry::prefetch(&vertices_[v]);
+        geometry::prefetch(&mesh_.positions[v]);
+      }
       check_triangle(t, found[block], filter);
     }
   });
@@ -227,7 +229,9 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
                                DelaunayFilter& filter) const {
   Certificate& out = found.out;
   const auto& corner = mesh_.triangles[t];
-  const Corners p{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
+  const LocatedMesh on = located();
+  const LocatedMesh::CornerPoints points = on.corners(corner);
+  const Corners p = points;
   const TriangleBounds shape = triangle_bounds(p[0]->position, p[1]->position, p[2]->position);
   const double rho = min_length_scale(p);
   const double u = sizing_.triangle_ratio(shape.circumradius, rho);
@@ -237,14 +241,14 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
     const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
     if (a > b) continue;  // each edge from one side
     // Skip edges that neither are the worst nor break [L].
-    if (sizing_.is_certainly_longer(points_[a], points_[b], std::max(out.worst_L, 1.0))) continue;
-    const double l = sizing_.edge_ratio(points_[a], points_[b]);
+    const SurfacePoint &from = *p[k], &to = *p[k == 2 ? 0 : k + 1];
+    if (sizing_.is_certainly_longer(from, to, std::max(out.worst_L, 1.0))) continue;
+    const double l = sizing_.edge_ratio(from, to);
     out.worst_L = std::min(out.worst_L, l);
     if (!(l > 1) && out.violations_L++ == 0) {
-      note(out, Claim::L, "edge " + std::to_string(a) + "-" + std::to_string(b), l);
+      note(out, Claim::L, geometry::edge_in_words(a, b), l);
     }
   }
-  const LocatedMesh on = located();
   const CornerBounds bounds = on.corner_bounds(corner);
   filter.note(geometry::TriangleId{t}, p, shape.sides, bounds.max_value());
   const double sine = smallest_sine(shape);
@@ -260,11 +264,12 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
 }
 
 void Certifier::check_covering_degree() {
-  out_.components = components_.count;
+  const std::vector<std::uint32_t> components = geometry::vertex_components(mesh_);
+  out_.components = 1 + std::ranges::max(components);
   if (!out_.holds(Claim::Upright) || !out_.holds(Claim::Tube)) {
     return out_.fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
   }
-  const auto proved = CoveringDegree(located(), built_.mesh, components_, flow_).proved_vertices();
+  const auto proved = CoveringDegree(located(), built_.mesh, components, flow_).proved_vertices();
   for (std::size_t i = 0; i < proved.size(); ++i) {
     if (proved[i]) {
       out_.degree_vertices.push_back(*proved[i]);

@@ -103,7 +103,7 @@ struct Certificate {
 /// The mesher's hints: checked, never trusted. A right hint saves a search, a wrong one changes
 /// nothing. Any size, any values.
 struct Hints {
-  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; freed once they are checked
+  std::vector<geometry::HalfEdgeId> twins;  ///< by half-edge; kept where they are right
   std::span<const surface::CellId> cells;   ///< by vertex, the cell that contains it
 };
 

@@ -23,7 +23,8 @@ std::optional<std::size_t> point_on_path(const LocatedMesh& mesh,
   std::optional<std::size_t> found;
   for (const auto& triangle : mesh.mesh.triangles) {
     const TriangleBounds shape = mesh.shape(triangle);
-    const Corners corners = mesh.corners(triangle);
+    const LocatedMesh::CornerPoints points_at = mesh.corners(triangle);
+    const Corners corners = points_at;
     const CornerBounds bounds = mesh.corner_bounds(triangle);
     const double R = shape.circumradius;
     // |N| is 1-Lipschitz and falls along a path, whose length it bounds: few points are so near.

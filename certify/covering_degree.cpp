@@ -40,7 +40,7 @@ void FlowBounds::add(FlowBounds others) {
 
 bool CoveringDegree::is_candidate(VertexId v) const {
   const double rho = min_length_scale(v);
-  return on_.bounds[v.index()].error < FlowBounds::max_doubt * rho &&
+  return on_.vertices[v.index()].error < FlowBounds::max_doubt * rho &&
          path_to_skin(v) < max_own_path * rho && own_triangles_do_not_return(v) && turns_once(v);
 }
 
@@ -50,17 +50,17 @@ bool CoveringDegree::is_candidate(VertexId v) const {
 /// the triangle, so it would be no longer than `path`. But along so short a path from v N keeps a
 /// part along the triangle's normal, so that it never comes back to the triangle's plane.
 bool CoveringDegree::own_triangles_do_not_return(VertexId v) const {
-  const SurfacePoint& p = on_.points[v.index()];
-  const VertexBounds& bounds = on_.bounds[v.index()];
+  const SurfacePoint p = on_.point(v.value);
+  const LocatedVertex& known = on_.vertices[v.index()];
   bool holds = true;
   connectivity_.for_each_outgoing(v, [&](HalfEdgeId h) {
     const std::array triangle{v.value, connectivity_.target(h).value, connectivity_.apex(h).value};
     const TriangleBounds shape = on_.shape(triangle);
     const double g = shape.circumradius * shape.circumradius +
-                     on_.corner_bounds(triangle).max_value() + bounds.max_value();
+                     on_.corner_bounds(triangle).max_value() + known.max_value();
     const double path = max_flow_path(min_length_scale(v), up * g);
     const double upright =
-        p.length_scale * (p.normal.dot(shape.normal) - shape.normal_error) - bounds.error;
+        p.length_scale * (p.normal.dot(shape.normal) - shape.normal_error) - known.error;
     holds = holds && up * path < down * upright;
   });
   return holds;
@@ -71,7 +71,7 @@ bool CoveringDegree::own_triangles_do_not_return(VertexId v) const {
 /// front. An edge too near to the plane leaves that open; then another plane is tried.
 /// @pre own_triangles_do_not_return(v), so that other directions near the normal would do as well.
 bool CoveringDegree::turns_once(VertexId v) const {
-  const SurfacePoint& p = on_.points[v.index()];
+  const SurfacePoint p = on_.point(v.value);
   const geometry::TangentFrame frame(p.normal);
   constexpr int planes = 4;
   for (int plane = 0; plane < planes; ++plane) {
@@ -103,21 +103,22 @@ bool CoveringDegree::turns_once(VertexId v) const {
 /// from v's normal by a sine of at most s / rho: it ends within s^2 / (2 rho) of the line along
 /// that normal.
 bool CoveringDegree::may_cover(const geometry::TriangleCorners& triangle, VertexId v) const {
-  const SurfacePoint& at = on_.points[v.index()];
-  const VertexBounds& bounds = on_.bounds[v.index()];
+  const SurfacePoint at = on_.point(v.value);
+  const LocatedVertex& known = on_.vertices[v.index()];
   const TriangleBounds shape = on_.shape(triangle);
   const CornerBounds corners = on_.corner_bounds(triangle);
   const double g =
-      shape.circumradius * shape.circumradius + corners.max_value() + bounds.max_value();
+      shape.circumradius * shape.circumradius + corners.max_value() + known.max_value();
   Offsets offsets;
   for (std::size_t k = 0; k < 3; ++k) offsets[k] = on_.position(triangle[k]) - at.position;
   const double distance = distance_below(offsets);
   double path = max_flow_path(min_length_scale(v), up * g);
   if (distance > up * path) return false;
-  const TubeProof proof = prove_tube(on_.surface, on_.corners(triangle), shape, corners);
+  const LocatedMesh::CornerPoints points = on_.corners(triangle);
+  const TubeProof proof = prove_tube(on_.surface, points, shape, corners);
   path = std::min(path, proof.max_path + path_to_skin(v));
   if (distance > up * path) return false;
-  const double aside = path * (path / 2 + bounds.error) / at.length_scale;
+  const double aside = path * (path / 2 + known.error) / at.length_scale;
   return !(distance_from_line_below(offsets, at.normal) > up * aside);
 }
 
@@ -125,13 +126,14 @@ bool CoveringDegree::may_cover(const geometry::TriangleCorners& triangle, Vertex
 /// triangles of another sheet may cover some of them.
 CoveringDegree::Candidates CoveringDegree::candidates() const {
   constexpr std::size_t max_candidates = 16;
-  Candidates result(components_.count);
-  std::vector<std::uint32_t> size(components_.count, 0), seen(components_.count, 0);
-  for (const auto c : components_.of_triangle) ++size[c];
-  for (std::size_t t = 0; t < on_.mesh.triangles.size(); ++t) {
-    const auto c = components_.of_triangle[t];
+  const std::size_t count = 1 + std::ranges::max(components_);
+  Candidates result(count);
+  std::vector<std::uint32_t> size(count, 0), seen(count, 0);
+  for (const auto& triangle : on_.mesh.triangles) ++size[components_[triangle[0]]];
+  for (const auto& triangle : on_.mesh.triangles) {
+    const std::uint32_t c = components_[triangle[0]];
     auto& list = result[c];
-    const VertexId v{on_.mesh.triangles[t][0]};
+    const VertexId v{triangle[0]};
     if (seen[c]++ % (size[c] / max_candidates + 1) != 0) continue;
     if (std::find(list.begin(), list.end(), v) == list.end() && is_candidate(v)) list.push_back(v);
   }
@@ -183,14 +185,14 @@ void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates
   located.reserve(candidates.size());
   double k = 0;
   for (const VertexId v : candidates) {
-    located.push_back({v, on_.position(v.value), on_.points[v.index()].length_scale});
+    located.push_back({v, on_.position(v.value), on_.vertices[v.index()].length_scale()});
     k = std::max(k, path_to_skin(v) / min_length_scale(v));
   }
   const double ratio = up * (bounds_.ratio() + k) / (1 - k);
   // The length scales on both sides are known to max_doubt, and so are their octaves.
   const CandidateGrid grid(std::max(ratio, 1e-3) + 6 * FlowBounds::max_doubt, located);
   for (std::uint32_t a = 0; a < on_.mesh.positions.size(); ++a) {
-    const double rho = (1 + 2 * FlowBounds::max_doubt) * on_.points[a].length_scale;
+    const double rho = (1 + 2 * FlowBounds::max_doubt) * on_.vertices[a].length_scale();
     grid.for_each_near(on_.position(a), rho, [&](VertexId v) {
       const double farthest = up * ratio * rho;
       if ((on_.position(a) - on_.position(v.value)).squaredNorm() > farthest * farthest) return;

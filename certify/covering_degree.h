@@ -17,8 +17,8 @@
 
 #include "certify/located_vertices.h"
 #include "certify/tube.h"
+#include "geometry/glued_triangles.h"
 #include "geometry/indexed_mesh.h"
-#include "geometry/surface_mesh.h"
 
 namespace morskin::certify {
 
@@ -52,35 +52,14 @@ class FlowBounds {
   std::vector<Far> far_;
 };
 
-/// A closed mesh near a surface. By vertex: points and their bounds.
-struct LocatedMesh {
-  const geometry::IndexedMesh& mesh;
-  std::span<const SurfacePoint> points;
-  std::span<const VertexBounds> bounds;
-  const surface::Surface& surface;
-
-  const Point& position(std::uint32_t v) const { return mesh.positions[v]; }
-  Corners corners(const geometry::TriangleCorners& triangle) const {
-    const auto& [a, b, c] = triangle;
-    return {&points[a], &points[b], &points[c]};
-  }
-  TriangleBounds shape(const geometry::TriangleCorners& triangle) const {
-    const auto& [a, b, c] = triangle;
-    return triangle_bounds(position(a), position(b), position(c));
-  }
-  CornerBounds corner_bounds(const geometry::TriangleCorners& triangle) const {
-    const auto& [a, b, c] = triangle;
-    return {{bounds[a].max_value(), bounds[b].max_value(), bounds[c].max_value()},
-            std::max({bounds[a].error, bounds[b].error, bounds[c].error})};
-  }
-};
-
 class CoveringDegree {
  public:
-  /// @param bounds  of all triangles
+  /// @param connectivity  the mesh's, closed
+  /// @param components    geometry::vertex_components() of the mesh
+  /// @param bounds        of all triangles
   /// @pre (c1) and (c2) are proved for all triangles.
-  CoveringDegree(const LocatedMesh& mesh, const geometry::SurfaceMesh& connectivity,
-                 const geometry::Components& components, const FlowBounds& bounds)
+  CoveringDegree(const LocatedMesh& mesh, const geometry::GluedTriangles& connectivity,
+                 std::span<const std::uint32_t> components, const FlowBounds& bounds)
       : on_(mesh), connectivity_(connectivity), components_(components), bounds_(bounds) {}
 
   /// By component, a vertex for which (c3) is proved, if there is one.
@@ -101,15 +80,16 @@ class CoveringDegree {
   void test_near_triangles(const std::vector<VertexId>& candidates, Test test) const;
   bool may_cover(const geometry::TriangleCorners& triangle, VertexId v) const;
   double min_length_scale(VertexId v) const {
-    return on_.points[v.index()].length_scale - on_.bounds[v.index()].error;
+    const LocatedVertex& at = on_.vertices[v.index()];
+    return at.length_scale() - at.error;
   }
   double path_to_skin(VertexId v) const {
-    return max_flow_path(min_length_scale(v), on_.bounds[v.index()].max_value());
+    return max_flow_path(min_length_scale(v), on_.vertices[v.index()].max_value());
   }
 
   const LocatedMesh on_;
-  const geometry::SurfaceMesh& connectivity_;
-  const geometry::Components& components_;
+  const geometry::GluedTriangles& connectivity_;
+  const std::span<const std::uint32_t> components_;
   const FlowBounds& bounds_;
 };
 

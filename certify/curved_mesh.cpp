@@ -93,11 +93,9 @@ Residuals node_residuals(const SecondOrderMesh& mesh, std::size_t vertices,
   for (const auto& [a, b, c, ab, bc, ca] : mesh.triangles) {
     in_edges.triangles.push_back({ab - first, bc - first, ca - first});
   }
-  VertexLocator locator(in_edges, surface);
-  locator.locate_rest();
-  const std::vector<surface::SurfacePoint> points = locator.take_points();
-  Residuals result = residuals(points, locator.take_bounds(), surface,
-                               is_single_precision(in_edges.positions), run);
+  const std::vector<LocatedVertex> nodes = locate_with_bounds(in_edges, surface);
+  Residuals result =
+      residuals({in_edges, nodes, surface}, is_single_precision(in_edges.positions), run);
   if (result.first_off_skin) result.first_off_skin->first += vertices;
   return result;
 }

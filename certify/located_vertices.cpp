@@ -24,12 +24,9 @@ void VertexLocator::locate(std::uint32_t v, surface::CellId start) {
 void VertexLocator::set(std::size_t v, surface::CellId cell) {
   const surface::Point& x = mesh_.positions[v];
   const surface::Enclosure found = surface_.enclose(x, cell);
-  const double rho = found.half_gradient.norm();
-  const surface::Vector normal =
-      rho > 0 ? surface::Vector(found.half_gradient / rho) : surface::Vector::Zero();
-  points_[v] = {x, normal, rho, cell};
-  const double error = found.error + 0x1p-50 * rho;  // length scale times normal is rounded
-  bounds_[v] = {-rounded_up(-found.low), rounded_up(found.high), rounded_up(error)};
+  const Vector& N = found.half_gradient;
+  const double error = found.error + 0x1p-50 * N.norm();  // length scale times normal is rounded
+  vertices_[v] = {N, -rounded_up(-found.low), rounded_up(found.high), rounded_up(error), cell};
   is_located_[v] = 1;
 }
 
@@ -52,13 +49,13 @@ void VertexLocator::locate_rest() {
     bool is_near = false;
     for (const std::uint32_t v : triangle) {
       if (is_located_[v] == 0) continue;
-      last = points_[v].cell;
+      last = vertices_[v].cell;
       is_near = true;
     }
     if (!is_near && may_wait) return waiting.push_back(t);
     for (const std::uint32_t v : triangle) {
       if (is_located_[v] == 0) locate(v, last);
-      last = points_[v].cell;
+      last = vertices_[v].cell;
     }
   };
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) locate_corners(t, t > 0);
@@ -66,17 +63,28 @@ void VertexLocator::locate_rest() {
   for (int round = 1; round <= max_rounds; ++round) {
     for (const std::uint32_t t : std::exchange(waiting, {})) locate_corners(t, round < max_rounds);
   }
-  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     if (is_located_[v] == 0) locate(v, last);
-    last = points_[v].cell;
+    last = vertices_[v].cell;
   }
+}
+
+std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
+                                              const surface::Surface& surface) {
+  VertexLocator locator(mesh, surface);
+  locator.locate_rest();
+  return locator.take_vertices();
 }
 
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
                                                    const surface::Surface& surface) {
-  VertexLocator locator(mesh, surface);
-  locator.locate_rest();
-  return locator.take_points();
+  const std::vector<LocatedVertex> located = locate_with_bounds(mesh, surface);
+  std::vector<SurfacePoint> points;
+  points.reserve(located.size());
+  for (std::size_t v = 0; v < located.size(); ++v) {
+    points.push_back(located[v].at(mesh.positions[v]));
+  }
+  return points;
 }
 
 std::vector<surface::CellId> cells_of(std::span<const surface::SurfacePoint> points) {

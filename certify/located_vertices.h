@@ -1,22 +1,61 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "certify/tube.h"
 #include "geometry/indexed_mesh.h"
 #include "surface/surface.h"
 
 namespace morskin::certify {
 
-/// What is proved of G and N at a vertex: low <= G <= high, and N differs from the located point's
-/// length scale times its normal by at most `error`. Rounded outwards to floats.
-struct VertexBounds {
-  float low, high;  ///< Angstrom^2
-  float error;      ///< Angstrom
+/// What is known at a vertex, beside its position: its cell, and low <= G <= high. The bounds are
+/// rounded outwards to floats, for a certificate holds one of these for each vertex.
+struct LocatedVertex {
+  Vector half_gradient;  ///< N, Angstrom
+  float low, high;       ///< Angstrom^2
+  float error;           ///< of the length scale times the normal of at(), off N, Angstrom
+  surface::CellId cell;
 
   double max_value() const { return std::max(-low, high); }
+  double length_scale() const { return half_gradient.norm(); }
+  /// @param x  the vertex's position
+  SurfacePoint at(const Point& x) const {
+    const double rho = length_scale();
+    return {x, rho > 0 ? Vector(half_gradient / rho) : Vector::Zero(), rho, cell};
+  }
+};
+
+/// A mesh near a surface with what is known of its vertices.
+struct LocatedMesh {
+  const geometry::IndexedMesh& mesh;
+  std::span<const LocatedVertex> vertices;
+  const surface::Surface& surface;
+
+  const Point& position(std::uint32_t v) const { return mesh.positions[v]; }
+  SurfacePoint point(std::uint32_t v) const { return vertices[v].at(position(v)); }
+  /// The corners of a triangle, which live no longer than this.
+  struct CornerPoints {
+    std::array<SurfacePoint, 3> points;
+    operator Corners() const& { return {&points[0], &points[1], &points[2]}; }
+    operator Corners() const&& = delete;
+  };
+  CornerPoints corners(const geometry::TriangleCorners& triangle) const {
+    const auto& [a, b, c] = triangle;
+    return {{point(a), point(b), point(c)}};
+  }
+  TriangleBounds shape(const geometry::TriangleCorners& triangle) const {
+    const auto& [a, b, c] = triangle;
+    return triangle_bounds(position(a), position(b), position(c));
+  }
+  CornerBounds corner_bounds(const geometry::TriangleCorners& triangle) const {
+    const LocatedVertex &a = vertices[triangle[0]], &b = vertices[triangle[1]],
+                        &c = vertices[triangle[2]];
+    return {{a.max_value(), b.max_value(), c.max_value()}, std::max({a.error, b.error, c.error})};
+  }
 };
 
 /// Finds the cell of each vertex of any mesh, with bounds on G and N there.
@@ -25,8 +64,7 @@ class VertexLocator {
   VertexLocator(const geometry::IndexedMesh& mesh, const surface::Surface& surface)
       : mesh_(mesh),
         surface_(surface),
-        points_(mesh.positions.size()),
-        bounds_(mesh.positions.size()),
+        vertices_(mesh.positions.size()),
         is_located_(mesh.positions.size(), 0) {}
 
   /// Locates those of the vertices [begin, end) whose hints are right. Threads may run on disjoint
@@ -37,8 +75,7 @@ class VertexLocator {
   void locate_rest();
 
   /// By vertex. @pre locate_rest() has been called.
-  std::vector<surface::SurfacePoint> take_points() { return std::move(points_); }
-  std::vector<VertexBounds> take_bounds() { return std::move(bounds_); }
+  std::vector<LocatedVertex> take_vertices() { return std::move(vertices_); }
 
  private:
   void locate(std::uint32_t v, surface::CellId start);
@@ -46,12 +83,13 @@ class VertexLocator {
 
   const geometry::IndexedMesh& mesh_;
   const surface::Surface& surface_;
-  std::vector<surface::SurfacePoint> points_;
-  std::vector<VertexBounds> bounds_;
+  std::vector<LocatedVertex> vertices_;
   std::vector<char> is_located_;  ///< by vertex
 };
 
 /// All vertices, by walks. @return by vertex
+std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
+                                              const surface::Surface& surface);
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
                                                    const surface::Surface& surface);
 

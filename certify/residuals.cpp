@@ -31,13 +31,12 @@ std::string off_skin_in_words(double distance) {
   return "lies about " + geometry::in_digits(distance, 3) + " Angstrom off the skin";
 }
 
-Residuals residuals(std::span<const surface::SurfacePoint> points,
-                    std::span<const VertexBounds> bounds, const surface::Surface& surface,
-                    bool is_single_precision, const geometry::Run& run) {
-  const auto check = [&](std::size_t v, Residuals& found) {
-    const double rho = points[v].length_scale;
+Residuals residuals(const LocatedMesh& on, bool is_single_precision, const geometry::Run& run) {
+  const auto check = [&](std::uint32_t v, Residuals& found) {
+    const LocatedVertex& at = on.vertices[v];
+    const double rho = at.length_scale();
     // |N| falls along the way to the skin, so its length is no less than the distance.
-    const double distance = max_flow_path(rho - bounds[v].error, bounds[v].max_value());
+    const double distance = max_flow_path(rho - at.error, at.max_value());
     found.max_distance = std::max(found.max_distance, distance);
     found.max_relative_distance = std::max(found.max_relative_distance, distance / rho);
     // A hundred times the mesher's tolerance, for the last digits of other programs: far below the
@@ -45,20 +44,21 @@ Residuals residuals(std::span<const surface::SurfacePoint> points,
     // from the origin, and changes G by 2 rho d + d^2. What rounding hides of G is not held against
     // the vertex: it counts as off where even the least |G| within the bounds is too large, or
     // where they are so wide that no distance is known.
-    const double moved = is_single_precision ? std::ldexp(points[v].position.norm(), -24) : 0;
-    const double least = std::max({0.0F, bounds[v].low, -bounds[v].high});
-    const double tolerance = 100 * surface.residual_bound(rho) + (2 * rho + moved) * moved;
+    const double moved = is_single_precision ? std::ldexp(on.position(v).norm(), -24) : 0;
+    const double least = std::max({0.0F, at.low, -at.high});
+    const double tolerance = 100 * on.surface.residual_bound(rho) + (2 * rho + moved) * moved;
     const bool is_on_skin = std::isfinite(distance) && least <= tolerance;
     if (!is_on_skin && !found.first_off_skin) {
-      const double value = bounds[v].low > 0 ? least : -least;
+      const double value = at.low > 0 ? least : -least;
       const bool is_cut = least >= FLT_MAX;  // the bounds are floats
       found.first_off_skin = {
           v, is_cut ? std::numeric_limits<double>::infinity() : estimated_distance(value, rho)};
     }
   };
-  std::vector<Residuals> found(geometry::block_count(points.size()));
-  geometry::for_each_block(run.threads(), points.size(), [&](auto begin, auto end, auto block) {
-    for (std::size_t v = begin; v < end; ++v) check(v, found[block]);
+  const std::size_t count = on.vertices.size();
+  std::vector<Residuals> found(geometry::block_count(count));
+  geometry::for_each_block(run.threads(), count, [&](auto begin, auto end, auto block) {
+    for (std::size_t v = begin; v < end; ++v) check(static_cast<std::uint32_t>(v), found[block]);
   });
   Residuals whole;
   for (const Residuals& part : found) {

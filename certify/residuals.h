@@ -35,10 +35,7 @@ struct Residuals {
 /// What follows the name of such a vertex: "lies about 0.1 Angstrom off the skin".
 std::string off_skin_in_words(double distance);
 
-/// @param points, bounds       by vertex
 /// @param is_single_precision  whether vertices may be off by the rounding to floats
-Residuals residuals(std::span<const surface::SurfacePoint> points,
-                    std::span<const VertexBounds> bounds, const surface::Surface& surface,
-                    bool is_single_precision, const geometry::Run& run);
+Residuals residuals(const LocatedMesh& on, bool is_single_precision, const geometry::Run& run);
 
 }  // namespace morskin::certify

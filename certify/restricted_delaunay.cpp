@@ -149,30 +149,29 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const surface::S
   return whole;
 }
 
-std::size_t local_delaunay_violations(const IndexedMesh& mesh,
-                                      const geometry::SurfaceMesh& connectivity,
-                                      const surface::Surface& surface,
-                                      std::span<const SurfacePoint> points,
+std::size_t local_delaunay_violations(const LocatedMesh& on,
+                                      const geometry::GluedTriangles& connectivity,
                                       const DelaunayFilter& filter) {
-  const double rounding = rounding_of(mesh);
+  const auto& triangles = on.mesh.triangles;
+  const double rounding = rounding_of(on.mesh);
   const auto is_entered = [&](TriangleId t) {
-    const auto [a, b, c] = mesh.triangles[t.index()];
-    const std::array at{&points[a], &points[b], &points[c]};
+    const LocatedMesh::CornerPoints corners = on.corners(triangles[t.index()]);
+    const Corners at = corners;
     const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
     if (!may_have_ball(at, circle)) return false;
-    const std::optional<BallPencil> bound = ball_pencil(surface, at, circle);
+    const std::optional<BallPencil> bound = ball_pencil(on.surface, at, circle);
     std::optional<SurfaceBall> ball;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = SurfaceMesh::half_edge(t, k);
-      const Point& p = points[connectivity.apex(connectivity.twin(h)).index()].position;
+      const Point& p = on.position(connectivity.apex(connectivity.twin(h)).value);
       if (bound && !(bound->depth(p).max > 0)) continue;
-      if (!ball) ball = exact_surface_ball(surface, *at[0], at[1]->position, at[2]->position);
+      if (!ball) ball = exact_surface_ball(on.surface, *at[0], at[1]->position, at[2]->position);
       if (ball->is_exact && depth_in(*ball, p, rounding)) return true;
     }
     return false;
   };
-  std::vector<char> is_open(mesh.triangles.size(), 0);  // an edge is not proved Delaunay
-  const std::size_t count = 3 * mesh.triangles.size();
+  std::vector<char> is_open(triangles.size(), 0);  // an edge is not proved Delaunay
+  const std::size_t count = 3 * triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const HalfEdgeId h{i}, twin = connectivity.twin(h);
     filter.prefetch(
@@ -181,7 +180,7 @@ std::size_t local_delaunay_violations(const IndexedMesh& mesh,
     for (const HalfEdgeId side : {h, twin}) is_open[SurfaceMesh::triangle(side).index()] = 1;
   }
   std::size_t violations = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     violations += is_open[t] != 0 && is_entered(TriangleId{t});
   }
   return violations;

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "certify/delaunay_filter.h"
+#include "certify/located_vertices.h"
 #include "certify/triangle_geometry.h"
+#include "geometry/glued_triangles.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/run.h"
-#include "geometry/surface_mesh.h"
 
 namespace morskin::certify {
 
@@ -52,10 +53,8 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
 /// skin (certificate.h), and a vertex lies over no triangle but its own.
 /// @param connectivity  the mesh's, closed
 /// @param filter        with all triangles noted
-std::size_t local_delaunay_violations(const geometry::IndexedMesh& mesh,
-                                      const geometry::SurfaceMesh& connectivity,
-                                      const surface::Surface& surface,
-                                      std::span<const SurfacePoint> points,
+std::size_t local_delaunay_violations(const LocatedMesh& on,
+                                      const geometry::GluedTriangles& connectivity,
                                       const DelaunayFilter& filter);
 
 }  // namespace morskin::certify

@@ -8,15 +8,12 @@
 #include "geometry/id.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/predicates.h"
+#include "geometry/surface_mesh.h"
 #include "geometry/union_find.h"
 
 namespace morskin::geometry {
 
 namespace {
-
-std::string edge_text(std::uint32_t a, std::uint32_t b) {
-  return "edge " + std::to_string(a) + "-" + std::to_string(b);
-}
 
 /// Half-edge 3 t + k of triangle t runs from corner k to corner k + 1.
 struct HalfEdge {
@@ -147,13 +144,14 @@ void MeshChecker::check_edge(std::uint32_t a, std::span<HalfEdge> around) {
   }
   for (const HalfEdge& h : around) is_loose_[h.id / 3] = 1;
   if (around.size() == 1) {
-    note(MeshDefect::BoundaryEdge, [&] { return edge_text(a, b) + " has only one triangle"; });
+    note(MeshDefect::BoundaryEdge, [&] { return edge_in_words(a, b) + " has only one triangle"; });
   } else if (around.size() == 2) {
     note(MeshDefect::DisagreeingTriangles,
-         [&] { return edge_text(a, b) + ": its triangles disagree on orientation"; });
+         [&] { return edge_in_words(a, b) + ": its triangles disagree on orientation"; });
   } else {
-    note(MeshDefect::CrowdedEdge,
-         [&] { return edge_text(a, b) + " has " + std::to_string(around.size()) + " triangles"; });
+    note(MeshDefect::CrowdedEdge, [&] {
+      return edge_in_words(a, b) + " has " + std::to_string(around.size()) + " triangles";
+    });
   }
   check_duplicates(around);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Whether a triangle list is a closed oriented 2-manifold, and if not, all its defects: each kind
-/// counted, its first element named. closed_mesh (surface_mesh.h) stops at the first defect.
+/// counted, its first element named. closed_mesh (glued_triangles.h) stops at the first defect.
 
 #include <cstdint>
 #include <optional>

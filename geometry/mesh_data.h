@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/last_visit.h"
 #include "geometry/surface_mesh.h"
 
 namespace morskin::geometry {
@@ -35,9 +36,14 @@ class MeshData : public IdVector<Index, T>, public MeshFollower {
   void reset(Index i) { (*this)[i] = fill_; }
   void append(MeshFollower* other, std::size_t size) {
     if (auto* data = dynamic_cast<MeshData*>(other)) {
-      this->reserve(SurfaceMesh::capacity_for(size));
-      this->insert(this->end(), data->begin(), data->end());
-      *data = Table();
+      Table joined;
+      joined.reserve(SurfaceMesh::capacity_for(size));
+      for (Table* part : {static_cast<Table*>(this), static_cast<Table*>(data)}) {
+        visit_last(*part,
+                   [&](auto block) { joined.insert(joined.end(), block.begin(), block.end()); });
+        *part = Table();
+      }
+      Table::operator=(std::move(joined));
     }
     resize_filled(size);
   }

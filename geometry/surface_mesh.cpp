@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "geometry/error.h"
+#include "geometry/last_visit.h"
 
 namespace morskin::geometry {
 
@@ -17,44 +18,6 @@ SurfaceMesh::SurfaceMesh(std::size_t vertices, std::span<const TriangleCorners> 
       ++h.value;
     }
   }
-}
-
-std::optional<SurfaceMesh> SurfaceMesh::glued_by_twins(std::size_t vertices,
-                                                       std::span<const TriangleCorners> triangles,
-                                                       std::span<const HalfEdgeId> twins) {
-  if (triangles.size() > max_triangles || twins.size() != 3 * triangles.size()) {
-    return std::nullopt;
-  }
-  SurfaceMesh mesh;
-  mesh.half_edges_.reserve(twins.size());
-  mesh.outgoing_.resize(vertices, HalfEdgeId::none());
-  std::size_t edges = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& corners = triangles[t];
-    if (repeats_a_corner(corners)) return std::nullopt;
-    const std::size_t later = std::min(t + prefetch_ahead, triangles.size() - 1);
-    for (std::size_t h = 3 * later; h < 3 * later + 3; ++h) {
-      prefetch(mesh.half_edges_.data() + twins[h].index());
-    }
-    const TriangleId added{t};
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdgeId h = half_edge(added, k);
-      mesh.half_edges_.push_back({VertexId{corners[k]}, twins[h.index()]});
-      mesh.outgoing_[VertexId{corners[k]}] = h;
-    }
-    // Checked from the later of two twins, so that no edge is counted twice.
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdgeId h = half_edge(added, k), g = mesh.twin(h);
-      if (g > h) continue;
-      if (mesh.twin(g) != h || mesh.origin(g) != mesh.target(h) ||
-          mesh.target(g) != mesh.origin(h)) {
-        return std::nullopt;
-      }
-      ++edges;
-    }
-  }
-  if (2 * edges != twins.size()) return std::nullopt;
-  return mesh;
 }
 
 SurfaceMesh& SurfaceMesh::operator=(SurfaceMesh other) {
@@ -114,18 +77,21 @@ void SurfaceMesh::append(SurfaceMesh&& other) {
   const auto moved = [](auto id, std::size_t by) {
     return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
   };
-  reserve(capacity_for(all_vertices));
-  half_edges_.resize(3 * all_triangles);
-  std::ranges::transform(other.half_edges_, half_edges_.data() + 3 * triangles,
-                         [&](const HalfEdge& h) -> HalfEdge {
-                           return {moved(h.origin, vertices), moved(h.twin, 3 * triangles)};
-                         });
-  outgoing_.resize(all_vertices);
-  std::ranges::transform(other.outgoing_, outgoing_.data() + vertices,
-                         [&](HalfEdgeId h) { return moved(h, 3 * triangles); });
-  // One array after the other, so that not all is there twice at once.
-  other.half_edges_ = {};
-  other.outgoing_ = {};
+  SurfaceMesh joined;
+  joined.reserve(capacity_for(all_vertices));
+  for (SurfaceMesh* part : {this, &other}) {
+    const std::size_t by = part == this ? 0 : vertices, by_edges = part == this ? 0 : 3 * triangles;
+    visit_last(part->half_edges_, [&](auto block) {
+      for (const HalfEdge& h : block) {
+        joined.half_edges_.push_back({moved(h.origin, by), moved(h.twin, by_edges)});
+      }
+    });
+    part->half_edges_ = {};
+    for (const HalfEdgeId h : part->outgoing_) joined.outgoing_.push_back(moved(h, by_edges));
+    part->outgoing_ = {};
+  }
+  half_edges_ = std::move(joined.half_edges_);
+  outgoing_ = std::move(joined.outgoing_);
   for (std::size_t k = 0; k < followers_.all.size(); ++k) {
     const std::vector<MeshFollower*>& others = other.followers_.all;
     followers_.all[k]->appended(k < others.size() ? others[k] : nullptr, all_vertices,
@@ -258,11 +224,24 @@ TriangleList SurfaceMesh::triangle_list() const {
   return list;
 }
 
-std::vector<HalfEdgeId> SurfaceMesh::twins() const {
-  std::vector<HalfEdgeId> list;
-  list.reserve(half_edges_.size());
-  for (const HalfEdge& h : half_edges_) list.push_back(h.twin);
-  return list;
+SurfaceMesh::Lists SurfaceMesh::turned_into_lists() {
+  Lists lists;
+  lists.triangles.reserve(triangle_count());
+  lists.twins.reserve(half_edges_.size());
+  outgoing_ = {};
+  std::uint32_t k = 0;
+  TriangleCorners corners;
+  visit_last(half_edges_, [&](auto block) {
+    for (const HalfEdge& h : block) {
+      corners[k++] = h.origin.value;
+      lists.twins.push_back(h.twin);
+      if (k < 3) continue;
+      lists.triangles.push_back(corners);
+      k = 0;
+    }
+  });
+  *this = SurfaceMesh();
+  return lists;
 }
 
 }  // namespace morskin::geometry

@@ -34,13 +34,6 @@ class SurfaceMesh {
   /// @pre every corner is below `vertices`; at most max_triangles.
   SurfaceMesh(std::size_t vertices, std::span<const TriangleCorners> triangles);
 
-  /// The same glued by hinted twins, which are checked: nothing unless each edge is between two
-  /// triangles that agree on orientation.
-  /// @param twins  by half-edge; any size, any values
-  static std::optional<SurfaceMesh> glued_by_twins(std::size_t vertices,
-                                                   std::span<const TriangleCorners> triangles,
-                                                   std::span<const HalfEdgeId> twins);
-
   std::size_t vertex_count() const { return outgoing_.size(); }
   std::size_t triangle_count() const { return half_edges_.size() / 3; }
   void reserve(std::size_t vertices);
@@ -154,8 +147,13 @@ class SurfaceMesh {
   /// The triangles as a file holds them.
   TriangleList triangle_list() const;
 
-  /// By half-edge its twin, or the last id of all for none.
-  std::vector<HalfEdgeId> twins() const;
+  /// The triangles and, by half-edge, their twins, in place of the mesh, of which nothing is left.
+  /// @pre nothing has been removed since compact(); no boundary
+  struct Lists {
+    TriangleList triangles;
+    std::vector<HalfEdgeId> twins;
+  };
+  Lists turned_into_lists();
 
   static constexpr std::size_t max_triangles = no_index / 3;
 
@@ -211,23 +209,8 @@ enum class Expect { Any, Closed };
 /// with Expect::Closed also that there is no boundary.
 std::optional<std::string> validate(const SurfaceMesh& mesh, Expect expect = Expect::Closed);
 
-/// A mesh from a triangle list, or the first reason why it is not a closed oriented 2-manifold: an
-/// edge with one triangle or three, two triangles that disagree on orientation, a vertex where two
-/// sheets touch. O(n).
-struct MeshOrDefect {
-  SurfaceMesh mesh;
-  std::optional<std::string> defect;
-};
-MeshOrDefect closed_mesh(std::size_t vertices, const TriangleList& triangles);
-
-/// The same in two steps. First edges: each triangle glued to its neighbours, or the first edge
-/// without two triangles that agree.
-MeshOrDefect glued_mesh(std::size_t vertices, const TriangleList& triangles);
-/// Then vertices: what is wrong at the first that is not in the middle of one fan of triangles,
-/// with as many neighbours.
-/// @param threads  at most; the answer is the same for any number
-/// @pre no boundary
-std::optional<std::string> fan_defect(const SurfaceMesh& mesh, unsigned threads = 1);
+/// "edge 3-7", by two vertices.
+std::string edge_in_words(std::uint32_t a, std::uint32_t b);
 
 /// For each triangle the number of its connected component, and how many there are.
 struct Components {

@@ -95,17 +95,20 @@ Parcel::Parcel(MethodResult made, const MeshingOptions& options, const Run& run)
     : result{{}, *options.method, options.sizing, {}, {}, {}, {}} {
   surface::Mesh& from = made.mesh;
   const auto list_triangles = [&] {
-    const geometry::SurfaceMesh connectivity = std::move(from.surface);  // freed here
-    result.mesh.triangles = connectivity.triangle_list();
-    twins = connectivity.twins();
+    geometry::SurfaceMesh::Lists lists =
+        geometry::SurfaceMesh(std::move(from.surface)).turned_into_lists();
+    result.mesh.triangles = std::move(lists.triangles);
+    twins = std::move(lists.twins);
   };
   const auto list_vertices = [&] {
     result.mesh.positions.reserve(from.points.size());
     result.cells.reserve(from.points.size());
-    for (const surface::SurfacePoint& p : from.points) {
-      result.mesh.positions.push_back(p.position);
-      result.cells.push_back(p.cell);
-    }
+    geometry::visit_last(from.points, [&](auto block) {
+      for (const surface::SurfacePoint& p : block) {
+        result.mesh.positions.push_back(p.position);
+        result.cells.push_back(p.cell);
+      }
+    });
     from.points = {};
   };
   geometry::do_both(run.threads(), list_triangles, list_vertices);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/surface_mesh.h"
+#include "geometry/glued_triangles.h"
 #include "refine/delaunay_refinement.h"
 
 namespace morskin::refine {
@@ -99,26 +99,24 @@ Numbered numbered(const std::vector<Triangle>& triangles, std::size_t corner_cou
 
 /// The triangles in the order in which they are met going over edges, so that what is near in the
 /// mesh is near in memory.
-std::vector<Triangle> neighbours_together(const SurfaceMesh& surface) {
+std::vector<Triangle> neighbours_together(const std::vector<Triangle>& triangles,
+                                          const geometry::GluedTriangles& glued) {
   std::vector<Triangle> ordered;
   std::vector<std::uint32_t> order;
-  std::vector<char> is_taken(surface.triangle_count(), 0);
+  std::vector<char> is_taken(triangles.size(), 0);
   const auto take = [&](TriangleId t) {
     if (std::exchange(is_taken[t.index()], 1) == 0) order.push_back(t.value);
   };
-  for (std::uint32_t first = 0; first < surface.triangle_count(); ++first) {
+  for (std::uint32_t first = 0; first < triangles.size(); ++first) {
     const std::size_t before = order.size();
     take(TriangleId{first});
     for (std::size_t i = before; i < order.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        take(SurfaceMesh::triangle(surface.twin(SurfaceMesh::half_edge(TriangleId{order[i]}, k))));
+        take(SurfaceMesh::triangle(glued.twin(SurfaceMesh::half_edge(TriangleId{order[i]}, k))));
       }
     }
   }
-  for (const std::uint32_t t : order) {
-    const auto [a, b, c] = surface.corners(TriangleId{t});
-    ordered.push_back({a.value, b.value, c.value});
-  }
+  for (const std::uint32_t t : order) ordered.push_back(triangles[t]);
   return ordered;
 }
 
@@ -174,7 +172,7 @@ bool DelaunayRefinement::make_disks() {
   std::vector<Triangle> triangles;
   for (const Facet f : facets) triangles.push_back(triangle(f));
   const Numbered compact = numbered(triangles, samples_.size());
-  if (!geometry::closed_mesh(compact.corners.size(), compact.triangles).defect) return false;
+  if (!geometry::closed_triangles(compact.corners.size(), compact.triangles).defect) return false;
   const std::vector<std::uint32_t> bad = corners_without_disk(triangles);
   if (counts_.topological + bad.size() > samples_.size()) return false;
   struct Largest {
@@ -202,11 +200,11 @@ Mesh DelaunayRefinement::mesh() const {
   std::vector<Triangle> triangles;
   for (const Facet f : restricted_facets()) triangles.push_back(triangle(f));
   Numbered compact = numbered(triangles, samples_.size());
-  geometry::MeshOrDefect built = geometry::closed_mesh(compact.corners.size(), compact.triangles);
+  const auto built = geometry::closed_triangles(compact.corners.size(), compact.triangles);
   SurfaceMesh connectivity(compact.corners.size(), compact.triangles);
   std::vector<std::uint32_t> corners = compact.corners;
   if (!built.defect) {
-    compact = numbered(neighbours_together(built.mesh), corners.size());
+    compact = numbered(neighbours_together(compact.triangles, built.mesh), corners.size());
     connectivity = geometry::closed_mesh(corners.size(), compact.triangles).mesh;
     for (std::uint32_t& corner : compact.corners) corner = corners[corner];
     corners = std::move(compact.corners);

@@ -109,9 +109,10 @@ TEST_CASE("a triangle's corners are bounded together, whichever is the worst") {
   const IndexedMesh mesh;
   const skin::SkinSurface skin({ball(0, 0, 0, 1)});
   for (std::uint32_t worst = 0; worst < 3; ++worst) {
-    std::vector<VertexBounds> bounds(3, VertexBounds{-1, 1, 1});
-    bounds[worst] = {-3, 2, 5};
-    const LocatedMesh located{mesh, {}, bounds, skin};
+    const Vector N(1, 0, 0);
+    std::vector<LocatedVertex> vertices(3, LocatedVertex{N, -1, 1, 1, {}});
+    vertices[worst] = {N, -3, 2, 5, {}};
+    const LocatedMesh located{mesh, vertices, skin};
     const CornerBounds corners = located.corner_bounds({0, 1, 2});
     CHECK(corners.max_error == 5);
     CHECK(corners.max_values[worst] == 3);

@@ -293,8 +293,8 @@ TEST_CASE("a vertex in floats may be off by half a last digit and not by two") {
   }
   CHECK_FALSE(certify::is_single_precision({}));
   // What is not known of N counts against the vertex.
-  const std::vector<surface::SurfacePoint> at{{far, geometry::Vector(1, 0, 0), 1, {}}};
-  const std::vector<certify::VertexBounds> bounds{{-0.1F, 0.1F, 0.3F}};
-  const auto found = certify::residuals(at, bounds, good.skin.surface, false, geometry::Run(1));
+  const IndexedMesh one{{far}, {}};
+  const std::vector<certify::LocatedVertex> at{{{1, 0, 0}, -0.1F, 0.1F, 0.3F, {}}};
+  const auto found = certify::residuals({one, at, good.skin.surface}, false, geometry::Run(1));
   CHECK(found.max_distance >= 0.7 - std::sqrt(0.49 - 0.1));
 }

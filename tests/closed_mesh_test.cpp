@@ -61,7 +61,7 @@ TEST_CASE("closed_mesh takes no longer where two vertices are in all triangles, 
       list.push_back({q, p, bottom});
     }
     Random(3).shuffle(list);
-    const MeshOrDefect built = closed_mesh(rim + 2, list);
+    const auto built = closed_mesh(rim + 2, list);
     REQUIRE(built.defect.value_or("") == "");
     CHECK(built.mesh.degree(VertexId{top}) == rim);
     CHECK(built.mesh.triangle_list() == list);
@@ -81,7 +81,7 @@ TEST_CASE("what is wrong at the first bad vertex is told the same by any number 
       append(list, octahedron(), first);
       count = first + 6;
     }
-    const MeshOrDefect glued = glued_mesh(count, list);
+    const auto glued = glued_triangles(count, list);
     REQUIRE(glued.defect.value_or("") == "");
     const std::optional<std::string> alone = fan_defect(glued.mesh, 1);
     CHECK(fan_defect(glued.mesh, 3) == alone);
@@ -168,7 +168,7 @@ TEST_CASE("components are those that a search from triangle to triangle finds") 
       append(list, octahedron(), 6 * p);
     }
     random.shuffle(list);
-    const MeshOrDefect built = closed_mesh(6 * parts, list);
+    const auto built = closed_mesh(6 * parts, list);
     REQUIRE(built.defect.value_or("") == "");
     const Components found = components(built.mesh);
     CHECK(found.count == parts);

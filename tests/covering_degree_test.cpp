@@ -1,5 +1,6 @@
 #include "certify/covering_degree.h"
 
+#include "geometry/mesh_shape.h"
 #include "skin/skin_surface.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/rationals.h"
@@ -25,14 +26,14 @@ class Top {
       : mesh_(support::begun_at(support::sphere_mesh(Point::Zero(), radius, levels), top)),
         first_of_tetrahedron_(mesh_.triangles.size()) {
     constexpr float unknown = 1;
-    bounds_.assign(mesh_.positions.size(), {0, 0, unknown});
-    bounds_[top].error = static_cast<float>(error);
+    add_vertices({Vector::Zero(), 0, 0, unknown, geometry::CellId{0U}});
+    vertices_[top].error = static_cast<float>(error);
   }
 
-  void know_top(double g) { bounds_[top].high = static_cast<float>(g); }
+  void know_top(double g) { vertices_[top].high = static_cast<float>(g); }
   void know_others(double g) {
-    for (std::size_t v = 0; v < bounds_.size(); ++v) {
-      if (v != top) bounds_[v].high = static_cast<float>(g);
+    for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      if (v != top) vertices_[v].high = static_cast<float>(g);
     }
   }
   /// A small tetrahedron whose nearest point to the top, and to the line through it, is a corner.
@@ -46,36 +47,40 @@ class Top {
     }
     small.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
     mesh_ = support::together(mesh_, small);
-    bounds_.resize(mesh_.positions.size(), {0, static_cast<float>(g), 0});
+    add_vertices({Vector::Zero(), 0, static_cast<float>(g), 0, geometry::CellId{0U}});
   }
 
   /// @param max_path, max_error  of the tetrahedron, as the triangles' bounds have it
   bool is_proved(double max_path = 0, double max_error = 0) const {
-    std::vector<SurfacePoint> points;
-    for (const Point& x : mesh_.positions) {
-      points.push_back({x, x.normalized(), x.norm(), geometry::CellId{0U}});
-    }
     const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
-    const LocatedMesh located{mesh_, points, bounds_, skin};
+    const LocatedMesh located{mesh_, vertices_, skin};
     FlowBounds flow;
     for (std::size_t t = first_of_tetrahedron_; t < mesh_.triangles.size(); ++t) {
-      const double rho = points[mesh_.triangles[t][0]].length_scale;
+      const double rho = vertices_[mesh_.triangles[t][0]].length_scale();
       flow.add(static_cast<std::uint32_t>(t), located.shape(mesh_.triangles[t]).circumradius,
                max_path, rho, max_error);
     }
-    const auto built = geometry::closed_mesh(mesh_.positions.size(), mesh_.triangles);
+    const auto built = geometry::closed_triangles(mesh_.positions.size(), mesh_.triangles);
     REQUIRE_FALSE(built.defect);
-    const geometry::Components components = geometry::components(built.mesh);
+    const auto components = geometry::vertex_components(mesh_);
     return CoveringDegree(located, built.mesh, components, flow).proved_vertices()[0].has_value();
   }
 
   static constexpr double size = 1e-3;
 
  private:
+  /// What is known of the vertices that were added to the mesh. N is the position.
+  void add_vertices(LocatedVertex known) {
+    for (std::size_t v = vertices_.size(); v < mesh_.positions.size(); ++v) {
+      known.half_gradient = mesh_.positions[v];
+      vertices_.push_back(known);
+    }
+  }
+
   static constexpr std::uint32_t top = 4;
   IndexedMesh mesh_;
   std::size_t first_of_tetrahedron_;
-  std::vector<VertexBounds> bounds_;
+  std::vector<LocatedVertex> vertices_;
 };
 
 /// An octahedron at the origin, so small that no path matters, whose first triangle at its top is a
@@ -104,14 +109,12 @@ struct Needle {
     const IndexedMesh mesh{
         positions,
         {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {2, 1, 5}, {3, 2, 5}, {4, 3, 5}, {1, 4, 5}}};
-    const std::vector<VertexBounds> bounds(positions.size(), {0, 0, 0});
-    std::vector<SurfacePoint> points;
-    for (const Point& x : positions) points.push_back({x, N, 1, geometry::CellId{0U}});
+    const std::vector<LocatedVertex> vertices(positions.size(), {N, 0, 0, 0, geometry::CellId{0U}});
     const skin::SkinSurface skin({support::ball(0, 0, 0, 1)});
-    const LocatedMesh located{mesh, points, bounds, skin};
-    const auto built = geometry::closed_mesh(positions.size(), mesh.triangles);
+    const LocatedMesh located{mesh, vertices, skin};
+    const auto built = geometry::closed_triangles(positions.size(), mesh.triangles);
     REQUIRE_FALSE(built.defect);
-    const geometry::Components components = geometry::components(built.mesh);
+    const auto components = geometry::vertex_components(mesh);
     return CoveringDegree(located, built.mesh, components, FlowBounds{}).proved_vertices()[0] ==
            VertexId{0U};
   }

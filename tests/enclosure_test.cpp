@@ -186,15 +186,13 @@ TEST_CASE("a vertex's bounds are an enclosure's, rounded outwards to floats") {
   support::Random random(1);
   geometry::IndexedMesh mesh;
   for (int i = 0; i < 4000; ++i) mesh.positions.push_back(random.in_cube(-6, 6));
-  certify::VertexLocator locator(mesh, skin);
-  locator.locate_rest();
-  const auto points = locator.take_points();
-  const auto bounds = locator.take_bounds();
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const surface::Enclosure about = skin.enclose(mesh.positions[v], points[v].cell);
-    CHECK(bounds[v].low <= about.low);
-    CHECK(bounds[v].high >= about.high);
-    const geometry::Vector N = points[v].length_scale * points[v].normal;
-    CHECK(bounds[v].error >= about.error + (N - about.half_gradient).norm());
+  const auto located = certify::locate_with_bounds(mesh, skin);
+  for (std::size_t v = 0; v < located.size(); ++v) {
+    const surface::Enclosure about = skin.enclose(mesh.positions[v], located[v].cell);
+    CHECK(located[v].low <= about.low);
+    CHECK(located[v].high >= about.high);
+    const surface::SurfacePoint point = located[v].at(mesh.positions[v]);
+    const geometry::Vector N = point.length_scale * point.normal;
+    CHECK(located[v].error >= about.error + (N - about.half_gradient).norm());
   }
 }

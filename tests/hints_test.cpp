@@ -7,9 +7,9 @@
 
 using namespace morskin;
 using certify::Certificate;
+using geometry::GluedTriangles;
 using geometry::HalfEdgeId;
 using geometry::IndexedMesh;
-using geometry::SurfaceMesh;
 using skin::CellId;
 using support::ball;
 
@@ -131,8 +131,8 @@ TEST_CASE("hints change nothing in a certificate, right or wrong") {
     std::vector<CellId> cells;
     for (const auto& p : certify::locate_vertices(certified_mesh, skin.surface))
       cells.push_back(p.cell);
-    const SurfaceMesh glued =
-        geometry::glued_mesh(certified_mesh.positions.size(), certified_mesh.triangles).mesh;
+    const GluedTriangles glued =
+        geometry::glued_triangles(certified_mesh.positions.size(), certified_mesh.triangles).mesh;
     for (const unsigned threads : {1U, 2U}) {
       for (const auto& twins : spoiled(glued.twins(), random)) {
         CAPTURE(twins.first);
@@ -154,12 +154,13 @@ TEST_CASE(
     for (const auto& t : support::tetrahedron(a, b, 4, 5)) list.push_back(t);
     return list;
   };
-  const SurfaceMesh apart = geometry::glued_mesh(8, both(6, 7)).mesh;
+  const support::TriangleList parted = both(6, 7);
+  const GluedTriangles apart = geometry::glued_triangles(8, parted).mesh;
   REQUIRE(apart.twins().size() == 24);
   IndexedMesh mesh{{}, both(0, 1)};
   for (std::uint32_t v = 0; v < 6; ++v)
     mesh.positions.emplace_back(std::cos(v), std::sin(v), 0.1 * v);
-  REQUIRE(SurfaceMesh::glued_by_twins(6, mesh.triangles, apart.twins()).has_value());
+  REQUIRE(GluedTriangles::by_twins(6, mesh.triangles, apart.twins()).has_value());
   const auto certificate = [&](const certify::Hints& hints) {
     return certify::certify(mesh, hints, skin.surface, skin.topology, {}, geometry::Run(1));
   };
@@ -179,22 +180,21 @@ TEST_CASE(
     twins[h.index()] = back;
     twins[back.index()] = h;
   }
-  REQUIRE(SurfaceMesh::glued_by_twins(6, mesh.triangles, twins).has_value());
+  REQUIRE(GluedTriangles::by_twins(6, mesh.triangles, twins).has_value());
   check_same(certificate({twins, {}}), expected);
 }
 
 TEST_CASE("a mesh glued by hinted twins is the one that a search for twins finds") {
   const IndexedMesh sphere = support::sphere_mesh(geometry::Point::Zero(), 1, 3);
   const std::size_t count = sphere.positions.size();
-  const SurfaceMesh found = geometry::glued_mesh(count, sphere.triangles).mesh;
+  const GluedTriangles found = geometry::glued_triangles(count, sphere.triangles).mesh;
   support::Random random(2);
   for (const auto& twins : spoiled(found.twins(), random)) {
     CAPTURE(twins.first);
-    const auto glued = SurfaceMesh::glued_by_twins(count, sphere.triangles, twins.second);
+    const auto glued = GluedTriangles::by_twins(count, sphere.triangles, twins.second);
     REQUIRE(glued.has_value() == (twins.first == "as it is"));
     if (!glued) continue;
-    CHECK(geometry::validate(*glued).value_or("") == "");
-    CHECK(glued->triangle_list() == sphere.triangles);
+    CHECK(geometry::fan_defect(*glued).value_or("") == "");
     CHECK(glued->twins() == found.twins());
     for (std::size_t v = 0; v < count; ++v) {
       CHECK(glued->outgoing(geometry::VertexId{v}) == found.outgoing(geometry::VertexId{v}));
@@ -205,7 +205,7 @@ TEST_CASE("a mesh glued by hinted twins is the one that a search for twins finds
 TEST_CASE("hinted twins are refused where a triangle repeats a corner or turns") {
   const auto is_accepted = [](const support::TriangleList& list, std::vector<std::uint32_t> twins) {
     std::vector<HalfEdgeId> ids(twins.begin(), twins.end());
-    return SurfaceMesh::glued_by_twins(4, list, ids).has_value();
+    return GluedTriangles::by_twins(4, list, ids).has_value();
   };
   CHECK(is_accepted({{0, 1, 2}, {1, 0, 2}}, {3, 5, 4, 0, 2, 1}));
   CHECK_FALSE(is_accepted({{0, 1, 2}, {0, 1, 2}}, {3, 4, 5, 0, 1, 2}));
@@ -217,9 +217,11 @@ TEST_CASE("hinted twins are refused where a triangle repeats a corner or turns")
 TEST_CASE("a mesh comes with twins and cells that the certificate need not look for") {
   const morskin::PreparedSkin skin = morskin::prepare_skin(support::tetrahedron_balls(2.8));
   const morskin::MeshResult result = morskin::make_mesh(skin, support::uncertified());
-  const SurfaceMesh mesh = support::skin_mesh(skin.surface, result).surface;
-  CHECK(SurfaceMesh::glued_by_twins(mesh.vertex_count(), mesh.triangle_list(), mesh.twins())
-            .has_value());
+  geometry::SurfaceMesh mesh = support::skin_mesh(skin.surface, result).surface;
+  const std::size_t count = mesh.vertex_count();
+  const geometry::SurfaceMesh::Lists lists = mesh.turned_into_lists();
+  CHECK(lists.triangles == result.mesh.triangles);
+  CHECK(GluedTriangles::by_twins(count, lists.triangles, lists.twins).has_value());
   for (std::size_t v = 0; v < result.cells.size(); ++v) {
     CHECK(skin.surface.is_in(result.mesh.positions[v], result.cells[v]));
   }

@@ -17,22 +17,21 @@ TEST_CASE("a vertex's bounds are rounded outwards, and count that length scale t
     for (int i = 0; i < 50; ++i) {
       mesh.positions.emplace_back(all.centre + all.radius * random.in_cube(-1, 1));
     }
-    certify::VertexLocator locator(mesh, skin);
-    locator.locate_rest();
-    const auto points = locator.take_points();
-    const auto bounds = locator.take_bounds();
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      const surface::Enclosure found = skin.enclose(mesh.positions[v], points[v].cell);
-      CHECK(static_cast<double>(bounds[v].low) <= found.low);
-      CHECK(static_cast<double>(bounds[v].high) >= found.high);
-      CHECK(bounds[v].max_value() >= found.max_value());
+    const auto located = certify::locate_with_bounds(mesh, skin);
+    for (std::size_t v = 0; v < located.size(); ++v) {
+      const certify::LocatedVertex& at = located[v];
+      const surface::SurfacePoint point = at.at(mesh.positions[v]);
+      const surface::Enclosure found = skin.enclose(mesh.positions[v], at.cell);
+      CHECK(static_cast<double>(at.low) <= found.low);
+      CHECK(static_cast<double>(at.high) >= found.high);
+      CHECK(at.max_value() >= found.max_value());
       const Wide told =
-          static_cast<long double>(points[v].length_scale) * points[v].normal.cast<long double>();
+          static_cast<long double>(point.length_scale) * point.normal.cast<long double>();
       const long double off = (found.half_gradient.cast<long double>() - told).norm();
-      CHECK(static_cast<long double>(bounds[v].error) >= found.error + off);
+      CHECK(static_cast<long double>(at.error) >= found.error + off);
       // No wider than a float's last digit.
-      CHECK(static_cast<double>(bounds[v].high) <= found.high + 0x1p-22 * std::abs(found.high));
-      CHECK(static_cast<double>(bounds[v].low) >= found.low - 0x1p-22 * std::abs(found.low));
+      CHECK(static_cast<double>(at.high) <= found.high + 0x1p-22 * std::abs(found.high));
+      CHECK(static_cast<double>(at.low) >= found.low - 0x1p-22 * std::abs(found.low));
     }
   });
 }

@@ -10,17 +10,18 @@ using geometry::Point;
 namespace {
 
 /// The count that the certificate makes.
-std::size_t local_violations(const Good& good, const IndexedMesh& mesh,
-                             const geometry::SurfaceMesh& surface) {
-  const auto points = certify::locate_vertices(mesh, good.skin.surface);
+std::size_t local_violations(const Good& good, const IndexedMesh& mesh) {
+  const auto vertices = certify::locate_with_bounds(mesh, good.skin.surface);
+  const certify::LocatedMesh on{mesh, vertices, good.skin.surface};
   certify::DelaunayFilter sure(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.triangles[t];
-    const std::array p{&points[a], &points[b], &points[c]};
+    const auto points = on.corners(mesh.triangles[t]);
+    const surface::Corners p = points;
     sure.note(geometry::TriangleId{t}, p, certify::TriangleSides(p),
               good.skin.surface.residual_bound(p[0]->length_scale));
   }
-  return certify::local_delaunay_violations(mesh, surface, good.skin.surface, points, sure);
+  const auto glued = geometry::closed_triangles(mesh.positions.size(), mesh.triangles);
+  return certify::local_delaunay_violations(on, glued.mesh, sure);
 }
 
 /// Whether a triangle's surface ball counts: found to rounding, of one smaller than its length
@@ -77,7 +78,7 @@ TEST_CASE("restricted Delaunay violations are those that asking all vertices fin
       }
       local += is_entered && counts(ball, {&located[a], &located[b], &located[c]});
     }
-    CHECK(local_violations(good, bad, mesh) == local);
+    CHECK(local_violations(good, bad) == local);
     CHECK(good.certify(good.mesh).restricted_delaunay_violations == 0);
     CHECK(local > 0);
     CHECK(local <= expected);
@@ -95,7 +96,7 @@ TEST_CASE("one edge flipped makes two triangles that are not Delaunay, for both 
     if (mesh.has_edge(mesh.apex(h), mesh.apex(mesh.twin(h)))) return;
     mesh.flip(h);
     const IndexedMesh bad{good.mesh.positions, mesh.triangle_list()};
-    CHECK(local_violations(good, bad, mesh) == 2);
+    CHECK(local_violations(good, bad) == 2);
     CHECK(good.delaunay(bad).violations == 2);
   });
 }

@@ -22,7 +22,7 @@ static_assert(std::is_invocable_v<decltype(&SurfaceMesh::degree), const SurfaceM
 namespace {
 
 SurfaceMesh octahedron_mesh() {
-  MeshOrDefect built = closed_mesh(6, octahedron());
+  auto built = closed_mesh(6, octahedron());
   REQUIRE_FALSE(built.defect);
   return std::move(built.mesh);
 }
@@ -216,7 +216,7 @@ TEST_CASE("closed_mesh accepts a closed mesh, keeps its triangles and glues all 
   for_seeds(50, [&](unsigned seed) {
     SurfaceMesh mesh = random_mesh(seed);
     mesh.compact();
-    const MeshOrDefect built = closed_mesh(mesh.vertex_count(), mesh.triangle_list());
+    const auto built = closed_mesh(mesh.vertex_count(), mesh.triangle_list());
     REQUIRE(built.defect.value_or("") == "");
     CHECK(validate(built.mesh).value_or("") == "");
     CHECK(built.mesh.triangle_list() == mesh.triangle_list());

@@ -11,6 +11,7 @@
 #include "bench/baselines/cube_cases.h"
 #include "bench/baselines/narrow_band.h"
 #include "geometry/error.h"
+#include "geometry/glued_triangles.h"
 
 namespace morskin::baselines {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/surface_mesh.h"
+#include "geometry/glued_triangles.h"
 #include "morse/make_guide.h"
 #include "morskin/pipeline.h"
 #include "skin/singular_skin.h"
