@@ -126,8 +126,9 @@ bool SkinSurface::is_in(const Point& x, CellId cell) const {
   return step.next == cell && (!step.is_on_wall || is_by_definition_in(x, cell));
 }
 
-/// Searches all cells that can be reached over walls with x beyond them for one that contains x,
-/// or, should there be none, the one with x the least beyond its walls.
+/// Searches all cells that can be reached over walls with x beyond or on them for one that contains
+/// x, or, should there be none, the one with x the least beyond its walls. Only walls that x is on
+/// may lead out of a flat cell with x in its plane.
 CellId SkinSurface::search(const Point& x, CellId start) const {
   std::vector<CellId> waiting{start}, seen{start};  // seen: ascending
   CellId best = start;
@@ -139,7 +140,7 @@ CellId SkinSurface::search(const Point& x, CellId start) const {
     for (const Wall& wall : complex_.walls(cell)) {
       const double distance = wall.normal.dot(x) - wall.offset;
       farthest = std::max(farthest, distance);
-      if (distance <= complex_.wall_tolerance()) continue;
+      if (distance <= -complex_.wall_tolerance()) continue;
       const auto at = std::ranges::lower_bound(seen, wall.beyond);
       if (at != seen.end() && *at == wall.beyond) continue;
       seen.insert(at, wall.beyond);

@@ -84,7 +84,8 @@ TEST_CASE(
     "where ties make cells without volume a walk from any cell finds G, at any place of them") {
   // Such a cell has no walls along its plane, and so points far away lie within its walls.
   for (unsigned round = 0; round < 100; ++round) {
-    for (const Nasty kind : {Nasty::Lattice, Nasty::Coplanar, Nasty::SmallIntegers}) {
+    for (const Nasty kind :
+         {Nasty::Lattice, Nasty::Coplanar, Nasty::SmallIntegers, Nasty::Cospherical}) {
       const auto seed = static_cast<unsigned>(round * nasty_kinds + static_cast<std::size_t>(kind));
       CAPTURE(seed);
       for (const auto keep : {MixedComplex::Keep::NearSkin, MixedComplex::Keep::All}) {
@@ -94,9 +95,10 @@ TEST_CASE(
         const auto some_centre = [&] {
           return skin.points()[random.below(skin.points().size())].position;
         };
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 200; ++i) {
           const Point a = some_centre(), b = some_centre();
-          const Point x = i % 2 == 0 ? a : Point((a + b) / 2);
+          const double share = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5 : random.between(-0.5, 1.5);
+          const Point x = a + share * (b - a);
           const CellId cell = skin.locate(x, CellId{random.below(skin.complex().size())});
           const auto [g, n] = skin.jet(x, cell);
           CHECK(lower_bound(skin.points(), x, x + n) >= g - 1e-10 * span * span);
