@@ -28,6 +28,10 @@ class LevelSet final : public surface::Surface {
 
   CellId locate(const Point& x, CellId hint) const override { return skin_->locate(x, hint); }
   bool is_in(const Point& x, CellId cell) const override { return skin_->is_in(x, cell); }
+  /// @copydoc SkinSurface::last_in
+  double last_in(CellId cell, const Point& p, const Vector& d, double from, double to) const {
+    return skin_->last_in(cell, p, d, from, to);
+  }
   Jet jet(const Point& x, CellId cell) const override { return patch(cell).jet(x); }
   double length_scale(const Point& x, CellId cell) const override {
     return skin_->length_scale(x, cell);

@@ -10,16 +10,24 @@ namespace morskin::skin {
 
 namespace {
 
-/// The parameter, from `from` on, at which p + t d leaves the cell.
-double exit_of(const MixedComplex& complex, CellId cell, const Point& p, const Vector& d,
-               double from) {
-  double exit = std::numeric_limits<double>::infinity();
-  for (const Wall& wall : complex.walls(cell)) {
+/// The parameter, from `from` to 1, at which p + t d leaves a cell. A line that runs in a wall, but
+/// for rounding, leaves over it only where it gets past the tolerance. A cell may be flat if two
+/// walls have the line's start on them.
+template <class Skin>
+double exit_of(const Skin& skin, CellId cell, const Point& p, const Vector& d, double from) {
+  const double tolerance = skin.complex().wall_tolerance(), past = 2 * tolerance;
+  double exit = 1;
+  int on = 0;
+  for (const Wall& wall : skin.complex().walls(cell)) {
     const double slope = wall.normal.dot(d);
-    if (!(slope > 0)) continue;
-    exit = std::min(exit, (wall.offset - wall.normal.dot(p)) / slope);
+    const double within = wall.offset - wall.normal.dot(p);
+    if (within - from * slope < tolerance) ++on;
+    if (!(slope > 0) || slope - within <= past) continue;
+    const double at = within / slope;
+    exit = std::min(exit, at < from ? (within + past) / slope : at);
   }
-  return std::max(exit, from);
+  exit = std::max(exit, from);
+  return on < 2 ? exit : skin.last_in(cell, p, d, from, exit);
 }
 
 /// G along the segment inside one cell: a + b t + c t^2, with t from the middle of the piece, since
@@ -74,7 +82,7 @@ LineCrossings line_crossings(const Skin& skin, const Point& p, const Point& q, C
       result.is_complete = false;
       break;
     }
-    const double to = std::min(exit_of(complex, cell, p, d, from), 1.0);
+    const double to = exit_of(skin, cell, p, d, from);
     const Piece piece(skin.patch(cell), p, d, from + (to - from) / 2);
     if (step == 0) is_outside = piece.is_outside(0);
     // The sign carries over from piece to piece, so that a zero on a wall is found once.

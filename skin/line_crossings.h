@@ -1,9 +1,10 @@
 #pragma once
 
 /// Every crossing of a segment with the skin, cell by cell. Inside one mixed cell G is a quadratic
-/// along a line, so its zeros have a closed form and none is missed. But on a line that runs in a
-/// wall, as from atom to atom of a lattice, some may be, or the walk comes to no end (is_complete).
-/// Nothing that is proved rests on them.
+/// along a line, so its zeros have a closed form and none is missed, but for rounding. A line may
+/// run in walls and in cells without volume, as from atom to atom of a lattice: there the cells'
+/// definition says where each ends (SkinSurface::last_in). Nothing that is proved rests on the
+/// crossings.
 
 #include "skin/skin_surface.h"
 

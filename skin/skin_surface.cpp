@@ -97,27 +97,48 @@ CellId SkinSurface::locate(const Point& x, CellId hint) const {
   }
 }
 
+/// The plane of equal power to the simplex and the atom of the least power at q: in the dual no
+/// atom has less than the simplex.
+SkinSurface::DualEnd SkinSurface::end_of_dual(const Point& q, CellId cell) const {
+  const AtomId own = *atoms(cell).begin();
+  const AtomId other = powers_.nearest(q, own);
+  if (other == own) return {Vector::Zero(), 0};
+  const WeightedPoint &a = points()[own.index()], &b = points()[other.index()];
+  const Vector h = b.position - a.position;
+  // Powers differ by 2 h d where q is d beyond the plane on which they are equal. Their difference
+  // is taken without squares of large distances.
+  const double difference = h.dot(2 * q - a.position - b.position) + b.weight - a.weight;
+  return {h.normalized(), difference / (2 * h.norm())};
+}
+
 /// Whether a cell contains x, which is within its walls and on one: half a point of the simplex and
 /// half one of its dual. A cell without volume, of a tie, has two walls on each other, and may have
-/// none along their plane. The two points are x - N and x + N; at that of the dual no atom has less
-/// power than the simplex.
+/// none along their plane. The two points are x - N and x + N.
 bool SkinSurface::is_by_definition_in(const Point& x, CellId cell) const {
   const auto is_on = [&](const Wall& wall) {
     return wall.normal.dot(x) - wall.offset > -complex_.wall_tolerance();
   };
   const Walls walls = complex_.walls(cell);
   if (std::count_if(walls.begin(), walls.end(), is_on) < 2) return true;
-  const AtomId own = *atoms(cell).begin();
-  const Point q = x + jet(x, cell).half_gradient;
-  const AtomId other = powers_.nearest(q, own);
-  const auto at = [&](AtomId a) { return points()[a.index()].position; };
-  const auto power = [&](AtomId a) {
-    return (q - at(a)).squaredNorm() - points()[a.index()].weight;
-  };
-  // Powers of atoms h apart differ by 2 h d where q is d beyond the wall between them, and x d / 2.
-  constexpr double of_flat_simplices = 64;
-  const double beyond = 2 * of_flat_simplices * complex_.wall_tolerance();
-  return power(own) - power(other) <= 2 * (at(own) - at(other)).norm() * beyond;
+  return end_of_dual(x + jet(x, cell).half_gradient, cell).distance <= dual_tolerance();
+}
+
+/// At x = p + t d the dual's point is x + N, which moves on a line, too. Where it is past an end,
+/// the segment is cut back to where it got there, until it is past none.
+double SkinSurface::last_in(CellId cell, const Point& p, const Vector& d, double from,
+                            double to) const {
+  const Patch patch = complex_.patch(cell);
+  const Vector direction = d + patch.reflect(d);
+  for (;;) {
+    const Point x = p + to * d;
+    const DualEnd end = end_of_dual(x + patch.half_gradient(x), cell);
+    // Twice the tolerance past an end, so that a walk leaves the cell.
+    const double past = end.distance - 2 * dual_tolerance();
+    const double slope = end.normal.dot(direction);
+    const double there = slope > 0 ? std::max(to - past / slope, from) : from;
+    if (!(past > 0 && there < to)) return to;
+    to = there;
+  }
 }
 
 bool SkinSurface::is_in(const Point& x, CellId cell) const {

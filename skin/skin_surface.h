@@ -74,6 +74,9 @@ class SkinSurface final : public surface::Surface {
   CellId locate(const Point& x, CellId hint) const override;
   /// Whether `cell` is a kept cell and contains x, so that a walk from it ends at once.
   bool is_in(const Point& x, CellId cell) const override;
+  /// The last t up to which p + t d is by definition in `cell`, within whose walls it is from
+  /// `from` to `to`: a cell without volume may have no wall where it ends.
+  double last_in(CellId cell, const Point& p, const Vector& d, double from, double to) const;
 
   Jet jet(const Point& x, CellId cell) const override {
     return with_patch(cell, [&](const Patch& patch) { return patch.jet(x); });
@@ -112,6 +115,17 @@ class SkinSurface final : public surface::Surface {
   };
   template <class Walls>
   Step step_over(const Point& x, CellId cell, const Walls& walls) const;
+  /// A plane where the dual of a cell's simplex ends.
+  struct DualEnd {
+    Vector normal;    ///< unit, out of the dual; zero where a point is past no such plane
+    double distance;  ///< of the point past the plane, Angstrom
+  };
+  DualEnd end_of_dual(const Point& q, CellId cell) const;
+  /// Moving x over a wall moves the dual's point twice as far.
+  double dual_tolerance() const {
+    constexpr double of_flat_simplices = 64;
+    return 2 * of_flat_simplices * complex_.wall_tolerance();
+  }
   bool is_by_definition_in(const Point& x, CellId cell) const;
   CellId search(const Point& x, CellId start) const;
 

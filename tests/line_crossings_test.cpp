@@ -1,5 +1,6 @@
 #include "skin/line_crossings.h"
 
+#include "skin/level_set.h"
 #include "tests/support/nasty_sets.h"
 #include "tests/support/test.h"
 
@@ -9,17 +10,62 @@ using namespace morskin::support;
 
 namespace {
 
-/// A random segment through the box of a set of balls, now and then a long or a short one.
 struct Segment {
   Point p, q;
 
-  Segment(Random& random, const Box& box) : p(box.sample(random)), q(box.sample(random)) {
-    const double kind = random.uniform();
-    if (kind < 0.2) q = p + 0.05 * (q - p);
-    if (kind > 0.8) q = p + 20 * (q - p);
-  }
   Point at(double share) const { return p + share * (q - p); }
 };
+
+/// A random segment through the box of a set of balls, now and then a long or a short one.
+Segment random_segment(Random& random, const Box& box) {
+  const Point p = box.sample(random), q = box.sample(random);
+  const double kind = random.uniform();
+  return {p, p + (kind < 0.2 ? 0.05 : kind > 0.8 ? 20 : 1) * (q - p)};
+}
+
+/// A segment along a line or plane through the centres of some balls, now and then a little off it.
+Segment segment_through_centres(Random& random, const SkinSurface& skin) {
+  const auto some_centre = [&] {
+    return skin.points()[random.below(skin.points().size())].position;
+  };
+  const Point a = some_centre(), b = some_centre(), c = some_centre();
+  const double shift = random.uniform() < 0.5 ? 0 : random.between(-1, 1);
+  Segment segment{a + shift * (c - a) - 0.5 * (b - a), a + shift * (c - a) + 1.5 * (b - a)};
+  const double kind = random.uniform();
+  if (kind < 0.3) segment.q = (b + c) / 2;
+  if (kind > 0.7) segment.q += std::pow(10.0, random.between(-15, -3)) * random.direction();
+  return segment;
+}
+
+/// Whether all crossings of a segment are found that samples of G tell of.
+bool has_all_crossings(const surface::Surface& skin, const Segment& segment, double span) {
+  const auto value = [&](double share) {
+    const Point x = segment.at(share);
+    return skin.jet(x, skin.locate(x, CellId{0U})).value;
+  };
+  const LineCrossings found = skin.crossings(segment.p, segment.q, CellId{0U});
+  const double length = (segment.q - segment.p).norm();
+  const double rounding = 1e-10 * (span + length) * (span + length);
+  const double start = value(0);
+  bool is_right = found.is_complete;
+  if (length == 0 || std::abs(start) < rounding) return is_right;
+  bool is_outside = start > 0;
+  double from = 0;
+  for (std::size_t k = 0; k <= found.all.size(); ++k) {
+    const double to = k < found.all.size() ? found.all[k].at : 1;
+    is_right &= to >= from && to <= 1;
+    constexpr int samples = 50;
+    for (int s = 0; s <= samples; ++s) {
+      const double g = value(from + (to - from) * s / samples);
+      is_right &= is_outside ? g > -rounding : g < rounding;
+    }
+    if (k == found.all.size()) break;
+    is_right &= std::abs(skin.jet(found.all[k].position, found.all[k].cell).value) < rounding;
+    is_outside = !is_outside;
+    from = to;
+  }
+  return is_right;
+}
 
 }  // namespace
 
@@ -27,32 +73,29 @@ TEST_CASE("between two crossings that follow each other a line stays on one side
   for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
     const SkinSurface skin(seed % 2 == 0 ? ball_set(seed) : nasty_set(seed));
     const Box box = box_of(skin.points());
-    const double span = span_of(box);
     for (int i = 0; i < 4; ++i) {
-      const Segment segment(random, box);
-      const LineCrossings found = line_crossings(skin, segment.p, segment.q, CellId{0U});
-      CHECK(found.is_complete);
-      const double length = (segment.q - segment.p).norm();
-      const double rounding = 1e-10 * (span + length) * (span + length);
-      bool is_outside = skin.value(segment.p, CellId{0U}) > 0;
-      double from = 0;
-      bool is_right = true;
-      for (std::size_t k = 0; k <= found.all.size(); ++k) {
-        const double to = k < found.all.size() ? found.all[k].at : 1;
-        is_right &= to >= from && to <= 1;
-        constexpr int samples = 50;
-        for (int s = 0; s <= samples; ++s) {
-          const double g = skin.value(segment.at(from + (to - from) * s / samples), CellId{0U});
-          is_right &= is_outside ? g > -rounding : g < rounding;
-        }
-        if (k == found.all.size()) break;
-        is_right &= std::abs(skin.value(found.all[k].position, found.all[k].cell)) < rounding;
-        is_outside = !is_outside;
-        from = to;
-      }
-      CHECK(is_right);
+      CHECK(has_all_crossings(skin, random_segment(random, box), span_of(box)));
     }
   });
+}
+
+TEST_CASE("lines that run in walls, as from atom to atom of a lattice, have all crossings too") {
+  for (unsigned round = 0; round < 100; ++round) {
+    for (const Nasty kind :
+         {Nasty::Lattice, Nasty::Coplanar, Nasty::SmallIntegers, Nasty::Cospherical}) {
+      const auto seed = static_cast<unsigned>(round * nasty_kinds + static_cast<std::size_t>(kind));
+      CAPTURE(seed);
+      const SkinSurface skin(nasty_set(seed), MixedComplex::Keep::All);
+      const LevelSet grown(skin, 0.3);
+      const double span = span_of(box_of(skin.points()));
+      Random random(seed);
+      for (int i = 0; i < 10; ++i) {
+        const Segment segment = segment_through_centres(random, skin);
+        CHECK(has_all_crossings(skin, segment, span));
+        CHECK(has_all_crossings(grown, segment, span));
+      }
+    }
+  }
 }
 
 TEST_CASE("a segment that is surely clear of the skin does not cross it") {
@@ -61,7 +104,7 @@ TEST_CASE("a segment that is surely clear of the skin does not cross it") {
     const SkinSurface skin(ball_set(seed));
     const Box box = box_of(skin.points());
     for (int i = 0; i < 10; ++i) {
-      const Segment segment(random, box);
+      const Segment segment = random_segment(random, box);
       const double g = skin.value(segment.p, CellId{0U}), h = skin.value(segment.q, CellId{0U});
       if ((g > 0) != (h > 0)) continue;
       ++all;
