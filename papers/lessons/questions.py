@@ -85,11 +85,11 @@ LESSONS = {
              "sqrt(w) - sqrt(w - d^2/4)": "The skin's patches are shrunk: half of each weight.",
              "w/2 - (w - d^2/4)/2": "That is a difference of squares, not of heights."})},
     5: {
-        "predict": Number("A front vertex has a bare angle of 200 degrees. How many triangles does "
-                          "the program lay there?", 3,
-                          {4: "That is the paper's rule, which rounds up.",
+        "predict": Number("A front vertex has a bare angle of 140 degrees. How many triangles does "
+                          "the program lay there?", 2,
+                          {3: "That is the paper's rule, which rounds up.",
                            6: "Six fill the whole turn.",
-                           2: "They would have 100 degrees each."}),
+                           1: "It would have 140 degrees."}),
         "run": Run("How many fans are laid on `bench/molecules/benzene.pdb` with `--fronts` 1?",
                    "mesh benzene.pdb --fronts 1", ["operations", "creep"]),
         "explain": Formula(
