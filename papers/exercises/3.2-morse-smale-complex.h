@@ -2,8 +2,8 @@
 
 #include "papers/exercises/course.h"
 
-/// Predict. 12 saddles: how many regions has the complex?
-Count regions_of_12_saddles = unanswered;
+/// Predict. 6 saddles: how many regions has the complex?
+Count regions_of_6_saddles = unanswered;
 
 /// Run. `2buk.pdb.gz`, a protein of a virus, --raw: how many arcs are traced?
 Count arcs_of_2buk = unanswered;

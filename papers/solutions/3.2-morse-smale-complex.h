@@ -4,7 +4,7 @@
 
 // Each saddle is a corner of four regions, and each region has two saddles among its corners: twice
 // as many regions as saddles.
-Count regions_of_12_saddles = 24;
+Count regions_of_6_saddles = 12;
 
 // Four to a saddle.
 Count arcs_of_2buk = 4312;

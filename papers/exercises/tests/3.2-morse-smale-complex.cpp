@@ -15,17 +15,17 @@ morse::MorseSmaleComplex complex_of(const char* file, skin::Model model) {
 
 }  // namespace
 
-TEST_CASE("3.2-morse-smale-complex, predict: an inhibitor with 12 saddles has so many regions" *
-          until(regions_of_12_saddles)) {
-  const morse::MorseSmaleComplex complex = complex_of("5tmn_ligand.pdb", skin::Model::Paper);
-  REQUIRE(complex.arcs.size() == 4 * 12);
+TEST_CASE("3.2-morse-smale-complex, predict: caffeine with 6 saddles has so many regions" *
+          until(regions_of_6_saddles)) {
+  const morse::MorseSmaleComplex complex = complex_of("caffeine.xyz", skin::Model::Paper);
+  REQUIRE(complex.arcs.size() == 4 * 6);
   judge<long>(
-      regions_of_12_saddles,
+      regions_of_6_saddles,
       [&](long given) { return given == static_cast<long>(complex.regions.size()); },
-      {{48, "So many arcs there are. Each region has four of them."},
-       {12, "An arc borders on two regions."},
-       {96, "Each region has four arcs, and each arc two regions."},
-       {14, "V - E + F counts critical points, arcs and regions; saddles alone do not do."}});
+      {{24, "So many arcs there are. Each region has four of them."},
+       {6, "An arc borders on two regions."},
+       {48, "Each region has four arcs, and each arc two regions."},
+       {8, "V - E + F counts critical points, arcs and regions; saddles alone do not do."}});
 }
 
 TEST_CASE("3.2-morse-smale-complex, run: so many arcs are traced on a protein of a virus" *
