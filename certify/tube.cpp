@@ -57,7 +57,7 @@ class Pieces {
 
   /// Whether both hold on all of a piece with at most the circumradius R, by what holds of its
   /// corners. The affine function with N's values there differs from N by no more than `bend`, for
-  /// N is an isometry in each cell (Lemma 10 of papers/certificate.md).
+  /// N is an isometry in each cell (Lemma 9 of papers/certificate.md).
   bool hold(const std::array<const Seen*, 3>& corners, double R, int depth) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double min_upright = infinity, min_N = infinity, max_G = 0, doubt = 0, fold = 0;

@@ -58,7 +58,7 @@ struct Told {
     return 0x1p-49 * largest;
   }
   double doubt() const { return max_error + off(); }
-  /// Of N from its affine interpolation (Lemma 10).
+  /// Of N from its affine interpolation (Lemma 9).
   double bend() const {
     const double R = shape().circumradius;
     double fold = 0;
