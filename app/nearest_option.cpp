@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -25,10 +26,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// "-C" for "-c".
+std::optional<std::string> with_other_case(const CLI::App& app, char letter) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_snames()) {
+        const bool is_same = std::tolower(name[0]) == std::tolower(letter);
+        if (is_same && name[0] != letter) return "-" + name;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word) {
   word = word.substr(0, word.find('='));
+  if (word.size() == 2 && word[0] == '-' && word[1] != '-') return with_other_case(app, word[1]);
   if (!word.starts_with("--")) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = word.size() / 3;  // a third of the letters may be wrong

@@ -10,8 +10,8 @@ class App;
 
 namespace morskin::app {
 
-/// The option of the command being used, "--density" for "--densty", that a word which is none was
-/// probably meant to be; nothing if none is near. Of several as near, the first.
+/// The option of the command being used, "--density" for "--densty" or "-C" for "-c", that a word
+/// which is none was probably meant to be; nothing if none is near. Of several as near, the first.
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word);
 
 }  // namespace morskin::app

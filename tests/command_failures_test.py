@@ -52,7 +52,7 @@ class Failures(CommandTest):
         for word, meant in (("--densty", "--density"), ("--chains", "--chain"),
                             ("--water", "--waters"), ("--anglegoal", "--angle-goal"),
                             ("--vertex-dat=all", "--vertex-data"), ("--sise=0.7", "--size"),
-                            ("--tri", "--triangles")):
+                            ("--tri", "--triangles"), ("-c", "-C"), ("-O", "-o")):
             with self.subTest(word):
                 said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, code=2).stderr
                 self.assertIn(f"did you mean {meant}?".encode(), said)
