@@ -175,6 +175,24 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   return all.check;
 }
 
+/// What CLI11 says; of a value that is no number it would not say what is wrong.
+std::string complaint(const CLI::App& app, const CLI::Error& error) {
+  constexpr std::string_view unread = "Could not convert: ", is = " = ";
+  const std::string text = error.what();
+  const std::size_t end = text.find(is);
+  if (!text.starts_with(unread) || end == std::string::npos) return text;
+  const std::string name = text.substr(unread.size(), end - unread.size());
+  const std::string value = text.substr(end + is.size());
+  bool is_whole = false;
+  for (const CLI::App* command : app.get_subcommands()) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    const std::string type = option ? option->get_type_name() : "";
+    is_whole |= type.starts_with("INT") || type.starts_with("UINT");
+  }
+  return name + (is_whole ? " takes a whole number, not " : " takes a number, not ") + value +
+         (value.find(',') == std::string::npos ? "" : "; decimals follow a point");
+}
+
 /// The last words of a complaint: where the options of the command given are explained.
 std::string help_hint(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -194,7 +212,7 @@ Arguments parse_arguments(int count, const char* const* words) {
       const std::optional<std::string> option = nearest_option(*parser, word);
       if (option) meant += "; " + word + " is no option, did you mean " + *option + "?";
     }
-    return "morskin: " + std::string(error.what()) + meant + help_hint(*parser);
+    return "morskin: " + complaint(*parser, error) + meant + help_hint(*parser);
   });
   AllArguments all;
   Typed typed;
