@@ -175,6 +175,16 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   return all.check;
 }
 
+/// A probe that plays no part is a mistake. What is not typed may be stated by a mesh that is read.
+void check_probe(const CLI::App& app, const AllArguments& all, const TypedSkin& typed) {
+  const bool may_be_stated = app.got_subcommand("check") || all.view.against;
+  if (!typed.probe || (!typed.model && may_be_stated)) return;
+  const auto model = typed.model ? *skin::parse_model(*typed.model) : MoleculeArguments().model;
+  if (skin::has_probe(model)) return;
+  throw UsageError("model " + std::string(skin::name_of(model)) +
+                   " has no probe; leave out --probe, or take --model sas or paper");
+}
+
 /// What CLI11 says; of a value that is no number it would not say what is wrong.
 std::string complaint(const CLI::App& app, const CLI::Error& error) {
   constexpr std::string_view unread = "Could not convert: ", is = " = ";
@@ -226,7 +236,9 @@ Arguments parse_arguments(int count, const char* const* words) {
     if (implied) completed.insert(completed.begin() + 1, implied->c_str());
     all.info.is_implied = implied.has_value();
     app.parse(static_cast<int>(completed.size()), completed.data());
-    return chosen(app, all, typed);
+    Arguments arguments = chosen(app, all, typed);
+    check_probe(app, all, typed.skin);
+    return arguments;
   } catch (const CLI::ParseError& error) {
     const bool is_complaint = error.get_exit_code() != 0;
     app.exit(error, std::cout, std::cerr);

@@ -22,7 +22,9 @@ void add_molecule_options(CLI::App& command, Typed& typed) {
                   "XYZW has without it")
       ->check(CLI::IsMember({"paper", "sas", "vdw", "ses-like", "given"}))
       ->default_str("vdw");
-  command.add_option("--probe", typed.skin.probe, "Radius of the solvent probe, Angstrom")
+  command
+      .add_option("--probe", typed.skin.probe,
+                  "Radius of the solvent probe of sas and paper, Angstrom")
       ->default_str("1.4");
   command
       .add_option("--radii", typed.skin.radii,

@@ -35,6 +35,14 @@ class Radii(CommandTest):
         done = self.run_morskin("mesh", "smaller.xyzr", "-o", "smaller.ply", code=4)
         self.assertIn(b"has so small a radius that nothing can be proved", done.stderr)
 
+    def test_a_probe_that_plays_no_part_is_refused(self):
+        for words in ((), ("--model", "ses-like")):
+            self.assertIn("has no probe", self.complaint("--probe", "1.5", *words, code=2))
+        self.assertEqual(self.names(), ["a.pdb", "iron.pdb"])
+        self.assertEqual(self.radii("--model", "sas", "--probe", "1")[0], 2.7)
+        self.run_morskin("mesh", "a.pdb", "-o", "a.ply", "-q", "--model", "sas", "--probe", "1")
+        self.run_morskin("check", "a.ply", "--against", "a.pdb", "--probe", "1")
+
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
                                 (("--radii", "elements"), [1.7, 1.7, 1.55, 1.2, 2.44]),
