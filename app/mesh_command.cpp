@@ -150,7 +150,9 @@ void note_doubts(const MeshArguments& arguments) {
   if (is_sized && sizing.C == usual_C && sizing.Q == certify::Sizing::quality_for(usual_C)) return;
   const std::string doubts = doubts_about(sizing);
   if (doubts.empty() || arguments.quiet || arguments.is_brief) return;
-  std::cerr << "morskin: note: " << doubts << "\n";
+  std::cerr << "morskin: note: " << doubts;
+  if (sizing.C > usual_C) std::cerr << "; nearly every skin is certified up to -C 0.4";
+  std::cerr << "\n";
 }
 
 MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
