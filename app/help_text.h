@@ -8,6 +8,7 @@ inline constexpr const char* about =
     "morskin writes a triangle mesh of a molecule's skin surface that is proved homeomorphic to "
     "the\n"
     "surface, has no angle below 30 degrees, and can be checked again from the written file.\n"
+    "Homeomorphic: it has the surface's pieces, tunnels and voids, each once, and no others.\n"
     "\n"
     "INPUT is PDB, mmCIF, PQR, XYZ, XYZR (x y z r) or XYZW (x y z w, w the weight), each also\n"
     "gzipped; \"-\" is standard input. Lengths are in Angstrom, angles in degrees. Unless options "
