@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "geometry/error.h"
@@ -129,8 +131,14 @@ RadiusTable read_radius_table(const std::filesystem::path& file) {
 }
 
 RadiusTable radius_table(const std::string& text) {
-  const std::optional<RadiusTable> table = parse_radius_table(text);
-  return table ? *table : read_radius_table(text);
+  if (const std::optional<RadiusTable> table = parse_radius_table(text)) return *table;
+  std::error_code unknown;
+  if (text != "-" && !std::filesystem::exists(text, unknown) && !unknown) {
+    throw geometry::UnreadableInput(text +
+                                    ": there are no such radii, and no such file; take "
+                                    "elements, bondi, alvarez, a list as C=1.7 or a file");
+  }
+  return read_radius_table(text);
 }
 
 }  // namespace morskin::skin

@@ -129,6 +129,10 @@ class Radii(CommandTest):
             self.assertNotIn("radii", origin["taken"])
             self.assertTrue(any(why.startswith("radii: ") for why in origin["not_taken"]))
 
+    def test_radii_of_an_unknown_name_are_told_which_there_are(self):
+        said = self.complaint("--radii", "united", code=3)
+        self.assertIn("united: there are no such radii, and no such file; take elements,", said)
+
     def test_a_batch_without_its_table_makes_no_rows_that_blame_molecules(self):
         self.input("bad.txt", "C one\n")
         for table in ("missing.txt", "bad.txt"):
