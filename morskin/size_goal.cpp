@@ -88,7 +88,8 @@ double estimated_limit(const PreparedSkin& skin, const SizeEstimate& estimate,
   const double wanted = wanted_vertices(options.size_goal, estimate.area());
   if (!(2 * wanted <= geometry::SurfaceMesh::max_triangles)) {
     throw geometry::RefusedInput("a mesh so dense has more triangles than there are ids, " +
-                                 std::to_string(geometry::SurfaceMesh::max_triangles));
+                                 std::to_string(geometry::SurfaceMesh::max_triangles) +
+                                 "; ask for less");
   }
   return limit_of(wanted, estimate.max_length_scale(), [&](double limit) {
     options.sizing.largest_length_scale = limit;

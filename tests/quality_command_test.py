@@ -103,6 +103,10 @@ class Quality(CommandTest):
         self.run_morskin("mesh", pair, "-o", "mesh.ply", "-q", "--method", "static", "-C", "1",
                          "--density", "0.01", code=5)
 
+    def test_a_density_beyond_all_ids_is_refused_with_what_to_do(self):
+        done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "--density", "1e9", code=4)
+        self.assertIn(b"; ask for less", done.stderr)
+
     def test_a_grading_is_reported_and_words_that_do_not_go_with_it_are_refused(self):
         words = ("mesh", MOLECULES / "9dna.pdb", "-o", "mesh.ply", "-C", "0.4", "--json")
         report = json.loads(self.run_morskin(*words, "--grading", "0.2").stdout)
