@@ -110,7 +110,9 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
   if (!file.is_open()) {
-    fail_to_read(path, "cannot be opened: " + reason(errno) + "; check the name");
+    const int error = errno;
+    const char* cure = error == EACCES ? "; ask for the right to read it" : "; check the name";
+    fail_to_read(path, "cannot be opened: " + reason(error) + cure);
   }
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail_to_read(path, reason(errno) + "; try again");

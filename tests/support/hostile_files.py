@@ -47,7 +47,7 @@ def reading_cases():
     yield Case("a missing file", {}, [("mesh", "missing.pdb", "-o", "out.ply")], code=3,
                says="No such file")
     yield Case("a file that may not be read", {"secret.xyzr": ring}, code=3,
-               says="Permission denied", as_nobody=True, mode=0)
+               says="Permission denied; ask for the right to read it", as_nobody=True, mode=0)
     yield Case("prose without an ending", {"prose": "Once upon a time\n"}, code=3,
                says="is no molecule that can be recognised")
     for ending, says in (("pdb", "has no ATOM or HETATM record"),
