@@ -175,14 +175,16 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   return all.check;
 }
 
-/// A probe that plays no part is a mistake. What is not typed may be stated by a mesh that is read.
-void check_probe(const CLI::App& app, const AllArguments& all, const TypedSkin& typed) {
+/// A probe that plays no part may be a mistake, or be left from a list of runs with all models. What
+/// is not typed may be stated by a mesh that is read.
+void note_unused_probe(const CLI::App& app, const AllArguments& all, const TypedSkin& typed) {
   const bool may_be_stated = app.got_subcommand("check") || all.view.against;
   if (!typed.probe || (!typed.model && may_be_stated)) return;
   const auto model = typed.model ? *skin::parse_model(*typed.model) : MoleculeArguments().model;
-  if (skin::has_probe(model)) return;
-  throw UsageError("model " + std::string(skin::name_of(model)) +
-                   " has no probe; leave out --probe, or take --model sas or paper");
+  const CLI::Option* quiet = app.get_subcommands().front()->get_option_no_throw("--quiet");
+  if (skin::has_probe(model) || (quiet != nullptr && quiet->count() > 0)) return;
+  std::cerr << "morskin: note: model " << skin::name_of(model)
+            << " has no probe, so --probe plays no part; models sas and paper have one\n";
 }
 
 /// What CLI11 says; of a value that is no number it would not say what is wrong.
@@ -237,7 +239,7 @@ Arguments parse_arguments(int count, const char* const* words) {
     all.info.is_implied = implied.has_value();
     app.parse(static_cast<int>(completed.size()), completed.data());
     Arguments arguments = chosen(app, all, typed);
-    check_probe(app, all, typed.skin);
+    note_unused_probe(app, all, typed.skin);
     return arguments;
   } catch (const CLI::ParseError& error) {
     const bool is_complaint = error.get_exit_code() != 0;

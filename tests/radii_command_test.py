@@ -35,11 +35,12 @@ class Radii(CommandTest):
         done = self.run_morskin("mesh", "smaller.xyzr", "-o", "smaller.ply", code=4)
         self.assertIn(b"has so small a radius that nothing can be proved", done.stderr)
 
-    def test_a_probe_that_plays_no_part_is_refused(self):
+    def test_a_note_tells_of_a_probe_that_plays_no_part(self):
         for words in ((), ("--model", "ses-like")):
-            self.assertIn("has no probe", self.complaint("--probe", "1.5", *words, code=2))
-        self.assertEqual(self.names(), ["a.pdb", "iron.pdb"])
+            self.assertIn("has no probe", self.complaint("--probe", "1.5", *words, code=0))
+            self.assertEqual(self.complaint("--probe", "1.5", *words, "-q", code=0), "")
         self.assertEqual(self.radii("--model", "sas", "--probe", "1")[0], 2.7)
+        self.assertEqual(self.complaint("--model", "sas", "--probe", "1", "-q", code=0), "")
         self.run_morskin("mesh", "a.pdb", "-o", "a.ply", "-q", "--model", "sas", "--probe", "1")
         self.run_morskin("check", "a.ply", "--against", "a.pdb", "--probe", "1")
 
