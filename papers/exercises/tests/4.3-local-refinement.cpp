@@ -1,7 +1,7 @@
 #include "answers/4.3-local-refinement.h"
 
 #include "certify/triangle_geometry.h"
-#include "geometry/surface_mesh.h"
+#include "geometry/glued_triangles.h"
 #include "papers/exercises/tests/course_support.h"
 
 using namespace morskin;
