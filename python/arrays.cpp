@@ -11,10 +11,21 @@ namespace {
 template <class T>
 using Contiguous = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
+/// A masked array's values under its mask are whatever they were, no numbers of the caller's.
+void require_unmasked(const py::object& from, const std::string& name) {
+  const py::module_ masked = py::module_::import("numpy.ma");
+  if (!py::isinstance(from, masked.attr("MaskedArray"))) return;
+  const auto count = masked.attr("count_masked")(from).cast<py::ssize_t>();
+  if (count == 0) return;
+  throw py::value_error(name + " must have no masked values, and " + std::to_string(count) +
+                        (count == 1 ? " is masked" : " are masked"));
+}
+
 /// The numbers of an array-like, whose NumPy kind must be one of `kinds`.
 template <class T>
 Contiguous<T> numbers(const py::object& from, std::string_view kinds, const std::string& name,
                       const char* what) {
+  require_unmasked(from, name);
   const auto array = py::array::ensure(from);
   if (!array) throw py::value_error(name + " cannot be made an array");
   // Nothing at all has the kind of floats.
@@ -91,7 +102,7 @@ TriangleMesh mesh_from(const py::object& vertices, const py::object& faces) {
   // The largest unsigned numbers would be negative ones as signed, and named so.
   const auto array = py::array::ensure(faces);
   mesh.triangles = array && array.dtype().kind() == 'u'
-                       ? triangles_from<std::uint64_t>(array, positions.shape(0))
+                       ? triangles_from<std::uint64_t>(faces, positions.shape(0))
                        : triangles_from<std::int64_t>(faces, positions.shape(0));
   return mesh;
 }

@@ -57,6 +57,25 @@ class Errors(ModuleTest):
                 with self.assertRaisesRegex(ValueError, r"^direction must have the shape \(3,\)$"):
                     call(direction)
 
+    def test_masked_values_are_refused_and_an_empty_mask_is_none(self):
+        positions, radii = np.array(BALLS[0], float), np.array(BALLS[1], float)
+        skin = morskin.Skin(positions, radii)
+        mesh = skin.mesh(C=0.3)
+        first = np.arange(mesh.faces.size).reshape(-1, 3) == 0
+        for name, count, call in (
+                ("positions", "3 are", lambda: morskin.Skin(
+                    np.ma.array(positions, mask=np.arange(len(radii))[:, None] == [1] * 3), radii)),
+                ("radii", "1 is", lambda: morskin.Skin(
+                    positions, np.ma.masked_less(radii, radii.max()))),
+                ("direction", "1 is", lambda: skin.critical_points(
+                    np.ma.masked_equal([1, 2, 3], 2))),
+                ("faces", "1 is", lambda: morskin.check(
+                    mesh.vertices, np.ma.array(mesh.faces.astype("u8"), mask=first), skin))):
+            with self.assertRaisesRegex(
+                    ValueError, f"^{name} must have no masked values, and {count} masked$"):
+                call()
+        self.assertEqual(morskin.Skin(np.ma.array(positions), np.ma.array(radii)).components, 1)
+
     def test_threads_are_any_whole_number_from_1_on(self):
         skin = morskin.Skin(*BALLS)
         vertices = skin.mesh(C=0.3).vertices
