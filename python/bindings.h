@@ -86,8 +86,8 @@ void bind_skin(py::module_& module);
 /// What reads a molecule's file: its atoms, and its features.
 void bind_molecule(py::module_& module);
 
-/// @throws py::value_error  for a name that is no model's
-Model model_of(const std::string& word);
+/// @throws py::value_error  for a name that is no model's; py::type_error for what is no name
+Model model_of(const py::object& model);
 
 /// @param file  str, bytes or os.PathLike
 /// @throws py::error_already_set  TypeError for anything else, ValueError for a name with a NUL

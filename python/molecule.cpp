@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "morskin/features.h"
+#include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/interruptible.h"
@@ -19,16 +20,16 @@ namespace morskin::python {
 
 namespace {
 
-ReadOptions read_options(std::vector<std::string> chains, bool waters,
-                         std::optional<std::vector<std::string>> hetatms, std::string altloc,
-                         bool hydrogens, std::optional<std::int64_t> model,
+ReadOptions read_options(std::vector<std::string> chains, const py::object& waters,
+                         std::optional<std::vector<std::string>> hetatms, const py::object& altloc,
+                         const py::object& hydrogens, const py::object& model_number,
                          std::optional<std::string> assembly, std::optional<std::string> radii) {
   return {.chains = std::move(chains),
-          .waters = waters,
+          .waters = argument<bool>(waters, "waters"),
           .hetatms = std::move(hetatms),
-          .locations = std::move(altloc),
-          .hydrogens = hydrogens,
-          .model = model,
+          .locations = argument<std::string>(altloc, "altloc"),
+          .hydrogens = argument<bool>(hydrogens, "hydrogens"),
+          .model = argument<std::optional<std::int64_t>>(model_number, "model_number"),
           .assembly = std::move(assembly),
           .radii = std::move(radii)};
 }
@@ -74,14 +75,20 @@ py::object array_of(FeatureArray array) {
       array.values);
 }
 
-py::dict features(const py::object& file, const ReadOptions& reading, double density,
-                  const std::string& model, double probe, double drop_voids_below, double C,
-                  std::optional<double> Q, std::optional<double> angle_goal_deg,
-                  const py::object& threads, const py::object& progress) {
+py::dict features(const py::object& file, const ReadOptions& reading, const py::object& density,
+                  const py::object& model, const py::object& probe,
+                  const py::object& drop_voids_below, const py::object& C, const py::object& Q,
+                  const py::object& angle_goal_deg, const py::object& threads,
+                  const py::object& progress) {
+  constexpr auto number_or_none = argument<std::optional<double>>;
   const FeatureOptions options{
       .reading = reading,
-      .skin = {model_of(model), probe, drop_voids_below},
-      .mesh = {.C = C, .Q = Q, .density = density, .angle_goal_deg = angle_goal_deg}};
+      .skin = {model_of(model), argument<double>(probe, "probe"),
+               argument<double>(drop_voids_below, "drop_voids_below")},
+      .mesh = {.C = argument<double>(C, "C"),
+               .Q = number_or_none(Q, "Q"),
+               .density = argument<double>(density, "density"),
+               .angle_goal_deg = number_or_none(angle_goal_deg, "angle_goal_deg")}};
   const std::filesystem::path path = path_from(file);
   Features found = interruptible({threads, progress}, [&](const RunOptions& run) {
     return morskin::features(path, options, run);

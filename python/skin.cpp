@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/interruptible.h"
@@ -33,57 +35,65 @@ Value named(const std::string& word, const Names<Value>& names, const std::strin
   throw py::value_error(what + " must be one of " + all + ", not " + word);
 }
 
-std::optional<Method> method_of(const std::optional<std::string>& word) {
+constexpr auto number_or_none = argument<std::optional<double>>;
+
+std::optional<Method> method_of(const py::object& method) {
+  const auto word = argument<std::optional<std::string>>(method, "method");
   if (!word) return std::nullopt;
   return named<Method>(*word, {{"sweep", Method::Sweep}, {"static", Method::Static}}, "method");
 }
 
-Skin make_skin(const py::object& positions, const py::object& radii, const std::string& model,
-               double probe, double drop_voids_below, const py::object& threads,
-               const py::object& progress) {
+Skin make_skin(const py::object& positions, const py::object& radii, const py::object& model,
+               const py::object& probe, const py::object& drop_voids_below,
+               const py::object& threads, const py::object& progress) {
   const std::vector<Atom> atoms = atoms_from(positions, radii);
-  const SkinOptions options{model_of(model), probe, drop_voids_below};
+  const SkinOptions options{model_of(model), argument<double>(probe, "probe"),
+                            argument<double>(drop_voids_below, "drop_voids_below")};
   return interruptible({threads, progress},
                        [&](const RunOptions& run) { return Skin(atoms, options, run); });
 }
 
-std::optional<std::size_t> subdomains_of(std::optional<long> fronts) {
+std::optional<std::size_t> subdomains_of(const py::object& fronts) {
+  const auto number = argument<std::optional<std::int64_t>>(fronts, "fronts");
   // What is below 1 is refused with 0, which is out of range too.
-  if (!fronts) return std::nullopt;
-  return static_cast<std::size_t>(std::max(*fronts, 0L));
+  if (!number) return std::nullopt;
+  return static_cast<std::size_t>(std::max<std::int64_t>(*number, 0));
 }
 
-std::unique_ptr<Mesh> mesh(const Skin& skin, std::optional<double> C, std::optional<double> Q,
-                           double max_length_scale, std::optional<double> edge_length,
-                           std::optional<double> density, std::optional<double> triangles,
-                           std::optional<double> grading, std::optional<double> angle_goal_deg,
-                           const std::optional<std::string>& method, std::optional<long> fronts,
-                           const py::object& direction, bool allow_uncertified,
+std::unique_ptr<Mesh> mesh(const Skin& skin, const py::object& C, const py::object& Q,
+                           const py::object& max_length_scale, const py::object& edge_length,
+                           const py::object& density, const py::object& triangles,
+                           const py::object& grading, const py::object& angle_goal_deg,
+                           const py::object& method, const py::object& fronts,
+                           const py::object& direction, const py::object& allow_uncertified,
                            const py::object& threads, const py::object& progress) {
-  const bool is_size_given = edge_length || density || triangles;
-  const MeshOptions options{
-      .C = C.value_or(is_size_given ? MeshOptions::coarsest_C : MeshOptions().C),
-      .Q = Q,
-      .max_length_scale = max_length_scale,
-      .edge_length = edge_length,
-      .density = density,
-      .triangles = triangles,
-      .grading = grading,
-      .angle_goal_deg = angle_goal_deg,
-      .method = method_of(method),
-      .fronts = subdomains_of(fronts),
-      .direction = direction_from(direction)};
+  MeshOptions options{.Q = number_or_none(Q, "Q"),
+                      .max_length_scale = argument<double>(max_length_scale, "max_length_scale"),
+                      .edge_length = number_or_none(edge_length, "edge_length"),
+                      .density = number_or_none(density, "density"),
+                      .triangles = number_or_none(triangles, "triangles"),
+                      .grading = number_or_none(grading, "grading"),
+                      .angle_goal_deg = number_or_none(angle_goal_deg, "angle_goal_deg"),
+                      .method = method_of(method),
+                      .fronts = subdomains_of(fronts),
+                      .direction = direction_from(direction)};
+  const bool is_size_given = options.edge_length || options.density || options.triangles;
+  options.C = number_or_none(C, "C").value_or(is_size_given ? MeshOptions::coarsest_C : options.C);
+  const bool is_any_wanted = argument<bool>(allow_uncertified, "allow_uncertified");
   SkinMesh made = interruptible({threads, progress},
                                 [&](const RunOptions& run) { return skin.mesh(options, run); });
-  if (!made.certificate().certified && !allow_uncertified) raise_not_certified(std::move(made));
+  if (!made.certificate().certified && !is_any_wanted) raise_not_certified(std::move(made));
   return std::make_unique<Mesh>(std::move(made));
 }
 
-Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin, double C,
-                  std::optional<double> Q, double max_length_scale, const py::object& threads,
-                  const py::object& progress) {
+Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin,
+                  const py::object& C, const py::object& Q, const py::object& max_length_scale,
+                  const py::object& threads, const py::object& progress) {
   const TriangleMesh triangles = mesh_from(vertices, faces);
-  const MeshOptions options{.C = C, .Q = Q, .max_length_scale = max_length_scale};
+  const MeshOptions options{
+      .C = argument<double>(C, "C"),
+      .Q = number_or_none(Q, "Q"),
+      .max_length_scale = argument<double>(max_length_scale, "max_length_scale")};
   return interruptible({threads, progress}, [&](const RunOptions& run) {
     return skin.certify(triangles, options, run);
   });
@@ -95,10 +105,10 @@ std::vector<CriticalPoint> critical_points(const Skin& skin, const py::object& d
   return skin.critical_points(along);
 }
 
-MorseSmaleComplex morse_smale(const Skin& skin, const py::object& direction, bool simplify,
-                              const py::object& progress) {
+MorseSmaleComplex morse_smale(const Skin& skin, const py::object& direction,
+                              const py::object& simplify, const py::object& progress) {
   const std::optional<Point> along = direction_from(direction);
-  const Simplify how = simplify ? Simplify::ShortArcs : Simplify::Not;
+  const Simplify how = argument<bool>(simplify, "simplify") ? Simplify::ShortArcs : Simplify::Not;
   return interruptible({py::int_(1), progress},
                        [&](const RunOptions& run) { return skin.morse_smale(along, run, how); });
 }
@@ -164,8 +174,8 @@ void bind_functions(py::module_& module) {
 
 }  // namespace
 
-Model model_of(const std::string& word) {
-  return named<Model>(word,
+Model model_of(const py::object& model) {
+  return named<Model>(argument<std::string>(model, "model"),
                       {{"paper", Model::Paper},
                        {"sas", Model::Sas},
                        {"vdw", Model::Vdw},

@@ -76,6 +76,30 @@ class Errors(ModuleTest):
                 call()
         self.assertEqual(morskin.Skin(np.ma.array(positions), np.ma.array(radii)).components, 1)
 
+    def test_a_value_of_a_wrong_type_has_an_error_of_one_line_with_its_argument(self):
+        skin, file = morskin.Skin(*BALLS), MOLECULES / "benzene.pdb"
+        calls = {"a number": (lambda **of: morskin.Skin(*BALLS, **of), "probe drop_voids_below"),
+                 "a number or None": (skin.mesh, "C Q edge_length density triangles grading"),
+                 "a string": (lambda **of: morskin.Skin(*BALLS, **of), "model"),
+                 "a string or None": (skin.mesh, "method"),
+                 "True or False": (lambda **of: morskin.read(file, **of), "hydrogens waters"),
+                 "a whole number of at most 64 bits or None": (skin.mesh, "fronts")}
+        bad = {"a string": [1, None], "a string or None": [1], "True or False": [None, "no"]}
+        for kind, (call, names) in calls.items():
+            for name in names.split():
+                for value in bad.get(kind, ["1", [1], 1j]):
+                    with self.subTest(name, value=value), self.assertRaises(TypeError) as caught:
+                        call(**{name: value})
+                    self.assertEqual(str(caught.exception), f"{name} must be {kind}, not {value!r}")
+        for value, text in ((2**63, str(2**63)), (np.zeros((9, 9)), r"array\(\[\[0\..{1,30}")):
+            with self.assertRaisesRegex(TypeError, f"^fronts must be a .* or None, not {text}$"):
+                skin.mesh(fronts=value)
+        for name, call in (("simplify", skin.morse_smale), ("allow_uncertified", skin.mesh)):
+            with self.assertRaisesRegex(TypeError, f"^{name} must be True or False, not None$"):
+                call(**{name: None})
+        with self.assertRaisesRegex(TypeError, "^density must be a number, not None$"):
+            morskin.features(file, density=None)
+
     def test_threads_are_any_whole_number_from_1_on(self):
         skin = morskin.Skin(*BALLS)
         vertices = skin.mesh(C=0.3).vertices
