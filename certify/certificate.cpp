@@ -147,12 +147,12 @@ void Certifier::locate_and_glue() {
   VertexLocator locator(mesh_, surface_);
   const auto locate = [&](std::size_t begin, std::size_t end, std::size_t) {
     if (has_cells) return locator.locate_hinted(hints_.cells, begin, end);
-    locator.locate_rest();  // all vertices, as one block
+    locator.locate_rest(run_);  // all vertices, as one block
   };
   geometry::for_each_block_beside(
       run_.threads(), [&] { glue(); }, count, locate,
       has_cells ? geometry::usual_block : std::max<std::size_t>(count, 1));
-  locator.locate_rest();
+  locator.locate_rest(run_);
   vertices_ = locator.take_vertices();
 }
 

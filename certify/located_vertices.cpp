@@ -37,7 +37,7 @@ void VertexLocator::locate_hinted(std::span<const surface::CellId> hints, std::s
   }
 }
 
-void VertexLocator::locate_rest() {
+void VertexLocator::locate_rest(const geometry::Run& run) {
   if (std::ranges::find(is_located_, 0) == is_located_.end()) return;
   // Triangles come in the order they were laid, so nearly all have a located corner, with the other
   // cells near; a breadth-first order would be as short and cost a queue. Those that refinement
@@ -58,7 +58,11 @@ void VertexLocator::locate_rest() {
       last = vertices_[v].cell;
     }
   };
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) locate_corners(t, t > 0);
+  constexpr std::uint32_t report_every = 1U << 16U;  // triangles: some 60 milliseconds
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if ((t + 1) % report_every == 0) run.report(geometry::unknown_share);
+    locate_corners(t, t > 0);
+  }
   constexpr int max_rounds = 3;
   for (int round = 1; round <= max_rounds; ++round) {
     for (const std::uint32_t t : std::exchange(waiting, {})) locate_corners(t, round < max_rounds);
@@ -70,15 +74,17 @@ void VertexLocator::locate_rest() {
 }
 
 std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
-                                              const surface::Surface& surface) {
+                                              const surface::Surface& surface,
+                                              const geometry::Run& run) {
   VertexLocator locator(mesh, surface);
-  locator.locate_rest();
+  locator.locate_rest(run);
   return locator.take_vertices();
 }
 
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
-                                                   const surface::Surface& surface) {
-  const std::vector<LocatedVertex> located = locate_with_bounds(mesh, surface);
+                                                   const surface::Surface& surface,
+                                                   const geometry::Run& run) {
+  const std::vector<LocatedVertex> located = locate_with_bounds(mesh, surface, run);
   std::vector<SurfacePoint> points;
   points.reserve(located.size());
   for (std::size_t v = 0; v < located.size(); ++v) {

@@ -8,6 +8,7 @@
 
 #include "certify/tube.h"
 #include "geometry/indexed_mesh.h"
+#include "geometry/run.h"
 #include "surface/surface.h"
 
 namespace morskin::certify {
@@ -72,7 +73,8 @@ class VertexLocator {
   /// @param hints  by vertex, a cell; any values
   void locate_hinted(std::span<const surface::CellId> hints, std::size_t begin, std::size_t end);
   /// Locates the rest, by walks from a neighbour's cell: O(n) on ordinary meshes.
-  void locate_rest();
+  /// @throws geometry::Stopped
+  void locate_rest(const geometry::Run& run = geometry::Run());
 
   /// By vertex. @pre locate_rest() has been called.
   std::vector<LocatedVertex> take_vertices() { return std::move(vertices_); }
@@ -88,10 +90,13 @@ class VertexLocator {
 };
 
 /// All vertices, by walks. @return by vertex
+/// @throws geometry::Stopped
 std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
-                                              const surface::Surface& surface);
+                                              const surface::Surface& surface,
+                                              const geometry::Run& run = geometry::Run());
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
-                                                   const surface::Surface& surface);
+                                                   const surface::Surface& surface,
+                                                   const geometry::Run& run = geometry::Run());
 
 /// @return by point
 std::vector<surface::CellId> cells_of(std::span<const surface::SurfacePoint> points);

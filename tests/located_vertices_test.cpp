@@ -35,3 +35,15 @@ TEST_CASE("a vertex's bounds are rounded outwards, and count that length scale t
     }
   });
 }
+
+TEST_CASE("the location of many vertices ends when it is asked to") {
+  const skin::SkinSurface skin(support::ball_set(0));
+  geometry::IndexedMesh mesh;
+  mesh.positions.assign(3, skin.bounding_ball().centre);
+  mesh.triangles.assign(100'000, {0, 1, 2});
+  std::stop_source source;
+  const geometry::Run run(1, {}, source.get_token());
+  CHECK(certify::locate_vertices(mesh, skin, run).size() == 3);
+  source.request_stop();
+  CHECK_THROWS_AS(certify::locate_vertices(mesh, skin, run), geometry::Stopped);
+}
