@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 #include "geometry/parallel.h"
@@ -26,7 +27,7 @@ class Builder {
           Polylines polylines, const geometry::Run& run)
       : skin_(skin),
         f_(f),
-        threads_(run.threads()),
+        run_(run),
         polylines_(polylines),
         lines_(
             skin, f, critical.points, run,
@@ -98,8 +99,13 @@ class Builder {
     for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
       complex_.ends[filled[complex_.arcs[a].extremum.index()]++] = ArcId{a};
     }
-    constexpr std::size_t block_size = 16;  // points: about half a millisecond
-    const auto sort_ends = [&](std::size_t begin, std::size_t end, std::size_t) {
+    constexpr std::size_t block_size = 16;    // points: about half a millisecond
+    constexpr std::size_t report_every = 64;  // blocks
+    const auto teller = std::this_thread::get_id();
+    const auto sort_ends = [&](std::size_t begin, std::size_t end, std::size_t block) {
+      if ((block + 1) % report_every == 0 && std::this_thread::get_id() == teller) {
+        run_.report(geometry::unknown_share);
+      }
       for (std::size_t i = begin; i < end; ++i) {
         const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
         if (std::exchange(is_stale_[i], 0) != 0) orders_[i] = order_at(ends);
@@ -107,7 +113,7 @@ class Builder {
                        [](std::uint32_t a) { return ArcId{a}; });
       }
     };
-    geometry::for_each_block(threads_, n, sort_ends, block_size);
+    geometry::for_each_block(run_.threads(), n, sort_ends, block_size);
   }
 
   LineOrder order_at(std::span<const ArcId> ends) const {
@@ -267,7 +273,7 @@ class Builder {
 
   const skin::SkinSurface& skin_;
   MorseFunction f_;
-  unsigned threads_;
+  const geometry::Run& run_;
   Polylines polylines_;
   MorseSmaleComplex complex_;
   SaddleLines lines_;
