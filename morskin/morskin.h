@@ -214,7 +214,7 @@ class Skin {
   SkinMesh mesh(const MeshOptions& options = {}, const RunOptions& run = {}) const;
 
   /// Checks any mesh against this skin. A bad mesh is no error: the certificate says what is wrong.
-  /// A request to stop is heeded before it begins.
+  /// A request to stop is heeded between its steps and while it locates vertices.
   /// @param options  C, Q and max_length_scale that it was made with; the rest plays no part
   /// @throws Error  Refused: a corner that is no vertex, sizes that make no sense; Stopped
   Certificate certify(const TriangleMesh& mesh, const MeshOptions& options = {},
@@ -259,9 +259,11 @@ class SkinMesh {
   ///                     "curvature", "directions", "scale", "atom", "shares", "component",
   ///                     "patch"; or "all". papers/vertex-data.md describes them
   /// @return the file's name
-  /// @throws Error  Unwritable; Refused: data of another name, or for a format that holds none
+  /// @throws Error  Unwritable; Refused: data of another name, or for a format that holds none;
+  ///                Stopped: nothing is written then
   std::filesystem::path write(const std::filesystem::path& file,
-                              std::span<const std::string> vertex_data = {}) const;
+                              std::span<const std::string> vertex_data = {},
+                              const RunOptions& run = {}) const;
 
  private:
   friend class Skin;

@@ -186,8 +186,10 @@ MorseSmaleComplex Skin::morse_smale(const std::optional<Point>& direction, const
 }
 
 std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
-                                      std::span<const std::string> vertex_data) const {
-  return with_errors([&] {
+                                      std::span<const std::string> vertex_data,
+                                      const RunOptions& run) const {
+  const Run steps = inside(run);
+  const auto work = [&] {
     std::filesystem::path name = file;
     if (!certificate_.certified) name += ".unverified";
     const geometry::IndexedMesh mesh = inside(mesh_);
@@ -200,12 +202,17 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
     }
     const geometry::MeshFormat format = format_with_data(file);
     const skin::SkinSurface& skin = skin_.prepared_->skin.surface;
-    const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin));
+    const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin, steps));
+    steps.report(geometry::unknown_share);
     geometry::MeshAttributes beside = mesh_attributes(skin, mesh, cells, data_called(vertex_data));
     beside.normals = skin_normals(skin, mesh, cells);
-    geometry::write_file_atomically(name, geometry::serialized(mesh, format, beside));
+    steps.report(geometry::unknown_share);
+    const std::string bytes = geometry::serialized(mesh, format, beside);
+    steps.report(geometry::unknown_share);
+    geometry::write_file_atomically(name, bytes);
     return name;
-  });
+  };
+  return with_errors([&] { return steps.stage("write", work); });
 }
 
 }  // namespace morskin

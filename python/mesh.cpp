@@ -108,8 +108,8 @@ std::filesystem::path save(const Mesh& mesh, const py::object& file, const Names
   const auto* const one = std::get_if<std::string>(&vertex_data);
   const std::vector<std::string> names =
       one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
-  const Unlocked unlocked;
-  return mesh.mesh().write(path, names);
+  return interruptible({py::int_(1), py::none()},
+                       [&](const RunOptions& run) { return mesh.mesh().write(path, names, run); });
 }
 
 /// A function of morskin/exports.py, which imports another package, as a method.

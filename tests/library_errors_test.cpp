@@ -52,6 +52,27 @@ TEST_CASE(
   CHECK(kind_of([&] { skin.certify(mesh, {.C = 0.3}, run); }) == Error::Kind::Stopped);
 }
 
+TEST_CASE("a mesh that is not to be written after all leaves no file") {
+  const morskin::SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
+  const std::vector<std::string> all{"all"};
+  const morskin::support::TemporaryFolder folder;
+  const auto written = folder / "stopped.vtu";
+  std::size_t reports = 0, last = 1;
+  std::stop_source source;
+  const auto progress = [&](std::string_view stage, double) {
+    CHECK(stage == "write");
+    if (++reports == last) source.request_stop();
+  };
+  for (; last <= 3; ++last) {
+    source = std::stop_source();
+    reports = 0;
+    const morskin::RunOptions run{.progress = progress, .stop = source.get_token()};
+    CHECK(kind_of([&] { mesh.write(written, all, run); }) == Error::Kind::Stopped);
+    CHECK(folder.file_count() == 0);
+  }
+  CHECK(mesh.write(written, all) == written);
+}
+
 TEST_CASE("what makes no sense is refused in words that name it") {
   const Skin skin(three_atoms, balls);
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
