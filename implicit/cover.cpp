@@ -1,9 +1,9 @@
 #include "implicit/cover.h"
 
-#include <cstdio>
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/parallel.h"
 #include "implicit/linear_algebra.h"
 
@@ -49,12 +49,6 @@ Place place(const Function& f, const Box& box, CoverBox& settled) {
   return Place::Settled;
 }
 
-std::string in_words(const Point& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
-  return text;
-}
-
 /// The critical point of f that Newton's iteration finds from a point, for the words of a refusal.
 Point nearby_critical_point(const Function& f, const Point& from) {
   Point x = from;
@@ -80,7 +74,7 @@ Point nearby_critical_point(const Function& f, const Point& from) {
 [[noreturn]] void refuse(const Function& f, const Box& box, bool is_tiny) {
   const Interval bounds = f.bounds(box).value;
   if (!bounds.is_finite()) {
-    throw geometry::RefusedInput("near " + in_words(box.centre) +
+    throw geometry::RefusedInput("near " + geometry::in_words(box.centre) +
                                  " the function or its derivatives have no bounds; write it "
                                  "without roots and quotients that vanish there");
   }
@@ -88,13 +82,12 @@ Point nearby_critical_point(const Function& f, const Point& from) {
   const bool is_near = (x - box.centre).norm() < 64 * box.radius();
   const Point at = is_near ? x : box.centre;
   if (!is_tiny && std::abs(f.at(at).value) > bounds.width() / 4) {
-    throw geometry::RefusedInput("near " + in_words(box.centre) +
+    throw geometry::RefusedInput("near " + geometry::in_words(box.centre) +
                                  " the bounds of the function are too wide to tell its zeros; "
                                  "write it less steep, or with each variable fewer times");
   }
-  char value[32];
-  std::snprintf(value, sizeof value, "%.9g", f.at(at).value);
-  throw SingularLevel("the surface is singular, or nearly so, at " + in_words(at) +
+  const std::string value = geometry::in_digits(f.at(at).value, 9);
+  throw SingularLevel("the surface is singular, or nearly so, at " + geometry::in_words(at) +
                           ", where the function has the critical value " + value +
                           ", next to the level 0; choose another level",
                       at, f.at(at).value);

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/files/text_lines.h"
 #include "implicit/implicit_surface.h"
 
 namespace morskin::implicit {
@@ -77,9 +77,7 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
 
 /// Says why the last cube holds no surface. @param found  in it
 [[noreturn]] void refuse(const std::optional<Cover>& found, double half) {
-  char number[32];
-  std::snprintf(number, sizeof number, "%.6g", half);
-  const std::string where = std::string("within ") + number + " of the centre ";
+  const std::string where = "within " + geometry::in_digits(half, 6) + " of the centre ";
   const bool is_largest = half >= largest_half;
   if (found && found->boxes.empty()) {
     throw geometry::RefusedInput(where + "the function has no zero");

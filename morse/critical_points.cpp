@@ -39,10 +39,7 @@ long CriticalPoints::euler_characteristic() const {
   return static_cast<long>(count(0) + count(2)) - static_cast<long>(count(1));
 }
 
-std::string position_text(const Point& x) {
-  return "at (" + geometry::in_digits(x.x(), 6) + ", " + geometry::in_digits(x.y(), 6) + ", " +
-         geometry::in_digits(x.z(), 6) + ")";
-}
+std::string position_text(const Point& x) { return "at " + geometry::in_words(x); }
 
 bool take(const skin::SkinSurface& surface, const CriticalPoint& critical, double doubt,
           CriticalPoints& result) {

@@ -2,11 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <utility>
 
 #include "certify/tube.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/kd_tree.h"
 #include "geometry/orthogonal.h"
 #include "geometry/union_find.h"
@@ -125,13 +125,11 @@ std::string objection_to_counts(const implicit::PreparedSurface& prepared,
   const bool is_complete = prepared.critical.is_complete();
   if (is_complete && !expected.missed) return "";
   const Point& at = is_complete ? *expected.missed : prepared.critical.undecided.front();
-  char place[96];
-  std::snprintf(place, sizeof place, "(%.6g, %.6g, %.6g)", at.x(), at.y(), at.z());
   if (!is_complete) {
-    return "whether the height has a critical point near " + std::string(place) +
+    return "whether the height has a critical point near " + geometry::in_words(at) +
            " could not be decided; try another --height";
   }
-  return "no vertex is near enough to the minimum at " + std::string(place) +
+  return "no vertex is near enough to the minimum at " + geometry::in_words(at) +
          " to show that the mesh covers its component";
 }
 

@@ -121,6 +121,12 @@ std::string in_digits(double value, int digits) {
   return {text.data(), end};
 }
 
+std::string in_words(const Point& position) {
+  std::string text;
+  for (const double x : position) text += (text.empty() ? "(" : ", ") + in_digits(x, 6);
+  return text + ")";
+}
+
 std::string quoted(std::string_view field) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/point.h"
+
 namespace morskin::geometry {
 
 /// What a carriage return without a line feed is: the end of a line, as on old Macs, or refused,
@@ -71,6 +73,9 @@ void append_number(std::string& text, std::uint64_t value);
 
 /// With so many digits and no idle zeros, for people: as %.3g of C, with a point in any locale.
 std::string in_digits(double value, int digits);
+
+/// "(x, y, z)", each in six digits.
+std::string in_words(const Point& position);
 
 /// `field` between quotation marks, for messages: at most 40 characters, control characters as
 /// question marks.
