@@ -65,7 +65,8 @@ double estimated_bytes(const MoleculeInput& input, const certify::Sizing& sizing
                        double triangles) {
   const bool is_static = morskin::usual_method(input.points, sizing) == morskin::Method::Static;
   const double per_atom = is_static ? 14'000 : 1500, per_triangle = is_static ? 500 : 150;
-  return per_atom * static_cast<double>(input.points.size()) + per_triangle * triangles;
+  constexpr double program = 12 << 20;  // itself, its libraries and what is read in one go
+  return program + per_atom * static_cast<double>(input.points.size()) + per_triangle * triangles;
 }
 
 struct Info {

@@ -280,21 +280,5 @@ class NotCertified(CommandTest):
         self.assertRegex(done.stderr, rb"C Q = 1.71 is above.*; nearly every skin .* to -C 0.4\n")
 
 
-class Info(CommandTest):
-    def test_info_counts_the_elements(self):
-        info = json.loads(self.run_morskin("info", MOLECULES / "caffeine.xyz", "--json").stdout)
-        self.assertEqual(info["elements"], {"C": 8, "H": 10, "N": 4, "O": 2})
-        self.assertEqual(info["atoms"], 24)
-        self.assertGreater(info["estimated_triangles"], 0)
-        self.assertIn(b"about", self.run_morskin("info", MOLECULES / "caffeine.xyz").stdout)
-
-    def test_waters_are_kept_when_asked(self):
-        words = (MOLECULES / "9dna.pdb", "--json")
-        dry = json.loads(self.run_morskin("info", *words).stdout)
-        wet = json.loads(self.run_morskin("info", *words, "--waters").stdout)
-        self.assertEqual(wet["atoms"], dry["atoms"] + dry["skipped_waters"])
-        self.assertGreater(dry["skipped_waters"], 0)
-
-
 if __name__ == "__main__":
     main()
