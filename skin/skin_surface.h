@@ -70,7 +70,8 @@ class SkinSurface final : public surface::Surface {
   ///
   /// The mixed complex is a regular subdivision, so a walk that always crosses a wall with x beyond
   /// it cannot cycle. With rounded walls it can, where several cells are flatter than rounding;
-  /// then a search tries every path.
+  /// then a search tries every path. On two walls or more of a cell, which may be flat, it goes by
+  /// the definition whether the cell contains x; if not, the walk begins anew at the nearest atom.
   CellId locate(const Point& x, CellId hint) const override;
   /// Whether `cell` is a kept cell and contains x, so that a walk from it ends at once.
   bool is_in(const Point& x, CellId cell) const override;
