@@ -53,6 +53,13 @@ class MeshAll(ShellScript):
         done = self.mesh_all("out", "a/x y.pdb", "b/x y.pdb", "b/z.pdb", command="exit 0", code=2)
         self.assertEqual((done.stdout, done.stderr.count("x y.pdb")), ("", 1))
 
+    def test_an_option_in_place_of_the_folder_is_refused_with_the_usage(self):
+        for words in ((), ("-d", "a.pdb"), ("--help",)):
+            done = self.mesh_all(*words, command="exit 0", code=2)
+            self.assertRegex(done.stderr, "^usage: mesh_all.sh FOLDER MOLECULE ...; [^\n]*\n$")
+        self.mesh_all("./-d", "a.pdb", command="exit 0")
+        self.assertEqual(self.names(), ["-d", "bin"])
+
 
 class Slurm(ShellScript):
     def shard(self, first, last, count, number=1, code=0):

@@ -4,6 +4,10 @@
 # mesh takes all of its molecule's name, so a.pdb and a.cif do not collide; two of one name are
 # refused.
 set -eu
+case ${1--} in -*)  # a folder of such a name is ./-name
+  echo "usage: mesh_all.sh FOLDER MOLECULE ...; there are no options" >&2
+  exit 2 ;;
+esac
 folder=$1
 shift
 mkdir -p "$folder"
