@@ -11,7 +11,6 @@
 #include "app/arguments.h"
 #include "morse/simplification.h"
 #include "morskin/method.h"
-#include "skin/mixed_complex.h"
 
 namespace morskin::app {
 

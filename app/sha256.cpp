@@ -1,5 +1,6 @@
 #include "app/sha256.h"
 
+#include <array>
 #include <cstdint>
 
 namespace morskin::app {

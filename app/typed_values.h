@@ -3,7 +3,6 @@
 /// Values of options that are numbers or words.
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <utility>
 

@@ -9,7 +9,6 @@
 /// so that the component covers its part of the skin once.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -4,7 +4,6 @@
 /// counted, its first element named. closed_mesh (glued_triangles.h) stops at the first defect.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "implicit/cover.h"
 
+#include <Eigen/LU>
 #include <string>
 
 #include "geometry/error.h"

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
 #include <utility>
+
+#include "geometry/error.h"
 
 namespace morskin::implicit {
 

@@ -5,11 +5,9 @@
 /// x^(2^3).
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "geometry/error.h"
 #include "implicit/function.h"
 
 namespace morskin::implicit {

@@ -1,5 +1,7 @@
 #include "implicit/linear_algebra.h"
 
+#include <Eigen/LU>
+
 namespace morskin::implicit {
 
 Krawczyk krawczyk(const Box& box, const SystemBounds& bounds) {

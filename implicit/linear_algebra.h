@@ -2,9 +2,6 @@
 
 /// Three equations in three unknowns, with intervals.
 
-#include <Eigen/LU>
-#include <optional>
-
 #include "implicit/function.h"
 
 namespace morskin::implicit {

@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "certify/sizing.h"
 #include "geometry/run.h"
 
 namespace morskin {

@@ -16,7 +16,6 @@
 /// N(x) is -m of the best combination, and the minimum is one of a strongly convex function of m,
 /// so |N(x) + m| <= sqrt(2 (U - L)). The best pair has q = x - m. (papers/certificate.md)
 
-#include <array>
 #include <span>
 
 #include "geometry/id.h"

@@ -11,7 +11,6 @@
 ///         (Engineering with Computers 2006), where it is the limited size of points.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "geometry/point.h"

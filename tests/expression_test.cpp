@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "geometry/error.h"
 #include "tests/support/test.h"
 
 using namespace morskin;

@@ -3,7 +3,6 @@
 /// What a batch says of its molecules: files of lines, each a JSON object.
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>

@@ -3,7 +3,6 @@
 /// The legend of a picture: the meaning of its colours, in rows below it.
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

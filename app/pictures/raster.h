@@ -3,7 +3,6 @@
 /// The samples of a grid that a triangle, a ball or a stick covers, with their depths, under
 /// parallel rays. Sample (x, y) lies at (x + 1/2, y + 1/2); z runs towards the eye.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "app/pictures/render.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
