@@ -13,6 +13,24 @@
 namespace morskin::app {
 namespace {
 
+void add_snapshot_options(CLI::App& command, MeshArguments& mesh) {
+  command
+      .add_option("--snapshots", mesh.snapshots,
+                  "Write so many states of the growing mesh and its front, at even steps of\n"
+                  "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)")
+      ->check(CLI::Range(0, 100'000))
+      ->default_str("0");
+  command
+      .add_option("--snapshot-at", mesh.snapshot_values,
+                  "Also, or instead, at these values: v,v,...")
+      ->default_str("none")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them")
+      ->type_name("FOLDER")
+      ->default_str("here");
+}
+
 void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   CLI::App& command = *app.add_subcommand("mesh", "Mesh a molecule's skin and certify the file");
   command.add_option("INPUT", mesh.molecule.input, "The molecule");
@@ -38,21 +56,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       ->default_str("none");
   command.add_flag("--fail-fast", mesh.fail_fast,
                    "Of several models mesh none after one that fails");
-  command
-      .add_option("--snapshots", mesh.snapshots,
-                  "Write so many states of the growing mesh and its front, at even steps of\n"
-                  "the Morse function, as snapshot-K.ply and .vtu (with --fronts 1)")
-      ->check(CLI::Range(0, 100'000))
-      ->default_str("0");
-  command
-      .add_option("--snapshot-at", mesh.snapshot_values,
-                  "Also, or instead, at these values: v,v,...")
-      ->default_str("none")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them")
-      ->type_name("FOLDER")
-      ->default_str("here");
+  add_snapshot_options(command, mesh);
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON")
       ->default_str("none");
   add_certificate_option(command, mesh.certificate);
