@@ -175,8 +175,8 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   return all.check;
 }
 
-/// A probe that plays no part may be a mistake, or be left from a list of runs with all models. What
-/// is not typed may be stated by a mesh that is read.
+/// A probe that plays no part may be a mistake, or be given to runs with all models. What is not
+/// typed may be stated by a mesh that is read.
 void note_unused_probe(const CLI::App& app, const AllArguments& all, const TypedSkin& typed) {
   const bool may_be_stated = app.got_subcommand("check") || all.view.against;
   if (!typed.probe || (!typed.model && may_be_stated)) return;

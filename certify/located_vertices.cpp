@@ -25,7 +25,8 @@ void VertexLocator::set(std::size_t v, surface::CellId cell) {
   const surface::Point& x = mesh_.positions[v];
   const surface::Enclosure found = surface_.enclose(x, cell);
   const Vector& N = found.half_gradient;
-  const double error = found.error + 0x1p-50 * N.norm();  // length scale times normal is rounded
+  const double rho = N.norm();
+  const double error = found.error + 0x1p-50 * rho;  // length scale times normal is rounded
   vertices_[v] = {N, -rounded_up(-found.low), rounded_up(found.high), rounded_up(error), cell};
   is_located_[v] = 1;
 }
