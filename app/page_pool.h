@@ -6,8 +6,9 @@
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
 /// time goes into page faults, address translation and the clearing of pages. Where no free range
 /// is large enough for an array, the pages of several get addresses side by side, which leaves them
-/// as they are. So no more pages are cleared than are in memory at once, unless there are more free
-/// ranges than it can count, or the system refuses to move them.
+/// as they are. So no more pages are cleared than are in memory at once, but for those that are
+/// given back on a last visit (geometry/last_visit.h), unless there are more free ranges than it
+/// can count, or the system refuses to move them.
 
 #include <sys/mman.h>
 

@@ -10,8 +10,8 @@
 
 namespace morskin::geometry {
 
-/// Tells the system that what lies between two addresses will be read no more. Its whole large
-/// pages hold nothing from then on, as far as the system follows; all of it may be written again.
+/// Tells the system that nothing between two addresses is read before it is written again. Whole
+/// large pages of it hold nothing from then on, as far as the system follows.
 /// @return where the last of these pages ends, or `begin`
 const char* drop_pages(const char* begin, const char* end);
 
