@@ -59,7 +59,7 @@ class Triangulator {
     std::array<Facet, 4> neighbours;  ///< opposite each corner, the same facet of the neighbour
   };
 
-  static constexpr std::size_t usual_region = 32768;
+  static constexpr std::size_t usual_region = 4096;
 
   /// Triangulates the points.
   ///
