@@ -80,17 +80,21 @@ geometry::MeshAttributes MeshDelivery::attributes(const IndexedMesh& mesh,
   return result;
 }
 
-void MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
-                         bool is_certified) {
+std::string MeshDelivery::write(const IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+                                bool is_certified) {
+  std::string written;
   geometry::timed(seconds_writing_, [&] {
     geometry::MeshAttributes beside = attributes(mesh, cells);
     curve(mesh, cells);
     for (geometry::PendingFile& file : files_) {
       const MeshFormat format = format_of(file.path());
       beside.provenance = origin_.provenance(hashes(mesh, format), verdict(format, is_certified));
-      file.write(bytes(mesh, format, beside));
+      written = std::string();  // one at a time
+      written = bytes(mesh, format, beside);
+      file.write(written);
     }
   });
+  return written;
 }
 
 void MeshDelivery::curve(const IndexedMesh& mesh, std::span<const geometry::CellId> cells) {
@@ -198,10 +202,10 @@ const MeshHashes& MeshDelivery::hashes(const IndexedMesh& mesh, MeshFormat forma
 morskin::Observer::Delivery MeshDelivery::deliver(IndexedMesh mesh,
                                                   std::span<const geometry::CellId> cells) {
   hashes_.clear();
-  write(mesh, cells, true);
+  std::string written = write(mesh, cells, true);
   Delivery delivery{std::move(mesh), {}};
   try {
-    read_back(delivery);
+    read_back(delivery, std::move(written));
   } catch (const geometry::UnreadableInput& error) {
     delivery.defect = error.what();
   }
@@ -216,12 +220,20 @@ const geometry::PendingFile* MeshDelivery::faces_of(const geometry::PendingFile&
   return found == files_.end() ? nullptr : &*found;
 }
 
-IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
-  const geometry::FileBytes bytes = geometry::read_file(file.temporary_name());
+IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file,
+                                     std::string& written) const {
+  if (&file != &files_.back()) {
+    return parsed(geometry::read_file(file.temporary_name()).view(), file);
+  }
+  file.read_again(written);
+  return parsed(written, file);
+}
+
+IndexedMesh MeshDelivery::parsed(std::string_view bytes, const geometry::PendingFile& file) const {
   const MeshFormat format = format_of(file.path());
   if (format != MeshFormat::MsmsVertices) {
     const std::string name = file.path().string();
-    geometry::MeshFile content = geometry::parse_mesh_file(bytes.view(), name);
+    geometry::MeshFile content = geometry::parse_mesh_file(bytes, name);
     const bool is_curved = curved_ && geometry::has_second_order(format);
     if (is_curved ? content.curved != curved_->mesh : content.curved.has_value()) {
       throw geometry::UnreadableInput(name + ": does not hold the curved triangles");
@@ -229,12 +241,12 @@ IndexedMesh MeshDelivery::content_of(const geometry::PendingFile& file) const {
     return std::move(content.mesh);
   }
   const geometry::PendingFile& faces = *faces_of(file);
-  return geometry::parse_msms(bytes.view(), file.path().string(),
+  return geometry::parse_msms(bytes, file.path().string(),
                               geometry::read_file(faces.temporary_name()).view(),
                               faces.path().string());
 }
 
-void MeshDelivery::read_back(Delivery& delivery) {
+void MeshDelivery::read_back(Delivery& delivery, std::string written) {
   certified_file_.clear();
   for (const geometry::PendingFile& file : files_) {
     const MeshFormat format = format_of(file.path());
@@ -244,8 +256,8 @@ void MeshDelivery::read_back(Delivery& delivery) {
     if (certified_file_.empty()) {
       certified_file_ = file.path().string();
       delivery.mesh = {};  // one copy at a time
-      delivery.mesh = content_of(file);
-    } else if (delivery.mesh != content_of(file)) {
+      delivery.mesh = content_of(file, written);
+    } else if (delivery.mesh != content_of(file, written)) {
       delivery.defect = file.path().string() + " does not hold the mesh of " + certified_file_;
     }
   }

@@ -66,8 +66,9 @@ class MeshDelivery : public morskin::Observer {
   std::optional<CurvedReport> curved() const;
 
  private:
-  void write(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells,
-             bool is_certified);
+  /// @return what was written to the last file
+  std::string write(const geometry::IndexedMesh& mesh, std::span<const geometry::CellId> cells,
+                    bool is_certified);
   /// What is told beside the mesh, as far as one of the outputs takes it; without provenance.
   geometry::MeshAttributes attributes(const geometry::IndexedMesh& mesh,
                                       std::span<const geometry::CellId> cells) const;
@@ -81,10 +82,12 @@ class MeshDelivery : public morskin::Observer {
   std::string_view verdict(geometry::MeshFormat format, bool is_certified) const;
   /// Of the mesh delivered last, as files of a format store it; each kind is computed once.
   const MeshHashes& hashes(const geometry::IndexedMesh& mesh, geometry::MeshFormat format);
-  void read_back(Delivery& delivery);
+  /// @param written  to the last file; its memory is used for what is read
+  void read_back(Delivery& delivery, std::string written);
   /// The file of the triangles to MSMS's vertices; nullptr where it goes into a pipe.
   const geometry::PendingFile* faces_of(const geometry::PendingFile& file) const;
-  geometry::IndexedMesh content_of(const geometry::PendingFile& file) const;
+  geometry::IndexedMesh content_of(const geometry::PendingFile& file, std::string& written) const;
+  geometry::IndexedMesh parsed(std::string_view bytes, const geometry::PendingFile& file) const;
 
   const MeshArguments& arguments_;
   StagedOutputs& outputs_;

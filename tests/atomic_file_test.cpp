@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "geometry/error.h"
 #include "tests/support/temporary_folder.h"
@@ -167,5 +168,28 @@ TEST_CASE("a file that fails while it is read is told of") {
   if (!std::filesystem::exists("/proc/self/mem")) return;
   // Nothing is mapped at its beginning.
   CHECK_THROWS_WITH_AS(read_file("/proc/self/mem"), doctest::Contains("reading failed"),
+                       UnreadableInput);
+}
+
+TEST_CASE("what is read again is what the file holds now, unless it has another length") {
+  const TemporaryFolder folder;
+  PendingFile file(folder / "mesh.ply");
+  std::string bytes = "abc";
+  file.write(bytes);
+  const auto change_to = [&](std::string_view content) {
+    std::ofstream(file.temporary_name(), std::ios::binary) << content;
+  };
+  change_to("abd");
+  file.read_again(bytes);
+  CHECK(bytes == "abd");
+  for (const char* other : {"", "ab", "abcd"}) {
+    CAPTURE(other);
+    change_to(other);
+    bytes = "abc";
+    CHECK_THROWS_WITH_AS(file.read_again(bytes), doctest::Contains("lost or gained bytes"),
+                         UnreadableInput);
+  }
+  std::filesystem::remove(file.temporary_name());
+  CHECK_THROWS_WITH_AS(file.read_again(bytes), doctest::Contains("cannot be read again"),
                        UnreadableInput);
 }

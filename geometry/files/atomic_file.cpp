@@ -197,6 +197,15 @@ void PendingFile::write(std::string_view bytes) {
   write_directly(path_, file, bytes);
 }
 
+void PendingFile::read_again(std::string& bytes) const {
+  const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail_to_read(path_, "cannot be read again: " + reason(errno));
+  char beyond = 0;
+  const bool is_as_long = read_up_to(file, bytes.data(), bytes.size(), path_) == bytes.size() &&
+                          read_up_to(file, &beyond, 1, path_) == 0;
+  if (!is_as_long) fail_to_read(path_, "has lost or gained bytes since it was written; try again");
+}
+
 std::filesystem::path PendingFile::commit(std::string_view suffix) {
   const std::string name = target_.string() + std::string(suffix);
   if (::rename(temporary_.c_str(), name.c_str()) != 0) fail_to_write(name, errno);

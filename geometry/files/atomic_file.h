@@ -64,6 +64,13 @@ class PendingFile {
   /// @throws UnwritableOutput  as above
   void write(std::string_view bytes);
 
+  /// Reads what the file holds into the memory that it was written from: as much again need not be
+  /// had. @pre before commit().
+  ///
+  /// @param bytes  as they were written
+  /// @throws UnreadableInput  it cannot be read, or is longer or shorter
+  void read_again(std::string& bytes) const;
+
   /// Renames the file to its final name with `suffix` added, replacing an older file of that name.
   /// Does not force the data onto the disk.
   ///
