@@ -26,7 +26,7 @@ struct Million {
   geometry::GluedTriangles glued =
       geometry::closed_triangles(mesh.positions.size(), mesh.triangles).mesh;
   std::vector<surface::SurfacePoint> points = certify::locate_vertices(mesh, skin.surface);
-  std::vector<certify::LocatedVertex> vertices = certify::locate_with_bounds(mesh, skin.surface);
+  certify::LocatedVertices vertices = certify::locate_with_bounds(mesh, skin.surface);
 };
 
 const Million& million() {

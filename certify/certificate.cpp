@@ -70,17 +70,14 @@ class Certifier {
       out_.fail(Claim::Degree, "not asked, for the mesh is no manifold");
       measure_shape();
     } else {
-      const auto check_covering = [&] {
-        check_covering_degree();
-        out_.compare_counts();
-        check_parts(expected);
-        measure_shape();
-      };
-      const auto check_balls = [&] {
-        out_.restricted_delaunay_violations =
-            local_delaunay_violations(located(), built_.mesh, filter);
-      };
-      geometry::do_both(run_.threads(), check_covering, check_balls);
+      geometry::for_each_task(run_.threads(), 3, [&](std::size_t task) {
+        if (task == 0) check_covering(expected);
+        if (task == 1) measure_shape();
+        if (task == 2) {
+          out_.restricted_delaunay_violations =
+              local_delaunay_violations(located(), built_.mesh, filter);
+        }
+      });
     }
     run_.report(geometry::unknown_share);
     check_vertices();
@@ -110,6 +107,11 @@ class Certifier {
   };
   void check_triangle(std::size_t t, TriangleFindings& found, DelaunayFilter& filter) const;
   void add(TriangleFindings found);
+  void check_covering(const surface::Topology& expected) {
+    check_covering_degree();
+    out_.compare_counts();
+    check_parts(expected);
+  }
   /// c3: at one vertex of every component, one sheet of mesh over the skin.
   void check_covering_degree();
   /// Where only some components are expected: whether it is these that are covered.
@@ -128,7 +130,7 @@ class Certifier {
   Certificate out_;
   geometry::OrDefect<geometry::GluedTriangles> built_;
   bool is_built_by_hints_ = false;
-  std::vector<LocatedVertex> vertices_;
+  LocatedVertices vertices_;
   FlowBounds flow_;
 };
 

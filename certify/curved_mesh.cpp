@@ -93,7 +93,7 @@ Residuals node_residuals(const SecondOrderMesh& mesh, std::size_t vertices,
   for (const auto& [a, b, c, ab, bc, ca] : mesh.triangles) {
     in_edges.triangles.push_back({ab - first, bc - first, ca - first});
   }
-  const std::vector<LocatedVertex> nodes = locate_with_bounds(in_edges, surface, run);
+  const LocatedVertices nodes = locate_with_bounds(in_edges, surface, run);
   Residuals result =
       residuals({in_edges, nodes, surface}, is_single_precision(in_edges.positions), run);
   if (result.first_off_skin) result.first_off_skin->first += vertices;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace morskin::certify {
@@ -27,7 +28,8 @@ void VertexLocator::set(std::size_t v, surface::CellId cell) {
   const Vector& N = found.half_gradient;
   const double rho = N.norm();
   const double error = found.error + 0x1p-50 * rho;  // length scale times normal is rounded
-  vertices_[v] = {N, -rounded_up(-found.low), rounded_up(found.high), rounded_up(error), cell};
+  std::construct_at(&vertices_[v], LocatedVertex{N, -rounded_up(-found.low), rounded_up(found.high),
+                                                 rounded_up(error), cell});
   is_located_[v] = 1;
 }
 
@@ -74,9 +76,8 @@ void VertexLocator::locate_rest(const geometry::Run& run) {
   }
 }
 
-std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
-                                              const surface::Surface& surface,
-                                              const geometry::Run& run) {
+LocatedVertices locate_with_bounds(const geometry::IndexedMesh& mesh,
+                                   const surface::Surface& surface, const geometry::Run& run) {
   VertexLocator locator(mesh, surface);
   locator.locate_rest(run);
   return locator.take_vertices();
@@ -85,7 +86,7 @@ std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
                                                    const surface::Surface& surface,
                                                    const geometry::Run& run) {
-  const std::vector<LocatedVertex> located = locate_with_bounds(mesh, surface, run);
+  const LocatedVertices located = locate_with_bounds(mesh, surface, run);
   std::vector<SurfacePoint> points;
   points.reserve(located.size());
   for (std::size_t v = 0; v < located.size(); ++v) {

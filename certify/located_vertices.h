@@ -9,6 +9,7 @@
 #include "certify/tube.h"
 #include "geometry/indexed_mesh.h"
 #include "geometry/run.h"
+#include "geometry/unfilled.h"
 #include "surface/surface.h"
 
 namespace morskin::certify {
@@ -29,6 +30,8 @@ struct LocatedVertex {
     return {x, rho > 0 ? Vector(half_gradient / rho) : Vector::Zero(), rho, cell};
   }
 };
+
+using LocatedVertices = geometry::UnfilledVector<LocatedVertex>;
 
 /// A mesh near a surface with what is known of its vertices.
 struct LocatedMesh {
@@ -77,7 +80,7 @@ class VertexLocator {
   void locate_rest(const geometry::Run& run = geometry::Run());
 
   /// By vertex. @pre locate_rest() has been called.
-  std::vector<LocatedVertex> take_vertices() { return std::move(vertices_); }
+  LocatedVertices take_vertices() { return std::move(vertices_); }
 
  private:
   void locate(std::uint32_t v, surface::CellId start);
@@ -85,15 +88,15 @@ class VertexLocator {
 
   const geometry::IndexedMesh& mesh_;
   const surface::Surface& surface_;
-  std::vector<LocatedVertex> vertices_;
+  LocatedVertices vertices_;      ///< made where they are located
   std::vector<char> is_located_;  ///< by vertex
 };
 
 /// All vertices, by walks. @return by vertex
 /// @throws geometry::Stopped
-std::vector<LocatedVertex> locate_with_bounds(const geometry::IndexedMesh& mesh,
-                                              const surface::Surface& surface,
-                                              const geometry::Run& run = geometry::Run());
+LocatedVertices locate_with_bounds(const geometry::IndexedMesh& mesh,
+                                   const surface::Surface& surface,
+                                   const geometry::Run& run = geometry::Run());
 std::vector<surface::SurfacePoint> locate_vertices(const geometry::IndexedMesh& mesh,
                                                    const surface::Surface& surface,
                                                    const geometry::Run& run = geometry::Run());

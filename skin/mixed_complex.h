@@ -23,6 +23,7 @@
 #include "geometry/point.h"
 #include "geometry/regular_triangulation.h"
 #include "geometry/run.h"
+#include "geometry/unfilled.h"
 #include "skin/patch.h"
 
 namespace morskin::skin {
@@ -175,7 +176,7 @@ class MixedComplex {
   std::vector<std::uint32_t> number_of_;   ///< by kept cell
   std::vector<Patch> patches_;             ///< by kept cell
   std::vector<std::uint32_t> first_wall_;  ///< by kept cell, into walls_
-  std::vector<Wall> walls_;
+  geometry::UnfilledVector<Wall> walls_;
   std::vector<std::uint32_t> first_edge_;  ///< by vertex, into edges_at_
   std::vector<std::uint32_t> edges_at_;    ///< indices of edges, ascending by vertex
   double wall_tolerance_ = 0;

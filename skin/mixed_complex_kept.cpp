@@ -4,6 +4,7 @@
 #include <atomic>
 #include <bit>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -163,9 +164,10 @@ void MixedComplex::fill_walls() {
     if (s != last) centre = this->centre<N>(s);
     last = s;
     const Wall wall = make_wall(simplices<N>()[s], k, this->centre<N - 1>(f), centre, simplex);
-    if (is_kept(facet)) walls_[first_wall_[facet.index()] + filled[f]++] = wall;
+    if (is_kept(facet)) std::construct_at(&walls_[first_wall_[facet.index()] + filled[f]++], wall);
     if (is_kept(simplex)) {
-      walls_[first_wall_[simplex.index()] + k] = {-wall.normal, -wall.offset, facet};
+      std::construct_at(&walls_[first_wall_[simplex.index()] + k],
+                        Wall{-wall.normal, -wall.offset, facet});
     }
   });
 }

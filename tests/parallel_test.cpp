@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
+#include "geometry/unfilled.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -169,3 +171,20 @@ TEST_CASE("where the system starts some threads and then no more, those do all t
   });
 }
 #endif
+
+TEST_CASE("an unfilled vector makes the elements that it is given, and none of a size alone") {
+  static int made = 0;
+  struct Counted {
+    Counted() { ++made; }
+    explicit Counted(int number) : value(number) { ++made; }
+    int value = 7;
+  };
+  UnfilledVector<Counted> elements(1000);
+  elements.resize(2000);
+  CHECK(made == 0);
+  std::construct_at(&elements[1999], 5);
+  elements.emplace_back(6);
+  CHECK(made == 2);
+  CHECK(elements[1999].value == 5);
+  CHECK(elements[2000].value == 6);
+}
