@@ -30,13 +30,21 @@ inline constexpr const char* kind_of<std::string> = "a string";
 template <class T>
 inline constexpr const char* kind_of<std::optional<T>> = kind_of<T>;
 
+/// Whether pybind11 may convert what is near to the type. It would cut off the decimals of a number
+/// that is no `float`, as NumPy's float32.
+template <class T>
+inline constexpr bool may_be_converted = !std::is_same_v<T, std::int64_t>;
+template <class T>
+inline constexpr bool may_be_converted<std::optional<T>> = may_be_converted<T>;
+
 /// @throws py::type_error  of one line, with the argument's name and the value, shortened
 template <class T>
 T argument(const py::object& value, const std::string& name) {
   constexpr bool may_be_none = std::is_convertible_v<std::nullopt_t, T>;
   py::detail::make_caster<T> caster;
   // pybind11 would take None for False.
-  const bool is_right = (may_be_none || !value.is_none()) && caster.load(value, true);
+  const bool is_right =
+      (may_be_none || !value.is_none()) && caster.load(value, may_be_converted<T>);
   if (is_right) return py::detail::cast_op<T>(std::move(caster));
   const auto words = py::module_::import("reprlib").attr("repr")(value).attr("split")();
   const auto line = py::str(" ").attr("join")(words).template cast<std::string>();

@@ -9,6 +9,7 @@ import os
 import pickle
 import shutil
 import subprocess
+from decimal import Decimal
 
 import morskin
 import numpy as np
@@ -91,7 +92,8 @@ class Errors(ModuleTest):
                     with self.subTest(name, value=value), self.assertRaises(TypeError) as caught:
                         call(**{name: value})
                     self.assertEqual(str(caught.exception), f"{name} must be {kind}, not {value!r}")
-        for value, text in ((2**63, str(2**63)), (np.zeros((9, 9)), r"array\(\[\[0\..{1,30}")):
+        for value, text in ((2**63, str(2**63)), (np.zeros((9, 9)), r"array\(\[\[0\..{1,30}"),
+                            (np.float32(2.5), r"\D*2\.5\)?"), (Decimal("2.5"), ".*'2.5'.")):
             with self.assertRaisesRegex(TypeError, f"^fronts must be a .* or None, not {text}$"):
                 skin.mesh(fronts=value)
         for name, call in (("simplify", skin.morse_smale), ("allow_uncertified", skin.mesh)):
