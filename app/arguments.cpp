@@ -187,7 +187,20 @@ void note_unused_probe(const CLI::App& app, const AllArguments& all, const Typed
             << " has no probe, so --probe plays no part; models sas and paper have one\n";
 }
 
-/// What CLI11 says; of a value that is no number it would not say what is wrong.
+/// What an option of the command that is used takes, as far as CLI11 converts it.
+std::string kind_of_value(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    if (option == nullptr) continue;
+    if (option->get_expected_max() == 0) return "no value";
+    if (option->get_delimiter() != '\0') return "numbers";
+    const std::string type = option->get_type_name();
+    if (type.starts_with("INT") || type.starts_with("UINT")) return "a whole number";
+  }
+  return "a number";
+}
+
+/// What CLI11 says; of a value that it cannot convert it would not say what is wrong.
 std::string complaint(const CLI::App& app, const CLI::Error& error) {
   constexpr std::string_view unread = "Could not convert: ", is = " = ";
   const std::string text = error.what();
@@ -195,14 +208,10 @@ std::string complaint(const CLI::App& app, const CLI::Error& error) {
   if (!text.starts_with(unread) || end == std::string::npos) return text;
   const std::string name = text.substr(unread.size(), end - unread.size());
   const std::string value = text.substr(end + is.size());
-  bool is_whole = false;
-  for (const CLI::App* command : app.get_subcommands()) {
-    const CLI::Option* option = command->get_option_no_throw(name);
-    const std::string type = option ? option->get_type_name() : "";
-    is_whole |= type.starts_with("INT") || type.starts_with("UINT");
-  }
-  return name + (is_whole ? " takes a whole number, not " : " takes a number, not ") + value +
-         (value.find(',') == std::string::npos ? "" : "; decimals follow a point");
+  const std::string kind = kind_of_value(app, name);
+  const bool has_comma = kind == "a number" && value.find(',') != std::string::npos;
+  return name + " takes " + kind + ", not " + value +
+         (has_comma ? "; decimals follow a point" : "");
 }
 
 /// The last words of a complaint: where the options of the command given are explained.

@@ -62,12 +62,12 @@ class Failures(CommandTest):
                 self.assertNotIn(b"did you mean", said)
         self.assertEqual(self.names(), [])
 
-    def test_a_value_that_is_no_number_is_told_so(self):
-        for words, told in ((("-C", "0,1"), "-C takes a number, not 0,1; decimals follow a point;"),
-                            (("--size", "1A"), "--size takes a number, not 1A;"),
-                            (("--fronts", "1.5"), "--fronts takes a whole number, not 1.5;")):
-            said = self.run_morskin("mesh", self.ring, "-o", "m.ply", *words, code=2).stderr
-            self.assertIn(told.encode(), said)
+    def test_a_value_that_cannot_be_converted_is_told_so(self):
+        for words, told in (("-C 0,1", "a number, not 0,1; decimals follow a point;"),
+                            ("--json=x", "no value, not x;"), ("--size 1A", "a number, not 1A;"),
+                            ("--fronts 1.5", "a whole number,"), ("--snapshot-at 1,x", "numbers,")):
+            said = self.run_morskin("mesh", self.ring, "-o", "m.ply", *words.split(), code=2).stderr
+            self.assertIn(f" takes {told}".encode(), said)
 
     def test_a_number_for_a_model_is_told_of_the_option_for_the_models_of_a_file(self):
         said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--model", "2", code=2).stderr
