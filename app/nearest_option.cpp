@@ -28,11 +28,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// "-C" for "-c".
 std::optional<std::string> with_other_case(const CLI::App& app, char letter) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
   for (const CLI::App* command : app.get_subcommands()) {
     for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_snames()) {
-        const bool is_same = std::tolower(name[0]) == std::tolower(letter);
-        if (is_same && name[0] != letter) return "-" + name;
+        if (lower(name[0]) == lower(letter) && name[0] != letter) return "-" + name;
       }
     }
   }
