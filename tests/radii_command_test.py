@@ -42,7 +42,8 @@ class Radii(CommandTest):
         self.assertEqual(self.radii("--model", "sas", "--probe", "1")[0], 2.7)
         self.assertEqual(self.complaint("--model", "sas", "--probe", "1", "-q", code=0), "")
         self.run_morskin("mesh", "a.pdb", "-o", "a.ply", "-q", "--model", "sas", "--probe", "1")
-        self.run_morskin("check", "a.ply", "--against", "a.pdb", "--probe", "1")
+        done = self.run_morskin("check", "a.ply", "--against", "a.pdb", "--probe", "1")
+        self.assertEqual(done.stderr, b"")
 
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
