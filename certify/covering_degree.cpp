@@ -128,11 +128,15 @@ CoveringDegree::Candidates CoveringDegree::candidates() const {
   constexpr std::size_t max_candidates = 16;
   const std::size_t count = 1 + std::ranges::max(components_);
   Candidates result(count);
-  std::vector<std::uint32_t> size(count, 0), seen(count, 0);
-  for (const auto& triangle : on_.mesh.triangles) ++size[components_[triangle[0]]];
+  std::vector<std::uint32_t> size(count, 0), seen(count, 0), number(count, geometry::no_index);
+  std::uint32_t numbered = 0;
   for (const auto& triangle : on_.mesh.triangles) {
     const std::uint32_t c = components_[triangle[0]];
-    auto& list = result[c];
+    if (size[c]++ == 0) number[c] = numbered++;
+  }
+  for (const auto& triangle : on_.mesh.triangles) {
+    const std::uint32_t c = components_[triangle[0]];
+    auto& list = result[number[c]];
     const VertexId v{triangle[0]};
     if (seen[c]++ % (size[c] / max_candidates + 1) != 0) continue;
     if (std::find(list.begin(), list.end(), v) == list.end() && is_candidate(v)) list.push_back(v);

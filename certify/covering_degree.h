@@ -61,11 +61,12 @@ class CoveringDegree {
                  std::span<const std::uint32_t> components, const FlowBounds& bounds)
       : on_(mesh), connectivity_(connectivity), components_(components), bounds_(bounds) {}
 
-  /// By component, a vertex for which (c3) is proved, if there is one.
+  /// By component, in the order of their first triangles as geometry::check_mesh() has them, a
+  /// vertex for which (c3) is proved, if there is one.
   std::vector<std::optional<VertexId>> proved_vertices() const;
 
  private:
-  /// By component, vertices at which to try (c3).
+  /// By component, in that order, vertices at which to try (c3).
   using Candidates = std::vector<std::vector<VertexId>>;
   Candidates candidates() const;
   bool is_candidate(VertexId v) const;

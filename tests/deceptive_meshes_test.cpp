@@ -4,11 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "certify/certificate.h"
 #include "certify/triangle_geometry.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/mesh_check.h"
 #include "skin/dual_complex.h"
 #include "tests/support/good_mesh.h"
 #include "tests/support/wrong_meshes.h"
@@ -127,6 +129,22 @@ TEST_CASE(
     CHECK(certificate.degree_vertices.size() == 1);
     CHECK_FALSE(certificate.covering_degree_ok);
     CHECK_FALSE(certificate.is_homeomorphic);
+  }
+}
+
+TEST_CASE("a component that is not proved has the number that a check of the mesh alone gives it") {
+  const Skin skin = two_balls();
+  const IndexedMesh once = support::sphere_mesh(Point::Zero(), 1, 3);
+  const IndexedMesh twice = support::double_cover(support::sphere_mesh(Point(9, 0, 0), 1, 3));
+  for (IndexedMesh mesh : {support::together(once, twice), support::together(twice, once)}) {
+    for (int turn = 0; turn < 2; ++turn) {
+      std::ranges::reverse(mesh.triangles);
+      const geometry::MeshCheck check = geometry::check_mesh(mesh);
+      REQUIRE(check.components.size() == 2);
+      const auto& first = mesh.triangles[check.components[0].first_triangle];
+      const char* name = mesh.positions[first[0]].x() > 4 ? "component 0 " : "component 1 ";
+      CHECK(skin.certify(mesh).broken_by(Claim::Degree).starts_with(name));
+    }
   }
 }
 
