@@ -77,7 +77,7 @@ class GluedTriangles {
 
 /// Triangles glued to their neighbours, or the first reason why they are no closed oriented
 /// 2-manifold: an edge with one triangle or three, two triangles that disagree on orientation, a
-/// vertex where two sheets touch. O(n).
+/// vertex where two sheets touch. O(n), but for O(n log n) where a vertex or an edge is crowded.
 template <class Connectivity>
 struct OrDefect {
   Connectivity mesh;
