@@ -147,8 +147,9 @@ class SurfaceMesh {
   /// The triangles as a file holds them.
   TriangleList triangle_list() const;
 
-  /// The triangles and, by half-edge, their twins, in place of the mesh, of which nothing is left.
-  /// @pre nothing has been removed since compact(); no boundary
+  /// The triangles and, by half-edge, their twins, or the last id of all for none, in place of the
+  /// mesh, of which nothing is left.
+  /// @pre nothing has been removed since compact()
   struct Lists {
     TriangleList triangles;
     std::vector<HalfEdgeId> twins;
