@@ -180,7 +180,9 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
 void note_unused_probe(const CLI::App& app, const AllArguments& all, const TypedSkin& typed) {
   const bool may_be_stated = app.got_subcommand("check") || all.view.against;
   if (!typed.probe || (!typed.model && may_be_stated)) return;
-  const auto model = typed.model ? *skin::parse_model(*typed.model) : MoleculeArguments().model;
+  const auto usual =
+      all.batch.arguments.features ? skin::Model::SesLike : MoleculeArguments().model;
+  const auto model = typed.model ? *skin::parse_model(*typed.model) : usual;
   const CLI::Option* quiet = app.get_subcommands().front()->get_option_no_throw("--quiet");
   if (skin::has_probe(model) || (quiet != nullptr && quiet->count() > 0)) return;
   std::cerr << "morskin: note: model " << skin::name_of(model)

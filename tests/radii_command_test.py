@@ -44,6 +44,9 @@ class Radii(CommandTest):
         self.run_morskin("mesh", "a.pdb", "-o", "a.ply", "-q", "--model", "sas", "--probe", "1")
         done = self.run_morskin("check", "a.ply", "--against", "a.pdb", "--probe", "1")
         self.assertEqual(done.stderr, b"")
+        self.input("list.txt", "a.pdb\n")
+        done = self.run_morskin("batch", "list.txt", "-o", "all", "--features", "--probe", "1")
+        self.assertIn(b"note: model ses-like has no probe", done.stderr)
 
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
