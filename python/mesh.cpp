@@ -6,11 +6,17 @@
 #include <variant>
 #include <vector>
 
+#include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/interruptible.h"
 
 namespace morskin::python {
+
+/// One name or several.
+using Names = std::variant<std::string, std::vector<std::string>>;
+template <>
+inline constexpr const char* kind_of<Names> = "a string or a sequence of strings";
 
 namespace {
 
@@ -100,14 +106,13 @@ py::dict sizing_of(const Mesh& mesh) {
                   py::arg("max_length_scale") = sizing.max_length_scale);
 }
 
-/// One name or several.
-using Names = std::variant<std::string, std::vector<std::string>>;
-
-std::filesystem::path save(const Mesh& mesh, const py::object& file, const Names& vertex_data) {
+std::filesystem::path save(const Mesh& mesh, const py::object& file,
+                           const py::object& vertex_data) {
   const std::filesystem::path path = path_from(file);
-  const auto* const one = std::get_if<std::string>(&vertex_data);
+  const auto data = argument<Names>(vertex_data, "vertex_data");
+  const auto* const one = std::get_if<std::string>(&data);
   const std::vector<std::string> names =
-      one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(vertex_data);
+      one != nullptr ? std::vector{*one} : std::get<std::vector<std::string>>(data);
   return interruptible({py::int_(1), py::none()},
                        [&](const RunOptions& run) { return mesh.mesh().write(path, names, run); });
 }

@@ -17,6 +17,9 @@
 
 namespace morskin::python {
 
+template <>
+inline constexpr const char* kind_of<const Skin*> = "a Skin";
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -86,17 +89,17 @@ std::unique_ptr<Mesh> mesh(const Skin& skin, const py::object& C, const py::obje
   return std::make_unique<Mesh>(std::move(made));
 }
 
-Certificate check(const py::object& vertices, const py::object& faces, const Skin& skin,
+Certificate check(const py::object& vertices, const py::object& faces, const py::object& skin,
                   const py::object& C, const py::object& Q, const py::object& max_length_scale,
                   const py::object& threads, const py::object& progress) {
+  const Skin& of = *argument<const Skin*>(skin, "skin");
   const TriangleMesh triangles = mesh_from(vertices, faces);
   const MeshOptions options{
       .C = argument<double>(C, "C"),
       .Q = number_or_none(Q, "Q"),
       .max_length_scale = argument<double>(max_length_scale, "max_length_scale")};
-  return interruptible({threads, progress}, [&](const RunOptions& run) {
-    return skin.certify(triangles, options, run);
-  });
+  return interruptible({threads, progress},
+                       [&](const RunOptions& run) { return of.certify(triangles, options, run); });
 }
 
 std::vector<CriticalPoint> critical_points(const Skin& skin, const py::object& direction) {
@@ -167,7 +170,11 @@ void bind_functions(py::module_& module) {
              "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
              "Raises UnreadableInput.");
   module.def(
-      "van_der_waals_radius", &van_der_waals_radius, arg("element"),
+      "van_der_waals_radius",
+      [](const py::object& element) {
+        return van_der_waals_radius(argument<std::string>(element, "element"));
+      },
+      arg("element"),
       "van_der_waals_radius(element) -> Angstrom, or None for what is no element with one\n\n"
       "element  a symbol in upper or lower case");
 }

@@ -101,6 +101,16 @@ class Errors(ModuleTest):
                 call(**{name: None})
         with self.assertRaisesRegex(TypeError, "^density must be a number, not None$"):
             morskin.features(file, density=None)
+        mesh = skin.mesh(C=0.3)
+        for value in (1, None, ["normal", 1]):
+            with self.assertRaises(TypeError) as caught:
+                mesh.save(self.folder / "a.ply", vertex_data=value)
+            self.assertEqual(str(caught.exception), "vertex_data must be a string or a sequence of "
+                             f"strings, not {value!r}")
+        with self.assertRaisesRegex(TypeError, "^skin must be a Skin, not None$"):
+            morskin.check(mesh.vertices, mesh.faces, None)
+        with self.assertRaisesRegex(TypeError, "^element must be a string, not 6$"):
+            morskin.van_der_waals_radius(6)
 
     def test_threads_are_any_whole_number_from_1_on(self):
         skin = morskin.Skin(*BALLS)
