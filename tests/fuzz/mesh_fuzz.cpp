@@ -9,7 +9,7 @@
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/mesh_formats.h"
-#include "geometry/surface_mesh.h"
+#include "geometry/glued_triangles.h"
 #include "tests/fuzz/endings.h"
 #include "tests/fuzz/require.h"
 
