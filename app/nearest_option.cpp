@@ -26,10 +26,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The command given; without one the program, which has options of its own.
+std::vector<const CLI::App*> in_use(const CLI::App& app) {
+  std::vector<const CLI::App*> given;
+  for (const CLI::App* command : app.get_subcommands()) given.push_back(command);
+  return given.empty() ? std::vector{&app} : given;
+}
+
 /// "-C" for "-c".
 std::optional<std::string> with_other_case(const CLI::App& app, char letter) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  for (const CLI::App* command : app.get_subcommands()) {
+  for (const CLI::App* command : in_use(app)) {
     for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_snames()) {
         if (lower(name[0]) == lower(letter) && name[0] != letter) return "-" + name;
@@ -47,7 +54,7 @@ std::optional<std::string> nearest_option(const CLI::App& app, std::string_view 
   if (!word.starts_with("--")) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = word.size() / 3;  // a third of the letters may be wrong
-  for (const CLI::App* command : app.get_subcommands()) {
+  for (const CLI::App* command : in_use(app)) {
     for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_lnames()) {
         const std::string full = "--" + name;
