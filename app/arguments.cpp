@@ -1,6 +1,7 @@
 #include "app/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <span>
 #include <string>
@@ -25,7 +26,7 @@ void finish(Limits& limits, const Typed& typed) {
   if (limits.timeout && !(*limits.timeout > 0 && *limits.timeout <= Limits::max_timeout)) {
     throw UsageError("--timeout must be above 0 and at most 1e8 seconds");
   }
-  if (!typed.max_memory.empty()) limits.max_memory = parsed_bytes(typed.max_memory);
+  if (typed.max_memory) limits.max_memory = parsed_bytes(*typed.max_memory);
 }
 
 void finish(MorseArguments& morse, const Typed& typed) {
@@ -124,8 +125,21 @@ void finish(const CheckArguments& check, const Typed& typed) {
   if (is_msms(check.mesh)) check_not_input(*check.certificate, {.input = msms_partner(check.mesh)});
 }
 
+/// CLI11 takes an empty word for no number, so that an unset variable of a script would go unseen.
+void check_numbers(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    const bool is_number =
+        type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+    if (is_number && std::ranges::count(option->results(), "") > 0) {
+      throw UsageError(option->get_name() + " is empty; give a number or leave it out");
+    }
+  }
+}
+
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
+  check_numbers(*app.get_subcommands().front());
   if (app.got_subcommand("features")) set_feature_defaults(typed, all.features);
   if (typed.purpose) apply_preset(typed, all.mesh);
   auto& model_number = typed.skin.selection.model_number;

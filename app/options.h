@@ -23,11 +23,10 @@ struct Typed {
   bool wants_short_help = false;  ///< not --help-all
   std::string progress = "auto";
   std::string method = "auto";
-  std::string max_memory;
   std::string guard = "everywhere";
   std::optional<std::size_t> fronts;
   std::optional<double> density, triangles, grading, angle_goal;
-  std::optional<std::string> grow, vertex_data;
+  std::optional<std::string> grow, vertex_data, max_memory;
   std::optional<std::string> purpose;  ///< of --for
   TypedPicture picture;
 };

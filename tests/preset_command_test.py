@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What `mesh --for PURPOSE` sets, what overrides it, and what the report says of it. Usage:
-preset_command_test.py path/to/morskin"""
+"""What `mesh --for PURPOSE` sets, what overrides it, and what the report says of it; and that an
+empty word sets nothing. Usage: preset_command_test.py path/to/morskin"""
 
 from support.command import MOLECULES, CommandTest, main
 
@@ -59,6 +59,20 @@ class Presets(CommandTest):
 
     def test_without_a_purpose_an_output_needs_its_ending(self):
         self.run_morskin("mesh", self.ring, "-o", "r", code=2)
+
+
+class EmptyWords(CommandTest):
+    def test_an_empty_number_is_not_taken_for_none(self):
+        mesh, batch = ("mesh", self.ring, "-o", "a.ply"), ("batch", self.ring, "-o", "folder")
+        for words, option in ((mesh, "-C"), (mesh, "--density"), (mesh, "--fronts"),
+                              (mesh, "--snapshot-at"), (mesh, "--timeout"), (mesh, "--max-memory"),
+                              (("info", self.ring), "--size"),
+                              (("morse", self.ring, "-o", "a.json"), "--persistence"),
+                              (batch, "-C"), (batch, "--timeout"), (batch, "--chain")):
+            with self.subTest(words=words, option=option):
+                said = self.run_morskin(*words, option, "", code=2).stderr
+                self.assertTrue(said.startswith(b"morskin: " + option.encode()), said)
+        self.assertEqual(self.names(), [])
 
 
 if __name__ == "__main__":

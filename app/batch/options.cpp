@@ -42,12 +42,14 @@ void check_endings(const std::vector<std::string>& endings) {
   }
 }
 
-/// An option as it was typed, in one word for each of its values.
+/// An option as it was typed, in one word for each of its values. An empty one would be lost:
+/// behind "=" the next word is taken for the value.
 std::vector<std::string> as_typed(const CLI::Option& option) {
   if (option.get_expected_max() == 0) return {option.get_name()};  // a flag
   const bool is_long = !option.get_lnames().empty();
   std::vector<std::string> words;
   for (const std::string& value : option.results()) {
+    if (value.empty()) throw UsageError(option.get_name() + " is empty; leave it out or fill it");
     words.push_back(option.get_name() + (is_long ? "=" : "") + value);
   }
   return words;
