@@ -8,6 +8,7 @@
 #include "app/typed_values.h"
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
+#include "skin/selection.h"
 
 namespace morskin::app {
 namespace {
@@ -55,8 +56,7 @@ std::vector<std::int64_t> ModelSet::chosen_from(const std::vector<std::int64_t>&
     for (std::int64_t model = range.first;; ++model) {
       if (!known.contains(model)) {
         throw geometry::RefusedInput(source + ": has no model " + std::to_string(model) +
-                                     "; choose from " + std::to_string(*known.begin()) + " to " +
-                                     std::to_string(*known.rbegin()));
+                                     "; choose from " + skin::listed_models(present));
       }
       if (taken.insert(model).second) chosen.push_back(model);
       if (model == range.last) break;

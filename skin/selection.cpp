@@ -132,6 +132,25 @@ bool is_water_residue(std::string_view residue) {
   return std::ranges::find(water_residues, residue) != water_residues.end();
 }
 
+std::string listed_models(std::vector<std::int64_t> numbers) {
+  constexpr std::size_t max_runs = 20;
+  std::ranges::sort(numbers);
+  const auto gap_before = [&](std::size_t place) {  // never negative, but perhaps beyond 2^63
+    return static_cast<std::uint64_t>(numbers[place]) -
+           static_cast<std::uint64_t>(numbers[place - 1]);
+  };
+  std::string text;
+  std::size_t runs = 0;
+  for (std::size_t first = 0, last = 0; first < numbers.size(); first = last + 1) {
+    last = first;
+    while (last + 1 < numbers.size() && gap_before(last + 1) <= 1) ++last;
+    if (++runs > max_runs) return text + " ...";
+    text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+    if (numbers[last] > numbers[first]) text += " to " + std::to_string(numbers[last]);
+  }
+  return text;
+}
+
 namespace molecule_formats {
 
 bool ModelSearch::begin(std::optional<std::int64_t> number) {
@@ -148,7 +167,7 @@ std::size_t ModelSearch::others(const std::string& source) const {
   throw RefusedInput(
       source + ": has no model " + std::to_string(*wanted_) + "; " +
       (least == most ? "its only one is number " + std::to_string(least)
-                     : "choose from " + std::to_string(least) + " to " + std::to_string(most)) +
+                     : "choose from " + listed_models(numbers_)) +
       (passed_over_ > 0 ? "; those of later data blocks cannot be read: make a file of each" : ""));
 }
 

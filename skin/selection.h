@@ -39,4 +39,7 @@ struct Selection {
 /// Whether residues of this name are water.
 bool is_water_residue(std::string_view residue);
 
+/// The numbers of models for a message, ascending: "1 to 3, 7".
+std::string listed_models(std::vector<std::int64_t> numbers);
+
 }  // namespace morskin::skin

@@ -162,7 +162,7 @@ class Selections(CommandTest):
     def test_what_the_file_does_not_have_is_refused_and_what_it_has_is_named(self):
         self.assertIn("has no chain C; choose from A, B", self.complaint("--chain", "A,C", code=4))
         self.assertIn("residue XYZ; choose from SO4", self.complaint("--hetatm", "XYZ", code=4))
-        self.assertIn("has no model 2; choose from 1 to 4",
+        self.assertIn("has no model 2; choose from 1, 4",
                       self.complaint("--model-number", "2", code=4))
         self.assertIn("does not tell an atom's chain",
                       self.complaint("--chain", "A", code=4, file="ring.xyzr"))

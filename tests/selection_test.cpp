@@ -277,7 +277,7 @@ TEST_CASE("a model is found by its number, or by its place where the file gives 
   CHECK(places(read(numbered)) == std::vector<double>{3});
   CHECK(places(read(numbered, {.model = 7})) == std::vector<double>{7, 8});
   CHECK(read(numbered, {.model = 7}).counts.other_models == 2);
-  CHECK(refusal(numbered, {.model = 1}) == "a.pdb: has no model 1; choose from 3 to 7");
+  CHECK(refusal(numbered, {.model = 1}) == "a.pdb: has no model 1; choose from 3, 5, 7");
   CHECK(places(read(placed, {.model = 2})) == std::vector<double>{2});
   CHECK(refusal(placed, {.model = 3}) == "a.pdb: has no model 3; choose from 1 to 2");
   CHECK(refusal({"a.xyzr", small_xyzr}, {.model = 2}) ==
@@ -290,7 +290,7 @@ TEST_CASE("a model of mmCIF, XYZ and PQR is found as that of PDB") {
   CHECK(read(cif).atoms.size() == 1);
   CHECK(read(cif, {.model = 12}).atoms.size() == 2);
   CHECK(read(cif, {.model = 12}).counts.other_models == 1);
-  CHECK(refusal(cif, {.model = 2}) == "a.cif: has no model 2; choose from 10 to 12");
+  CHECK(refusal(cif, {.model = 2}) == "a.cif: has no model 2; choose from 10, 12");
   const File xyz{"a.xyz", small_xyz + "1\n\nC 9 0 0\n"};
   CHECK(places(read(xyz, {.model = 2})) == std::vector<double>{9});
   CHECK(read(xyz, {.model = 1}).atoms.size() == 3);
