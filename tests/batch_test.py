@@ -115,11 +115,11 @@ class Rows(Batch):
 
     def test_wrong_arguments_give_2_and_make_nothing(self):
         self.chains(1)
-        for words in (("in",), ("-o", "out"), ("in", "-o", ""), ("in", "-o", "out", "-C", "-1"),
-                      ("in", "-o", "out", "--density", "0"), ("in", "-o", "out", "--format", "png"),
-                      ("in", "-o", "out", "--shard", "0/2"), ("in", "-o", "out", "--shard", "3/2"),
-                      ("in", "-o", "out", "--shard", "1/2x"), ("in", "-o", "out", "--workers", "0"),
-                      ("in", "-o", "out", "--timeout", "-1"), ("in", "-o", "out", "--report", "x")):
+        options = ("-C -1", "--density 0", "--format png", "--format .ply", "--format a.ply",
+                   "--shard 0/2", "--shard 3/2", "--shard 1/2x", "--workers 0", "--timeout -1",
+                   "--report x")
+        for words in (("in",), ("-o", "out"), ("in", "-o", ""),
+                      *(("in", "-o", "out", *option.split()) for option in options)):
             with self.subTest(words):
                 self.assertNotIn("molecule.pdb", self.batch(*words, code=2))
         self.assertEqual(self.names(), ["in"])

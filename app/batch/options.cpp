@@ -31,8 +31,8 @@ Shard parsed_shard(std::string_view text) {
 /// Checked here, since mesh would name a file of the batch and not the option.
 void check_endings(const std::vector<std::string>& endings) {
   for (const std::string& ending : endings) {
-    const bool is_folder_too = ending.find('/') != std::string::npos;
-    if (is_folder_too || !geometry::mesh_format_of("molecule." + ending)) {
+    const bool is_more = ending.find_first_of("./") != std::string::npos;
+    if (is_more || !geometry::mesh_format_of("molecule." + ending)) {
       throw UsageError("--format takes endings of meshes, as in ply,vtu; not " +
                        geometry::quoted(ending));
     }
