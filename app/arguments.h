@@ -169,7 +169,8 @@ struct BatchArguments {
   ShowProgress progress = ShowProgress::Auto;
 };
 
-/// Whether a file's ending, with or without .gz, is that of a mesh, one that is only written too.
+/// Whether a file's ending, before .gz and .unverified where there are these, is that of a mesh,
+/// one that is only written too.
 bool names_a_mesh(const std::filesystem::path& path);
 
 /// The command ends here: it has printed help, the version or a complaint.

@@ -127,6 +127,9 @@ class VertexData(CommandTest):
                          "marching-cubes", code=5)
         self.assertEqual(self.names(), ["a.csv.unverified", "m.face.unverified",
                                         "m.vert.unverified"])
+        for words in (("check", "m.vert.unverified"), ("m.face.unverified",),
+                      ("view", "m.vert.unverified", "-o", "m.html")):
+            self.assertRegex(self.run_morskin(*words).stdout, rb"mesh +\S+ triangles", words)
 
     def test_either_of_the_two_names_of_msms_writes_both_files_and_check_reads_them(self):
         for name in ("m.vert", "m.face"):

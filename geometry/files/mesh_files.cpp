@@ -177,17 +177,29 @@ std::filesystem::path unpacked_name(std::filesystem::path path) {
   return path;
 }
 
+bool is_unverified(const std::filesystem::path& path) {
+  return unpacked_name(path).extension() == ".unverified";
+}
+
+// The name down to the ending that tells the format: a mesh that is not certified has one more.
+std::filesystem::path plain_name(const std::filesystem::path& path) {
+  std::filesystem::path name = unpacked_name(path);
+  if (is_unverified(path)) name.replace_extension();
+  return name;
+}
+
 bool is_msms(const std::filesystem::path& path, std::string_view ending) {
-  return lower_case(unpacked_name(path).extension().string()) == ending;
+  return lower_case(plain_name(path).extension().string()) == ending;
 }
 
 // The other file of an MSMS pair: the same name with the other ending, as it is or gzipped.
 std::filesystem::path msms_partner(const std::filesystem::path& path) {
-  std::filesystem::path name = unpacked_name(path);
+  std::filesystem::path name = plain_name(path);
   const bool is_upper = name.extension() == ".VERT" || name.extension() == ".FACE";
   const char* const ending =
       is_msms(path, ".vert") ? (is_upper ? ".FACE" : ".face") : (is_upper ? ".VERT" : ".vert");
   name.replace_extension(ending);
+  if (is_unverified(path)) name += ".unverified";
   std::filesystem::path packed = name;
   packed += ".gz";
   std::error_code ignored;
@@ -215,7 +227,7 @@ MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
 const KnownFormat& readable_format(std::string_view bytes, const std::string& source) {
   if (bytes.empty()) throw UnreadableInput(source + ": is empty; name a mesh file");
   std::optional<MeshFormat> format = format_by_content(bytes);
-  if (!format) format = mesh_format_of(unpacked_name(source));
+  if (!format) format = mesh_format_of(plain_name(source));
   if (!format) {
     throw UnreadableInput(
         source +

@@ -76,8 +76,8 @@ IndexedMesh with_decimals(IndexedMesh mesh, int decimals);
 IndexedMesh in_single_precision(IndexedMesh mesh);
 
 /// Reads a mesh of any format above that is not only written, by any program. The content decides
-/// the format, and the ending where the content is ambiguous. `path` may name either file of an
-/// MSMS pair.
+/// the format, and the ending where the content is ambiguous, that before .gz and .unverified where
+/// there are these. `path` may name either file of an MSMS pair.
 ///
 /// Polygons become fans about their first corner. Normals, colours, texture and other elements are
 /// ignored. STL corners whose three coordinates have equal bits become one vertex.
