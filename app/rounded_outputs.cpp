@@ -1,7 +1,9 @@
 #include "app/rounded_outputs.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +45,21 @@ std::size_t count_spoilt(const IndexedMesh& mesh, const IndexedMesh& rounded,
   return count;
 }
 
+/// Who counts columns would read wrong numbers where one is wider than they are.
+void check_columns(const IndexedMesh& rounded, const std::filesystem::path& output) {
+  constexpr double below = -1e4, above = 1e5;  // four digits and a sign before the point
+  constexpr std::size_t most_vertices = 9'999'999;
+  const bool fits = std::ranges::all_of(rounded.positions, [&](const geometry::Point& at) {
+    return at.minCoeff() > below && at.maxCoeff() < above;
+  });
+  if (fits && rounded.positions.size() <= most_vertices) return;
+  throw geometry::RefusedInput(
+      output.string() + ": its columns, which --decimals asks for, hold " +
+      (fits ? "numbers of at most 9,999,999 vertices; leave it out, or ask for larger triangles"
+            : "coordinates above -10,000 and below 100,000 Angstrom; leave it out, or move the "
+              "molecule nearer to the origin"));
+}
+
 }  // namespace
 
 void check_rounded_outputs(const IndexedMesh& mesh, const MeshArguments& arguments) {
@@ -53,6 +70,7 @@ void check_rounded_outputs(const IndexedMesh& mesh, const MeshArguments& argumen
     const auto rounded = stored(mesh, format, arguments.decimals);
     if (!rounded) continue;
     const bool is_msms_file = format == MeshFormat::MsmsVertices;
+    if (is_msms_file) check_columns(*rounded, output);
     const std::size_t spoilt = count_spoilt(mesh, *rounded, is_msms_file ? any : few);
     if (spoilt == 0) continue;
     const std::string digits =

@@ -202,6 +202,12 @@ class Formats(CommandTest):
             self.assertRegex(done.stderr.decode(), r"m\.\w+: .* triangles would be turned over")
             self.assertEqual(self.names(), before)
 
+    def test_coordinates_that_are_wider_than_their_columns_are_refused(self):
+        for x, code in ((-9998.49, 0), (-9998.51, 4), (99998.49, 0), (99998.51, 4), (9e5, 4)):
+            ball = self.input("far.xyzr", f"{x} 0 0 1.5\n")
+            done = self.run_morskin("mesh", ball, "-o", "m.vert", "--decimals", "3", code=code)
+            self.assertEqual(b"m.vert: its columns" in done.stderr, code == 4, x)
+
     def test_three_decimals_are_not_called_certified_as_read_back(self):
         report = self.mesh_json(self.ring, "-o", "m.vert", "--decimals", "3")
         self.assertIn("in memory", report["certified_file"])
