@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
@@ -63,14 +65,37 @@ std::string_view element_from_columns(std::string_view line, std::string_view re
   return is_usual || !is_standard_residue(residue) ? symbol : std::string_view();
 }
 
+// CHARMM's names of ions, of which the first letters are other elements.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> charmm_ions = {{
+    {"SOD", "Na"},
+    {"POT", "K"},
+    {"CLA", "Cl"},
+    {"CAL", "Ca"},
+    {"CES", "Cs"},
+    {"LIT", "Li"},
+    {"RUB", "Rb"},
+    {"BAR", "Ba"},
+    {"CAD", "Cd"},
+}};
+
+// The element of an ion, which is called like its residue: "ZN" of "ZN", "MG2" of "MG2", "CL" or
+// "CL-" of "CL-", "SOD" of "SOD"; "" if it is none.
+std::string_view ion_from_name(std::string_view name, std::string_view residue) {
+  const std::string_view letters = residue.substr(0, residue.find_first_of("0123456789+-"));
+  const bool is_charged = residue.ends_with('+') || residue.ends_with('-');
+  if (name != residue && !(is_charged && name == letters)) return {};
+  const auto found = std::ranges::find(charmm_ions, residue,
+                                       &std::pair<std::string_view, std::string_view>::first);
+  return found == charmm_ions.end() ? symbol_or_empty(letters) : found->second;
+}
+
 // The element of an atom whose element columns are missing or wrong; "" if unknown. The name is
 // that of columns 13-16, untrimmed: an element of one letter starts in the second. In standard
 // residues the first letter decides, wherever the name begins.
 std::string_view element_from_name(std::string_view name, std::string_view residue) {
-  // An ion is called like its residue, "ZN" of "ZN", and some programs shift its name to column 14.
-  if (trimmed(name) == residue && !symbol_or_empty(residue).empty()) {
-    return symbol_or_empty(residue);
-  }
+  // Some programs shift an ion's name to column 14.
+  const std::string_view ion = ion_from_name(trimmed(name), residue);
+  if (!ion.empty()) return ion;
   const auto first = std::ranges::find_if(name, is_letter);
   if (first == name.end()) return {};
   const std::string_view from_first(first, name.end());

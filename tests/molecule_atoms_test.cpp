@@ -67,6 +67,19 @@ TEST_CASE("an ion that is called like its residue is that element wherever its n
   CHECK(element(" K  ", "K") == "K");
   CHECK(element(" CA ", "LIG") == "C");
   CHECK(element(" C  ", "C") == "C");
+  // With its charge behind, as Amber and GROMACS write it.
+  CHECK(element(" Na+", "Na+") == "Na");
+  CHECK(element(" NA ", "NA+") == "Na");
+  CHECK(element(" CL ", "CL-") == "Cl");
+  CHECK(element(" K+ ", "K+") == "K");
+  CHECK(element(" MG2", "MG2") == "Mg");
+  // As CHARMM calls it: no sulphur, phosphorus and carbon.
+  CHECK(element(" SOD", "SOD") == "Na");
+  CHECK(element(" POT", "POT") == "K");
+  CHECK(element(" CLA", "CLA") == "Cl");
+  CHECK(element(" CAL", "CAL") == "Ca");
+  CHECK(element(" CA ", "CAL") == "C");
+  CHECK(element(" CHA", "CLA") == "C");
 }
 
 TEST_CASE("in a longer name without columns the first letter decides as in one of four") {
