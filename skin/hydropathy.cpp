@@ -21,8 +21,10 @@ constexpr std::array<std::pair<std::string_view, double>, 33> scale = {{
 }  // namespace
 
 std::optional<double> kyte_doolittle(const Label& residue) {
-  const auto found =
-      std::ranges::find(scale, residue.view(), &std::pair<std::string_view, double>::first);
+  std::string_view name = residue.view();
+  const bool is_of_end = name.size() == 4 && (name[0] == 'N' || name[0] == 'C');
+  if (is_of_end) name.remove_prefix(1);
+  const auto found = std::ranges::find(scale, name, &std::pair<std::string_view, double>::first);
   if (found == scale.end()) return std::nullopt;
   return found->second;
 }

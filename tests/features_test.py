@@ -102,12 +102,13 @@ class Features(CommandTest):
         numpy.testing.assert_array_equal(a["hphob"], a["atom_hphob"][a["atom"]])
 
     def test_every_amino_acid_has_its_value_and_other_residues_0(self):
-        names = [*LETTERS, "HEM", "DA"]
-        rows = [f"ATOM  {k + 1:5}  C   {name:>3} A{k + 1:4}    {5 * k:8.3f}   0.000   0.000"
+        names = [*LETTERS, "HEM", "DA", "NALA", "CPHE", "NHEM"]  # NALA begins a chain in Amber
+        rows = [f"ATOM  {k + 1:5}  C   {name:4}A{k + 1:4}    {5 * k:8.3f}   0.000   0.000"
                 "  1.00  0.00           C" for k, name in enumerate(names)]
         a = self.features(self.input("all.pdb", "\n".join(rows) + "\n"), "--voids", "keep")
         numpy.testing.assert_array_equal(
-            a["atom_hphob"], [SCALE[LETTERS[n]] if n in LETTERS else 0 for n in names])
+            a["atom_hphob"],
+            [SCALE[LETTERS[n[-3:]]] if n[-3:] in LETTERS else 0 for n in names])
 
     def test_charges_are_there_if_the_file_gives_them_and_only_then(self):
         a = self.features(self.input("m.pqr", CHARGED))
