@@ -2,9 +2,10 @@
 own documentation names.
 
 Radii are those of morskin's table, `van_der_waals_radius(element)`. Water is left out unless asked
-for, and of alternate locations the likeliest is taken, as `morskin.read` does. It leaves out atoms
-of the unknown element X too, as files say; here they are refused, with their numbers, for X may
-be what another package could not tell, and the skin would lack atoms without a word.
+for, and of alternate locations the likeliest is taken, as `morskin.read` does; of MDAnalysis's
+atoms all are taken, for it has selections of its own. `read` leaves out atoms of the unknown
+element X too, as files say; here they are refused, with their numbers, for X may be what another
+package could not tell, and the skin would lack atoms without a word.
 """
 
 from __future__ import annotations
@@ -127,7 +128,8 @@ def _without_deuterium(site: _Site) -> str:
 
 def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
     """The atoms of an MDAnalysis AtomGroup or Universe at its present frame, all of them: leave
-    water out by a selection, `universe.select_atoms("protein")`.
+    water and alternate locations out by a selection,
+    `universe.select_atoms("protein and not altloc B")`.
 
     radii  (n,), Angstrom; None: by `atoms.elements`, which the topology must have
     """
