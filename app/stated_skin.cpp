@@ -81,16 +81,28 @@ class Completion {
     if (typed.selection.waters) waters = "keep";
     take("waters", waters, keep_or_drop);
     typed.selection.waters = waters == "keep";
-    if (!is_size_given) {
-      take("C", typed.C, number);
-      take("Q", typed.Q, number);
-      take("size", typed.size, number);
-    }
+    if (!is_size_given) take_sizes(typed);
     if (stated(provenance_, "grow")) refuse("grow", "check knows no skins of grown balls");
     return std::move(skin_);
   }
 
  private:
+  /// All that are stated, or none where one is not to be taken.
+  void take_sizes(TypedSkin& typed) {
+    const std::size_t taken = skin_.taken.size(), not_taken = skin_.not_taken.size();
+    take("C", typed.C, number);
+    take("Q", typed.Q, number);
+    take("size", typed.size, number);
+    if (skin_.not_taken.size() == not_taken) return;
+    typed.C.reset();
+    typed.Q.reset();
+    typed.size.reset();
+    for (std::size_t i = taken; i < skin_.taken.size(); ++i) {
+      refuse(skin_.taken[i], "C, Q and size are taken together or not at all");
+    }
+    skin_.taken.resize(taken);
+  }
+
   void refuse(std::string_view key, const std::string& why) {
     skin_.not_taken.push_back(std::string(key) + ": " + why);
   }

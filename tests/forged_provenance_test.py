@@ -70,6 +70,15 @@ class ForgedProvenance(ProvenanceTest):
                 self.assertFalse(set(said) & set(range(32)) - {10})
                 self.assertLess(len(said), 10000)
 
+    def test_C_Q_and_size_are_taken_together_or_not_at_all(self):
+        self.meshed("-o", "m.ply", "-C", "0.3")
+        for stated in (b"C 0,3", b"C 0.3\ncomment morskin: C 0.3",
+                       b"C 0.3\ncomment morskin: size x"):
+            forged = self.altered(b"morskin: C 0.3\n", b"morskin: " + stated + b"\n")
+            report = self.check(forged, "--against", self.ring, code=5)
+            self.assertEqual((report["C"], report["Q"]), (0.08, 1.65))
+            self.assertFalse({"C", "Q", "size"} & set(report["origin"]["taken"]))
+
     def test_one_statement_that_makes_no_sense_takes_no_other_with_it(self):
         self.meshed("-o", "m.ply", "--model", "sas", "-C", "0.2", molecule=CRAMBIN)
         for key, value in (("chain", "Q"), ("voids", "-5"), ("Q", "0.1"), ("model-number", "7")):
