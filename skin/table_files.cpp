@@ -23,7 +23,8 @@ using geometry::trimmed;
 double number_in(std::string_view field, std::string_view what, const TextLines& lines) {
   const std::optional<double> value = parse_double(field);
   if (!value) {
-    lines.fail("expected " + std::string(what) + ", found " + quoted(field) + "; mend the line");
+    const std::string found = field.empty() ? "the end of the line" : quoted(field);
+    lines.fail("expected " + std::string(what) + ", found " + found + "; mend the line");
   }
   return *value;
 }

@@ -110,7 +110,7 @@ TEST_CASE("bad input is turned down with its line, the atom and what to do") {
   refused(pdb_line("HETATM", "PM  ", ' ', " PM", 5, 0, ""), "a.pdb",
           "a.pdb:1: atom PM of PM 5 chain A (line 1) has element \"Pm\"");
   refused(pdb_line("HETATM", " Q1 ", ' ', "LIG", 5, 0, ""), "a.pdb", "no known element");
-  unreadable("0 0 0\n", "a.xyzr", "a.xyzr:1: expected x y z r");
+  unreadable("0 0 0\n", "a.xyzr", "a.xyzr:1: expected x y z r, found the end of the line;");
   unreadable("1\n\nXx 0 0 0\n", "a.xyz", "a.xyz:3: \"Xx\" is no element");
   unreadable("2\n\nC 0 0 0\n", "a.xyz", "1 atoms where 2 were announced");
   unreadable("1\n\nC 0 0 0\nC 0 0 0\n", "a.xyz", "a.xyz:4: expected the number of atoms");
