@@ -90,6 +90,7 @@ VertexData parsed_vertex_data(std::string_view text) {
   VertexData result;
   while (true) {
     const std::string_view name = text.substr(0, text.find(','));
+    if (name == "all") throw UsageError("--vertex-data all has every group; leave out the others");
     const std::optional<morskin::Datum> datum = morskin::parse_datum(name);
     const bool is_new = datum && std::ranges::find(result.data, *datum) == result.data.end();
     if (is_new) result.data.push_back(*datum);

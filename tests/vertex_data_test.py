@@ -118,6 +118,10 @@ class VertexData(CommandTest):
         said = self.run_morskin("mesh", self.ring, "-o", "m.off", "-o", "m.vert", "--vertex-data",
                                 "normal", code=2).stderr
         self.assertIn(b".ply, .vtu", said)
+        for groups in ("all,charge", "normal,all"):
+            said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", groups,
+                                    code=2).stderr
+            self.assertIn(b"--vertex-data all has every group; leave out the others", said)
         self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "atom,scale,atom", "-q")
         header = (self.folder / "m.ply").read_bytes()[:2000]
         self.assertEqual(header.count(b" atom\n"), 1)
