@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "geometry/error.h"
-#include "geometry/parallel.h"
 #include "skin/mixed_complex_internal.h"
 
 namespace morskin::skin {
@@ -37,8 +36,7 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
     largest = std::max(largest, p.position.cwiseAbs().maxCoeff() + std::sqrt(std::abs(p.weight)));
   }
   wall_tolerance_ = std::ldexp(largest, -42);
-  geometry::do_both(
-      run.threads(), [&] { choose_kept(keep, run); }, [&] { list_edges(); });
+  choose_kept(keep, run);
   build_patches(run);
   build_walls(run);
 }

@@ -117,14 +117,14 @@ void MixedComplex::choose_kept(Keep keep, const geometry::Run& run) {
   }
 }
 
+/// Lists the edges at each vertex beside, which is one task.
 void MixedComplex::build_patches(const geometry::Run& run) {
   patches_.resize(number_of_.size());
-  geometry::for_each_block(run.threads(), patches_.size(),
-                           [&](std::size_t begin, std::size_t end, std::size_t) {
-                             for (std::size_t i = begin; i < end; ++i) {
-                               patches_[i] = make_patch_numbered(number_of_[i]);
-                             }
-                           });
+  geometry::for_each_block_beside(
+      run.threads(), [&] { list_edges(); }, patches_.size(),
+      [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) patches_[i] = make_patch_numbered(number_of_[i]);
+      });
 }
 
 /// Visits each pair of a simplex with N corners and a facet of which one is kept: visit(simplex, k,
