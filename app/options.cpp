@@ -6,7 +6,6 @@
 #include "app/features_options.h"
 #include "app/help_groups.h"
 #include "app/help_text.h"
-#include "app/presets.h"
 #include "app/shared_options.h"
 #include "app/version.h"
 
@@ -48,12 +47,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
       .add_option("--areas", mesh.areas,
                   "Also write the areas of atoms and residues to this file, as CSV")
       ->default_str("none");
-  command
-      .add_option("--for", typed.purpose,
-                  "Set density, voids, data and format for: bem, learning.\n"
-                  "Where no option does: bem, boundary elements; learning, points with all data")
-      ->check(CLI::IsMember(preset_names()))
-      ->default_str("none");
+  add_preset_option(command, typed);
   command.add_flag("--fail-fast", mesh.fail_fast,
                    "Of several models mesh none after one that fails");
   add_snapshot_options(command, mesh);

@@ -24,6 +24,10 @@ const std::array<Preset, 2>& presets() {
   return all;
 }
 
+const Preset& preset_of(const std::string& name) {
+  return *std::ranges::find(presets(), name, &Preset::name);
+}
+
 bool takes_density(const Typed& typed) {
   return !typed.skin.size && !typed.skin.C && !typed.density && !typed.triangles &&
          typed.method != "dynamic" && typed.method != "marching-cubes";
@@ -37,8 +41,10 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
+const std::string& preset_ending(const std::string& name) { return preset_of(name).ending; }
+
 void apply_preset(Typed& typed, MeshArguments& mesh) {
-  const Preset& preset = *std::ranges::find(presets(), *typed.purpose, &Preset::name);
+  const Preset& preset = preset_of(*typed.purpose);
   PresetUse& use = mesh.preset.emplace();
   use.name = preset.name;
   const auto set = [&use](const std::string& option, const std::string& value) {

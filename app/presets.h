@@ -12,6 +12,9 @@
 namespace morskin::app {
 
 std::vector<std::string> preset_names();
+/// That of the format, with its point.
+/// @pre one of preset_names()
+const std::string& preset_ending(const std::string& name);
 
 /// Fills in what was not typed, and gives outputs without an ending that of the preset's format.
 /// A size of any kind takes the place of the preset's density; so does a method that takes none.

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/presets.h"
+
 namespace morskin::app {
 
 void add_choice(CLI::App& command, const char* name, std::string& value,
@@ -171,6 +173,15 @@ void add_method_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
 }
 
 }  // namespace
+
+void add_preset_option(CLI::App& command, Typed& typed) {
+  command
+      .add_option("--for", typed.purpose,
+                  "Set density, voids, data and format for: bem, learning.\n"
+                  "Where no option does: bem, boundary elements; learning, points with all data")
+      ->check(CLI::IsMember(preset_names()))
+      ->default_str("none");
+}
 
 void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   add_contents_options(command, mesh, typed);

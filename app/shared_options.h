@@ -27,6 +27,8 @@ void add_function_option(CLI::App& command, Typed& typed);
 void add_surface_option(CLI::App& command, std::optional<std::string>& surface);
 /// What of `mesh` makes the mesh what it is: all but files, reports, limits and snapshots.
 void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed);
+/// --for.
+void add_preset_option(CLI::App& command, Typed& typed);
 void add_progress_option(CLI::App& command, Typed& typed);
 /// --timeout and --max-memory.
 void add_limit_options(CLI::App& command, Limits& limits, Typed& typed);

@@ -52,6 +52,17 @@ class Presets(CommandTest):
         done = self.run_morskin("mesh", self.ring, "--for", "bem", "-o", "r")
         self.assertIn(b"preset      bem: --density 5 --voids drop --output r.vert", done.stdout)
 
+    def test_a_batch_has_it_for_each_molecule_but_not_for_features(self):
+        self.run_morskin("batch", self.ring, "-o", "all", "--for", "learning", "-q")
+        self.run_morskin("mesh", self.ring, "--for", "learning", "-o", "one", "-q")
+        self.assertEqual((self.folder / "all" / f"{self.ring.name}.npz").read_bytes(),
+                         (self.folder / "one.npz").read_bytes())
+        self.run_morskin("batch", self.ring, "-o", "bem", "--for", "bem", "--format", "ply", "-q")
+        self.assertTrue((self.folder / "bem" / f"{self.ring.name}.ply").exists())
+        done = self.run_morskin("batch", self.ring, "-o", "no", "--for", "bem", "--features",
+                                code=2)
+        self.assertIn(b"--for is of mesh", done.stderr)
+
     def test_another_purpose_is_refused(self):
         done = self.run_morskin("mesh", self.ring, "--for", "fem", "-o", "r.ply", code=2)
         self.assertIn(b"--for", done.stderr)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/features_options.h"
+#include "app/presets.h"
 #include "app/shared_options.h"
 #include "app/typed_values.h"
 #include "geometry/files/mesh_files.h"
@@ -75,7 +76,7 @@ void add_batch(CLI::App& app, TypedBatch& batch, Typed& typed) {
                   "Endings of the files to make, as mesh has them: ply,vtu,...")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->default_str("ply; npz with --features");
+      ->default_str("ply; npz with --features; that of --for");
   command.add_option("--only", arguments.only,
                      "Of folders and archives only what fits this pattern: '*.cif.gz'");
   command.add_flag("--features", arguments.features, "Run features in place of mesh");
@@ -86,6 +87,7 @@ void add_batch(CLI::App& app, TypedBatch& batch, Typed& typed) {
   command.add_option("--workers", arguments.workers, "Processes at a time (all cores)")
       ->check(CLI::Range(1U, 1024U));
   add_meshing_options(command, batch.mesh, typed);
+  add_preset_option(command, typed);
   command.add_option("--timeout", batch.timeout, "Seconds for a molecule; then its row says limit");
   command.add_option("--max-memory", batch.max_memory,
                      "Bytes for a molecule, 2G is 2 GiB; then its row says limit\n"
@@ -103,13 +105,19 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
   BatchArguments batch = typed.arguments;
   if (typed.shard) batch.shard = parsed_shard(*typed.shard);
   if (batch.folder.empty()) throw UsageError("an output's name is empty");
-  if (batch.features && command.count("--format") == 0) batch.endings = {"npz"};
-  check_endings(batch.endings);
-  for (const char* name : features_lack) {
-    if (batch.features && command.count(name) > 0) {
-      throw UsageError(std::string(name) + " is of mesh; features sets what it writes");
-    }
+  const CLI::Option* purpose = command.get_option("--for");
+  if (command.count("--format") == 0) {
+    if (batch.features) batch.endings = {"npz"};
+    if (purpose->count() > 0) batch.endings = {preset_ending(purpose->as<std::string>()).substr(1)};
   }
+  check_endings(batch.endings);
+  const auto require_mesh = [&](const std::string& name) {
+    if (batch.features && command.count(name) > 0) {
+      throw UsageError(name + " is of mesh; features sets what it writes");
+    }
+  };
+  require_mesh("--for");
+  for (const char* name : features_lack) require_mesh(name);
   constexpr std::array<std::string_view, 11> own{"--help", "LIST",       "--output",  "--format",
                                                  "--only", "--features", "--shard",   "--workers",
                                                  "--json", "--quiet",    "--progress"};
