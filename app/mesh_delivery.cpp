@@ -263,9 +263,10 @@ void MeshDelivery::read_back(Delivery& delivery, std::string written) {
   }
   if (!certified_file_.empty()) return;
   certified_file_ = "a binary PLY copy in memory";
-  const std::string bytes = geometry::serialized(delivery.mesh, MeshFormat::PlyBinary);
+  written = std::string();
+  written = geometry::serialized(delivery.mesh, MeshFormat::PlyBinary);
   delivery.mesh = {};
-  delivery.mesh = geometry::parse_mesh(bytes, certified_file_);
+  delivery.mesh = geometry::parse_mesh(written, certified_file_);
 }
 
 }  // namespace morskin::app
