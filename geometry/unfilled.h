@@ -9,8 +9,8 @@
 
 namespace morskin::geometry {
 
-/// Makes no elements of a size alone. One thread need not write the array before others do, and the
-/// system clears its pages for all of them at once.
+/// Makes no elements of a size alone, so that pages are first touched, and cleared by the system,
+/// in the threads that fill the array.
 template <class T>
 struct MakesNone : std::allocator<T> {
   static_assert(std::is_trivially_destructible_v<T>);
