@@ -6,9 +6,9 @@
 /// each stage makes its own: with pages of 4 kB, each array's from the system, a good part of the
 /// time goes into page faults, address translation and the clearing of pages. Where no free range
 /// is large enough for an array, the pages of several get addresses side by side, which leaves them
-/// as they are. So no more pages are cleared than are in memory at once, but for those that are
-/// given back on a last visit (geometry/last_visit.h), unless there are more free ranges than it
-/// can count, or the system refuses to move them.
+/// as they are. What an array never wrote, or gave back on a last visit (geometry/last_visit.h), is
+/// not kept. So no more pages are cleared than are in memory at once, but for those given back,
+/// unless there are more free ranges than it can count, or the system refuses to move them.
 
 #include <sys/mman.h>
 
@@ -108,7 +108,7 @@ class PagePool {
     if (i == in_use_.size() || in_use_[i].begin != begin) return false;
     const Range array = in_use_[i];
     in_use_.erase(i);
-    add_free(array);
+    keep_resident(array);
     return true;
   }
 
@@ -123,6 +123,26 @@ class PagePool {
       }
     }
     return best;
+  }
+
+  /// Keeps what the system has of a range as free, and gives up the huge pages that were never
+  /// written or were given back on a last visit: an array in their place would have to clear them,
+  /// and pages that need no clearing would stay free beside it.
+  void keep_resident(Range range) {
+    char* begin = range.begin;
+    for (char* page = rounded_up(begin, huge_page); page + huge_page <= range.end();
+         page += huge_page) {
+      if (is_resident(page)) continue;
+      if (begin < page) add_free({begin, size_between(begin, page)});
+      begin = page + huge_page;
+      unmap(page, begin);
+    }
+    if (begin < range.end()) add_free({begin, size_between(begin, range.end())});
+  }
+
+  static bool is_resident(char* page) {
+    unsigned char is_in_memory = 1;
+    return mincore(page, 1, &is_in_memory) != 0 || (is_in_memory & 1) != 0;
   }
 
   void add_free(Range range) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <thread>
 
+#include "geometry/last_visit.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -91,6 +92,7 @@ TEST_CASE("what an array leaves serves the next") {
   REQUIRE(pool->take(size) != nullptr);
   auto* first = static_cast<char*>(pool->take(size));
   REQUIRE(first != nullptr);
+  Array{first, size, 1}.write();
   REQUIRE(pool->give_back(first));
   auto* second = static_cast<char*>(pool->take(size / 2));
   auto* third = static_cast<char*>(pool->take(size / 2));
@@ -118,6 +120,30 @@ TEST_CASE("free pages that lie apart serve a larger array, and no more are in me
   CHECK(resident() < written + static_cast<long long>(size));
   CHECK(large.is_kept());
   for (std::size_t i = 1; i < arrays.size(); i += 2) CHECK(arrays[i].is_kept());
+}
+
+TEST_CASE("pages that hold nothing are not kept, and the next array takes those that do") {
+  const std::size_t size = 16 << 20;
+  const auto pool = std::make_unique<PagePool>();
+  std::vector<Array> halves;
+  for (const std::uint64_t tag : {0U, 1U, 2U, 3U, 4U}) {
+    halves.push_back({static_cast<char*>(pool->take(size / 2)), size / 2, tag});
+    REQUIRE(halves.back().memory != nullptr);
+    halves.back().write();
+  }
+  const Array dropped{static_cast<char*>(pool->take(size)), size, 10};
+  REQUIRE(dropped.memory != nullptr);
+  dropped.write();
+  geometry::drop_pages(dropped.memory, dropped.memory + size);
+  const long long before = resident();
+  for (const std::size_t k : {1U, 3U}) REQUIRE(pool->give_back(halves[k].memory));
+  REQUIRE(pool->give_back(dropped.memory));
+  const Array next{static_cast<char*>(pool->take(size)), size, 11};
+  REQUIRE(next.memory != nullptr);
+  next.write();
+  CHECK(resident() < before + static_cast<long long>(size / 4));
+  CHECK(next.is_kept());
+  for (const std::size_t k : {0U, 2U, 4U}) CHECK(halves[k].is_kept());
 }
 
 TEST_CASE("the pool takes nothing back that is not its own") {
