@@ -31,6 +31,8 @@ class PartialSweep {
                const SweepOptions& options, const std::optional<CoarseningOptions>& coarsening = {},
                const std::vector<SweepObserver*>& observers = {});
 
+  /// Makes room for so many vertices, and twice as many triangles.
+  void reserve(std::size_t vertices) { mesh_.surface.reserve(vertices); }
   void run(const SweepRegion& region, std::span<const SurfacePoint> bowls) {
     sweep_.run(region, bowls);
   }

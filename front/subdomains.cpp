@@ -35,13 +35,15 @@ std::vector<Point> positions(const surface::Samples& samples) {
 /// Sweeps the boxes of a dissection from the leaves up.
 class Sweeps {
  public:
+  /// @param triangles  expected of the whole mesh
   Sweeps(const surface::Surface& surface, const morse::Guide& guide, const SweepOptions& options,
-         const Dissection& dissection, LaidTriangles& laid)
+         const Dissection& dissection, double triangles, LaidTriangles& laid)
       : surface_(surface),
         guide_(guide),
         options_(options),
         dissection_(dissection),
         disk_(surface, options.sizing, options.spacing),
+        vertices_of_leaf_(triangles / 2 / static_cast<double>(dissection.leaf_count())),
         sweeps_(dissection.size()),
         progress_(dissection.size(), geometry::Apart<ProgressObserver>(laid)),
         is_half_done_(dissection.size()) {}
@@ -71,12 +73,24 @@ class Sweeps {
     if (dissection_.is_leaf(k)) {
       sweeps_[k] = std::make_unique<PartialSweep>(surface_, guide_, options_, coarsening,
                                                   std::vector<SweepObserver*>{&progress_[k]});
+      sweeps_[k]->reserve(room(k));
     } else {
       unite_halves(k);
     }
     const std::size_t before = sweeps_[k]->triangles_laid();
     sweeps_[k]->run(part.region, bowls_of(part, guide_.function, disk_));
     if (!dissection_.is_leaf(k)) seam_triangles_ += sweeps_[k]->triangles_laid() - before;
+  }
+  /// As many vertices as the largest box is to have whose lowest leaf this is: its mesh takes in
+  /// those of the others, and need not move.
+  std::size_t room(std::size_t leaf) const {
+    constexpr double spare = 1.125;  // refinement adds one to every fourteen
+    constexpr double most = static_cast<double>(geometry::SurfaceMesh::max_triangles) / 2;
+    double vertices = spare * vertices_of_leaf_;
+    for (std::size_t k = leaf; k > 0 && Dissection::is_lower_half(k); k = Dissection::parent(k)) {
+      vertices *= 2;
+    }
+    return static_cast<std::size_t>(std::min(vertices, most));
   }
   void unite_halves(std::size_t k) {
     std::unique_ptr<PartialSweep> other = std::move(sweeps_[Dissection::upper_half(k)]);
@@ -89,6 +103,7 @@ class Sweeps {
   const SweepOptions& options_;
   const Dissection& dissection_;
   const TangentDisk disk_;
+  const double vertices_of_leaf_;
   std::vector<std::unique_ptr<PartialSweep>> sweeps_;
   std::vector<geometry::Apart<ProgressObserver>> progress_;
   std::vector<std::atomic<bool>> is_half_done_;
@@ -130,7 +145,9 @@ SweepResult sweep_subdomains(const surface::Surface& surface, const morse::Guide
   const std::size_t count = subdomains.value_or(usual_subdomains(expected));
   const Dissection dissection(positions(samples), static_cast<int>(std::bit_width(count)) - 1);
   LaidTriangles laid(expected, run);
-  return Sweeps(surface, guide, options, dissection, laid)
+  // Coarsening leaves about as many as go with edges of the larger C.
+  const double coarser = coarsening ? coarsening->sizing.C / options.sizing.C : 1;
+  return Sweeps(surface, guide, options, dissection, expected / (coarser * coarser), laid)
       .run(sweep_plan(dissection, guide, samples, disk), coarsening, run.threads());
 }
 

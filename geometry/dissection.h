@@ -40,6 +40,7 @@ class Dissection {
 
   static std::size_t lower_half(std::size_t k) { return 2 * k + 1; }
   static std::size_t upper_half(std::size_t k) { return 2 * k + 2; }
+  static bool is_lower_half(std::size_t k) { return k % 2 == 1; }
   /// @pre k > 0
   static std::size_t parent(std::size_t k) { return (k - 1) / 2; }
 

@@ -21,7 +21,7 @@ template <class Array, class Visit>
 void visit_last(Array& array, Visit visit) {
   using Element = Array::value_type;
   // Smaller arrays are no large part of the peak, and their pages are soon needed again.
-  constexpr std::size_t large = std::size_t{32} << 20, step = std::size_t{2} << 20;
+  constexpr std::size_t large = std::size_t{8} << 20, step = std::size_t{2} << 20;
   const std::span all(array.data(), array.size());
   const std::size_t block = step / sizeof(Element);
   const char* kept = reinterpret_cast<const char*>(all.data());

@@ -36,14 +36,10 @@ class MeshData : public IdVector<Index, T>, public MeshFollower {
   void reset(Index i) { (*this)[i] = fill_; }
   void append(MeshFollower* other, std::size_t size) {
     if (auto* data = dynamic_cast<MeshData*>(other)) {
-      Table joined;
-      joined.reserve(SurfaceMesh::capacity_for(size));
-      for (Table* part : {static_cast<Table*>(this), static_cast<Table*>(data)}) {
-        visit_last(*part,
-                   [&](auto block) { joined.insert(joined.end(), block.begin(), block.end()); });
-        *part = Table();
-      }
-      Table::operator=(std::move(joined));
+      Table& appended = *data;
+      visit_last(appended,
+                 [&](auto block) { this->insert(this->end(), block.begin(), block.end()); });
+      appended = Table();
     }
     resize_filled(size);
   }
@@ -62,6 +58,7 @@ class VertexData : public MeshData<VertexId, T> {
 
  private:
   void vertices_resized(std::size_t vertices) override { this->resize_filled(vertices); }
+  void reserved(std::size_t vertices) override { this->reserve(vertices); }
   void vertex_removed(VertexId v) override { this->reset(v); }
   void compacted(const Renaming& renaming) override {
     for (std::size_t v = 0; v < this->size(); ++v) {
@@ -85,6 +82,7 @@ class TriangleData : public MeshData<TriangleId, T> {
 
  protected:
   void triangles_resized(std::size_t triangles) override { this->resize_filled(triangles); }
+  void reserved(std::size_t vertices) override { this->reserve(2 * vertices); }
   void triangle_split(TriangleId, TriangleId second, TriangleId third) override {
     this->reset(second);
     this->reset(third);

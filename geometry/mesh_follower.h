@@ -55,6 +55,8 @@ class MeshFollower {
 
  private:
   friend class SurfaceMesh;
+  /// The mesh is about to have so many vertices and twice as many triangles.
+  virtual void reserved(std::size_t /*vertices*/) {}
   /// The mesh has so many vertices now. New ones have the highest ids.
   virtual void vertices_resized(std::size_t) {}
   /// The same of triangles.

@@ -31,6 +31,7 @@ SurfaceMesh& SurfaceMesh::operator=(SurfaceMesh other) {
 void SurfaceMesh::reserve(std::size_t vertices) {
   outgoing_.reserve(vertices);
   half_edges_.reserve(6 * vertices);
+  for (MeshFollower* follower : followers_.all) follower->reserved(vertices);
 }
 
 std::optional<HalfEdgeId> SurfaceMesh::outgoing(VertexId v) const {
@@ -71,27 +72,20 @@ void SurfaceMesh::glue(HalfEdgeId h, HalfEdgeId g) {
 
 void SurfaceMesh::append(SurfaceMesh&& other) {
   const std::size_t vertices = vertex_count(), all_vertices = vertices + other.vertex_count();
-  const std::size_t triangles = triangle_count();
-  const std::size_t all_triangles = triangles + other.triangle_count();
+  const std::size_t half_edges = half_edges_.size();
+  const std::size_t all_triangles = triangle_count() + other.triangle_count();
   if (all_triangles > max_triangles) fail_for_lack_of_ids(max_triangles, "triangles");
   const auto moved = [](auto id, std::size_t by) {
     return id == decltype(id)::none() ? id : decltype(id){id.index() + by};
   };
-  SurfaceMesh joined;
-  joined.reserve(capacity_for(all_vertices));
-  for (SurfaceMesh* part : {this, &other}) {
-    const std::size_t by = part == this ? 0 : vertices, by_edges = part == this ? 0 : 3 * triangles;
-    visit_last(part->half_edges_, [&](auto block) {
-      for (const HalfEdge& h : block) {
-        joined.half_edges_.push_back({moved(h.origin, by), moved(h.twin, by_edges)});
-      }
-    });
-    part->half_edges_ = {};
-    for (const HalfEdgeId h : part->outgoing_) joined.outgoing_.push_back(moved(h, by_edges));
-    part->outgoing_ = {};
-  }
-  half_edges_ = std::move(joined.half_edges_);
-  outgoing_ = std::move(joined.outgoing_);
+  visit_last(other.half_edges_, [&](auto block) {
+    for (const HalfEdge& h : block) {
+      half_edges_.push_back({moved(h.origin, vertices), moved(h.twin, half_edges)});
+    }
+  });
+  other.half_edges_ = {};
+  for (const HalfEdgeId h : other.outgoing_) outgoing_.push_back(moved(h, half_edges));
+  other.outgoing_ = {};
   for (std::size_t k = 0; k < followers_.all.size(); ++k) {
     const std::vector<MeshFollower*>& others = other.followers_.all;
     followers_.all[k]->appended(k < others.size() ? others[k] : nullptr, all_vertices,

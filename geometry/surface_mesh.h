@@ -91,9 +91,6 @@ class SurfaceMesh {
   /// Appends all vertices and triangles of another mesh, in their order, and empties it. The k-th
   /// follower takes over the values of the other mesh's k-th, if both have one type.
   void append(SurfaceMesh&& other);
-  /// What append() reserves for a count of elements: seams add one vertex to every sixty,
-  /// refinement one to every fourteen, and growth would double the arrays.
-  static constexpr std::size_t capacity_for(std::size_t count) { return count + count / 8; }
 
   /// Turns the edge of h inside its two triangles: a-b between c and d becomes d-c. Afterwards h
   /// runs from d to c in triangle (a, d, c), its twin from c to d in triangle (b, c, d).

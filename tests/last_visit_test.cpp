@@ -53,7 +53,7 @@ TEST_CASE("a last visit meets each element once, in order, and gives large array
     });
     CHECK(is_in_order);
     CHECK(next == array.size());
-    const bool is_large = bytes > 32 * mebibyte;
+    const bool is_large = bytes > 8 * mebibyte;
     if (is_large) CHECK(resident_bytes() + 56 * mebibyte < before);
     if (!is_large) CHECK((array.empty() || array.back() == array.size() - 1));
     for (std::uint32_t& x : array) x = 7;  // it may be written again

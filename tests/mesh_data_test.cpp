@@ -120,6 +120,17 @@ TEST_CASE("data of an appended mesh without the same data begin anew") {
   CHECK(labels[VertexId{8U}] == 7);
 }
 
+TEST_CASE("a mesh and its data that have room for another's elements take them in where they are") {
+  Labelled one, other;
+  one.mesh.reserve(12);
+  const auto *const vertices = one.vertex.data(), *const triangles = one.triangle.data();
+  one.mesh.append(std::move(other.mesh));
+  REQUIRE(one.vertex.size() == 12);
+  REQUIRE(one.triangle.size() == 16);
+  CHECK(one.vertex.data() == vertices);
+  CHECK(one.triangle.data() == triangles);
+}
+
 TEST_CASE("a copy of a mesh has no followers, and data may outlive their mesh") {
   auto mesh = std::make_unique<SurfaceMesh>(closed_mesh(6, octahedron()).mesh);
   VertexData<int> labels(*mesh);
