@@ -51,13 +51,19 @@ export function listen(viewer) {
     ']': () => viewer.section && viewer.set({ offset: Math.min(1, viewer.state.offset + 0.02) }),
     ',': () => step(-1),
     '.': () => step(1),
-    '<': () => step(-Math.ceil(viewer.sweep?.steps / 100)),
-    '>': () => step(Math.ceil(viewer.sweep?.steps / 100)),
+    '<': () => leap(-1),
+    '>': () => leap(1),
+    // Comma and full stop with Shift on most keyboards of Europe.
+    ';': () => leap(-1),
+    ':': () => leap(1),
   };
+  const leap = (way) => viewer.sweep && step(way * Math.ceil(viewer.sweep.steps / 100));
   const step = (by) => viewer.sweep && viewer.goTo(viewer.state.step + by);
 
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    // Many keyboards have brackets with Alt, or with AltGr, which may count as Ctrl and Alt.
+    const isTyped = event.altKey && (event.key === '[' || event.key === ']');
+    if (event.metaKey || ((event.ctrlKey || event.altKey) && !isTyped)) return;
     const key = event.key.toLowerCase();
     // What lies behind the help is out of reach: the keys that opened it close it, no other acts.
     if (help.open && key !== 'h' && key !== '?') return;

@@ -80,6 +80,33 @@ test('every key of the help does what it says', { timeout: 900000 }, async () =>
   });
 });
 
+test('brackets typed with Alt move the plane, and Shift leaps on keyboards of Europe too',
+  { timeout: 900000 }, async () => {
+    await withPage(pages.ligand, small, async (page) => {
+      const press = (key, held = {}) => page.evaluate(([name, more]) => {
+        const event = new KeyboardEvent('keydown', { key: name, cancelable: true, ...more });
+        window.dispatchEvent(event);
+        return event.defaultPrevented;
+      }, [key, held]);
+      const offset = async () => (await state(page)).offset;
+      assert.ok(await press(']', { altKey: true }));
+      assert.equal(await offset(), 0.02);
+      assert.ok(await press('[', { altKey: true, ctrlKey: true }), 'AltGr');
+      assert.equal(await offset(), 0);
+      for (const held of [{ ctrlKey: true }, { metaKey: true }]) {
+        assert.ok(!await press(']', held), 'the browser keeps its own');
+      }
+      assert.ok(!await press('e', { altKey: true }));
+      assert.equal(await offset(), 0);
+      const all = await page.evaluate(() => window.viewer.sweep.steps);
+      const hundredth = Math.ceil(all / 100);
+      await press(';', { shiftKey: true });
+      assert.equal((await state(page)).step, all - hundredth);
+      await press(':', { shiftKey: true });
+      assert.equal((await state(page)).step, all);
+    });
+  });
+
 test('behind the open help no key acts, and Escape closes it', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     const help = page.locator('#help');
