@@ -37,10 +37,12 @@ const short = (x) => signed(Number(x.toPrecision(3)).toString());
 const steps = Array.from({ length: 256 }, (_, i) => palette.gradient(i / 255));
 const onScale = (x) => steps[Math.min(255, Math.max(0, Math.round(255 * x)))];
 
-// Numbers by vertex on the scale, from their least to their greatest.
-function spread(numbers) {
+// Numbers by vertex on the scale, from their least to their greatest; isOne(low, high): that they
+// differ by rounding alone, which would have all colours of the scale.
+function spread(numbers, isOne = () => false) {
   const { low, high } = extent(numbers), span = high - low || 1;
-  return { low, span, values: numbers.map((x) => (x - low) / span) };
+  const values = isOne(low, high) ? numbers.map(() => 0.5) : numbers.map((x) => (x - low) / span);
+  return { low, span, values };
 }
 
 export function colourings(scene) {
@@ -72,9 +74,12 @@ function patchKind(scene) {
 }
 
 function lengthScale(scene) {
-  const { complex, cells, mesh: { positions: p } } = scene;
+  const { complex, cells, mesh: { positions: p }, page: { about } } = scene;
+  // Places are rounded to the grid, by half a step along each axis at most.
+  const off = Math.sqrt(3) / 2 * about.mesh.grid.step;
   const scale = lazily(() => spread(Float32Array.from(cells, (cell, v) =>
-    Math.log(complex.lengthScale(cell, p[3 * v], p[3 * v + 1], p[3 * v + 2]) || 1e-9))));
+    Math.log(complex.lengthScale(cell, p[3 * v], p[3 * v + 1], p[3 * v + 2]) || 1e-9)),
+  (low, high) => Math.exp(high) - Math.exp(low) <= 2 * off));
   return { id: 'scale', label: 'Length scale', values: () => scale().values,
     legend: () => {
       const at = (x) => short(Math.exp(scale().low + x * scale().span));

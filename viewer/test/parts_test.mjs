@@ -154,6 +154,23 @@ test('where a wall between two cells crosses a triangle, each fragment has the c
     });
   });
 
+test('a length scale that is one number has one colour, whatever rounding makes of it',
+  { timeout: 900000 }, async () => {
+    const ball = join(folder, 'far.xyzr');
+    writeFileSync(ball, '12.3 -45.6 78.9 1.5\n');
+    const values = (page) => page.evaluate(() => {
+      const all = window.viewer.colourings.find(({ id }) => id === 'scale').values();
+      return [Math.min(...all), Math.max(...all)];
+    });
+    await withPage(make('far', ball), small, async (page) => {
+      assert.deepEqual(await values(page), [0.5, 0.5]);
+      await page.locator('#colour').selectOption('scale');
+      assert.match(await page.locator('.ticks').textContent(), /^(\d\.\d+?)\1\1$/);
+    });
+    await withPage(pages.distance, small, async (page) =>
+      assert.deepEqual(await values(page), [0, 1]));
+  });
+
 test('the level moves with the sweep, as a plane of a height', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     await page.locator('#colour').selectOption('plain');
