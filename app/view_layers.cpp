@@ -34,6 +34,12 @@ SignedNumbers against_parents(const FrontCode& code, Value value) {
   return result;
 }
 
+// Graphics hardware computes in single precision, squares of lengths too. Extents are 2^10 to 2^24
+// steps.
+bool is_shown(const Grid& grid) {
+  return grid.step > 0x1p-66 && grid.step < 0x1p36 && grid.origin.allFinite();
+}
+
 // Points one after the other, each less the one before, on a grid.
 void add_path(PageData& page, const std::string& name, const Grid& grid,
               const std::vector<Point>& points) {
@@ -114,8 +120,9 @@ void add_labels(PageData& page, const skin::Molecule& molecule) {
 
 FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh) {
   const Grid grid = grid_of(mesh);
-  if (!std::isfinite(grid.step) || !grid.origin.allFinite()) {
-    throw geometry::RefusedInput("the mesh is too large to be shown; give lengths in Angstrom");
+  if (!is_shown(grid)) {
+    throw geometry::RefusedInput(
+        "the mesh is too large or too small to be shown; give lengths in Angstrom");
   }
   if (mesh.triangles.size() > geometry::SurfaceMesh::max_triangles) {
     throw geometry::LimitReached("the mesh has too many triangles for one page");

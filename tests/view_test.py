@@ -232,6 +232,8 @@ class Failures(ViewTest):
         (self.folder / "broken.ply").write_text("ply\nnonsense\n")
         (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
         (self.folder / "arrays.npz").write_text("PK")
+        for size in (1e-60, 1e60):
+            self.write_off(f"{size}.off", [(0, 0, 0), (size, 0, 0), (0, size, 0)], [(0, 1, 2)])
         self.before = sorted(p.name for p in self.folder.iterdir())
         self.failure(self.ring, "-o", "page.txt", code=2)
         self.failure(self.ring, "-o", self.ring, code=2)
@@ -247,6 +249,8 @@ class Failures(ViewTest):
         self.failure("broken.ply", "-o", "page.html", code=3)
         self.assertIn("are only written", self.failure("arrays.npz", "-o", "page.html", code=3))
         self.failure("empty.off", "-o", "page.html", code=4)
+        for name in ("1e-60.off", "1e+60.off"):
+            self.assertIn("too large or too small", self.failure(name, "-o", "page.html", code=4))
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)
 
 
