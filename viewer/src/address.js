@@ -80,9 +80,11 @@ export class Address {
     return Math.max(0, Math.min(most ?? 0, Math.round(x)));
   }
 
-  // Numbers of components, ascending, or nothing.
+  // Numbers of components, ascending, or nothing. Where the panel has no list of them none can be
+  // shown again.
   #areComponents(word) {
     if (word === '') return true;
+    if (!this.viewer.panel.components) return false;
     const count = this.viewer.scene.components().list.length;
     return word.split(',').every((part, i, all) => /^\d{1,9}$/.test(part) && part < count &&
       (i === 0 || Number(all[i - 1]) < Number(part)));

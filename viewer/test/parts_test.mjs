@@ -52,8 +52,11 @@ test('each component is shown or hidden by itself, with the volume of the report
           assert.equal(await other.evaluate(() => window.viewer.state.hidden), '', nonsense));
       }
     });
-    await withPage(pages.ligand, small, async (page) =>
-      assert.equal(await page.locator('.rows').count(), 0, 'one component has no list'));
+    await withPage(`${pages.ligand}#hidden=0`, small, async (page) => {
+      assert.equal(await page.locator('.rows').count(), 0, 'one component has no list');
+      const hidden = await page.evaluate(() => window.viewer.state.hidden);
+      assert.equal(hidden, '', 'so it is not hidden');
+    });
   });
 
 test('the head names what was chosen of the atoms, and does not say that there is no more',
