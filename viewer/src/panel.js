@@ -281,11 +281,11 @@ export class Panel {
       shown.textContent = number(now);
       total.textContent = `of ${number(all)}`;
     });
-    const { about } = viewer.scene.page;
+    const { about } = viewer.scene.page, level = sweep.level();
     const isWhole = state.step === sweep.steps;
-    const level = sweep.level();
     this.frontNote.textContent = `${counted(sweep.triangles(), 'triangle')}, ` + (isWhole
-      ? 'closed' : `${counted(sweep.frontEdges ?? 0, 'edge')} in the front` +
+      ? `${about.closed ? '' : 'not '}closed`
+      : `${counted(sweep.frontEdges ?? 0, 'edge')} in the front` +
         (level === level ? ` at ${withUnit(level, about.function.unit)}` : ''));
   }
 

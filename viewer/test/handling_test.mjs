@@ -50,6 +50,20 @@ test('the sweep goes from the first bowl to the last seal', { timeout: 900000 },
   });
 });
 
+test('a sweep left open does not end with a closed mesh', { timeout: 900000 }, async () => {
+  await withPage(pages.ligand, small, async (page) => {
+    const end = (closed) => page.evaluate((isClosed) => {
+      const { viewer } = window;
+      viewer.scene.page.about.closed = isClosed;
+      viewer.goTo(1);
+      viewer.goTo(Infinity);
+      return document.querySelector('.done + .note').textContent;
+    }, closed);
+    assert.match(await end(true), /triangles, closed$/);
+    assert.match(await end(false), /triangles, not closed$/);
+  });
+});
+
 test('dark and light follow the system until the switch is used', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, { ...small, scheme: 'dark' }, async (page) => {
     await picture(page, 'dark');
