@@ -2,8 +2,8 @@
 
 #include "papers/exercises/course.h"
 
-/// Predict. The cube of Figure 4 has 6 minima and all survive. With one front, how many triangles
-/// lie on it when all bowls are laid and nothing has crept?
+/// Predict. `cube8.xyzr`, model paper, has 6 minima and all survive. With one front, how many
+/// triangles lie on it when all bowls are laid and nothing has crept?
 Count triangles_of_bowls = unanswered;
 
 /// Run. `2buk.pdb.gz`, -C 0.2 --fronts 1: how many bowls are created?
