@@ -184,13 +184,7 @@ void add_msms_partners(std::vector<std::filesystem::path>& outputs) {
 }
 
 bool names_a_mesh(const std::filesystem::path& path) {
-  std::filesystem::path name = path.filename();
-  if (lower_extension(name) == ".gz") name = name.stem();
-  if (lower_extension(name) == ".unverified") name = name.stem();
-  const std::string ending = lower_extension(name);
-  constexpr std::array<std::string_view, 10> endings{".ply", ".off",  ".obj",  ".vtu", ".msh",
-                                                     ".stl", ".vert", ".face", ".glb", ".npz"};
-  return std::ranges::find(endings, ending) != endings.end();
+  return geometry::mesh_format_of(geometry::plain_name(path)).has_value();
 }
 
 }  // namespace morskin::app

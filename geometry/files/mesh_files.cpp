@@ -178,14 +178,7 @@ std::filesystem::path unpacked_name(std::filesystem::path path) {
 }
 
 bool is_unverified(const std::filesystem::path& path) {
-  return unpacked_name(path).extension() == ".unverified";
-}
-
-// The name down to the ending that tells the format: a mesh that is not certified has one more.
-std::filesystem::path plain_name(const std::filesystem::path& path) {
-  std::filesystem::path name = unpacked_name(path);
-  if (is_unverified(path)) name.replace_extension();
-  return name;
+  return lower_case(unpacked_name(path).extension().string()) == ".unverified";
 }
 
 bool is_msms(const std::filesystem::path& path, std::string_view ending) {
@@ -248,6 +241,12 @@ const KnownFormat& readable_format(std::string_view bytes, const std::string& so
 }
 
 }  // namespace
+
+std::filesystem::path plain_name(const std::filesystem::path& path) {
+  std::filesystem::path name = unpacked_name(path);
+  if (is_unverified(path)) name.replace_extension();
+  return name;
+}
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {
   const FileBytes file = read_file(path, max_bytes);

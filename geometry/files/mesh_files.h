@@ -43,6 +43,9 @@ enum class MeshFormat {
 
 /// The format of a file's ending, in upper or lower case; .ply means binary.
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
+/// The name down to the ending that tells the format: without .gz, and without the .unverified that
+/// a mesh which is not certified has.
+std::filesystem::path plain_name(const std::filesystem::path& path);
 
 /// The bytes of `mesh` in `format`. Numbers spelled in decimal are the shortest that read back as
 /// the same double.
