@@ -8,8 +8,8 @@
 #include "certify/tube.h"
 #include "geometry/files/text_lines.h"
 #include "geometry/kd_tree.h"
+#include "geometry/mesh_shape.h"
 #include "geometry/orthogonal.h"
-#include "geometry/union_find.h"
 #include "morskin/pipeline_parts.h"
 
 namespace morskin {
@@ -52,18 +52,15 @@ morse::CriticalPoint critical_point(const implicit::PreparedSurface& prepared,
   return result;
 }
 
-/// By vertex, the component of the mesh; no_index for one of no triangle.
-std::vector<std::uint32_t> components_of(const geometry::IndexedMesh& mesh) {
-  geometry::UnionFind sets(mesh.positions.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
-  std::vector<std::uint32_t> of_root(mesh.positions.size(), geometry::no_index);
+/// By vertex, the component of the mesh, of those numbered by their first triangle; no_index for a
+/// vertex of no triangle.
+std::vector<std::uint32_t> components_of_triangles(const geometry::IndexedMesh& mesh) {
+  const std::vector<std::uint32_t> by_first_vertex = geometry::vertex_components(mesh);
+  std::vector<std::uint32_t> by_first_triangle(mesh.positions.size(), geometry::no_index);
   std::vector<std::uint32_t> result(mesh.positions.size(), geometry::no_index);
   std::uint32_t count = 0;
   for (const auto& triangle : mesh.triangles) {
-    std::uint32_t& component = of_root[sets.root(triangle[0])];
+    std::uint32_t& component = by_first_triangle[by_first_vertex[triangle[0]]];
     if (component == geometry::no_index) component = count++;
     for (const std::uint32_t v : triangle) result[v] = component;
   }
@@ -167,7 +164,7 @@ morse::Guide guide_of(const implicit::PreparedSurface& prepared, double radius_s
 
 std::vector<std::optional<std::uint32_t>> components_at_minima(
     const geometry::IndexedMesh& mesh, const implicit::PreparedSurface& prepared) {
-  const std::vector<std::uint32_t> component = components_of(mesh);
+  const std::vector<std::uint32_t> component = components_of_triangles(mesh);
   std::vector<Point> positions;  // finite ones, or the tree is in no order
   std::vector<std::uint32_t> vertex;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
