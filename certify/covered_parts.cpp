@@ -42,18 +42,14 @@ std::optional<std::size_t> point_on_path(const LocatedMesh& mesh,
   return found;
 }
 
-std::string in_words(const Point& p) {
-  return geometry::in_digits(p.x(), 6) + " " + geometry::in_digits(p.y(), 6) + " " +
-         geometry::in_digits(p.z(), 6);
-}
-
 }  // namespace
 
 std::string objection_to_parts(const LocatedMesh& mesh, const surface::Topology& expected) {
   std::vector<Point> points = expected.inside;
   points.insert(points.end(), expected.outside.begin(), expected.outside.end());
   if (const auto near = point_on_path(mesh, points)) {
-    return "a triangle is too near to " + in_words(points[*near]) + " to tell what it bounds there";
+    return "a triangle is too near to " + geometry::in_words(points[*near]) +
+           " to tell what it bounds there";
   }
   // None lies on the mesh, for all are farther from each triangle than its path is long.
   const std::vector<int> windings = winding_numbers(mesh.mesh, points);
@@ -61,7 +57,8 @@ std::string objection_to_parts(const LocatedMesh& mesh, const surface::Topology&
     const bool is_inside = i < expected.inside.size();
     if (windings[i] == (is_inside ? 1 : 0)) continue;
     return "others than the components to be meshed: the mesh should " +
-           std::string(is_inside ? "go once" : "not go") + " round " + in_words(points[i]);
+           std::string(is_inside ? "go once" : "not go") + " round " +
+           geometry::in_words(points[i]);
   }
   return "";
 }

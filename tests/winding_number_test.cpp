@@ -103,8 +103,8 @@ TEST_CASE("what a mesh bounds is told by points that no path from it to the skin
   };
   const Point centre(0, 0, 0), away(0, 3, 0);
   CHECK(objection({centre}, {away}) == "");
-  CHECK(support::contains(objection({centre, away}, {}), "should go once round 0 3 0"));
-  CHECK(support::contains(objection({centre}, {centre}), "should not go round 0 0 0"));
+  CHECK(support::contains(objection({centre, away}, {}), "should go once round (0, 3, 0)"));
+  CHECK(support::contains(objection({centre}, {centre}), "should not go round (0, 0, 0)"));
   // Between a triangle and the skin: inside the skin, and the mesh does not go round it.
   for (const std::size_t t : {std::size_t{0}, std::size_t{77}, mesh.triangles.size() - 1}) {
     const auto& [a, b, c] = mesh.triangles[t];
