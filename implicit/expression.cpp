@@ -179,6 +179,45 @@ class Parser {
   std::vector<Step> program_;
 };
 
+bool is_binary(Operation operation) {
+  return operation == Operation::Add || operation == Operation::Subtract ||
+         operation == Operation::Multiply || operation == Operation::Divide;
+}
+
+/// @pre is_binary(operation)
+template <class T>
+T combined(Operation operation, const T& a, const T& b) {
+  switch (operation) {
+    case Operation::Add:
+      return a + b;
+    case Operation::Subtract:
+      return a - b;
+    case Operation::Multiply:
+      return a * b;
+    default:
+      return a / b;
+  }
+}
+
+/// @pre  a minus or a function
+template <class T>
+T applied(Operation operation, const T& a) {
+  switch (operation) {
+    case Operation::Sqrt:
+      return sqrt(a);
+    case Operation::Exp:
+      return exp(a);
+    case Operation::Log:
+      return log(a);
+    case Operation::Sin:
+      return sin(a);
+    case Operation::Cos:
+      return cos(a);
+    default:
+      return -a;
+  }
+}
+
 template <class T>
 Triple<T> variables(const T& x, const T& y, const T& z) {
   return {x, y, z};
@@ -192,52 +231,18 @@ template <class T>
 T Expression::evaluate(const Triple<T>& variables) const {
   std::array<T, max_depth> stack;
   std::size_t size = 0;
-  const auto binary = [&](auto combine) {
-    --size;
-    stack[size - 1] = combine(stack[size - 1], stack[size]);
-  };
-  const auto unary = [&](auto apply) { stack[size - 1] = apply(stack[size - 1]); };
   for (const auto& [operation, number] : program_) {
-    switch (operation) {
-      case Operation::Number:
-        stack[size++] = T(number);
-        break;
-      case Operation::Variable:
-        stack[size++] = variables[static_cast<std::size_t>(number)];
-        break;
-      case Operation::Add:
-        binary([](const T& a, const T& b) { return a + b; });
-        break;
-      case Operation::Subtract:
-        binary([](const T& a, const T& b) { return a - b; });
-        break;
-      case Operation::Multiply:
-        binary([](const T& a, const T& b) { return a * b; });
-        break;
-      case Operation::Divide:
-        binary([](const T& a, const T& b) { return a / b; });
-        break;
-      case Operation::Power:
-        stack[size - 1] = power(stack[size - 1], static_cast<int>(number));
-        break;
-      case Operation::Negate:
-        unary([](const T& a) { return -a; });
-        break;
-      case Operation::Sqrt:
-        unary([](const T& a) { return sqrt(a); });
-        break;
-      case Operation::Exp:
-        unary([](const T& a) { return exp(a); });
-        break;
-      case Operation::Log:
-        unary([](const T& a) { return log(a); });
-        break;
-      case Operation::Sin:
-        unary([](const T& a) { return sin(a); });
-        break;
-      case Operation::Cos:
-        unary([](const T& a) { return cos(a); });
-        break;
+    if (operation == Operation::Number) {
+      stack[size++] = T(number);
+    } else if (operation == Operation::Variable) {
+      stack[size++] = variables[static_cast<std::size_t>(number)];
+    } else if (operation == Operation::Power) {
+      stack[size - 1] = power(stack[size - 1], static_cast<int>(number));
+    } else if (is_binary(operation)) {
+      --size;
+      stack[size - 1] = combined(operation, stack[size - 1], stack[size]);
+    } else {
+      stack[size - 1] = applied(operation, stack[size - 1]);
     }
   }
   return stack[0];
