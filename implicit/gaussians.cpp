@@ -15,6 +15,10 @@ Interval square_norm(const Triple<Interval>& v) {
   return square(v[0]) + square(v[1]) + square(v[2]);
 }
 
+Triple<Interval> difference(const Point& a, const Point& b) {
+  return {Interval(a.x()) - b.x(), Interval(a.y()) - b.y(), Interval(a.z()) - b.z()};
+}
+
 }  // namespace
 
 Gaussians::Gaussians(std::vector<Ball> balls, const GaussianOptions& options)
@@ -142,16 +146,12 @@ Gaussians::Terms Gaussians::terms(const Point& x, Ids ids, double tail) const {
   result.weights.reserve(ids.size());
   for (const std::uint32_t id : ids) {
     const auto& [centre, radius] = balls_[id];
-    Triple<Interval> off;
-    for (int k = 0; k < 3; ++k) off[static_cast<std::size_t>(k)] = Interval(x[k]) - centre[k];
-    const Interval power = square_norm(off) - square(Interval(radius));
+    const Interval power = square_norm(difference(x, centre)) - square(Interval(radius));
     const Interval weight = exp(Interval(-options_.decay) * (power - result.shift));
     result.weights.push_back(weight);
     result.sum += weight;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int axis = static_cast<int>(k);
-      result.mean[k] += weight * (Interval(centre[axis]) - result.reference[axis]);
-    }
+    const Triple<Interval> off = difference(centre, result.reference);
+    for (std::size_t k = 0; k < 3; ++k) result.mean[k] += weight * off[k];
   }
   for (Interval& m : result.mean) m = m / result.sum + Interval::about(0, 2 * tail * farthest_);
   return result;
@@ -174,40 +174,49 @@ Jet<Interval, 1> Gaussians::enclose(const Point& x) const {
 /// With b near the mean at the centre c, the shares at c + v are those at c times exp(t), over the
 /// mean of exp(t) by the shares at c, t = -2 decay (b - a) . v. That mean is at least the
 /// exponential of the mean of t, which is small as b - mean is, and no more than that of exp |t|.
+std::vector<Interval> Gaussians::shares(double half, const Terms& at_centre,
+                                        std::span<const Triple<Interval>> off) const {
+  const Interval reach = Interval(2 * options_.decay) * Interval(half);
+  std::vector<Interval> growth;  // exp |t| at most
+  growth.reserve(off.size());
+  Interval most = 0.0;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const Interval length = off[i][0].max_abs() + off[i][1].max_abs() + off[i][2].max_abs();
+    growth.push_back(exp(reach * Interval(Interval::up(length.high * (1 + 0x1p-50)))));
+    most += at_centre.weights[i] * growth[i];
+  }
+  const Triple<Interval>& mean = at_centre.mean;
+  const double off_mean = mean[0].max_abs() + mean[1].max_abs() + mean[2].max_abs();
+  const Interval least = at_centre.sum * exp(-(reach * Interval(off_mean * (1 + 0x1p-50))));
+  std::vector<Interval> result;
+  result.reserve(off.size());
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const double low = (at_centre.weights[i] / (growth[i] * most)).low;
+    const double high = (at_centre.weights[i] * growth[i] / least).high;
+    result.emplace_back(std::max(0.0, low), std::min(1.0, high));
+  }
+  return result;
+}
+
 Jet<Interval, 2> Gaussians::over(const Box& box) const {
   constexpr double small = 0x1p-8;  // Angstrom: bounds over such a box are meant to be narrow
   const Grid& grid = box.half < small ? fine_ : coarse_;
-  const double tail = grid.tail;
+  const double tail = grid.tail, decay = options_.decay;
   const Ids ids = near(box, grid);
-  const auto [shift, reference, weights, sum, mean] = terms(box.centre, ids, tail);
-  const double decay = options_.decay;
-  const Interval reach = Interval(2 * decay) * Interval(box.half);
-  std::vector<Interval> growth;  // exp |t| at most
-  growth.reserve(ids.size());
-  Interval most = 0.0;
-  // By name: clang 14, which makes the fuzz targets, captures no structured binding by itself.
-  const auto off = [&, &reference = reference](std::size_t i, std::size_t k) {
-    const int axis = static_cast<int>(k);
-    return Interval(balls_[ids[i]].centre[axis]) - reference[axis];
-  };
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const Interval length = off(i, 0).max_abs() + off(i, 1).max_abs() + off(i, 2).max_abs();
-    growth.push_back(exp(reach * Interval(Interval::up(length.high * (1 + 0x1p-50)))));
-    most += weights[i] * growth[i];
-  }
-  const double off_mean = mean[0].max_abs() + mean[1].max_abs() + mean[2].max_abs();
-  const Interval least = sum * exp(-(reach * Interval(off_mean * (1 + 0x1p-50))));
-  Triple<Interval> first;
+  const Terms at_centre = terms(box.centre, ids, tail);
+  std::vector<Triple<Interval>> off;  // centres less the reference
+  off.reserve(ids.size());
+  for (const std::uint32_t id : ids)
+    off.push_back(difference(balls_[id].centre, at_centre.reference));
+  const std::vector<Interval> share = shares(box.half, at_centre, off);
+  Triple<Interval> first;  // moments of the centres
   std::array<Interval, 6> second;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const double low = (weights[i] / (growth[i] * most)).low;
-    const double high = (weights[i] * growth[i] / least).high;
-    const Interval share{std::max(0.0, low), std::min(1.0, high)};
-    const Triple<Interval> y{off(i, 0), off(i, 1), off(i, 2)};
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const Triple<Interval>& y = off[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      first[k] += share * y[k];
+      first[k] += share[i] * y[k];
       for (std::size_t l = k; l < 3; ++l) {
-        second[symmetric_index[k][l]] += share * (k == l ? square(y[k]) : y[k] * y[l]);
+        second[symmetric_index[k][l]] += share[i] * (k == l ? square(y[k]) : y[k] * y[l]);
       }
     }
   }
@@ -218,7 +227,7 @@ Jet<Interval, 2> Gaussians::over(const Box& box) const {
   for (std::size_t k = 0; k < 3; ++k) first[k] += first_tail;
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = static_cast<int>(k);
-    result.gradient[k] = Interval(2.0) * (box.side(axis) - reference[axis] - first[k]);
+    result.gradient[k] = Interval(2.0) * (box.side(axis) - at_centre.reference[axis] - first[k]);
     for (std::size_t l = k; l < 3; ++l) {
       const std::size_t at = symmetric_index[k][l];
       const Interval product = k == l ? square(first[k]) : first[k] * first[l];

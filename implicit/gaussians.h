@@ -63,6 +63,11 @@ class Gaussians final : public Function {
   /// The terms at a point, as intervals.
   struct Terms;
   Terms terms(const Point& x, Ids ids, double tail) const;
+  /// The shares of balls in the sum, all over a box.
+  /// @param half  of the box
+  /// @param off   the balls' centres, less the reference
+  std::vector<Interval> shares(double half, const Terms& at_centre,
+                               std::span<const Triple<Interval>> off) const;
 
   std::vector<Ball> balls_;
   GaussianOptions options_;
