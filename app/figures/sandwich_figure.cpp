@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/figures/figures.h"
 #include "app/figures/panels.h"
@@ -67,83 +68,131 @@ void draw_body(Image& image, const morskin::PreparedSkin& skin, const Section& s
   }
 }
 
-Image section_of(const Scenario& s, const Section& section, double scale, bool is_detail) {
-  Image image(section.width, section.height);
-  draw_body(image, s.skin, section, 2.6 * scale);
+// The vertex and what is drawn about it, in the plane.
+struct Construction {
+  Vector2 a, n, t;  // the vertex, its normal, and along the surface to the right
+  double rho;
+  double r;                 // of the tangent disk
+  double half_edge, theta;  // of the longest edge, and its angle with the tangent
+  Vector2 q, b, longest;    // on the disk's rim, its projection, and the b of the longest edge
+};
+
+Construction construction(const Scenario& s) {
   const auto flat = [](const Vector& v) { return Vector2(v.x(), v.y()); };
-  const Vector2 a = flat(s.a.position), n = flat(s.a.normal);
-  const Vector2 t(n.y(), -n.x());  // along the surface, to the right
-  const double rho = s.a.length_scale;
+  Construction c;
+  c.a = flat(s.a.position);
+  c.n = flat(s.a.normal);
+  c.t = Vector2(c.n.y(), -c.n.x());
+  c.rho = s.a.length_scale;
   const certify::Sizing sizing;
-  const double half_edge = sizing.C * sizing.Q / (1 + 2 * sizing.C * sizing.Q) * rho;
-  const double theta = std::asin(half_edge / rho);
-  const double r = sizing.tangent_disk_share() * rho;
-  const auto at = [&](const Vector2& p) { return section.seen(p); };
-  const pictures::Pen ball{Colour::of(0xb0702a), 1.8 * scale, 7 * scale};
-  const pictures::Pen thin{pictures::ink, 1.5 * scale};
+  c.r = sizing.tangent_disk_share() * c.rho;
+  c.half_edge = sizing.C * sizing.Q / (1 + 2 * sizing.C * sizing.Q) * c.rho;
+  c.theta = std::asin(c.half_edge / c.rho);
+  c.q = c.a + c.r * c.t;
+  c.b = flat(s.skin.surface.project(Point(c.q.x(), c.q.y(), 0), s.a.cell)->position);
+  // On the sandwiching ball.
+  c.longest = c.a + 2 * c.half_edge * (std::cos(c.theta) * c.t + std::sin(c.theta) * c.n);
+  return c;
+}
+
+const Colour ball_brown = Colour::of(0xb0702a);
+
+// One section, drawn in its own coordinates; widths and offsets in pixels of scale 1.
+struct Drawing {
+  const Section& section;
+  double scale;
+  Image image;
+
+  Vector2 at(const Vector2& p, const Vector2& offset = Vector2::Zero()) const {
+    return section.seen(p) + scale * offset;
+  }
+  void line(const Vector2& p, const Vector2& q, double width, const Colour& colour) {
+    draw_line(image, std::array{at(p), at(q)}, {colour, width * scale});
+  }
+  void dot(const Vector2& p, const Colour& colour = pictures::ink) {
+    fill_disk(image, at(p), 4.2 * scale, colour);
+  }
+  void text(const Vector2& p, const Vector2& offset, std::string_view text,
+            const Colour& colour = pictures::ink) {
+    draw_text(image, at(p, offset), text, 15 * scale, pictures::Align::Centre, colour, 2.5 * scale);
+  }
+  void mark(const Vector2& p, const Vector2& offset, std::string_view name) {
+    dot(p);
+    text(p, offset, name);
+  }
+};
+
+// The balls, the disk, and where its rim goes on either ball at most, and on the skin.
+void draw_construction(Drawing& drawing, const Construction& c) {
+  const double scale = drawing.scale;
   for (const double side : {-1.0, 1.0}) {
-    draw_circle(image, at(a + side * rho * n), section.scale * rho, ball);
+    draw_circle(drawing.image, drawing.at(c.a + side * c.rho * c.n), drawing.section.scale * c.rho,
+                {ball_brown, 1.8 * scale, 7 * scale});
   }
-  const std::array disk{at(a - r * t), at(a + r * t)};
-  draw_line(image, std::array{at(a - 1.9 * r * t), at(a + 1.9 * r * t)},
+  const Vector2 tangent = 1.9 * c.r * c.t;
+  draw_line(drawing.image, std::array{drawing.at(c.a - tangent), drawing.at(c.a + tangent)},
             {Colour::of(0x8a8f98), 1.2 * scale, 5 * scale});
-  draw_line(image, disk, {maximum_green, 4 * scale});
-  // q, its projection b, and the b of the longest edge, on the sandwiching ball.
-  const Vector2 q = a + r * t;
-  const auto b = s.skin.surface.project(Point(q.x(), q.y(), 0), s.a.cell);
-  const Vector2 longest = a + 2 * half_edge * (std::cos(theta) * t + std::sin(theta) * n);
-  draw_line(image, std::array{at(a), at(longest)}, {front_red, 2.2 * scale});
-  draw_line(image, std::array{at(q), at(longest)}, thin);
-  draw_line(image, std::array{at(q), at(flat(b->position))}, thin);
-  const double dot = 4.2 * scale, size = 15 * scale;
-  const auto mark = [&](const Vector2& p, std::string_view text, double dx, double dy) {
-    fill_disk(image, at(p), dot, pictures::ink);
-    draw_text(image, at(p) + scale * Vector2(dx, dy), text, size, pictures::Align::Centre,
-              pictures::ink, 2.5 * scale);
-  };
-  if (is_detail) {
-    mark(a, "a", 0, 30);
-    mark(q, "q", 0, 30);
-    mark(longest, "b, on the ball", -10, -16);
-    const Vector2 note = at(flat(b->position)) + scale * Vector2(44, 40);
-    draw_line(image, std::array{at(flat(b->position)), note}, {pictures::ink, 1 * scale});
-    draw_text(image, note + scale * Vector2(4, 12), "b, on the skin", size);
-    mark(flat(b->position), "", 0, 0);
-    draw_text(image, at(a + 0.5 * r * t) + scale * Vector2(0, 24), "r_a", size,
-              pictures::Align::Centre, maximum_green, 2.5 * scale);
-    draw_text(image, at(a + 0.5 * (longest - a)) + scale * Vector2(-8, -12), "2R_{ab}", size,
-              pictures::Align::Centre, front_red, 2.5 * scale);
-    draw_text(image,
-              at(a + 0.8 * r * (std::cos(theta / 2) * t + std::sin(theta / 2) * n)) +
-                  scale * Vector2(0, 5),
-              "θ", 12 * scale, pictures::Align::Centre, pictures::ink, 2 * scale);
-  } else {
-    for (const double side : {-1.0, 1.0}) {
-      const Vector2 centre = a + side * rho * n;
-      draw_line(image, std::array{at(centre), at(a)}, thin);
-      fill_disk(image, at(centre), dot, ball.colour);
-      draw_text(image, at(a + 0.55 * side * rho * n) + scale * Vector2(34, 6), "ρ(a)", size,
-                pictures::Align::Centre, pictures::ink, 2.5 * scale);
-    }
-    mark(a, "a", -22, -6);
-    draw_text(image, at(a + 1.55 * rho * t - 1.6 * rho * n), "body", size, pictures::Align::Centre,
-              Colour::of(0x1d4e7e));
+  drawing.line(c.a - c.r * c.t, c.q, 4, maximum_green);
+  drawing.line(c.a, c.longest, 2.2, front_red);
+  drawing.line(c.q, c.longest, 1.5, pictures::ink);
+  drawing.line(c.q, c.b, 1.5, pictures::ink);
+}
+
+// On the section of both balls.
+void name_radii(Drawing& drawing, const Construction& c) {
+  for (const double side : {-1.0, 1.0}) {
+    const Vector2 centre = c.a + side * c.rho * c.n;
+    drawing.line(centre, c.a, 1.5, pictures::ink);
+    drawing.dot(centre, ball_brown);
+    drawing.text(c.a + 0.55 * side * c.rho * c.n, {34, 6}, "ρ(a)");
   }
-  return image;
+  drawing.mark(c.a, {-22, -6}, "a");
+  draw_text(drawing.image, drawing.at(c.a + 1.55 * c.rho * c.t - 1.6 * c.rho * c.n), "body",
+            15 * drawing.scale, pictures::Align::Centre, Colour::of(0x1d4e7e));
+}
+
+// On the section of the tangent disk.
+void name_points(Drawing& drawing, const Construction& c) {
+  const double scale = drawing.scale;
+  drawing.mark(c.a, {0, 30}, "a");
+  drawing.mark(c.q, {0, 30}, "q");
+  drawing.mark(c.longest, {-10, -16}, "b, on the ball");
+  const Vector2 beside(44, 40);
+  draw_line(drawing.image, std::array{drawing.at(c.b), drawing.at(c.b, beside)},
+            {pictures::ink, 1 * scale});
+  draw_text(drawing.image, drawing.at(c.b, beside + Vector2(4, 12)), "b, on the skin", 15 * scale);
+  drawing.dot(c.b);
+  drawing.text(c.a + 0.5 * c.r * c.t, {0, 24}, "r_a", maximum_green);
+  drawing.text(c.a + 0.5 * (c.longest - c.a), {-8, -12}, "2R_{ab}", front_red);
+  const Vector2 between = std::cos(c.theta / 2) * c.t + std::sin(c.theta / 2) * c.n;
+  draw_text(drawing.image, drawing.at(c.a + 0.8 * c.r * between, {0, 5}), "θ", 12 * scale,
+            pictures::Align::Centre, pictures::ink, 2 * scale);
+}
+
+Drawing section_of(const Scenario& s, const Construction& c, const Section& section, double scale) {
+  Drawing drawing{section, scale, Image(section.width, section.height)};
+  draw_body(drawing.image, s.skin, section, 2.6 * scale);
+  draw_construction(drawing, c);
+  return drawing;
 }
 
 }  // namespace
 
 Image sandwiching_ball(double scale) {
   const Scenario s = scenario();
-  const Vector2 a(s.a.position.x(), s.a.position.y());
-  const Vector2 n(s.a.normal.x(), s.a.normal.y()), t(n.y(), -n.x());
-  const double rho = s.a.length_scale;
+  const Construction c = construction(s);
   const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale)); };
-  const Section whole{a, t, n, 96 * scale / rho, pixels(430), pixels(430)};
-  const Section detail{
-      a + 0.138 * rho * t + 0.006 * rho * n, t, n, 1900 * scale / rho, pixels(640), pixels(430)};
-  std::array panels{section_of(s, whole, scale, false), section_of(s, detail, scale, true)};
+  const Section whole{c.a, c.t, c.n, 96 * scale / c.rho, pixels(430), pixels(430)};
+  const Section detail{c.a + 0.138 * c.rho * c.t + 0.006 * c.rho * c.n,
+                       c.t,
+                       c.n,
+                       1900 * scale / c.rho,
+                       pixels(640),
+                       pixels(430)};
+  Drawing balls = section_of(s, c, whole, scale), disk = section_of(s, c, detail, scale);
+  name_radii(balls, c);
+  name_points(disk, c);
+  std::array panels{std::move(balls.image), std::move(disk.image)};
   const Vector2 middle = whole.seen(detail.middle);
   const double zoom = whole.scale / detail.scale / 2;
   const double w = zoom * detail.width, h = zoom * detail.height;
