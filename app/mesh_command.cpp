@@ -179,6 +179,17 @@ std::string certificate_of(const morskin::MeshResult& result, const morskin::Pre
                           result.certificate.degree_vertices, skin, result.sizing);
 }
 
+/// The texts but for the trace, each if it is asked for.
+/// @param atoms  whose areas are asked for
+void write_texts(SideFiles& side, const MeshReport& report, const morskin::MeshResult& result,
+                 const morskin::PreparedSkin& skin, const std::vector<skin::Atom>& atoms) {
+  if (side.report.is_asked()) side.report.write(json_text(report));
+  if (side.certificate.is_asked()) side.certificate.write(certificate_of(result, skin));
+  if (side.areas.is_asked()) {
+    side.areas.write(areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells)));
+  }
+}
+
 }  // namespace
 
 ExitCode mesh_command(const MeshArguments& arguments) {
@@ -219,11 +230,7 @@ ExitCode mesh_command(const MeshArguments& arguments) {
   if (!complete(report, delivery, result)) files = {};
   report.seconds.total = total.seconds();
   if (makes_report(arguments)) report.floor_seconds = morskin::floor_seconds(skin.surface, result);
-  if (side.report.is_asked()) side.report.write(json_text(report));
-  if (side.certificate.is_asked()) side.certificate.write(certificate_of(result, skin));
-  if (side.areas.is_asked()) {
-    side.areas.write(areas_text(atoms, areas_of_atoms(skin.surface, result.mesh, result.cells)));
-  }
+  write_texts(side, report, result, skin, atoms);
   if (trace) side.trace.write(trace->json());
   time_limit.cancel();
   outputs.undisturbed([&] {
