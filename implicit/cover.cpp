@@ -50,9 +50,11 @@ Place place(const Function& f, const Box& box, CoverBox& settled) {
   return Place::Settled;
 }
 
-/// The critical point of f that Newton's iteration finds from a point, for the words of a refusal.
-Point nearby_critical_point(const Function& f, const Point& from) {
-  Point x = from;
+/// The critical point of f near a box that Newton's iteration finds from its centre, if it finds
+/// one, for the words of a refusal.
+std::optional<Point> nearby_critical_point(const Function& f, const Box& box) {
+  Point x = box.centre;
+  double last_step = 0;
   for (int step = 0; step < 30; ++step) {
     const Jet<Interval, 2> bounds = f.bounds({x, 0});
     Eigen::Matrix3d hessian;
@@ -65,10 +67,14 @@ Point nearby_critical_point(const Function& f, const Point& from) {
       }
     }
     const Vector move = hessian.fullPivLu().solve(gradient);
-    if (!move.allFinite()) return x;
+    if (!move.allFinite()) return std::nullopt;
     x -= move;
+    last_step = move.norm();
   }
-  return x;
+  constexpr double far = 64, converged = 0x1p-10;  // over the box's radius
+  const bool is_found =
+      last_step <= converged * box.radius() && (x - box.centre).norm() < far * box.radius();
+  return is_found ? std::optional(x) : std::nullopt;
 }
 
 /// @param is_tiny  the box, which is next to a singular point then; else the boxes became too many
@@ -79,10 +85,9 @@ Point nearby_critical_point(const Function& f, const Point& from) {
                                  " the function or its derivatives have no bounds; write it "
                                  "without roots and quotients that vanish there");
   }
-  const Point x = nearby_critical_point(f, box.centre);
-  const bool is_near = (x - box.centre).norm() < 64 * box.radius();
-  const Point at = is_near ? x : box.centre;
-  if (!is_tiny && std::abs(f.at(at).value) > bounds.width() / 4) {
+  const std::optional<Point> critical = nearby_critical_point(f, box);
+  const Point at = critical.value_or(box.centre);
+  if (!is_tiny && (!critical || std::abs(f.at(at).value) > bounds.width() / 4)) {
     throw geometry::RefusedInput("near " + geometry::in_words(box.centre) +
                                  " the bounds of the function are too wide to tell its zeros; "
                                  "write it less steep, or with each variable fewer times");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "implicit/cover.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -130,4 +131,15 @@ TEST_CASE("a formula as long and as deep as is allowed is worth what it should")
     shallower = "(y+" + shallower + ")";
   }
   CHECK(value(shallower.c_str(), {1, 1, 0}) == (Expression::max_depth - 3 + 1) / 2 + 1);
+}
+
+TEST_CASE("a formula so steep that its bounds do not tell its zeros is not called singular") {
+  const Expression steep("exp(1000*(x^2+y^2+z^2-1))-1");
+  std::string why;
+  try {
+    implicit::cover(steep, {geometry::Point::Zero(), 2}, {}, geometry::Run());
+  } catch (const geometry::RefusedInput& error) {
+    why = error.what();
+  }
+  CHECK(support::contains(why, "too wide to tell its zeros"));
 }
