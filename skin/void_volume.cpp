@@ -66,18 +66,22 @@ class Measuring {
         components_(skin, topology),
         cavity_(cavity),
         fineness_(fineness),
-        smallest_(topology.voids[cavity].clearance * 0x1p-20) {}
+        off_(rounding_of_centres(skin)),
+        smallest_(std::max(topology.voids[cavity].clearance * 0x1p-20, 4 * off_)) {}
+
+  /// Of cubes to begin with: the ball about the void's deepest point fits in one.
+  double half_side(const Void& v) const { return std::max(v.clearance, smallest_); }
 
   /// Whether the void comes into the cube.
   bool add(const Cube& cube, CellId hint) {
     const CellId cell = skin_.locate(cube.centre, hint);
     const surface::Enclosure at = skin_.enclose(cube.centre, cell);
-    const double radius = std::sqrt(3) * cube.half_side;
+    const double radius = std::sqrt(3) * cube.half_side + off_;
     const double n = at.half_gradient.norm();
     const double slack = radius * (radius + 2 * at.error);
     if (at.high + 2 * n * radius + slack < 0) return false;  // in the body
     if (at.low - 2 * n * radius - slack > 0) return add_empty(cube, cell);
-    if (radius < fineness_ * n) return add_cut(cube, cell, at, slack);
+    if (radius < fineness_ * n) return add_cut(cube, cell, at, slack + 2 * n * off_);
     if (cube.half_side < smallest_) {
       volume_.high += cube.volume();
       return true;
@@ -95,6 +99,12 @@ class Measuring {
   const VolumeBounds& volume() const { return volume_; }
 
  private:
+  /// A centre is rounded once by place and once for each of some twenty halvings.
+  static double rounding_of_centres(const SkinSurface& skin) {
+    const surface::BoundingBall all = skin.bounding_ball();
+    return 0x1p-47 * (all.centre.cwiseAbs().maxCoeff() + all.radius);
+  }
+
   bool add_empty(const Cube& cube, CellId cell) {
     if (components_.void_at(cube.centre, cell) != cavity_) return false;
     volume_.low += cube.volume();
@@ -118,6 +128,7 @@ class Measuring {
   const SkinComponents components_;
   const std::uint32_t cavity_;
   const double fineness_;
+  const double off_;  ///< bound on a stored centre's distance from where it should be, Angstrom
   const double smallest_;  ///< half side, Angstrom: cubes that small stay undecided
   VolumeBounds volume_;
 };
@@ -134,12 +145,13 @@ VolumeBounds void_volume(const SkinSurface& skin, const DualComplex& topology, s
   std::vector<Place> waiting{{0, 0, 0}};
   std::set<Place> seen(waiting.begin(), waiting.end());
   const surface::BoundingBall all = skin.bounding_ball();
+  const double half_side = measuring.half_side(v);
   while (!waiting.empty()) {
     const Place place = waiting.back();
     waiting.pop_back();
     const Vector steps(place[0], place[1], place[2]);
-    const Cube cube{v.centre + 2 * v.clearance * steps, v.clearance};
-    if ((cube.centre - all.centre).norm() > all.radius + 2 * v.clearance) continue;
+    const Cube cube{v.centre + 2 * half_side * steps, half_side};
+    if ((cube.centre - all.centre).norm() > all.radius + 2 * half_side) continue;
     if (!measuring.add(cube, start)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       for (const int step : {-1, 1}) {

@@ -1,5 +1,5 @@
 // Voids against the cubes that measure them: two chambers that nearly touch, or are joined by a
-// neck far thinner than any cube.
+// neck far thinner than any cube, and voids as small as what coordinates leave open.
 
 #include "skin/void_volume.h"
 #include "tests/support/meshes.h"
@@ -63,5 +63,30 @@ TEST_CASE("chambers with a neck thinner than any cube are one void, that touch n
       CHECK(whole.high >= half.low + other.low - moved);
       CHECK(std::max(half.high, other.high) < whole.low - moved);
     }
+  }
+}
+
+TEST_CASE("a void's volume lies within its bounds where coordinates are coarse beside it") {
+  const std::vector<std::pair<double, double>> sizes_and_places{
+      {1, 0}, {1, 0x1p14}, {1, 0x1p19}, {0x1p-10, 0}, {0x1p-10, 16}, {0x1p-10, 0x1p14}};
+  for (const auto& [size, far] : sizes_and_places) {
+    CAPTURE(size);
+    CAPTURE(far);
+    // Nearly the square of the corners' distance from the middle.
+    const double weight = 3 * size * size * (1 - 0x1p-52);
+    std::vector<WeightedPoint> points;
+    for (const Vector& corner :
+         {Vector(1, 1, 1), Vector(1, -1, -1), Vector(-1, 1, -1), Vector(-1, -1, 1)}) {
+      points.push_back({Point::Constant(far) + size * corner, weight});
+    }
+    const auto skin = support::prepared(points);
+    REQUIRE(skin);
+    REQUIRE(skin->topology.voids.size() == 1);
+    const double radius = std::sqrt((3 * size * size - weight) / 2);
+    const double volume = 4 * M_PI / 3 * std::pow(radius, 3);
+    const VolumeBounds found = skin::void_volume(skin->surface, skin->topology, 0);
+    CHECK(found.low <= volume);
+    CHECK(found.high >= volume);
+    if (far == 0) CHECK(found.high < 1.02 * found.low);
   }
 }
