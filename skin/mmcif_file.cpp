@@ -95,7 +95,7 @@ class AtomTable {
     }
   }
 
-  bool is_present() const { return loop_ != nullptr; }
+  bool has_atoms() const { return loop_ != nullptr && size() > 0; }
   bool has(Column column) const { return columns_[column] >= 0; }
   std::size_t size() const { return loop_->length(); }
 
@@ -267,7 +267,7 @@ AssemblyTables assembly_tables(std::string_view bytes, const std::string& source
   }
   for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
   for (cif::Block& block : document.blocks) {
-    if (!AtomTable(block, bytes).is_present()) continue;
+    if (!AtomTable(block, bytes).has_atoms()) continue;
     for (const auto& row : block.find("_pdbx_struct_assembly_gen.",
                                       {"assembly_id", "oper_expression", "asym_id_list"})) {
       tables.generators.push_back({row.str(0), row.str(1), row.str(2)});
@@ -288,8 +288,8 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
   std::optional<ParsedFile> file;
   for (cif::Block& block : document.blocks) {
     const AtomTable table(block, bytes);
-    if (table.is_present() && file) models.pass_over();
-    if (!table.is_present() || file) continue;
+    if (table.has_atoms() && file) models.pass_over();
+    if (!table.has_atoms() || file) continue;
     ParsedFile read = atoms_of(table, source, models);
     if (models.has_begun()) file = std::move(read);
   }

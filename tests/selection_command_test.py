@@ -114,9 +114,11 @@ class Selections(CommandTest):
                     "_pdbx_struct_assembly_gen.oper_expression 1\n"
                     "_pdbx_struct_assembly_gen.asym_id_list A\n" + moves)
         block = self.cif(("C1", "A", 0)) + assembly
-        found = self.balls("two.cif", block + block.replace("data_a", "data_b"),
-                           "--biological-assembly", "1")
-        self.assertEqual([x for x, _ in found], [50])
+        other, without_atoms = block.replace("data_a", "data_b"), self.cif()
+        for text in (block + other, without_atoms + other, block + without_atoms + other):
+            found = self.balls("two.cif", text.replace("data_a", "data_c", 1),
+                               "--biological-assembly", "1")
+            self.assertEqual([x for x, _ in found], [50])
 
     def test_the_defaults_change_nothing_when_they_are_spelt_out(self):
         spelt = self.info("--altloc", "likeliest", "--hydrogens", "keep", "--hetatm", "all")
