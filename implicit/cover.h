@@ -44,7 +44,7 @@ struct Cover {
 
 /// Covers the zero set in a cube. Afterwards it is proved to be a smooth surface there, without a
 /// singular point, and closed.
-/// @param cube  its half a power of two
+/// @param cube  its half a power of two, its centre on a grid so coarse that halving rounds nothing
 /// @param inner  of the cube of half the size about the same centre, where there is one already
 /// @return nothing where a zero may lie on the cube's boundary or f is not positive there
 /// @throws SingularLevel

@@ -97,6 +97,10 @@ class Search {
       std::vector<Box> open;
       for (const Box& box : boxes) {
         if (is_decided(box, found)) continue;
+        if (!box.is_halved_exactly()) {
+          found.undecided.push_back(box.centre);
+          return;
+        }
         for (int k = 0; k < 8; ++k) open.push_back(box.octant(k));
       }
       boxes = std::move(open);

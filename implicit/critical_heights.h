@@ -34,7 +34,8 @@ struct CriticalHeight {
 struct CriticalHeights {
   LevelDirections directions;
   std::vector<CriticalHeight> points;
-  std::vector<Point> undecided;  ///< middles of boxes that the finest level does not decide
+  /// Middles of boxes that the finest level does not decide, or that are as small as rounding.
+  std::vector<Point> undecided;
 
   bool is_complete() const { return undecided.empty(); }
   std::array<std::size_t, 3> counts() const;

@@ -21,6 +21,12 @@ struct Box {
     const double q = half / 2;
     return {centre + q * Vector(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1), q};
   }
+  /// Whether the octants' centres are not rounded, so that together they are the box.
+  bool is_halved_exactly() const {
+    const double q = half / 2;
+    const auto c = centre.array();
+    return ((c + q) - c == q).all() && (c - (c - q) == q).all();
+  }
   /// Whether another lies inside, off the boundary.
   bool contains(const Box& other) const {
     return (centre - other.centre).cwiseAbs().maxCoeff() + other.half < half;

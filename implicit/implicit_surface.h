@@ -91,7 +91,7 @@ struct PreparedSurface {
 
 /// The part of space that a surface is searched in.
 struct SearchSpace {
-  Box cube;               ///< its half a power of two
+  Box cube;               ///< its half a power of two, its centre on a coarse grid
   bool is_fixed = false;  ///< else it is doubled until the surface lies in it with room
 };
 
