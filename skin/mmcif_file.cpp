@@ -78,13 +78,13 @@ cif::Document parse_document(std::string_view bytes, const std::string& source) 
 // The rows of the atom table, of which each holds one value per tag.
 class AtomTable {
  public:
-  AtomTable(cif::Block& block, std::string_view text) {
+  explicit AtomTable(cif::Block& block) {
     for (cif::Item& item : block.items) {
       if (item.type == cif::ItemType::Pair) take_of_only_row(item.pair);
       if (item.type != cif::ItemType::Loop) continue;
       if (!item.loop.tags.empty() && gemmi::istarts_with(item.loop.tags[0], "_atom_site.")) {
         loop_ = &item.loop;
-        find_lines(text, item.line_number);
+        loop_line_ = static_cast<std::size_t>(item.line_number);
       }
     }
     if (loop_ == nullptr && !only_row_.tags.empty()) loop_ = &only_row_;
@@ -107,6 +107,26 @@ class AtomTable {
   const std::string& raw(std::size_t row, Column column) const {
     return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(columns_[column])];
   }
+  // gemmi does not keep the lines of values. If, as usual, each row has its own line, the first
+  // row's line gives the others; otherwise they stay unknown. All text before is gone through.
+  void find_lines(std::string_view text) {
+    geometry::TextLines lines(text, {});
+    std::size_t row = 0;
+    while (loop_ != &only_row_ && row < loop_->length() && lines.advance()) {
+      if (lines.number() < loop_line_) continue;
+      std::string_view fields = lines.line();
+      const std::string_view first = geometry::take_field(fields);
+      if (row == 0 && (first.empty() || first[0] == '#' || first == "loop_" || first[0] == '_')) {
+        continue;
+      }
+      if (row == 0) first_line_ = lines.number();
+      if (first != loop_->values[row * loop_->tags.size()]) {
+        first_line_ = 0;
+        return;
+      }
+      ++row;
+    }
+  }
   std::uint32_t line_of(std::size_t row) const {
     return first_line_ == 0 ? 0 : static_cast<std::uint32_t>(first_line_ + row);
   }
@@ -124,30 +144,10 @@ class AtomTable {
     return loop_->find_tag("_atom_site." + std::string(tag));
   }
 
-  // gemmi does not keep the lines of values. If, as usual, each row has its own line, the first
-  // row's line gives the others; otherwise they stay unknown.
-  void find_lines(std::string_view text, int loop_line) {
-    geometry::TextLines lines(text, {});
-    std::size_t row = 0;
-    while (row < loop_->length() && lines.advance()) {
-      if (lines.number() < static_cast<std::size_t>(loop_line)) continue;
-      std::string_view fields = lines.line();
-      const std::string_view first = geometry::take_field(fields);
-      if (row == 0 && (first.empty() || first[0] == '#' || first == "loop_" || first[0] == '_')) {
-        continue;
-      }
-      if (row == 0) first_line_ = lines.number();
-      if (first != loop_->values[row * loop_->tags.size()]) {
-        first_line_ = 0;
-        return;
-      }
-      ++row;
-    }
-  }
-
   cif::Loop* loop_ = nullptr;
   cif::Loop only_row_;
   std::array<int, ColumnCount> columns_{};
+  std::size_t loop_line_ = 0;   // of the loop, which the rows come after
   std::size_t first_line_ = 0;  // of the first row; 0 if unknown
 };
 
@@ -267,7 +267,7 @@ AssemblyTables assembly_tables(std::string_view bytes, const std::string& source
   }
   for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
   for (cif::Block& block : document.blocks) {
-    if (!AtomTable(block, bytes).has_atoms()) continue;
+    if (!AtomTable(block).has_atoms()) continue;
     for (const auto& row : block.find("_pdbx_struct_assembly_gen.",
                                       {"assembly_id", "oper_expression", "asym_id_list"})) {
       tables.generators.push_back({row.str(0), row.str(1), row.str(2)});
@@ -287,11 +287,11 @@ ParsedFile parse_mmcif(std::string_view bytes, const std::string& source, ModelS
   cif::Document document = parse_document(bytes, source);
   std::optional<ParsedFile> file;
   for (cif::Block& block : document.blocks) {
-    const AtomTable table(block, bytes);
+    AtomTable table(block);
     if (table.has_atoms() && file) models.pass_over();
     if (!table.has_atoms() || file) continue;
-    ParsedFile read = atoms_of(table, source, models);
-    if (models.has_begun()) file = std::move(read);
+    table.find_lines(bytes);
+    file = atoms_of(table, source, models);
   }
   if (file) return *std::move(file);
   throw geometry::UnreadableInput(source + ": has no table _atom_site with atoms; is it mmCIF?");

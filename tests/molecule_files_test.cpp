@@ -143,6 +143,20 @@ TEST_CASE("gzipped files are read, whatever their name, from one part or several
   CHECK(parse_molecule(gzipped(small_xyzr) + gzipped("7 7 7 1\n"), "a.xyzr").atoms.size() == 4);
 }
 
+TEST_CASE("many data blocks are passed over in time that grows with their number") {
+  // A quarter of a million lines; were each table looked for from the first, some 3,000 million.
+  constexpr std::size_t count = 30'000;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += "data_" + std::to_string(i) + "\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n" +
+            "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC " + std::to_string(i) + " 0 0\n";
+  }
+  const Molecule molecule = parse_molecule(text, "many.cif");
+  CHECK(molecule.counts.other_models == count - 1);
+  REQUIRE(molecule.atoms.size() == 1);
+  CHECK(molecule.atoms[0].line == 7);
+}
+
 TEST_CASE("the radii are Bondi's where Bondi gives one") {
   // Bondi 1964, table 1.
   const std::map<std::string, double> bondi{{"H", 1.20},  {"He", 1.40}, {"C", 1.70},  {"N", 1.55},
