@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -145,10 +146,11 @@ Assembly mmcif_assembly(std::string_view bytes, const std::string& source,
   const AssemblyTables tables = assembly_tables(bytes, source);
   const Operators operators(tables, source);
   Assembly assembly{name, {}};
-  std::vector<std::string> known;
+  std::vector<std::string> known;  // in the file's order
+  std::set<std::string> seen;
   std::size_t copies = 0;  // of all parts
   for (const AssemblyTables::Generator& row : tables.generators) {
-    if (std::ranges::find(known, row.assembly) == known.end()) known.push_back(row.assembly);
+    if (seen.insert(row.assembly).second) known.push_back(row.assembly);
     if (row.assembly != name) continue;
     AssemblyPart& part = assembly.parts.emplace_back();
     for (const std::string_view chain : split(row.chains)) part.chains.insert(Label(chain));

@@ -157,6 +157,28 @@ TEST_CASE("many data blocks are passed over in time that grows with their number
   CHECK(molecule.atoms[0].line == 7);
 }
 
+TEST_CASE("an assembly is found among many in time that grows with their number") {
+  // 100,000 rows; were each held against all before it, 5,000 million.
+  constexpr int count = 100'000;
+  std::string text =
+      "data_a\n_atom_site.type_symbol C\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 0\n"
+      "_atom_site.Cartn_z 0\n_atom_site.label_asym_id A\n_pdbx_struct_oper_list.id 1\n";
+  for (const std::string row : {"1", "2", "3"}) {
+    for (const std::string column : {"1", "2", "3"}) {
+      text += "_pdbx_struct_oper_list.matrix[" + row + "][" + column + "] ";
+      text += row == column ? "1\n" : "0\n";
+    }
+    text += "_pdbx_struct_oper_list.vector[" + row + "] 5\n";
+  }
+  text +=
+      "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
+      "_pdbx_struct_assembly_gen.asym_id_list\n";
+  for (int i = 1; i <= count; ++i) text += std::to_string(i) + " 1 A\n";
+  ReadOptions options;
+  options.selection.assembly = std::to_string(count);
+  CHECK(parse_molecule(text, "a.cif", options).atoms.at(0).position == Point(6, 5, 5));
+}
+
 TEST_CASE("the radii are Bondi's where Bondi gives one") {
   // Bondi 1964, table 1.
   const std::map<std::string, double> bondi{{"H", 1.20},  {"He", 1.40}, {"C", 1.70},  {"N", 1.55},
