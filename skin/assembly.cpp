@@ -98,15 +98,15 @@ void refuse_assembly(const std::string& source, const std::string& name,
 std::size_t assemble(std::vector<AtomRecord>& atoms, const Assembly& assembly,
                      const std::string& source, std::size_t max_atoms) {
   const std::vector<Copy> copies = copies_of(assembly);
-  std::map<Label, std::size_t> atoms_of;
-  for (const AtomRecord& record : atoms) ++atoms_of[record.assembly_chain];
+  std::map<Label, std::vector<std::size_t>> atoms_of;
+  for (std::size_t i = 0; i < atoms.size(); ++i) atoms_of[atoms[i].assembly_chain].push_back(i);
   std::set<Label> used;
   std::size_t count = 0;
   for (const Copy& copy : copies) {
     for (const Label& chain : copy.chains) {
       const auto found = atoms_of.find(chain);
       if (found == atoms_of.end()) continue;
-      count += found->second;
+      count += found->second.size();
       used.insert(chain);
     }
   }
@@ -123,9 +123,15 @@ std::size_t assemble(std::vector<AtomRecord>& atoms, const Assembly& assembly,
   std::vector<AtomRecord> result;
   result.reserve(count);
   for (const Copy& copy : copies) {
-    for (const AtomRecord& record : atoms) {
-      if (!copy.chains.contains(record.assembly_chain)) continue;
-      AtomRecord& copied = result.emplace_back(record);
+    std::vector<std::size_t> indices;
+    for (const Label& chain : copy.chains) {
+      const auto found = atoms_of.find(chain);
+      if (found == atoms_of.end()) continue;
+      indices.insert(indices.end(), found->second.begin(), found->second.end());
+    }
+    std::ranges::sort(indices);
+    for (const std::size_t i : indices) {
+      AtomRecord& copied = result.emplace_back(atoms[i]);
       Atom& atom = copied.atom;
       atom.position = copy.motion->rotation * atom.position + copy.motion->translation;
       atom.chain = copy_name(atom.chain, mark, copy.number, source);

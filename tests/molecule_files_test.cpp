@@ -157,12 +157,11 @@ TEST_CASE("many data blocks are passed over in time that grows with their number
   CHECK(molecule.atoms[0].line == 7);
 }
 
-TEST_CASE("an assembly is found among many in time that grows with their number") {
-  // 100,000 rows; were each held against all before it, 5,000 million.
-  constexpr int count = 100'000;
-  std::string text =
-      "data_a\n_atom_site.type_symbol C\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 0\n"
-      "_atom_site.Cartn_z 0\n_atom_site.label_asym_id A\n_pdbx_struct_oper_list.id 1\n";
+namespace {
+
+/// An operator that shifts by (5, 5, 5), and a table of assemblies that its rows follow.
+std::string shift_and_assemblies() {
+  std::string text = "_pdbx_struct_oper_list.id 1\n";
   for (const std::string row : {"1", "2", "3"}) {
     for (const std::string column : {"1", "2", "3"}) {
       text += "_pdbx_struct_oper_list.matrix[" + row + "][" + column + "] ";
@@ -170,13 +169,42 @@ TEST_CASE("an assembly is found among many in time that grows with their number"
     }
     text += "_pdbx_struct_oper_list.vector[" + row + "] 5\n";
   }
-  text +=
-      "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
-      "_pdbx_struct_assembly_gen.asym_id_list\n";
+  return text +
+         "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
+         "_pdbx_struct_assembly_gen.asym_id_list\n";
+}
+
+}  // namespace
+
+TEST_CASE("an assembly is found among many in time that grows with their number") {
+  // 100,000 rows; were each held against all before it, 5,000 million.
+  constexpr int count = 100'000;
+  std::string text =
+      "data_a\n_atom_site.type_symbol C\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 0\n"
+      "_atom_site.Cartn_z 0\n_atom_site.label_asym_id A\n" +
+      shift_and_assemblies();
   for (int i = 1; i <= count; ++i) text += std::to_string(i) + " 1 A\n";
   ReadOptions options;
   options.selection.assembly = std::to_string(count);
   CHECK(parse_molecule(text, "a.cif", options).atoms.at(0).position == Point(6, 5, 5));
+}
+
+TEST_CASE("an assembly of many chains is copied in time that grows with their number") {
+  // 60,000 chains of one atom; were each atom asked for each chain, 3,600 million questions.
+  constexpr std::size_t count = 60'000;
+  std::string text =
+      "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+      "_atom_site.Cartn_z\n_atom_site.label_asym_id\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    text += "C " + std::to_string(i) + " 0 0 C" + std::to_string(i) + "\n";
+  }
+  text += shift_and_assemblies();
+  for (std::size_t i = 0; i < count; ++i) text += "1 1 C" + std::to_string(i) + "\n";
+  ReadOptions options;
+  options.selection.assembly = "1";
+  const Molecule molecule = parse_molecule(text, "a.cif", options);
+  REQUIRE(molecule.atoms.size() == count);
+  CHECK(molecule.atoms.back().position == Point(count - 1 + 5., 5, 5));
 }
 
 TEST_CASE("the radii are Bondi's where Bondi gives one") {
