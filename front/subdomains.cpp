@@ -35,7 +35,7 @@ std::vector<Point> positions(const surface::Samples& samples) {
 /// Sweeps the boxes of a dissection from the leaves up.
 class Sweeps {
  public:
-  /// @param triangles  expected of the whole mesh
+  /// @param triangles  so many are expected in all
   Sweeps(const surface::Surface& surface, const morse::Guide& guide, const SweepOptions& options,
          const Dissection& dissection, double triangles, LaidTriangles& laid)
       : surface_(surface),
@@ -73,7 +73,8 @@ class Sweeps {
     if (dissection_.is_leaf(k)) {
       sweeps_[k] = std::make_unique<PartialSweep>(surface_, guide_, options_, coarsening,
                                                   std::vector<SweepObserver*>{&progress_[k]});
-      sweeps_[k]->reserve(room(k));
+      // How many triangles coarsening leaves is not known beforehand.
+      if (!coarsening) sweeps_[k]->reserve(room(k));
     } else {
       unite_halves(k);
     }
@@ -145,9 +146,7 @@ SweepResult sweep_subdomains(const surface::Surface& surface, const morse::Guide
   const std::size_t count = subdomains.value_or(usual_subdomains(expected));
   const Dissection dissection(positions(samples), static_cast<int>(std::bit_width(count)) - 1);
   LaidTriangles laid(expected, run);
-  // Coarsening leaves about as many as go with edges of the larger C.
-  const double coarser = coarsening ? coarsening->sizing.C / options.sizing.C : 1;
-  return Sweeps(surface, guide, options, dissection, expected / (coarser * coarser), laid)
+  return Sweeps(surface, guide, options, dissection, expected, laid)
       .run(sweep_plan(dissection, guide, samples, disk), coarsening, run.threads());
 }
 
