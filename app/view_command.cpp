@@ -132,7 +132,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
   page.about["kind"] = "molecule";
   describe(page, context, arguments.molecule);
   describe(page, result.mesh);
-  const FrontCode code = add_mesh(page, "mesh", result.mesh);
+  const FrontCode code = add_mesh(page, "mesh", result.mesh, arguments.molecule.input);
   add_cells(page, code, context.skin.surface.complex(), result.cells);
   add_sweep(page, code, recorded);
   if (result.open_edges == 0 && has_both_extrema(context.complex.points)) {
@@ -152,7 +152,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   page.about["kind"] = "mesh";
   describe(page, mesh);
   if (!arguments.against) {
-    add_mesh(page, "mesh", mesh);
+    add_mesh(page, "mesh", mesh, arguments.molecule.input);
     return viewed;
   }
   MoleculeArguments asked = arguments.molecule;
@@ -170,7 +170,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   const std::vector<geometry::CellId> cells = certify::cells_of(points);
   viewed.certificate = certify::certify(mesh, {{}, cells}, context.skin.surface,
                                         context.skin.expected(), context.sizing, run);
-  const FrontCode code = add_mesh(page, "mesh", mesh);
+  const FrontCode code = add_mesh(page, "mesh", mesh, arguments.molecule.input);
   add_cells(page, code, context.skin.surface.complex(), cells);
   if (has_both_extrema(context.complex.points) && page.about["closed"]) {
     add_regions(page, code, flow_regions(mesh, context.function, context.complex, run));
@@ -205,7 +205,7 @@ void add_frames(PageData& page, const std::vector<std::filesystem::path>& files)
   for (const std::filesystem::path& file : files) {
     const std::string name = "growth." + std::to_string(frames.size());
     const geometry::IndexedMesh mesh = geometry::read_mesh(file);
-    add_mesh(page, name, mesh);
+    add_mesh(page, name, mesh, file);
     frames.push_back(
         {{"name", name}, {"label", file.stem().string()}, {"triangles", mesh.triangles.size()}});
   }

@@ -118,14 +118,17 @@ void add_labels(PageData& page, const skin::Molecule& molecule) {
 
 }  // namespace
 
-FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh) {
+FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh,
+                   const std::filesystem::path& source) {
   const Grid grid = grid_of(mesh);
   if (!is_shown(grid)) {
     throw geometry::RefusedInput(
-        "the mesh is too large or too small to be shown; give lengths in Angstrom");
+        source.string() +
+        ": the mesh is too large or too small to be shown; give lengths in Angstrom");
   }
   if (mesh.triangles.size() > geometry::SurfaceMesh::max_triangles) {
-    throw geometry::LimitReached("the mesh has too many triangles for one page");
+    throw geometry::LimitReached(source.string() +
+                                 ": the mesh has too many triangles for one page");
   }
   FrontCode code = front_code(mesh.triangles, mesh.positions.size());
   std::vector<std::array<std::int32_t, 3>> at;

@@ -2,6 +2,7 @@
 
 /// The layers of a viewer page, each as arrays. Their names and meaning: `papers/viewer.md`.
 
+#include <filesystem>
 #include <string>
 
 #include "app/figures/recorded_sweep.h"
@@ -14,9 +15,11 @@
 namespace morskin::app {
 
 /// A mesh under a name, on a grid of its own.
+/// @param source  file that it is from
 /// @return  how it was written; the arrays below follow its order
 /// @throws geometry::RefusedInput  for coordinates that no grid can hold
-FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh);
+FrontCode add_mesh(PageData& page, const std::string& name, const geometry::IndexedMesh& mesh,
+                   const std::filesystem::path& source);
 
 /// By vertex the mixed cell, by the number of its simplex.
 void add_cells(PageData& page, const FrontCode& code, const skin::MixedComplex& complex,

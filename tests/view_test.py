@@ -250,7 +250,9 @@ class Failures(ViewTest):
         self.assertIn("are only written", self.failure("arrays.npz", "-o", "page.html", code=3))
         self.failure("empty.off", "-o", "page.html", code=4)
         for name in ("1e-60.off", "1e+60.off"):
-            self.assertIn("too large or too small", self.failure(name, "-o", "page.html", code=4))
+            for words in ([name], [self.ring, "--frames", name]):
+                complaint = self.failure(*words, "-o", "page.html", code=4)
+                self.assertIn(f"{name}: the mesh is too large or too small", complaint)
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)
 
 
