@@ -119,7 +119,7 @@ StaticResult static_mesh(const surface::Surface& surface,
                          const certify::Sizing& sizing, const geometry::Run& run) {
   refine::DelaunayRefinement refinement(surface, sizing, delaunay_seeds(surface, critical, sizing));
   refinement.run(run);
-  StaticResult result{refinement.mesh(), refinement.counts(), 0};
+  StaticResult result{refinement.mesh(), refinement.counts(), 0, refinement.is_done()};
   result.open_edges = open_edges(result.mesh.surface);
   return result;
 }

@@ -29,6 +29,7 @@ struct StaticResult {
   surface::Mesh mesh;
   refine::DelaunayRefinementCounts counts;
   std::size_t open_edges = 0;  ///< where refinement gave up; 0 when the mesh is closed
+  bool is_done = false;        ///< no triangle was left too big
 };
 
 /// Restricted Delaunay refinement from those seeds.

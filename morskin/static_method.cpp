@@ -37,7 +37,7 @@ MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& optio
       const SizedSurface kept(skin.surface, options.sizes);
       surface::Mesh contracted = result.mesh;
       refine::Refinement contraction(*kept, options.sizing, contracted, run);
-      contraction.run();
+      refined.is_done ? contraction.run_from_short_edges() : contraction.run();
       if (!contraction.leaves_big_triangles()) {
         result.mesh = std::move(contracted);
         result.refinement = contraction.counts();

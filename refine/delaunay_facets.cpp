@@ -12,52 +12,67 @@ namespace morskin::refine {
 
 using geometry::Triangulator;
 
+/// Breaks facets of which something else was found than their balls' size, as long as they stand.
+void DelaunayRefinement::break_all(const std::vector<Found>& found) {
+  for (const Found& one : found) {
+    if (!is_endless()) break_facet(one.work, one.ball);
+  }
+}
+
 /// Checks all crossings of the dual edges that are new since the last time.
 /// @return whether a surface ball was found that is too big
 bool DelaunayRefinement::follow_dual_edges() {
-  std::size_t found = 0;
+  std::vector<Found> found;
   for (std::uint32_t t = 0; t < duals_.size(); ++t) {
     if (!delaunay_.is_live(t) || is_ghost(t)) continue;
     for (std::uint32_t k = 0; k < 4; ++k) {
-      const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
+      const Facet f = t << 2 | k;
+      const std::uint32_t other = Triangulator::tetrahedron_of(behind(f));
       if (other < t && !is_ghost(other)) continue;
       if (std::max(duals_[t].born, duals_[other].born) <= followed_) continue;
-      found += follow(t << 2 | k);
+      follow(is_inside(other) ? behind(f) : f, found);
     }
   }
   followed_ = now_;
-  counts_.hidden_crossings += found;
-  return found > 0;
+  counts_.hidden_crossings += found.size();
+  break_all(found);
+  return !found.empty();
 }
 
-/// Queues the facet for each crossing of its dual edge whose ball is too big.
-/// @return how many there are
-std::size_t DelaunayRefinement::follow(Facet f) {
+/// Finds the crossings of a facet's dual edge whose balls are too big. Bounds spare most dual edges
+/// the walk.
+/// @param f  seen from inside where only one of its tetrahedra is
+void DelaunayRefinement::follow(Facet f, std::vector<Found>& found) const {
   const std::uint32_t t = Triangulator::tetrahedron_of(f);
   const std::uint32_t u = Triangulator::tetrahedron_of(behind(f));
   const Dual &from = duals_[t], &to = duals_[u];
-  if (!is_ghost(u) && is_inside(t) == is_inside(u) &&
+  const bool is_restricted = is_inside(t) != is_inside(u);
+  if (!is_ghost(u) && !is_restricted &&
       surface::is_certainly_clear((from.centre - to.centre).norm(), std::abs(from.root),
                                   std::abs(to.root))) {
-    return 0;
+    return;
   }
   const FacetGeometry facet = geometry_of(f);
   // The dual edge over the facet, cut off where it leaves the ball that contains the body.
   const auto chord = body_.chord(facet.circle.centre, facet.normal);
-  if (!chord) return 0;
+  if (!chord) return;
   const double low = std::max(chord->low, facet.height(from.centre));
   const double high = is_ghost(u) ? chord->high : std::min(chord->high, facet.height(to.centre));
-  if (!(low < high)) return 0;
+  if (!(low < high)) return;
+  if (is_restricted) {
+    const double root = is_ghost(u) || high == chord->high ? 0 : to.root;
+    const std::optional<Ball> ball = ball_of(f, facet, false);
+    if (ball && surface::is_certainly_clear_beyond(ball->height - low, ball->slope, -from.root) &&
+        surface::is_certainly_clear_beyond(high - ball->height, ball->slope, root)) {
+      return;
+    }
+  }
   const Point p = facet.circle.centre + low * facet.normal;
   const Point q = facet.circle.centre + high * facet.normal;
-  std::size_t found = 0;
   for (const surface::LineCrossing& crossing : surface_.crossings(p, q, from.cell).all) {
-    const Ball ball = ball_at(facet, low + crossing.at * (high - low), crossing.cell);
-    if (ball.ratio < 1) continue;
-    push(ball, f);
-    ++found;
+    const Ball ball = ball_at(facet, low + crossing.at * (high - low), crossing.cell, 0);
+    if (ball.ratio >= 1) found.push_back({work_on(f), ball});
   }
-  return found;
 }
 
 /// The facets between an inside and an outside tetrahedron, from the inside.
@@ -175,24 +190,19 @@ bool DelaunayRefinement::make_disks() {
   if (!geometry::closed_triangles(compact.corners.size(), compact.triangles).defect) return false;
   const std::vector<std::uint32_t> bad = corners_without_disk(triangles);
   if (counts_.topological + bad.size() > samples_.size()) return false;
-  struct Largest {
-    Ball ball{};
-    Facet facet = 0;
-  };
-  std::vector<Largest> largest(bad.size());
+  std::vector<Found> largest(bad.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const std::uint32_t corner : triangles[i]) {
       const auto found = std::lower_bound(bad.begin(), bad.end(), corner);
       if (found == bad.end() || *found != corner) continue;
-      const std::optional<Ball> ball = ball_of(facets[i]);
-      Largest& known = largest[static_cast<std::size_t>(found - bad.begin())];
-      if (ball && ball->ratio > known.ball.ratio) known = {*ball, facets[i]};
+      const std::optional<Ball> ball = ball_of(facets[i], geometry_of(facets[i]), true);
+      Found& known = largest[static_cast<std::size_t>(found - bad.begin())];
+      if (ball && ball->ratio > known.ball.ratio) known = {work_on(facets[i]), *ball};
     }
   }
-  for (const Largest& one : largest) {
-    if (one.ball.ratio > 0) push(one.ball, one.facet);
-  }
+  std::erase_if(largest, [](const Found& one) { return !(one.ball.ratio > 0); });
   counts_.topological += bad.size();
+  break_all(largest);
   return !bad.empty();
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "certify/tube.h"
 #include "geometry/predicates.h"
 #include "refine/circumcentre.h"
 
@@ -93,50 +92,33 @@ void DelaunayRefinement::inspect_new(std::span<const std::uint32_t> tetrahedra) 
   for (const std::uint32_t t : tetrahedra) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t other = Triangulator::tetrahedron_of(behind(t << 2 | k));
-      if (duals_[other].born == now_ && other < t) continue;  // checked from there
-      inspect(t << 2 | k);
+      if (duals_[other].born == now_ && other < t) continue;  // seen from there
+      push(t << 2 | k);
     }
   }
 }
 
-void DelaunayRefinement::inspect(Facet f) {
+/// Queues a facet if it is restricted. Most facets go as their surroundings are refined: so nothing
+/// more than the circumradius is computed before they are looked at.
+void DelaunayRefinement::push(Facet f) {
   const Facet g = behind(f);
   const bool is_inner = is_inside(Triangulator::tetrahedron_of(f));
   if (is_inner == is_inside(Triangulator::tetrahedron_of(g))) return;
   const Facet inner = is_inner ? f : g;
-  std::optional<Ball> ball = ball_of(inner);
-  if (!ball) return;
-  const bool must_go = ball->ratio >= 1 || is_thin(inner);
-  ball->keeps_off = !must_go;
-  if (must_go || !is_proved(inner)) push(*ball, inner);
-}
-
-/// Whether a facet has an angle below the bound.
-bool DelaunayRefinement::is_thin(Facet facet) const {
-  if (min_angle_ == 0) return false;
-  const auto [a, b, c] = triangle(facet);
-  return smallest_squared_sine(samples_[a].position, samples_[b].position, samples_[c].position) <
-         min_angle_;
-}
-
-/// Whether the certificate could prove a facet that meets [U] by itself. Where C Q is too large
-/// for that to follow, facets are broken that it could not.
-bool DelaunayRefinement::is_proved(Facet inner) const {
-  if (sizing_.is_tube_proved()) return true;
   const FacetGeometry facet = geometry_of(inner);
-  return expects_tube(surface_, facet.corners, facet.circle);
-}
-
-void DelaunayRefinement::push(const Ball& ball, Facet facet) {
-  const double octaves = std::log2(ball.ratio);
-  const auto bucket = static_cast<std::size_t>(std::clamp(octaves - 1, 0.0, buckets - 1.0));
-  std::vector<Work>& work = work_[bucket];
-  // Most facets that wait go as their surroundings are refined, and only then would be found out.
+  const int octave = std::ilogb(facet.circle.radius / facet.largest);
+  constexpr int last = static_cast<int>(buckets) - 1;
+  std::vector<Work>& work = work_[static_cast<std::size_t>(std::clamp(octave, -1, last - 1) + 1)];
   if (work.size() == work.capacity()) {
     std::erase_if(work, [this](const Work& w) { return !stands(w); });
     if (work.size() > work.capacity() / 2) work.reserve(2 * work.capacity());
   }
-  work.push_back({ball, facet, duals_[facet >> 2].born, duals_[behind(facet) >> 2].born});
+  work.push_back(work_on(inner));
+}
+
+DelaunayRefinement::Work DelaunayRefinement::work_on(Facet facet) const {
+  return {facet, duals_[Triangulator::tetrahedron_of(facet)].born,
+          duals_[Triangulator::tetrahedron_of(behind(facet))].born};
 }
 
 /// Whether the facet is still there: both its tetrahedra live.
@@ -144,75 +126,6 @@ bool DelaunayRefinement::stands(const Work& work) const {
   const std::uint32_t inner = Triangulator::tetrahedron_of(work.facet);
   if (!delaunay_.is_live(inner) || duals_[inner].born != work.born) return false;
   return duals_[Triangulator::tetrahedron_of(behind(work.facet))].born == work.born_behind;
-}
-
-DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const {
-  FacetGeometry facet;
-  const Triangle corners = triangle(f);
-  for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = &samples_[corners[i]];
-  const auto& [a, b, c] = facet.corners;
-  facet.circle = circumcircle(a->position, b->position, c->position);
-  facet.normal = facet.circle.doubled_area.normalized();
-  facet.largest = sizing_.C * sizing_.Q * sizing_.scale(min_length_scale(facet.corners));
-  return facet;
-}
-
-/// The corners of a facet, counter-clockwise seen from outside of its tetrahedron.
-DelaunayRefinement::Triangle DelaunayRefinement::triangle(Facet f) const {
-  constexpr std::array<std::array<std::size_t, 3>, 4> outward{
-      {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-  const auto& corners = delaunay_.tetrahedra()[Triangulator::tetrahedron_of(f)].corners;
-  const auto& corner_indices = outward[Triangulator::index_of(f)];
-  return {corners[corner_indices[0]], corners[corner_indices[1]], corners[corner_indices[2]]};
-}
-
-DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet, double height,
-                                                     CellId cell) const {
-  // Both, so that rounding cannot leave a circumradius above its bound.
-  const double radius = std::max(facet.circle.radius, std::hypot(facet.circle.radius, height));
-  return {facet.circle.centre + height * facet.normal, cell, height, radius,
-          radius / facet.largest};
-}
-
-/// A crossing of the dual edge from the circumcentre of an inside tetrahedron to that of an outside
-/// one, by Newton's steps kept between heights where G is below and above zero.
-///
-/// Where the circumradius is far from its bound the first step is enough: G differs from its linear
-/// part by at most the square of the distance, so a step of d <= R / 10 and slope s has a zero
-/// within 2 d^2 / s of its end.
-std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner) const {
-  constexpr int max_steps = 100;
-  constexpr double clearly_small = 0.95, short_step = 0.1;
-  const FacetGeometry facet = geometry_of(inner);
-  const Dual& from = duals_[Triangulator::tetrahedron_of(inner)];
-  const std::uint32_t outer = Triangulator::tetrahedron_of(behind(inner));
-  double low = facet.height(from.centre);
-  // Where the line leaves the ball that contains the body it is outside.
-  const auto chord = body_.chord(facet.circle.centre, facet.normal);
-  if (!chord) return std::nullopt;  // not so where the tetrahedron is inside
-  double high = chord->high;
-  if (!is_ghost(outer)) high = std::min(high, facet.height(duals_[outer].centre));
-  const double radius = facet.circle.radius;
-  double height = std::clamp(0.0, std::min(low, high), high);
-  CellId cell = facet.corners[0]->cell;
-  for (int step = 0; step < max_steps; ++step) {
-    const Point x = facet.circle.centre + height * facet.normal;
-    cell = surface_.locate(x, cell);
-    const auto& [g, n] = surface_.jet(x, cell);
-    if (std::abs(g) <= surface_.residual_bound(n.norm())) return ball_at(facet, height, cell);
-    (g < 0 ? low : high) = height;
-    const double slope = 2 * n.dot(facet.normal);
-    double next = height - g / slope;
-    if (!(next > low && next < high)) {
-      next = low + (high - low) / 2;
-    } else if (step == 0 && radius < clearly_small * facet.largest &&
-               std::abs(next) < short_step * radius && std::abs(slope) > 4 * std::abs(next)) {
-      return ball_at(facet, next, cell);
-    }
-    if (next == height) return ball_at(facet, height, cell);
-    height = next;
-  }
-  return std::nullopt;
 }
 
 /// Makes a surface ball's centre a sample point.
@@ -261,18 +174,26 @@ bool DelaunayRefinement::is_misplaced(const Ball& ball) const {
   });
 }
 
-/// Breaks facets, the biggest first, until none is too big.
+/// @return whether the facet stood and is broken
+bool DelaunayRefinement::break_facet(const Work& work, const Ball& ball) {
+  if (!stands(work)) return false;
+  if (!insert(ball, work.facet)) {
+    ++counts_.refused;
+    return false;
+  }
+  ++(ball.ratio < 1 && !ball.keeps_off ? counts_.thin : counts_.too_big);
+  return true;
+}
+
+/// Looks at the facets that wait, the biggest first, and breaks those that must not stay.
 void DelaunayRefinement::insert_all(const geometry::Run& run) {
   for (std::size_t bucket = buckets; bucket-- > 0;) {
     while (!work_[bucket].empty() && !is_endless()) {
       const Work work = work_[bucket].back();
       work_[bucket].pop_back();
       if (!stands(work)) continue;
-      if (!insert(work.ball, work.facet)) {
-        ++counts_.refused;
-        continue;
-      }
-      ++(work.ball.ratio < 1 && !work.ball.keeps_off ? counts_.thin : counts_.too_big);
+      const std::optional<Ball> ball = ball_to_break(work.facet);
+      if (!ball || !break_facet(work, *ball)) continue;
       constexpr std::size_t samples_between_reports = 4096;
       if (samples_.size() % samples_between_reports == 0) {
         run.report(geometry::unknown_share, std::to_string(samples_.size()) + " samples");

@@ -70,6 +70,8 @@ class DelaunayRefinement {
   /// neighbours are near each other. Where they are no closed manifold no two are glued.
   Mesh mesh() const;
 
+  /// Whether nothing was left too big.
+  bool is_done() const { return counts_.refused == 0 && !is_endless(); }
   const DelaunayRefinementCounts& counts() const { return counts_; }
   const geometry::Triangulator& triangulation() const { return delaunay_; }
   /// Whether the tetrahedron's circumcentre lies in the body; false for ghosts.
@@ -98,13 +100,18 @@ class DelaunayRefinement {
     double height;  ///< of the centre over the facet, along its dual edge, outwards
     double radius;
     double ratio;            ///< radius over the largest that [U] allows: below 1 is good
+    double slope;            ///< of G at the centre along the dual edge, or a lower bound
     bool keeps_off = false;  ///< its centre goes in only as far from the corners as [L] wants
   };
-  /// A facet to break.
+  /// A facet to look at, seen from one of its tetrahedra.
   struct Work {
-    Ball ball;
     Facet facet;
     std::uint32_t born, born_behind;  ///< of its two tetrahedra: as long as they live it stands
+  };
+  /// A facet to break, whatever its ball's size.
+  struct Found {
+    Work work;
+    Ball ball;
   };
 
   /// A facet seen from one of its two tetrahedra.
@@ -122,19 +129,22 @@ class DelaunayRefinement {
   CellId near_dual(std::uint32_t t) const;
   void find_dual(std::uint32_t t, CellId start);
   void inspect_new(std::span<const std::uint32_t> tetrahedra);
-  void inspect(Facet f);
-  std::optional<Ball> ball_of(Facet inner) const;
-  bool is_proved(Facet inner) const;
-  bool is_thin(Facet facet) const;
-  Ball ball_at(const FacetGeometry& facet, double height, CellId cell) const;
+  void push(Facet f);
+  std::optional<Ball> ball_to_break(Facet inner) const;
+  std::optional<Ball> ball_of(Facet inner, const FacetGeometry& facet, bool is_exact) const;
+  bool is_proved(const FacetGeometry& facet) const;
+  bool has_small_angle(const FacetGeometry& facet) const;
+  Ball ball_at(const FacetGeometry& facet, double height, CellId cell, double slope) const;
   bool insert(const Ball& ball, Facet facet);
   bool is_misplaced(const Ball& ball) const;
   bool is_endless() const;
   bool stands(const Work& work) const;
-  void push(const Ball& ball, Facet facet);
+  Work work_on(Facet facet) const;
+  bool break_facet(const Work& work, const Ball& ball);
   void insert_all(const geometry::Run& run);
+  void break_all(const std::vector<Found>& found);
   bool follow_dual_edges();
-  std::size_t follow(Facet f);
+  void follow(Facet f, std::vector<Found>& found) const;
   bool make_disks();
   std::vector<Facet> restricted_facets() const;
   Triangle triangle(Facet inner) const;
@@ -146,7 +156,7 @@ class DelaunayRefinement {
   std::vector<SurfacePoint> samples_;  ///< by corner
   geometry::Triangulator delaunay_;
   std::vector<Dual> duals_;  ///< by tetrahedron
-  /// Facets to break, by size of their ball, the largest octave last.
+  /// Restricted facets to look at, by circumradius, the largest octave last.
   std::vector<std::vector<Work>> work_;
   std::uint32_t now_ = 0;       ///< insertions so far
   std::uint32_t followed_ = 0;  ///< dual edges of older tetrahedra have been followed

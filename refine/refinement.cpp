@@ -23,6 +23,21 @@ void Refinement::run() {
   operations_.flip_where_needed();
   operations_.contract_short_edges();
   insert_by_boxes();
+  finish();
+}
+
+void Refinement::run_from_short_edges() {
+  for (std::size_t i = 0; i < 3 * mesh_.surface.triangle_count(); ++i) {
+    const HalfEdgeId h{i};
+    if (mesh_.surface.twin(h) < h) continue;
+    const SurfacePoint &p = mesh_.at(mesh_.surface.origin(h)),
+                       &q = mesh_.at(mesh_.surface.target(h));
+    if (sizing_.is_too_short(p, q)) operations_.work().too_short.push_back(h);
+  }
+  finish();
+}
+
+void Refinement::finish() {
   operations_.report_to(run_);
   operations_.flip_where_needed();
   // An operation that was refused may go through once its surroundings have changed.

@@ -19,6 +19,9 @@ class Refinement {
 
   /// Refines until [L] and [U] hold, or nothing more can be done. The mesh comes out compacted.
   void run();
+  /// The same for a mesh that is restricted Delaunay and has no triangle that is too big: only
+  /// edges too short for [L] are looked for.
+  void run_from_short_edges();
 
   RefinementCounts counts() const;
   /// Whether there are triangles that break [U], or that the certificate could not prove.
@@ -26,6 +29,7 @@ class Refinement {
 
  private:
   void inspect_all();
+  void finish();
   void find_flips(std::size_t begin, std::size_t end, const DelaunayFilter& filter,
                   Work& found) const;
   void insert_by_boxes();

@@ -31,4 +31,17 @@ inline bool is_certainly_clear(double length, double root_p, double root_q) {
   return length < root_p + root_q;
 }
 
+/// Whether a bound proves that a segment from a crossing to a point on the side that it leads to
+/// meets the surface no more.
+///
+/// Where G rises along the segment with slope s, it is at least s x - x^2 at a distance x, since
+/// G + |x|^2 is convex: above zero as far as s, and sqrt G is s / 2 or more at s / 2, from where
+/// is_certainly_clear() tells the rest. So the slope counts as a root. The same where G falls.
+/// @param length  of the segment, Angstrom
+/// @param slope   of |G| at the crossing along the segment, Angstrom, or a lower bound
+/// @param root    sqrt |G| at the other end, Angstrom
+inline bool is_certainly_clear_beyond(double length, double slope, double root) {
+  return length < slope + root;
+}
+
 }  // namespace morskin::surface

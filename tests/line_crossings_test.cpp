@@ -119,6 +119,36 @@ TEST_CASE("a segment that is surely clear of the skin does not cross it") {
   CHECK(clear > all / 4);  // the test is worth asking
 }
 
+TEST_CASE("a segment that is surely clear beyond a crossing does not cross the skin again") {
+  std::size_t clear = 0, all = 0;
+  for_seeds<Random>(1000, [&](unsigned seed, Random& random) {
+    const SkinSurface skin(seed % 2 == 0 ? ball_set(seed) : nasty_set(seed));
+    const Box box = box_of(skin.points());
+    for (int i = 0; i < 10; ++i) {
+      const Segment segment = random_segment(random, box);
+      const Vector along = segment.q - segment.p;
+      const auto found = line_crossings(skin, segment.p, segment.q, CellId{0U}).all;
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto& [at, position, cell] = found[k];
+        const double slope = 2 * std::abs(skin.jet(position, cell).half_gradient.dot(along));
+        const double share = random.between(at, 1);
+        const auto later = std::count_if(found.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                                         found.end(), [&](const auto& c) { return c.at < share; });
+        if (later % 2 != 0) continue;
+        ++all;
+        if (!surface::is_certainly_clear_beyond(
+                (share - at) * along.norm(), slope / along.norm(),
+                std::sqrt(std::abs(skin.value(segment.at(share), cell))))) {
+          continue;
+        }
+        ++clear;
+        CHECK(later == 0);
+      }
+    }
+  });
+  CHECK(clear > all / 4);  // the test is worth asking
+}
+
 TEST_CASE("a line through the middle of two balls crosses each of them twice") {
   const SkinSurface skin({ball(0, 0, 0, 1), ball(5, 0, 0, 2)});
   const LineCrossings found = line_crossings(skin, {-10, 0, 0}, {10, 0, 0}, CellId{0U});

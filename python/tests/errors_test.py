@@ -147,7 +147,7 @@ class Errors(ModuleTest):
 
     def test_what_is_not_certified_can_be_told_to_another_process_without_its_mesh(self):
         with self.assertRaises(morskin.NotCertified) as caught:
-            morskin.Skin(*BALLS).mesh(C=0.2, Q=1.1, angle_goal_deg=0)
+            morskin.Skin(*BALLS).mesh(C=0.9, Q=1.9, angle_goal_deg=0)
         told = pickle.loads(pickle.dumps(caught.exception))
         self.assertIs(type(told), morskin.NotCertified)
         self.assertEqual(str(told), str(caught.exception))

@@ -77,7 +77,7 @@ print(skin.mesh(C=0.3).certificate.certified)
         for call in (lambda progress: morskin.Skin([[0, 0, 0], [2, 2, 0]], [1, 1], threads=1,
                                                    progress=progress),  # touches itself
                      lambda progress: morskin.Skin(*BALLS).mesh(
-                         C=0.2, Q=1.1, angle_goal_deg=0, threads=1, progress=progress)):
+                         C=0.9, Q=1.9, angle_goal_deg=0, threads=1, progress=progress)):
             all_reports = reports(call, None)
             self.assertGreater(all_reports, 1)
             for last in range(1, all_reports + 1):
