@@ -127,6 +127,19 @@ class VerifyLimits(unittest.TestCase):
             self.assertGreater(Fraction(up(x)) - Fraction(x), room)
             self.assertGreater(Fraction(x) - Fraction(down(x)), room)
 
+    def test_the_tiniest_triangles_are_bounded_as_others_are_or_refused(self):
+        (p, t), refused = sphere(1), 0
+        right = covering_of(p, t, told(p))
+        for power in range(-280, -200):
+            try:
+                found = covering_of(p * 2.0**power, t, told(p * 2.0**power))
+            except NotProved:
+                refused += 1
+                continue
+            self.assertTrue((found.R >= right.R * 2.0**power).all(), power)
+            self.assertTrue((np.abs(found.normal - right.normal) <= 1e-15).all(), power)
+        self.assertTrue(0 < refused < 60)
+
     def test_a_path_is_bounded_by_what_g_changes_along_it_in_exact_arithmetic(self):
         chance = np.random.default_rng(4)
         n = chance.uniform(1, 2, 3000) * 2.0**chance.integers(-30, 30, 3000)

@@ -6,14 +6,15 @@ With u_i = z_i - x and pi_i(y) = |y - z_i|^2 - w_i:
   N      |N(x) + m| <= sqrt(2 (U - L)), for U is strongly convex in m and least at m = -N(x).
 The corners of x's mixed cell give the best l and q; a bad guess makes a wide bound, no wrong one.
 Rounding: u = 2^-53 bounds the relative error of + - * / sqrt. Limits on the input keep overflow
-away, and what underflow adds, 2^-1075 times other factors, is below TINY."""
+away, and what underflow adds, 2^-1075 times other factors, is below TINY; so is what it adds under
+a root, some 2^-537, even in shares of what is left above TINY."""
 
 from itertools import combinations
 
 import numpy as np
 
 UNIT = 2.0**-53
-TINY = 1e-200
+TINY = 1e-140
 SLACK = 2.0**-45  # above the relative error of any 200 roundings in a row
 
 # |N - n| <= r, least <= |G| <= g, low <= |N|, |n| <= high; U - L if it could be smaller, else 0;
