@@ -261,7 +261,7 @@ Arguments parse_arguments(int count, const char* const* words) {
   try {
     const auto implied = implied_command(std::span(completed).subspan(1), app);
     if (implied) completed.insert(completed.begin() + 1, implied->c_str());
-    all.info.is_implied = implied.has_value();
+    if (implied) all.info.words.assign(words + 1, words + count);
     app.parse(static_cast<int>(completed.size()), completed.data());
     Arguments arguments = chosen(app, all, typed);
     note_unused_probe(app, all, typed.skin);

@@ -115,8 +115,9 @@ struct BallsArguments {
 
 struct InfoArguments {
   MoleculeArguments molecule;
-  bool is_implied = false;  ///< by a molecule without a command: then the text says how to go on
   certify::Sizing sizing;
+  /// All that was typed where it was no command: then the text says how to go on.
+  std::vector<std::string> words;
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/molecule_input.h"
@@ -150,13 +151,14 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// What a newcomer types to have the mesh.
-std::string next_step(const std::filesystem::path& input) {
+/// What a newcomer types to have the mesh of what was typed.
+std::string next_step(const std::filesystem::path& input, const std::vector<std::string>& words) {
   const bool is_named = input != "-";
   std::filesystem::path mesh = is_named ? input.filename() : "mesh";
   if (mesh.extension() == ".gz") mesh = mesh.stem();
-  return "morskin " + shell_word(input.string()) + " -o " +
-         shell_word(mesh.replace_extension(".ply").string()) +
+  std::string command = "morskin";
+  for (const std::string& word : words) command.append(" ").append(shell_word(word));
+  return command + " -o " + shell_word(mesh.replace_extension(".ply").string()) +
          " writes the mesh; all options: morskin mesh --help";
 }
 
@@ -197,7 +199,9 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
                                 guess);
   text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
                              " MiB with so many triangles");
-  if (arguments.is_implied) text += line("next", next_step(arguments.molecule.input));
+  if (!arguments.words.empty()) {
+    text += line("next", next_step(arguments.molecule.input, arguments.words));
+  }
   return text;
 }
 

@@ -66,6 +66,15 @@ class Names(CommandTest):
             self.assertEqual(shlex.split(typed),
                              ["morskin", f"./{name}", "-o", name[:-4] + ".ply"])
 
+    def test_what_to_type_next_asks_for_what_info_was_asked_about(self):
+        self.input("b.pdb", (MOLECULES / "benzene.pdb").read_bytes())
+        self.input("a b.txt", "C 1.9\nH 1.1\n")
+        options = ["--model", "sas", "-C", "0.4", "--radii", "a b.txt"]
+        for words in (["b.pdb", *options], ["b.pdb", *options, "--threads", "1"]):
+            line = self.said(*words).splitlines()[-1]
+            typed = shlex.split(line.split(" writes the mesh")[0].split(maxsplit=1)[1])
+            self.assertEqual(typed, ["morskin", *words, "-o", "b.ply"])
+
     def test_no_name_of_a_file_commands_the_terminal(self):
         for name in ESCAPES:
             with self.subTest(repr(name)):
