@@ -148,13 +148,12 @@ std::string components_text(const geometry::MeshCheck& topology) {
   std::string text;
   for (std::size_t i = 0; i < std::min(max_shown, topology.components.size()); ++i) {
     const geometry::MeshComponent& c = topology.components[i];
-    std::string words = grouped(c.triangles) + " triangles, area " + brief(c.area, 6) + " A^2";
-    if (c.is_closed_and_oriented) {
-      words += ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
-               brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
-    } else {
-      words += ", not closed";
-    }
+    std::string words =
+        counted(c.triangles, "triangle", "triangles") + ", area " + brief(c.area, 6) + " A^2";
+    words += !c.is_closed_and_oriented
+                 ? ", not closed"
+                 : ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
+                       brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
     text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + words);
   }
   if (topology.components.size() > max_shown) {
@@ -181,7 +180,8 @@ std::string skin_text(const CheckReport& report) {
   text +=
       line("centroids", "up to about " + brief(d.max_centroid_distance, 2) + " A from the skin, " +
                             brief(d.max_centroid_relative, 2) + " of the length scale");
-  text += line("normals", "no more than " + brief(d.max_normal_deg) + " degrees off the skin's");
+  text += line("normals",
+               "no more than " + brief_bound(d.max_normal_deg, 4) + " degrees off the skin's");
   text += line("Delaunay", counted(against.delaunay.violations, "triangle", "triangles") +
                                " with a vertex in the surface ball");
   if (report.arguments.surface) text = searched_text(against.within) + about_surface(text);

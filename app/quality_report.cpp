@@ -58,7 +58,7 @@ std::string quality_text(const MeshQuality& quality, double area) {
          line("valences", std::to_string(quality.min_valence) + " to " +
                               std::to_string(quality.max_valence) + ", 5 to 7 at " +
                               share(usual, quality.vertices) + " of vertices; radius ratio " +
-                              brief(quality.min_radius_ratio, 3) + " at least, " +
+                              brief_lower_bound(quality.min_radius_ratio, 3) + " at least, " +
                               brief(quality.mean_radius_ratio, 3) + " on average") +
          line("shares", below(30) + " of triangles below 30 degrees, " + below(35) + " below 35, " +
                             below(40) + " below 40; " + above(90) + " above 90, " + above(105) +

@@ -37,6 +37,10 @@ std::string brief_bound(double number, int digits) {
   return brief(rounded_bound(number, digits), digits);
 }
 
+std::string brief_lower_bound(double number, int digits) {
+  return brief(rounded_lower_bound(number, digits), digits);
+}
+
 double rounded(double number, int digits) {
   return std::strtod(brief(number, digits).c_str(), nullptr);
 }

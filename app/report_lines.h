@@ -17,6 +17,8 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 std::string brief(double number, int digits = 4);
 /// The same of a bound: not below the number. @pre number >= 0
 std::string brief_bound(double number, int digits);
+/// The same of a lower bound: not above the number. @pre number >= 0
+std::string brief_lower_bound(double number, int digits);
 /// The double nearest to `number` with so many significant digits, for JSON that people read.
 double rounded(double number, int digits = 6);
 /// The same of a bound: not below the number. @pre number >= 0

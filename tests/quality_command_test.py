@@ -81,6 +81,19 @@ class Quality(CommandTest):
             self.assertIn(share, text)
             self.assertIn(f"valences    {quality['min_valence']} to {quality['max_valence']}", text)
 
+    def test_people_are_told_bounds_on_the_side_where_they_hold(self):
+        for C in ("0.2", "0.25", "0.3", "0.35"):
+            self.run_morskin("mesh", self.ring, "-C", C, "-o", "m.off", "-q")
+            against = ("m.off", "--against", self.ring)
+            told = self.run_morskin("check", *against).stdout.decode()
+            found = self.check(*against)
+            ratio = float(told.split("radius ratio ")[1].split()[0])
+            turned = float(told.split("no more than ")[1].split()[0])
+            self.assertLessEqual(ratio, found["quality"]["min_radius_ratio"])
+            self.assertGreaterEqual(turned, found["max_normal_deviation_deg"])
+        self.input("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertIn(b" 0: 1 triangle, ", self.run_morskin("check", "one.off", code=5).stdout)
+
     def test_of_no_triangle_there_is_no_radius_ratio_and_of_a_flat_one_it_is_0(self):
         self.input("points.off", "OFF\n1 0 0\n1 2 3\n")
         quality = self.check("points.off", code=5)["quality"]

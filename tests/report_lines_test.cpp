@@ -44,8 +44,10 @@ TEST_CASE("rounded bounds lie on their sides of a number, a unit of the last dig
     CHECK(low <= number);
     CHECK(number <= high);
     CHECK(high - low < 1.001e-5 * number);
+    CHECK(app::brief_lower_bound(number, 6) == app::brief(low, 6));
   });
   CHECK(app::rounded_lower_bound(0) == 0);
+  CHECK(app::brief_lower_bound(0.99999, 3) == "0.999");
 }
 
 TEST_CASE("a certificate's distances are no shorter in JSON than they were proved") {

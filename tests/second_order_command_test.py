@@ -61,6 +61,10 @@ class SecondOrder(CommandTest):
                 self.assertTrue(told["homeomorphic"])  # the corners are untouched
                 self.assertFalse(told["certified"] or told["passed"])
                 self.assertTrue(told["reason"])
+                is_regular = all(v["holds"] for v in told["verdicts"] if "regular" in v["name"])
+                self.assertEqual(told["second_order"]["least_jacobian"] is not None, is_regular)
+                said = self.run_morskin("check", name, code=None).stdout
+                self.assertEqual(b"Jacobians at least" in said, is_regular)
                 found.append({v["name"] for v in told["verdicts"]
                               if v["required"] and not v["holds"]})
             self.assertEqual(*found)
