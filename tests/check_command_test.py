@@ -222,7 +222,7 @@ class CheckOfFiles(CommandTest):
         self.assertFalse(self.check("ring.ply", "--against", self.ring)["single_precision"])
 
     def test_check_reads_gzipped_meshes_and_msms_pairs_by_either_name(self):
-        self.run_morskin("mesh", self.ring, "-o", "ring.off", "-q")
+        self.run_morskin("mesh", self.ring, "-o", "ring.off", "-o", "M.VERT", "-q")  # and M.face
         off = (self.folder / "ring.off").read_bytes()
         self.input("packed.off.gz", gzip.compress(off))
         lines = [line for line in off.decode().splitlines() if not line.startswith("#")]
@@ -236,7 +236,8 @@ class CheckOfFiles(CommandTest):
         self.input("loose.VERT", vertices)
         self.input("loose.FACE.gz", gzip.compress(faces.encode()))
         whole = self.check("ring.off", "--against", self.ring)
-        for name in ("packed.off.gz", "ring.vert", "ring.face", "loose.VERT", "loose.FACE.gz"):
+        for name in ("packed.off.gz", "ring.vert", "ring.face", "loose.VERT", "loose.FACE.gz",
+                     "M.VERT", "M.face"):
             with self.subTest(name=name):
                 checked = self.check(name, "--against", self.ring)
                 for key in ("triangles", "area", "volume", "worst_L", "worst_U", "passed"):

@@ -185,22 +185,25 @@ bool is_msms(const std::filesystem::path& path, std::string_view ending) {
   return lower_case(plain_name(path).extension().string()) == ending;
 }
 
-// The other file of an MSMS pair: the same name with the other ending, as it is or gzipped.
+// The other file of an MSMS pair: the same name with the other ending, in capitals first where this
+// one's are, as it is or gzipped.
 std::filesystem::path msms_partner(const std::filesystem::path& path) {
-  std::filesystem::path name = plain_name(path);
+  const std::filesystem::path name = plain_name(path);
   const bool is_upper = name.extension() == ".VERT" || name.extension() == ".FACE";
-  const char* const ending =
-      is_msms(path, ".vert") ? (is_upper ? ".FACE" : ".face") : (is_upper ? ".VERT" : ".vert");
-  name.replace_extension(ending);
-  if (is_unverified(path)) name += ".unverified";
-  std::filesystem::path packed = name;
-  packed += ".gz";
+  std::array<const char*, 2> endings{".vert", ".VERT"};
+  if (is_msms(path, ".vert")) endings = {".face", ".FACE"};
+  if (is_upper) std::swap(endings[0], endings[1]);
+  const std::string last = is_unverified(path) ? ".unverified" : "";
   std::error_code ignored;
-  for (const std::filesystem::path& candidate : {name, packed}) {
-    if (std::filesystem::exists(candidate, ignored)) return candidate;
+  for (const char* const ending : endings) {
+    for (const char* const packing : {"", ".gz"}) {
+      std::filesystem::path found = name.parent_path() / name.stem();
+      found += ending + last + packing;
+      if (std::filesystem::exists(found, ignored)) return found;
+    }
   }
-  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " +
-                        name.filename().string() + " beside it");
+  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " + name.stem().string() +
+                        endings[0] + last + " beside it");
 }
 
 MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
