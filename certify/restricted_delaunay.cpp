@@ -82,45 +82,38 @@ class DelaunayCheck {
 std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
                                                       RestrictedDelaunay& result) const {
   const auto& corner = mesh_.triangles[t];
-  const auto is_corner = [&](std::uint32_t v) {
-    return std::ranges::find(corner, v) != corner.end();
+  const auto is_other = [&](VertexId v) {
+    return std::ranges::find(corner, v.value) == corner.end();
   };
   const std::array at{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
   const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
   std::optional<SurfaceBall> ball;
-  const auto find_ball = [&] {
+  if (may_have_ball(at, circle)) {  // else counted as undecided
+    // Of hostile meshes a ball may hold half the vertices: one that may be in it is enough.
+    if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
+      // The ball about o that contains every ball of the pencil.
+      const double R = p->circle.radius, s = p->max_offset;
+      const auto may_enter = [&](VertexId v) {
+        return is_other(v) && p->depth(mesh_.positions[v.index()]).max > 0;
+      };
+      if (!tree_.nearest(p->circle.centre, s + std::sqrt(R * R + s * s), may_enter)) return {};
+    }
     ball = exact_surface_ball(surface_, *at[0], at[1]->position, at[2]->position);
     ++result.exact_balls;
-  };
-  std::optional<DelaunayViolation> worst;
-  const auto test = [&](std::uint32_t v) {
-    if (!ball) find_ball();
-    const std::optional<double> d = depth_in(*ball, mesh_.positions[v], rounding_);
-    if (d && (!worst || *d > worst->depth)) worst = DelaunayViolation{t, v, *d};
-  };
-  if (!may_have_ball(at, circle)) {
-    // Counted as undecided.
-  } else if (const std::optional<BallPencil> p = ball_pencil(surface_, at, circle)) {
-    // The ball about o that contains every ball of the pencil.
-    const double R = p->circle.radius, s = p->max_offset;
-    tree_.for_each_within(p->circle.centre, s + std::sqrt(R * R + s * s), [&](const auto& near) {
-      const std::uint32_t v = near.id.value;
-      if (is_corner(v) || !(p->depth(mesh_.positions[v]).max > 0)) return;
-      test(v);
-    });
-    if (!ball || ball->is_exact) return worst;
-  } else {
-    find_ball();
-    if (ball->is_exact) {
-      tree_.for_each_within(ball->centre, std::sqrt(ball->squared_radius), [&](const auto& near) {
-        if (!is_corner(near.id.value)) test(near.id.value);
-      });
-      return worst;
-    }
   }
-  ++result.undecided;
-  result.first_undecided.push_back(t);
-  return std::nullopt;
+  if (!ball || !ball->is_exact) {
+    ++result.undecided;
+    result.first_undecided.push_back(t);
+    return std::nullopt;
+  }
+  // The deepest is the one nearest to the centre.
+  const auto depth = [&](VertexId v) {
+    return depth_in(*ball, mesh_.positions[v.index()], rounding_);
+  };
+  const auto deepest = tree_.nearest(ball->centre, std::sqrt(ball->squared_radius),
+                                     [&](VertexId v) { return is_other(v) && depth(v); });
+  if (!deepest) return std::nullopt;
+  return DelaunayViolation{t, deepest->id.value, *depth(deepest->id)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 import json
 import math
+import random
 
 from support.command import CommandTest, main
 
@@ -108,6 +109,19 @@ class HostileMeshes(CommandTest):
                 self.run_morskin("view", name, "-o", "x.html", "-q", *LIMIT)
                 self.run_morskin("view", name, "--against", "one.xyzr", "-o", "x.html", "-q",
                                  *LIMIT)
+
+    def test_balls_that_hold_half_the_vertices_are_searched_for_one_of_them(self):
+        self.input("one.xyzr", "0 0 0 1\n")
+        chance, many = random.Random(1), 200000
+        points = []
+        for _ in range(3 * many):
+            x, y, z = (chance.gauss(0, 1) for _ in range(3))
+            r = math.hypot(x, y, z)
+            points.append((x / r, y / r, z / r))
+        self.input("x.off", off(points, [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(many)]))
+        report = self.assert_strict("check", "x.off", "--against", "one.xyzr", "--json",
+                                    "--no-self-intersections", *LIMIT, code=5)
+        self.assertGreater(report["restricted_delaunay_violations"], many // 4)
 
     def test_contacts_beyond_the_limit_are_counted_as_at_least_so_many(self):
         self.input("x.off", off([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)],
