@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "app/certificate_file.h"
 #include "app/check_report.h"
@@ -59,10 +61,28 @@ AgainstSkin check_against(const geometry::MeshFile& file, const geometry::MeshCh
   return result;
 }
 
+/// A surface that is no skin.
+struct GivenSurface {
+  GivenSurface(const std::string& text, const morskin::Run& run)
+      : input(read_surface(text)), prepared(prepare_surface(input, std::nullopt, run)) {}
+
+  SurfaceInput input;
+  implicit::PreparedSurface prepared;
+};
+
+/// Of a mesh file's statement: no device or pipe is read because the file says so.
+void check_stated_file(const std::string& surface) {
+  const std::optional<std::filesystem::path> file = molecule_of_surface(surface);
+  std::error_code ignored;
+  if (!file || std::filesystem::is_regular_file(*file, ignored)) return;
+  throw geometry::UnreadableInput(file->string() + ": is no file that is there");
+}
+
 /// The surface given or, where there is neither one nor a molecule, the one that the mesh file
 /// states. The statement may be wrong in any way; then the report says so.
-std::optional<SurfaceInput> surface_of(CheckArguments& arguments, OriginReport& origin) {
-  if (arguments.surface) return read_surface(*arguments.surface);
+std::optional<GivenSurface> surface_of(CheckArguments& arguments, OriginReport& origin) {
+  const morskin::Run run(arguments.threads);
+  if (arguments.surface) return GivenSurface(*arguments.surface, run);
   const std::optional<std::string> encoded = stated(origin.stated, "surface");
   const auto text = encoded && !arguments.against ? percent_decoded(*encoded) : std::nullopt;
   if (!text) return std::nullopt;
@@ -71,10 +91,11 @@ std::optional<SurfaceInput> surface_of(CheckArguments& arguments, OriginReport& 
     return std::nullopt;
   };
   try {
-    SurfaceInput input = read_surface(*text);
+    check_stated_file(*text);
+    GivenSurface surface(*text, run);
     arguments.surface = text;
     origin.taken.emplace_back("surface");
-    return input;
+    return surface;
   } catch (const UsageError& error) {
     return refuse(error);
   } catch (const geometry::UnreadableInput& error) {
@@ -103,11 +124,10 @@ void take_stated_sizes(CheckArguments& arguments, OriginReport& origin) {
   }
 }
 
-AgainstSkin check_surface(const geometry::MeshFile& file, const SurfaceInput& input,
+AgainstSkin check_surface(const geometry::MeshFile& file, const implicit::PreparedSurface& prepared,
                           const CheckArguments& arguments) {
   const IndexedMesh& mesh = file.mesh;
   const morskin::Run run(arguments.threads);
-  const implicit::PreparedSurface prepared = prepare_surface(input, std::nullopt, run);
   const auto points = certify::locate_vertices(mesh, prepared.surface);
   const std::vector<surface::CellId> cells = certify::cells_of(points);
   AgainstSkin result;
@@ -235,10 +255,10 @@ ExitCode check_command(const CheckArguments& asked) {
   }
   check_alone(report, file);
   if (arguments.against) check_against_molecule(report, file, certificate);
-  if (const std::optional<SurfaceInput> input = surface_of(arguments, report.origin)) {
+  if (const std::optional<GivenSurface> surface = surface_of(arguments, report.origin)) {
     take_stated_sizes(arguments, report.origin);
-    report.origin.compare_input(input->sha256);
-    report.against = check_surface(file, *input, arguments);
+    report.origin.compare_input(surface->input.sha256);
+    report.against = check_surface(file, surface->prepared, arguments);
   }
   check_agreement(report);
   time_limit.cancel();

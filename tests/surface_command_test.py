@@ -2,6 +2,7 @@
 """`mesh --surface` and `check` of what it writes. Usage: surface_command_test.py path/to/morskin"""
 
 import json
+import os
 import shutil
 
 from support.command import MOLECULES, CommandTest, main
@@ -116,6 +117,22 @@ class Surfaces(CommandTest):
                 alone = self.check("mesh.ply")  # the molecule is gone: checked as a mesh alone
                 self.assertNotIn("certified", alone)
                 self.assertIn(name, "".join(alone["origin"]["not_taken"]))
+
+    def test_a_mesh_that_states_a_senseless_surface_is_checked_alone(self):
+        self.meshed("sphere:2")
+        mesh = (self.folder / "mesh.off").read_text().split("#")[0]
+        os.mkfifo(self.folder / "pipe.xyzr")
+        self.input("pair.xyzr", "0 0 0 1\n9 0 0 1\n9 0 0 3\n")
+        for surface, why in (("formula:x", "not closed"), ("formula:1/0", "not closed"),
+                             ("formula:x^2+y^2-z^2*(1-z^2)", "singular"), ("cube:1", "it must be"),
+                             ("formula:x+", "column 3"), ("gaussian:pipe.xyzr", "no file"),
+                             ("gaussian:-", "no file"), ("gaussian:pair.xyzr,decay=0", "decay")):
+            with self.subTest(surface=surface):
+                self.input("said.off", f"{mesh}# morskin: surface {surface}\n")
+                alone = self.check("said.off")
+                self.assertTrue(alone["passed"])
+                self.assertNotIn("certified", alone)
+                self.assertIn(why, "".join(alone["origin"]["not_taken"]))
 
     def test_a_gaussian_surface_as_far_out_as_molecules_may_lie_is_certified(self):
         for far in ("1e5", "999990"):  # no double there has a residual of 1e-11 of the square
