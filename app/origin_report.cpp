@@ -1,5 +1,6 @@
 #include "app/origin_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,13 @@ std::optional<bool> matches(const std::optional<std::string>& stated, const std:
   constexpr std::size_t min_digits = 8;  // no fewer are ever written
   if (!stated) return std::nullopt;
   return stated->size() >= min_digits && found.starts_with(*stated);
+}
+
+/// All of STL's header: its verdict stands behind what other words are cut to.
+std::string quoted_whole(std::string header) {
+  std::ranges::replace_if(
+      header, [](char c) { return c < 0x20 || c >= 0x7f; }, '?');
+  return '"' + header + '"';
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -95,7 +103,7 @@ std::string origin_text(const OriginReport& origin) {
                                shown("input", shown("surface", "?")) + ", " +
                                shown("verdict", "no verdict") + "; none of it counts here");
   } else {
-    text += line("origin", "so the file says: " + geometry::quoted(origin.stated.brief));
+    text += line("origin", "so the file says: " + quoted_whole(origin.stated.brief));
   }
   if (!origin.taken.empty()) {
     text += line("taken", joined(origin.taken) +

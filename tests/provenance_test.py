@@ -200,6 +200,10 @@ class Provenance(ProvenanceTest):
         data[84 + 50 + 12] ^= 1
         self.input("bent.stl", bytes(data))
         self.assertFalse(self.origin("bent.stl", code=None)["coordinates_match"])
+        data[18] = ord("\n")  # as a line of the report
+        self.input("bent.stl", bytes(data))
+        said = self.run_morskin("check", "bent.stl", code=None).stdout.decode().splitlines()[1]
+        self.assertRegex(said, 'origin .*A, .ertified before rounding, input .*, corners .*"$')
 
     def test_a_mesh_of_no_known_origin_has_none_and_is_checked_as_before(self):
         self.meshed("-o", "m.off")
