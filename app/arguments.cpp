@@ -17,6 +17,7 @@
 #include "app/output_names.h"
 #include "app/presets.h"
 #include "app/typed_values.h"
+#include "geometry/files/mesh_files.h"
 #include "skin/molecule_files.h"
 
 namespace morskin::app {
@@ -122,7 +123,9 @@ void finish(const CheckArguments& check, const Typed& typed) {
   }
   check_not_input(*check.certificate, *check.against);
   check_not_input(*check.certificate, {.input = check.mesh});
-  if (is_msms(check.mesh)) check_not_input(*check.certificate, {.input = msms_partner(check.mesh)});
+  for (const std::filesystem::path& partner : geometry::msms_partners(check.mesh)) {
+    check_not_input(*check.certificate, {.input = partner});
+  }
 }
 
 /// CLI11 takes an empty word for no number, so that an unset variable of a script would go unseen.

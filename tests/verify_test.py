@@ -105,7 +105,8 @@ class Verify(CommandTest):
         self.assertIn(b"no/folder.json", done.stderr)
         for wrong in (["check", "mesh.ply", "--certificate", "c.json"],
                       ["check", "mesh.ply", *against, "--certificate", "mesh.ply"],
-                      ["check", "m.vert", *against, "--certificate", "./m.face"],
+                      *(["check", f"m.vert{end}", *against, "--certificate", f"./m.face{end}"]
+                        for end in ("", ".gz", ".unverified", ".unverified.gz")),
                       ["mesh", self.ring, "-o", "a.ply", "--certificate", "a.ply"]):
             self.run_morskin(*wrong, code=2)
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "geometry/error.h"
 #include "geometry/files/atomic_file.h"
@@ -185,29 +186,41 @@ bool is_msms(const std::filesystem::path& path, std::string_view ending) {
   return lower_case(plain_name(path).extension().string()) == ending;
 }
 
-// The other file of an MSMS pair: the same name with the other ending, in capitals first where this
-// one's are, as it is or gzipped.
-std::filesystem::path msms_partner(const std::filesystem::path& path) {
+}  // namespace
+
+std::vector<std::filesystem::path> msms_partners(const std::filesystem::path& path) {
+  const bool is_of_vertices = is_msms(path, ".vert");
+  if (!is_of_vertices && !is_msms(path, ".face")) return {};
   const std::filesystem::path name = plain_name(path);
   const bool is_upper = name.extension() == ".VERT" || name.extension() == ".FACE";
   std::array<const char*, 2> endings{".vert", ".VERT"};
-  if (is_msms(path, ".vert")) endings = {".face", ".FACE"};
+  if (is_of_vertices) endings = {".face", ".FACE"};
   if (is_upper) std::swap(endings[0], endings[1]);
-  const std::string last = is_unverified(path) ? ".unverified" : "";
-  std::error_code ignored;
+  std::vector<std::filesystem::path> partners;
   for (const char* const ending : endings) {
     for (const char* const packing : {"", ".gz"}) {
-      std::filesystem::path found = name.parent_path() / name.stem();
-      found += ending + last + packing;
-      if (std::filesystem::exists(found, ignored)) return found;
+      std::filesystem::path partner = name.parent_path() / name.stem();
+      partner += std::string(ending) + (is_unverified(path) ? ".unverified" : "") + packing;
+      partners.push_back(std::move(partner));
     }
   }
-  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " + name.stem().string() +
-                        endings[0] + last + " beside it");
+  return partners;
+}
+
+namespace {
+
+std::filesystem::path found_partner(const std::filesystem::path& path) {
+  const std::vector<std::filesystem::path> partners = msms_partners(path);
+  std::error_code ignored;
+  const auto found = std::ranges::find_if(
+      partners, [&](const auto& partner) { return std::filesystem::exists(partner, ignored); });
+  if (found != partners.end()) return *found;
+  throw UnreadableInput(path.string() + ": an MSMS mesh is two files; put " +
+                        partners[0].filename().string() + " beside it");
 }
 
 MeshFile read_msms(const std::filesystem::path& path, std::string_view bytes) {
-  const std::filesystem::path partner = msms_partner(path);
+  const std::filesystem::path partner = found_partner(path);
   const FileBytes other = read_file(partner, max_bytes);
   std::string buffer;
   const mesh_formats::MsmsFile named{bytes, path.string()};

@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/indexed_mesh.h"
 #include "geometry/mesh_attributes.h"
@@ -88,6 +89,10 @@ IndexedMesh in_single_precision(IndexedMesh mesh);
 /// @throws UnreadableInput  "file:line: what is wrong; what to do", for a malformed or truncated
 ///                          file, a coordinate that is not finite, a corner that does not exist
 IndexedMesh read_mesh(const std::filesystem::path& path);
+
+/// The names that the other file of an MSMS pair may have, the likeliest first: with the other
+/// ending in small letters or capitals, as it is or gzipped. None for other files.
+std::vector<std::filesystem::path> msms_partners(const std::filesystem::path& path);
 
 /// A mesh with what its file says of its origin, true or not.
 struct MeshFile {
