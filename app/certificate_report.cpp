@@ -37,6 +37,11 @@ ordered_json certificate_json(const Certificate& c) {
                        {"homeomorphic", c.is_homeomorphic},
                        {"certified", c.certified}};
   if (!c.certified) json["reason"] = c.reason;
+  if (c.holds(certify::Claim::Manifold)) return json;
+  for (const std::string name : {"components", "euler_characteristic", "genus"}) {
+    json[name] = nullptr;
+    json[name + "_reason"] = "not counted, for the mesh is no closed oriented 2-manifold";
+  }
   return json;
 }
 
@@ -76,20 +81,25 @@ std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
                                    " degrees (bound " + brief(bound) + ")");
 }
 
+namespace {
+
+std::string counts_text(std::size_t components, long genus, long euler_characteristic) {
+  return counted(components, "component", "components") + ", genus " +
+         grouped(static_cast<long long>(genus)) + ", Euler characteristic " +
+         grouped(static_cast<long long>(euler_characteristic));
+}
+
+}  // namespace
+
 std::string certificate_text(const Certificate& c, std::string_view source) {
-  const bool counts_agree = c.components == c.expected_components && c.genus == c.expected_genus &&
-                            c.euler_characteristic == c.expected_euler_characteristic;
-  std::string text =
-      line("topology", counted(c.components, "component", "components") + ", genus " +
-                           grouped(static_cast<long long>(c.genus)) + ", Euler characteristic " +
-                           grouped(static_cast<long long>(c.euler_characteristic)) +
-                           (counts_agree ? ", as " + std::string(source) : ""));
-  if (!counts_agree) {
-    text += line("expected", counted(c.expected_components, "component", "components") +
-                                 ", genus " + grouped(static_cast<long long>(c.expected_genus)) +
-                                 ", Euler characteristic " +
-                                 grouped(static_cast<long long>(c.expected_euler_characteristic)));
-  }
+  const std::string found = counts_text(c.components, c.genus, c.euler_characteristic);
+  const std::string expected =
+      counts_text(c.expected_components, c.expected_genus, c.expected_euler_characteristic);
+  const bool is_manifold = c.holds(certify::Claim::Manifold);
+  std::string text = line("topology", !is_manifold        ? "not counted, for that takes a manifold"
+                                      : found == expected ? found + ", as " + std::string(source)
+                                                          : found);
+  if (!is_manifold || found != expected) text += line("expected", expected);
   if (c.triangles > 0) {
     text += line("sizes", "[L] " + brief(c.worst_L, 6) + " (good above 1), [U] " +
                               brief(c.worst_U, 6) + " (good below 1), " +

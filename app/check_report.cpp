@@ -37,8 +37,7 @@ ordered_json verdicts_json(const CheckReport& report) {
   return result;
 }
 
-// Each triangle that repeats a corner is a component of its own, and there may be millions.
-constexpr std::size_t most_components = 10000;
+constexpr std::size_t most_components = 10000;  // a triangle that repeats a corner is one by itself
 
 ordered_json components_json(const geometry::MeshCheck& topology) {
   ordered_json result = ordered_json::array();
@@ -79,6 +78,7 @@ ordered_json worst_json(const std::vector<Bad>& worst, const char* value) {
 void add_topology_json(ordered_json& json, const geometry::MeshCheck& topology) {
   json["closed_oriented_manifold"] = topology.is_closed_oriented_manifold();
   json["components"] = topology.components.size();
+  json.erase("components_reason");
   if (topology.is_closed_oriented_manifold()) {
     long genus = 0, euler = 0;
     for (const geometry::MeshComponent& c : topology.components) {

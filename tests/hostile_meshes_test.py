@@ -78,6 +78,19 @@ class HostileMeshes(CommandTest):
         report = self.assert_strict("check", "x.off", "--json", code=5)
         self.assertEqual(report["min_angle_deg_reason"], "the mesh has no triangle")
 
+    def test_of_a_mesh_that_is_no_manifold_no_genus_is_told(self):
+        self.input("one.xyzr", "0 0 0 1\n")
+        self.input("x.off", off([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)], [(0, 1, 2)]))
+        words = ("check", "x.off", "--against", "one.xyzr")
+        report = self.assert_strict(*words, "--json", code=5)
+        self.assertEqual(report["components"], 1)
+        self.assertNotIn("components_reason", report)
+        for name in ("genus", "euler_characteristic"):
+            self.assertIsNone(report[name])
+            self.assertIn("no closed oriented 2-manifold", report[name + "_reason"])
+        said = self.run_morskin(*words, code=5).stdout
+        self.assertRegex(said, rb"topology +not counted.*\n  expected +1 component, genus 0")
+
     def test_reports_of_mesh_are_strict(self):
         for words in (("-C", "0.9", "-Q", "1.9"), ("--method", "marching-cubes")):
             self.run_morskin("mesh", self.ring, "-o", "x.ply", "-q", "--report", "x.json", *words,
