@@ -30,11 +30,14 @@ using geometry::IndexedMesh;
 
 constexpr std::size_t max_triangles = geometry::SurfaceMesh::max_triangles;
 
-/// What does not need the surface's topology.
+/// What does not need the surface's topology. @pre result has the certificate
 void measure(AgainstSkin& result, const geometry::MeshFile& file, const surface::Surface& surface,
              std::span<const surface::SurfacePoint> points, const certify::Sizing& sizing,
              const morskin::Run& run) {
-  result.deviations = certify::measure_deviations(file.mesh, surface, points, sizing);
+  const certify::EdgeSides sides = result.certificate.holds(certify::Claim::Manifold)
+                                       ? certify::EdgeSides()
+                                       : certify::EdgeSides(file.mesh.triangles);
+  result.deviations = certify::measure_deviations(file.mesh, surface, points, sizing, sides);
   result.delaunay = certify::restricted_delaunay(file.mesh, surface, points, 10, run);
   if (!file.curved) return;
   result.in_edges = certify::node_residuals(*file.curved, file.mesh.positions.size(), surface, run);

@@ -20,7 +20,6 @@
 #include "geometry/parallel.h"
 
 namespace morskin::certify {
-
 namespace {
 
 using geometry::IndexedMesh;
@@ -92,7 +91,6 @@ class Certifier {
         element + " has " + geometry::in_digits(ratio, 3) + " times its bound";
   }
   LocatedMesh located() const { return {mesh_, vertices_, surface_}; }
-
   void measure_shape();  ///< angles, area and volume
   void locate_and_glue();
   void glue();
@@ -130,6 +128,7 @@ class Certifier {
   Certificate out_;
   geometry::OrDefect<geometry::GluedTriangles> built_;
   bool is_built_by_hints_ = false;
+  EdgeSides sides_;
   LocatedVertices vertices_;
   FlowBounds flow_;
 };
@@ -192,6 +191,7 @@ void Certifier::check_vertices() {
 }
 
 void Certifier::check_triangles(DelaunayFilter& filter) {
+  if (built_.defect) sides_ = EdgeSides(mesh_.triangles);
   out_.worst_L = std::numeric_limits<double>::infinity();
   const std::size_t count = mesh_.triangles.size();
   std::vector<TriangleFindings> found(geometry::block_count(count));
@@ -241,14 +241,14 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   if (!(u < 1) && out.violations_U++ == 0) note(out, Claim::U, "triangle " + std::to_string(t), u);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = corner[k], b = corner[k == 2 ? 0 : k + 1];
-    if (a > b) continue;  // each edge from one side
+    if (!sides_.is_measured(a, b)) continue;
     // Skip edges that neither are the worst nor break [L].
     const SurfacePoint &from = *p[k], &to = *p[k == 2 ? 0 : k + 1];
     if (sizing_.is_certainly_longer(from, to, std::max(out.worst_L, 1.0))) continue;
     const double l = sizing_.edge_ratio(from, to);
     out.worst_L = std::min(out.worst_L, l);
     if (!(l > 1) && out.violations_L++ == 0) {
-      note(out, Claim::L, geometry::edge_in_words(a, b), l);
+      note(out, Claim::L, geometry::edge_in_words(std::min(a, b), std::max(a, b)), l);
     }
   }
   const CornerBounds bounds = on.corner_bounds(corner);

@@ -67,7 +67,8 @@ void measure_vertices(const geometry::IndexedMesh& mesh, const surface::Surface&
 }  // namespace
 
 Deviations measure_deviations(const geometry::IndexedMesh& mesh, const surface::Surface& surface,
-                              std::span<const SurfacePoint> points, const Sizing& sizing) {
+                              std::span<const SurfacePoint> points, const Sizing& sizing,
+                              const EdgeSides& sides) {
   Deviations out;
   measure_vertices(mesh, surface, points, out);
   Worst<BadTriangle> centroids, large, steep;
@@ -92,9 +93,9 @@ Deviations measure_deviations(const geometry::IndexedMesh& mesh, const surface::
     for (std::size_t k = 0; k < 3; ++k) {
       cosine = std::min(cosine, p[k]->normal.dot(shape.normal));
       const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
-      if (a > b) continue;  // each edge from one side
+      if (!sides.is_measured(a, b)) continue;
       const double l = sizing.edge_ratio(*p[k], *p[(k + 1) % 3]);
-      edges.offer(-l, {a, b, l});
+      edges.offer(-l, {std::min(a, b), std::max(a, b), l});
     }
     cosine = std::isfinite(shape.circumradius) ? std::clamp(cosine, -1.0, 1.0) : -1;
     least_cosine = std::min(least_cosine, cosine);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "certify/located_vertices.h"
 #include "certify/sizing.h"
 #include "geometry/indexed_mesh.h"
 
@@ -42,7 +43,9 @@ struct Deviations {
 };
 
 /// @param points  locate_vertices() of the mesh
+/// @param sides   of edges, if the mesh is not closed
 Deviations measure_deviations(const geometry::IndexedMesh& mesh, const surface::Surface& surface,
-                              std::span<const SurfacePoint> points, const Sizing& sizing);
+                              std::span<const SurfacePoint> points, const Sizing& sizing,
+                              const EdgeSides& sides = EdgeSides());
 
 }  // namespace morskin::certify

@@ -18,6 +18,16 @@ float rounded_up(double x) {
 
 }  // namespace
 
+EdgeSides::EdgeSides(std::span<const geometry::TriangleCorners> triangles) : is_open_(true) {
+  for (const geometry::TriangleCorners& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::pair side(t[k], t[(k + 1) % 3]);
+      if (side.first < side.second) upwards_.push_back(side);
+    }
+  }
+  std::ranges::sort(upwards_);
+}
+
 void VertexLocator::locate(std::uint32_t v, surface::CellId start) {
   set(v, surface_.locate(mesh_.positions[v], start));
 }

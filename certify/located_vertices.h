@@ -62,6 +62,22 @@ struct LocatedMesh {
   }
 };
 
+/// The side that an edge is measured from, so that it is once: where a triangle has it from the
+/// smaller id to the larger or, at the end of an open mesh, where the only one has it.
+class EdgeSides {
+ public:
+  EdgeSides() = default;  ///< of a closed oriented mesh
+  explicit EdgeSides(std::span<const geometry::TriangleCorners> triangles);  ///< of any mesh
+
+  bool is_measured(std::uint32_t from, std::uint32_t to) const {
+    return from < to || (is_open_ && !std::ranges::binary_search(upwards_, std::pair(to, from)));
+  }
+
+ private:
+  bool is_open_ = false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> upwards_;  ///< from the smaller id; sorted
+};
+
 /// Finds the cell of each vertex of any mesh, with bounds on G and N there.
 class VertexLocator {
  public:

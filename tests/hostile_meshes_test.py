@@ -4,6 +4,7 @@
     hostile_meshes_test.py path/to/morskin
 """
 
+import itertools
 import json
 import math
 import random
@@ -90,6 +91,21 @@ class HostileMeshes(CommandTest):
             self.assertIn("no closed oriented 2-manifold", report[name + "_reason"])
         said = self.run_morskin(*words, code=5).stdout
         self.assertRegex(said, rb"topology +not counted.*\n  expected +1 component, genus 0")
+
+    def test_each_edge_of_an_open_mesh_is_measured_however_it_is_numbered(self):
+        self.input("one.xyzr", "0 0 0 1\n")
+        places = [(math.sin(t), 0.0, math.cos(t)) for t in (0, 0.1)]
+        places.append((0.0, math.sin(0.001), math.cos(0.001)))  # too near to the first
+        for order in itertools.permutations(range(3)):
+            corners = [order.index(k) for k in range(3)]
+            self.input("x.off", off([places[k] for k in order], [corners]))
+            report = self.check("x.off", "--against", "one.xyzr", code=5)
+            self.assertEqual(report["violations_L"], 1)
+            self.assertEqual(len(report["worst_edges"]), 3)
+            short = sorted((corners[0], corners[2]))
+            self.assertEqual(report["worst_edges"][0]["edge"], short)
+            reason = next(v["reason"] for v in report["verdicts"] if v["name"] == "[L]")
+            self.assertIn("edge {}-{} has".format(*short), reason)
 
     def test_reports_of_mesh_are_strict(self):
         for words in (("-C", "0.9", "-Q", "1.9"), ("--method", "marching-cubes")):
