@@ -217,8 +217,8 @@ std::string json_text(const CheckReport& report) {
   if (arguments.surface) json["surface"] = *arguments.surface;
   if (report.against && report.against->within) json["within"] = *report.against->within;
   if (arguments.against || arguments.surface) {
-    json["C"] = arguments.sizing.C;
-    json["Q"] = arguments.sizing.Q;
+    json.update({{"C", arguments.sizing.C}, {"Q", arguments.sizing.Q}});
+    add_edge_length(json, arguments.sizing);
   }
   add_origin(json, report.origin);
   const std::vector<Verdict> verdicts = report.verdicts();

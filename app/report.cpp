@@ -1,6 +1,5 @@
 #include "app/report.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/function_argument.h"
@@ -97,9 +96,7 @@ ordered_json input_json(const MeshReport& report) {
                {"C_Q_in_proved_range", doubts_about(report.sizing).empty()}});
   add_selection(json, report.molecule.selection);
   if (report.preset) json["preset"] = preset_json(*report.preset);
-  if (std::isfinite(report.sizing.largest_length_scale)) {
-    json["edge_length"] = rounded(report.sizing.edge_length());
-  }
+  add_edge_length(json, report.sizing);
   return json;
 }
 

@@ -105,6 +105,8 @@ std::string answers_text(const MeshReport& report);
 
 // size_report.cpp
 
+/// About how long edges are where the skin is flat, if that is limited.
+void add_edge_length(nlohmann::ordered_json& json, const certify::Sizing& sizing);
 /// What was asked of the sizes and not reached, how much of the skin bends too much, and how edges
 /// grow; nothing where no size was asked for.
 void add_sizes(nlohmann::ordered_json& json, const MeshReport& report);

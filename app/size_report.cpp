@@ -52,6 +52,11 @@ std::string grading_text(const morskin::Grading& grading) {
 
 }  // namespace
 
+void add_edge_length(nlohmann::ordered_json& json, const certify::Sizing& sizing) {
+  if (std::isfinite(sizing.largest_length_scale))
+    json["edge_length"] = rounded(sizing.edge_length());
+}
+
 void add_sizes(nlohmann::ordered_json& json, const MeshReport& report) {
   if (const std::string missed = missed_size(report); !missed.empty()) json["missed_size"] = missed;
   if (report.bent) {

@@ -94,6 +94,13 @@ class Quality(CommandTest):
         self.input("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         self.assertIn(b" 0: 1 triangle, ", self.run_morskin("check", "one.off", code=5).stdout)
 
+    def test_check_tells_the_length_of_edges_that_it_goes_by_as_mesh_does(self):
+        made = self.mesh_json(self.ring, "--size", "0.6", "-o", "m.off")
+        found = self.check("m.off", "--against", self.ring)
+        self.assertEqual((found["edge_length"], found["C"]), (0.6, made["C"]))
+        self.assertEqual(made["edge_length"], 0.6)
+        self.assertNotIn("edge_length", self.check("m.off", "--against", self.ring, "-C", "0.4"))
+
     def test_of_no_triangle_there_is_no_radius_ratio_and_of_a_flat_one_it_is_0(self):
         self.input("points.off", "OFF\n1 0 0\n1 2 3\n")
         quality = self.check("points.off", code=5)["quality"]
