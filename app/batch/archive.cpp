@@ -75,6 +75,11 @@ std::optional<std::string> Archive::next() {
     if (name == nullptr) name = ::archive_entry_pathname(entry);
     if (name != nullptr) return std::filesystem::path(name).lexically_normal().string();
   }
+  // Blocks of zeros are the end. Cut between two files, an archive would seem to hold fewer.
+  if (::archive_filter_bytes(archive_.get(), 0) == ::archive_read_header_position(archive_.get())) {
+    throw geometry::UnreadableInput(path_.string() +
+                                    ": has no end, as if it were cut short; fetch it again");
+  }
   // What stands behind the last file has its part in the checksum.
   la_ssize_t count = 0;
   do {
