@@ -3,6 +3,7 @@
 Usage: batch_test.py path/to/morskin"""
 
 import json
+import os
 import resource
 import subprocess
 import tarfile
@@ -56,6 +57,12 @@ class Rows(Batch):
     def test_radii_cannot_come_from_a_standard_input_that_workers_lack(self):
         self.chains(1)
         self.assertIn("--radii", self.batch("in", "-o", "x", *COARSE, "--radii", "-", code=2))
+
+    def test_radii_cannot_come_from_a_pipe_that_the_first_reader_empties(self):
+        self.chains(1)
+        os.mkfifo(self.folder / "pipe")
+        self.assertIn("--radii", self.batch("in", "-o", "x", *COARSE, "--radii", "pipe", code=2))
+        self.assertFalse((self.folder / "x").exists())
 
     def test_with_features_it_makes_what_features_makes_with_the_same_options(self):
         names = self.chains(3)
@@ -159,8 +166,19 @@ class Rows(Batch):
         words = ("one.xyz", "-o", "out", *COARSE, "--radii", "radii.txt")
         self.batch(*words)
         self.assertEqual(self.batch(*words)["made"], 0)
+        self.input("other.txt", "C 1.7\n")
+        for name in ("./radii.txt", "other.txt"):
+            self.assertEqual(self.batch(*words[:-1], name)["made"], 0)
         self.input("radii.txt", "C 2.7\n")
         self.assertIn("choose another folder", self.batch(*words, code=2))
+
+    def test_a_file_that_is_called_like_a_table_of_radii_does_not_count(self):
+        self.input("one.xyz", "1\n\nC 0 0 0\n")
+        for name in ("bondi", "C=1.7"):
+            words = ("one.xyz", "-o", f"out {name}", *COARSE, "--radii", name)
+            self.batch(*words)
+            self.input(name, "C 2.7\n")
+            self.assertEqual(self.batch(*words)["made"], 0)
 
     def test_progress_tells_how_long_it_will_take(self):
         self.chains(3)

@@ -1,6 +1,7 @@
 #include <signal.h>
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <span>
 #include <system_error>
@@ -31,12 +32,15 @@ bool are_options_sound(const BatchArguments& arguments) {
   const auto* const features = std::get_if<FeaturesArguments>(&parsed);
   const auto* const mesh =
       features != nullptr ? &features->mesh : std::get_if<MeshArguments>(&parsed);
-  if (mesh != nullptr && mesh->molecule.radii == "-") {
-    throw UsageError("workers have no standard input: give --radii a file or a list");
-  }
-  // Only for what it throws: else each row would call its molecule unreadable.
   if (mesh != nullptr && mesh->molecule.radii) {
-    static_cast<void>(skin::radius_table(*mesh->molecule.radii));
+    const std::string& radii = *mesh->molecule.radii;
+    std::error_code ignored;
+    if (radii == "-" || std::filesystem::is_fifo(radii, ignored)) {
+      throw UsageError(
+          "workers can read neither standard input nor a pipe: give --radii a file or a list");
+    }
+    // Only for what it throws: else each row would call its molecule unreadable.
+    static_cast<void>(skin::radius_table(radii));
   }
   return !std::holds_alternative<Finished>(parsed);
 }

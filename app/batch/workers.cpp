@@ -20,6 +20,7 @@
 #include "geometry/error.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/text_lines.h"
+#include "skin/radius_table.h"
 
 namespace morskin::app {
 namespace {
@@ -135,15 +136,14 @@ std::string options_text(const BatchArguments& arguments) {
   if (arguments.features) add("--features");
   for (const std::string& ending : arguments.endings) add("--format=", ending);
   for (const std::string& option : arguments.options) {
-    add(option);
-    // What a table of radii says counts, not its name.
     constexpr std::string_view radii = "--radii=";
-    std::error_code ignored;
-    if (!option.starts_with(radii)) continue;
-    const path table = option.substr(radii.size());
-    if (std::filesystem::is_regular_file(table, ignored)) {
-      add("sha256:", sha256_of(geometry::read_file(table).view()));
+    if (!option.starts_with(radii) || skin::parse_radius_table(option.substr(radii.size()))) {
+      add(option);
+      continue;
     }
+    // What a table of radii says counts, not its name.
+    const geometry::FileBytes table = geometry::read_file(option.substr(radii.size()));
+    add("--radii=sha256:", sha256_of(table.view()));
   }
   return text;
 }
