@@ -78,6 +78,8 @@ class Rows(Batch):
         for option in ("--vertex-data all", "--decimals 3", "--order 2", "--grid 1", "--grow 0..1"):
             words = option.split()
             self.assertIn(words[0], self.batch("in", "-o", "x", "--features", *words, code=2))
+        complaint = self.batch("in", "-o", "x", "--features", "--format", "npz,vtu", code=2)
+        self.assertIn("--format", complaint)
         self.assertFalse((self.folder / "x").exists())
 
     def test_each_end_of_a_worker_is_a_status_with_its_reason(self):
@@ -127,6 +129,8 @@ class Rows(Batch):
                       *(("in", "-o", "out", *option.split()) for option in options)):
             with self.subTest(words):
                 self.assertNotIn("molecule.pdb", self.batch(*words, code=2))
+        no_utf8 = os.fsdecode(b"\xff")
+        self.assertIn("no UTF-8", self.batch("in", "-o", "out", "--chain", no_utf8, code=2))
         self.assertEqual(self.names(), ["in"])
         for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",), ("in", "--only", "*.pdb")):
             self.batch(*words, "-o", "out", code=3)

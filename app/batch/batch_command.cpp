@@ -153,8 +153,11 @@ ExitCode batch_command(const BatchArguments& given) {
   const std::vector<BatchInput> all = batch_inputs(arguments.sources, arguments.only);
   check_lengths(arguments, all);
   const std::vector<BatchInput> inputs = shard_of(all, arguments.shard);
-  make_folder(arguments.folder);
   const std::string options = options_text(arguments);
+  if (!fits_in_row(options)) {
+    throw UsageError("an option is no UTF-8, for which rows have no place: " + options);
+  }
+  make_folder(arguments.folder);
   // Once before there is a file of rows, so that a refusal leaves none, and once when it is locked.
   check_rows(read_rows(arguments.folder), arguments, options, all);
   RowFile file(arguments.folder / rows_name(arguments.shard));

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <unordered_map>
 
 #include "app/batch/archive.h"
+#include "app/batch/rows.h"
 #include "app/skin_arguments.h"
 #include "geometry/error.h"
 #include "geometry/files/atomic_file.h"
@@ -129,10 +129,7 @@ void check_given_once(const BatchInput& a, const BatchInput& b) {
 }
 
 void check_name(const BatchInput& input) {
-  try {
-    // Only for what it throws.
-    static_cast<void>(nlohmann::json(input.name).dump());
-  } catch (const nlohmann::json::type_error&) {
+  if (!fits_in_row(input.name)) {
     throw UsageError(input.name + ": the name is no UTF-8; rename the file");
   }
   const std::string name = input.file_name();

@@ -29,12 +29,17 @@ Shard parsed_shard(std::string_view text) {
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
 }
 
-/// Checked here, since mesh would name a file of the batch and not the option.
-void check_endings(const std::vector<std::string>& endings) {
+/// Checked here, since mesh and features would name a file of the batch and not the option.
+void check_endings(const std::vector<std::string>& endings, bool are_of_features) {
   for (const std::string& ending : endings) {
     const bool is_more = ending.find_first_of("./") != std::string::npos;
     if (is_more || !geometry::mesh_format_of("molecule." + ending)) {
       throw UsageError("--format takes endings of meshes, as in ply,vtu; not " +
+                       geometry::quoted(ending));
+    }
+    const std::string known = geometry::lower_case(ending);
+    if (are_of_features && known != "npz" && known != "ply") {
+      throw UsageError("--format takes npz and ply with --features; not " +
                        geometry::quoted(ending));
     }
     if (std::ranges::count(endings, ending) > 1) {
@@ -110,7 +115,6 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
     if (batch.features) batch.endings = {"npz"};
     if (purpose->count() > 0) batch.endings = {preset_ending(purpose->as<std::string>()).substr(1)};
   }
-  check_endings(batch.endings);
   const auto require_mesh = [&](const std::string& name) {
     if (batch.features && command.count(name) > 0) {
       throw UsageError(name + " is of mesh; features sets what it writes");
@@ -118,6 +122,7 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
   };
   require_mesh("--for");
   for (const char* name : features_lack) require_mesh(name);
+  check_endings(batch.endings, batch.features);
   constexpr std::array<std::string_view, 11> own{"--help", "LIST",       "--output",  "--format",
                                                  "--only", "--features", "--shard",   "--workers",
                                                  "--json", "--quiet",    "--progress"};

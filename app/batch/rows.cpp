@@ -53,6 +53,15 @@ std::string_view whole_lines(std::string_view text) { return text.substr(0, text
 
 }  // namespace
 
+bool fits_in_row(const std::string& text) {
+  try {
+    static_cast<void>(ordered_json(text).dump());  // only for what it throws
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
 std::string rows_name(const Shard& shard) {
   if (shard.count == 1) return "rows.jsonl";
   return "rows-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count) + ".jsonl";

@@ -12,6 +12,9 @@
 
 namespace morskin::app {
 
+/// Whether a text can stand in a row and be read again: UTF-8.
+bool fits_in_row(const std::string& text);
+
 /// Numbers in rows that are summed up; those of Angstrom and bytes as in the report of `mesh`.
 inline constexpr std::array measures = {
     "atoms",         "vertices", "triangles",   "vertices_per_square_angstrom",
