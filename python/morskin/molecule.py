@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from . import _morskin
 from ._morskin import Mesh, ReadOptions, Skin, read_molecule
+from .errors import RefusedInput
 
 Model = Literal["vdw", "sas", "ses-like", "paper"]
 Radii = Union[str, "PathLike[str]", Mapping[str, float], None]
@@ -57,6 +58,10 @@ def _radii_text(radii: Radii) -> bytes | None:
     if isinstance(radii, Mapping):
         if not radii:
             raise ValueError("radii lists none")
+        # In the list they would end an entry, and what follows would pass for another.
+        if wrong := [key for key in radii if set(",=") & set(str(key))]:
+            raise RefusedInput(f"radii has {wrong[0]!r}, which is neither an element nor a residue "
+                               "and an atom as in ALA:CA")
         return os.fsencode(",".join(f"{key}={float(value)!r}" for key, value in radii.items()))
     if isinstance(radii, os.PathLike):
         # Beginning like a path it is a file, even if its name is a table's or looks like a list.

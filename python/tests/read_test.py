@@ -77,7 +77,8 @@ class Reading(ModuleTest):
     def test_what_makes_no_sense_is_refused(self) -> None:
         for options in ({"chains": ["C"]}, {"altloc": "first"}, {"model_number": 2},
                         {"biological_assembly": 2}, {"radii": {"C": -1}}, {"radii": {"Qq": 1}},
-                        {"radii": {"C": float("nan")}}, {"radii": {"C": 1.7}}):
+                        {"radii": {"C": float("nan")}}, {"radii": {"C": 1.7}},
+                        {"radii": {"N=1,H=1,C=1,S=1,O": 1}}, {"radii": {"C,N": 1}}):
             with self.subTest(options), self.assertRaises(morskin.RefusedInput):
                 morskin.read(self.file, **options)
         for error, options in ((TypeError, {"chains": "A"}), (TypeError, {"hetatms": "SO4"}),
