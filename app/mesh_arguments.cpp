@@ -22,7 +22,10 @@ void check_several(const MeshArguments& mesh) {
   const auto refuse = [](const std::string& what) {
     throw UsageError("several models cannot " + what + "; choose one with --model-number");
   };
-  if (mesh.molecule.input == "-" || mesh.molecule.radii == "-") refuse("come from standard input");
+  const auto& radii = mesh.molecule.radii;
+  if (is_read_once(mesh.molecule.input) || (radii && is_read_once(*radii))) {
+    refuse("come from standard input or a pipe");
+  }
   if (takes_standard_output(mesh)) refuse("go to standard output");
   if (mesh.has_snapshots()) refuse("all have snapshots");
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "app/report_lines.h"
 #include "app/typed_values.h"
@@ -36,6 +37,11 @@ void check_sizing(const certify::Sizing& sizing) {
 }
 
 }  // namespace
+
+bool is_read_once(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return file == "-" || std::filesystem::is_fifo(file, ignored);
+}
 
 std::string model_text(const MoleculeArguments& molecule) {
   const std::string model = "model " + std::string(skin::name_of(molecule.model));

@@ -48,6 +48,9 @@ bool is_set(const TypedSkin& typed);
 /// Whether any was that only skins of molecules have: one but -C, -Q and --size.
 bool is_of_molecules(const TypedSkin& typed);
 
+/// Whether what it says is gone once it was read: standard input, or a pipe.
+bool is_read_once(const std::filesystem::path& file);
+
 /// @param file  the molecule; not molecule.input where that is a mesh
 /// @throws UsageError
 void finish(MoleculeArguments& molecule, const std::filesystem::path& file, const TypedSkin& typed);

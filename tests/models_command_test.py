@@ -130,7 +130,9 @@ class Models(CommandTest):
         self.mesh(*several, "-o", "-", code=2)
         self.mesh(*several, "-o", "m.ply", "--report", "-", code=2)
         self.mesh(*several, "-o", "m.ply", "--snapshots", "2", code=2)
-        self.mesh(*several, "-o", "m.ply", file="-", code=2)
+        os.mkfifo(self.folder / "pipe")  # empty for all runs but the first
+        for file, more in (("-", ()), ("pipe", ()), ("nmr.pdb", ("--radii", "pipe"))):
+            self.mesh(*several, *more, "-o", "m.ply", file=file, code=2)
         self.mesh("-o", "m.ply", "--fail-fast", code=2)
         for command in (("info", "nmr.pdb"), ("balls", "nmr.pdb", "-o", "b.xyzr"),
                         ("morse", "nmr.pdb", "-o", "b.json"), ("view", "nmr.pdb", "-o", "b.html")):

@@ -1,7 +1,6 @@
 #include <signal.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <span>
 #include <system_error>
@@ -34,8 +33,7 @@ bool are_options_sound(const BatchArguments& arguments) {
       features != nullptr ? &features->mesh : std::get_if<MeshArguments>(&parsed);
   if (mesh != nullptr && mesh->molecule.radii) {
     const std::string& radii = *mesh->molecule.radii;
-    std::error_code ignored;
-    if (radii == "-" || std::filesystem::is_fifo(radii, ignored)) {
+    if (is_read_once(radii)) {
       throw UsageError(
           "workers can read neither standard input nor a pipe: give --radii a file or a list");
     }
