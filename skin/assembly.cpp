@@ -37,29 +37,53 @@ Label copy_name(const Label& chain, char mark, std::size_t number, const std::st
                      "give the chain a shorter name");
 }
 
+/// By chain, the places of its atoms.
+using Chains = std::map<Label, std::vector<std::size_t>>;
+
 /// A motion, the number of its kind, and the chains that it copies.
 struct Copy {
   const Motion* motion;
   std::size_t number;  ///< from 1, in the order of the assembly
-  std::set<Label> chains;
+  std::vector<Label> chains;
 };
 
-/// A chain that two parts give one motion is copied once.
-std::vector<Copy> copies_of(const Assembly& assembly) {
+/// Those of an assembly.
+struct Copies {
   std::vector<Copy> copies;
+  std::size_t atoms = 0;  ///< of all
+};
+
+/// A chain that two parts give one motion is copied once. A file may name far more chains than it
+/// has: those are left out before they are copied.
+/// @throws RefusedInput  they have more than `max_atoms`
+Copies copies_of(const Assembly& assembly, const Chains& atoms_of, const std::string& source,
+                 std::size_t max_atoms) {
+  Copies result;
   std::map<std::string, std::pair<std::size_t, std::set<Label>>> known;
   for (const AssemblyPart& part : assembly.parts) {
+    std::vector<Chains::const_iterator> present;
+    for (const Label& chain : part.chains) {
+      const auto found = atoms_of.find(chain);
+      if (found != atoms_of.end()) present.push_back(found);
+    }
     for (const Motion& motion : part.motions) {
       auto& [number, copied] =
           known.try_emplace(motion.name, known.size() + 1, std::set<Label>()).first->second;
       Copy copy{&motion, number, {}};
-      for (const Label& chain : part.chains) {
-        if (copied.insert(chain).second) copy.chains.insert(chain);
+      for (const auto& chain : present) {
+        if (!copied.insert(chain->first).second) continue;
+        copy.chains.push_back(chain->first);
+        result.atoms += chain->second.size();
       }
-      copies.push_back(std::move(copy));
+      if (result.atoms > max_atoms) {
+        throw RefusedInput(source + ": biological assembly " + geometry::quoted(assembly.name) +
+                           " has more than " + std::to_string(max_atoms) +
+                           " atoms; leave more out");
+      }
+      result.copies.push_back(std::move(copy));
     }
   }
-  return copies;
+  return result;
 }
 
 }  // namespace
@@ -97,37 +121,23 @@ void refuse_assembly(const std::string& source, const std::string& name,
 
 std::size_t assemble(std::vector<AtomRecord>& atoms, const Assembly& assembly,
                      const std::string& source, std::size_t max_atoms) {
-  const std::vector<Copy> copies = copies_of(assembly);
-  std::map<Label, std::vector<std::size_t>> atoms_of;
+  Chains atoms_of;
   for (std::size_t i = 0; i < atoms.size(); ++i) atoms_of[atoms[i].assembly_chain].push_back(i);
-  std::set<Label> used;
-  std::size_t count = 0;
-  for (const Copy& copy : copies) {
-    for (const Label& chain : copy.chains) {
-      const auto found = atoms_of.find(chain);
-      if (found == atoms_of.end()) continue;
-      count += found->second.size();
-      used.insert(chain);
-    }
-  }
+  const auto [copies, count] = copies_of(assembly, atoms_of, source, max_atoms);
   if (count == 0) {
     throw RefusedInput(source + ": biological assembly " + geometry::quoted(assembly.name) +
                        " has none of the atoms that are selected; leave less out");
   }
-  if (count > max_atoms) {
-    throw RefusedInput(source + ": biological assembly " + geometry::quoted(assembly.name) +
-                       " has " + std::to_string(count) + " atoms, more than " +
-                       std::to_string(max_atoms) + "; leave more out");
-  }
   const char mark = copies.size() > 1 ? mark_for(atoms, source) : '-';
   std::vector<AtomRecord> result;
   result.reserve(count);
+  std::set<Label> used;
   for (const Copy& copy : copies) {
     std::vector<std::size_t> indices;
     for (const Label& chain : copy.chains) {
-      const auto found = atoms_of.find(chain);
-      if (found == atoms_of.end()) continue;
-      indices.insert(indices.end(), found->second.begin(), found->second.end());
+      const std::vector<std::size_t>& of_chain = atoms_of.at(chain);
+      indices.insert(indices.end(), of_chain.begin(), of_chain.end());
+      used.insert(chain);
     }
     std::ranges::sort(indices);
     for (const std::size_t i : indices) {

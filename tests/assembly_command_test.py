@@ -6,6 +6,7 @@ import csv
 import gzip
 import math
 import re
+import resource
 
 from support.command import MOLECULES, CommandTest, main
 
@@ -80,8 +81,9 @@ def pdb_atoms(text, waters=False):
 
 
 class Assemblies(CommandTest):
-    def positions(self, file, *words, code=0):
-        done = self.run_morskin("balls", file, "-o", "balls.xyzr", "-q", *words, code=code)
+    def positions(self, file, *words, code=0, **options):
+        done = self.run_morskin("balls", file, "-o", "balls.xyzr", "-q", *words, code=code,
+                                **options)
         if code:
             return done.stderr.decode()
         return [list(map(float, line.split()[:3]))
@@ -252,6 +254,16 @@ class Assemblies(CommandTest):
         self.input("other.cif", cif(atoms, many, [("2", half, "A"), ("2", half, "B"),
                                                   ("1", "1", "A")]))
         self.assertEqual(self.positions("other.cif", "--biological-assembly", "1"), [[1, 0, 0]])
+
+    def test_chains_that_a_file_names_and_does_not_have_cost_nothing(self):
+        many = {str(i): ([*IDENTITY[0]], [i, 0, 0]) for i in range(300)}
+        chains = ",".join(f"c{i}" for i in range(300))
+        self.input("names.cif", cif([("A", "A", "C", 0, 0, 0)], many,
+                                    [("1", "(0-299)(0-299)", chains), ("1", "1", "A")]))
+        def little_time():  # a set of names for each of 90,000 copies takes more
+            resource.setrlimit(resource.RLIMIT_CPU, (5, 5))
+        self.assertEqual(self.positions("names.cif", "--biological-assembly", "1",
+                                        preexec_fn=little_time), [[1, 0, 0]])
 
     def test_a_damaged_remark_is_refused_with_its_line(self):
         text, motion = self.two_fold()
