@@ -4,6 +4,7 @@ Usage: batch_sources_test.py path/to/morskin"""
 
 import gzip
 import os
+import subprocess
 import tarfile
 
 from support.batch_case import COARSE, Batch, chain
@@ -100,6 +101,17 @@ class Sources(Batch):
             path.write_bytes(whole)
             self.batch(path.name, "-o", ending, *COARSE)
             self.assertEqual(len(self.rows(ending)), len(names))
+
+    def test_what_an_archive_holds_too_long_for_any_reader_is_not_unpacked(self):
+        names = self.chains(1)
+        with open(self.folder / "in/long.pdb", "wb") as file:
+            file.truncate(3 << 30)
+        subprocess.run(["tar", "--sparse", "-cf", "in.tar", "in"], cwd=self.folder, check=True)
+        self.batch("in.tar", "-o", "out", *COARSE)
+        rows = self.rows()
+        self.assertEqual(rows[f"in/{names[0]}"]["status"], "ok")
+        self.assertEqual(rows["in/long.pdb"]["status"], "unreadable")
+        self.assertIn("long.pdb: holds more than 2147483648 bytes", rows["in/long.pdb"]["reason"])
 
     def test_of_an_archive_links_are_refused_and_hidden_files_left_out(self):
         self.chains(1)

@@ -71,6 +71,7 @@ std::optional<std::string> Archive::next() {
     is_link_ =
         ::archive_entry_hardlink(entry) != nullptr || ::archive_entry_filetype(entry) == AE_IFLNK;
     if (!is_link_ && ::archive_entry_filetype(entry) != AE_IFREG) continue;
+    size_ = static_cast<std::uintmax_t>(::archive_entry_size(entry));
     const char* name = ::archive_entry_pathname_utf8(entry);
     if (name == nullptr) name = ::archive_entry_pathname(entry);
     if (name != nullptr) return std::filesystem::path(name).lexically_normal().string();
@@ -92,7 +93,7 @@ std::optional<std::string> Archive::next() {
   return std::nullopt;
 }
 
-void Archive::extract(const std::filesystem::path& target) {
+void Archive::extract(const std::filesystem::path& target, std::size_t longest) {
   const auto fail_to_write = [&](int error) {
     throw geometry::UnwritableOutput(target.string() + ": cannot write: " +
                                      std::generic_category().message(error) + "; free some space");
@@ -102,7 +103,9 @@ void Archive::extract(const std::filesystem::path& target) {
   std::array<char, 1 << 16> block;
   la_ssize_t count = 0;
   int error = 0;
-  while (error == 0 &&
+  const bool is_too_long = size_ > longest;
+  if (is_too_long && ::ftruncate(file, static_cast<off_t>(longest) + 1) != 0) error = errno;
+  while (error == 0 && !is_too_long &&
          (count = ::archive_read_data(archive_.get(), block.data(), block.size())) > 0) {
     const ssize_t written = ::write(file, block.data(), static_cast<std::size_t>(count));
     if (written != count) error = written < 0 ? errno : ENOSPC;

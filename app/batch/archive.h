@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -22,8 +24,10 @@ class Archive {
   bool is_link() const { return is_link_; }
 
   /// Writes the file that next() named. @pre it did, and this is the first call since
+  /// @param longest  bytes; of a longer file there are zeros, one more than these, which take no
+  ///                 space and which nobody reads who takes no more than `longest`
   /// @throws geometry::UnwritableOutput  also
-  void extract(const std::filesystem::path& target);
+  void extract(const std::filesystem::path& target, std::size_t longest);
 
  private:
   [[noreturn]] void fail() const;
@@ -37,6 +41,7 @@ class Archive {
   std::unique_ptr<Source, Close> source_;
   std::unique_ptr<archive, Close> archive_;
   bool is_link_ = false;
+  std::uintmax_t size_ = 0;  ///< of the file, bytes
 };
 
 /// Whether a name is one of a tar archive: .tar, also with .gz, .bz2, .xz or .zst, and .tgz.

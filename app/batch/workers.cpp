@@ -20,6 +20,7 @@
 #include "geometry/error.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/text_lines.h"
+#include "skin/molecule_files.h"
 #include "skin/radius_table.h"
 
 namespace morskin::app {
@@ -179,7 +180,7 @@ path Workers::file_of(const BatchInput& input, const path& folder) {
     std::error_code failed;
     std::filesystem::create_directory(file.parent_path(), failed);
     if (failed) fail_to_write(file, failed);
-    archive_->second.extract(file);
+    archive_->second.extract(file, skin::ReadOptions().max_bytes);
     return file;
   }
   throw geometry::UnreadableInput(input.file.string() + ": " + input.name + " is gone from it; " +

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -117,6 +118,12 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail_to_read(path, reason(errno) + "; try again");
   if (S_ISDIR(status.st_mode)) fail_to_read(path, "is a folder; name a file in it");
+  const auto refuse_length = [&] {
+    fail_to_read(path,
+                 "holds more than " + std::to_string(max_bytes) + " bytes; name another file");
+  };
+  const bool has_length = S_ISREG(status.st_mode) && !is_standard_input;
+  if (has_length && static_cast<std::uintmax_t>(status.st_size) > max_bytes) refuse_length();
 
   // One byte more than the size, so that a file that does not grow is read in one piece.
   std::size_t capacity = 1 << 16;
@@ -131,10 +138,7 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
     bytes = std::move(larger);
     size += read_up_to(file, bytes.get() + size, capacity - size, path);
   }
-  if (size > max_bytes) {
-    fail_to_read(path,
-                 "holds more than " + std::to_string(max_bytes) + " bytes; name another file");
-  }
+  if (size > max_bytes) refuse_length();
   return {std::move(bytes), size};
 }
 
