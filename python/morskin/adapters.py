@@ -64,9 +64,13 @@ def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:
 
 
 def _biopython_places(entity: Any) -> Iterator[list[_Site]]:
-    for residue in [entity] if entity.level == "R" else entity.get_residues():
-        # 2: one of several residues at a site. Bio.PDB itself would show the last.
-        several = residue.disordered_get_list() if residue.is_disordered() == 2 else [residue]
+    # Where a site may be one of several residues, Bio.PDB makes one of those of one kind, of which
+    # it would show the last, and leaves apart what is HETATM in part, as a cysteine and its oxide.
+    for _, residues in groupby([entity] if entity.level == "R" else entity.get_residues(),
+                               key=lambda residue: (residue.get_parent(), *residue.id[1:])):
+        several = [one for residue in residues
+                   for one in (residue.disordered_get_list() if residue.is_disordered() == 2
+                               else [residue])]
         yield [_Site(a.coord, a.element, a.name, one.resname.strip(), a.altloc,
                      1.0 if a.occupancy is None else a.occupancy)
                for one in several for a in one.get_unpacked_list()]

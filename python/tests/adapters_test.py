@@ -29,10 +29,11 @@ class GemmiModel(list):
 
 
 class BioResidue:
-    """@param atoms  places, elements, and what else is known of them"""
+    """@param atoms  places, elements, and what else is known of them
+    @param kind   "H_" and the name of what is HETATM"""
 
-    def __init__(self, *atoms, name="ALA"):
-        self.level, self.resname = "R", name
+    def __init__(self, *atoms, name="ALA", kind=" ", chain="A"):
+        self.level, self.resname, self.id, self.chain = "R", name, (kind, 1, " "), chain
         self.atoms = [Thing(coord=np.array([x, 0, 0], "f4"), element=element, name=element,
                             altloc=" ", occupancy=1.0) for x, element in atoms]
 
@@ -44,6 +45,9 @@ class BioResidue:
 
     def is_disordered(self):
         return 0
+
+    def get_parent(self):
+        return self.chain
 
     def get_unpacked_list(self):
         return self.atoms
@@ -120,6 +124,16 @@ class Adapters(ModuleTest):
             places = [("CA", letter, occupancy) for letter in "CAB"]
             residue = BioResidue((0, "C"), (1, "C"), (2, "C")).located(*places)
             self.assertEqual(adapters.from_biopython(residue).positions[:, 0].tolist(), [1])
+
+    def test_of_biopython_s_residues_of_one_number_the_likeliest_is_taken_of_either_record(self):
+        def positions(chain):
+            cysteine = BioResidue((0, "C"), name="CYS").located(("CB", "A", 0.4))
+            oxide = BioResidue((1, "C"), name="CSO", kind="H_CSO", chain=chain)
+            model = Thing(level="M", get_residues=lambda: iter(
+                [cysteine, oxide.located(("CB", "B", 0.6))]))
+            return adapters.from_biopython(model).positions[:, 0].tolist()
+        self.assertEqual(positions("A"), [1])
+        self.assertEqual(positions("B"), [0, 1])
 
     def test_a_location_without_a_letter_is_one_of_those_with_and_copies_are_not(self):
         for letters, kept in (("A\0", [0]), ("\0A", [1]), ("AA", [0, 1]), ("BAAB", [1, 2])):

@@ -57,11 +57,13 @@ class Packages(ModuleTest):
                 ("ATOM", " D", "B", "GLY", 6, 18, 0.5, "D"),
                 ("ATOM", " H", "A", "GLY", 6, 19, 0.5, "H"),
                 ("ATOM", " CA", "B", "GLY", 6, 20, 0.5, "C"),
-                ("ATOM", " CA", "A", "GLY", 6, 21, 0.5, "C")], start=1))
+                ("ATOM", " CA", "A", "GLY", 6, 21, 0.5, "C"),
+                ("ATOM", " CB", "A", "CYS", 7, 24, 0.4, "C"),
+                ("HETATM", " CB", "B", "CSO", 7, 25, 0.6, "C")], start=1))
         file = self.folder / "a.pdb"
         file.write_text(text + "END\n")
         molecule = morskin.read(file)
-        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5, 4, 19, 21])
+        self.assertEqual(molecule.positions[:, 0].tolist(), [0, 1.5, 4, 19, 21, 25])
         structure = Bio.PDB.PDBParser(QUIET=True).get_structure("a", str(file))
         for found in (adapters.from_gemmi(gemmi.read_structure(str(file))),
                       adapters.from_biopython(structure)):
