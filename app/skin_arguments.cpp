@@ -40,7 +40,7 @@ void check_sizing(const certify::Sizing& sizing) {
 
 bool is_read_once(const std::filesystem::path& file) {
   std::error_code ignored;
-  return file == "-" || std::filesystem::is_fifo(file, ignored);
+  return file == "-" || file == "/dev/stdin" || std::filesystem::is_fifo(file, ignored);
 }
 
 std::string model_text(const MoleculeArguments& molecule) {

@@ -56,7 +56,12 @@ class Rows(Batch):
 
     def test_radii_cannot_come_from_a_standard_input_that_workers_lack(self):
         self.chains(1)
-        self.assertIn("--radii", self.batch("in", "-o", "x", *COARSE, "--radii", "-", code=2))
+        table = self.input("radii.txt", "C 1.7\n")
+        for name in ("-", "/dev/stdin"):
+            with open(table, "rb") as stream:
+                complaint = self.batch("in", "-o", "x", *COARSE, "--radii", name, code=2,
+                                       stdin=stream)
+            self.assertIn("--radii", complaint)
 
     def test_radii_cannot_come_from_a_pipe_that_the_first_reader_empties(self):
         self.chains(1)
