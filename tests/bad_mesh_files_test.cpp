@@ -41,6 +41,9 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "a.off", "a.off:4: corner");
   check_refused("OFF\n1 1 0\n0 0 0\n2 0 0\n", "a.off", "three corners");
   check_refused("OFF\n2 0 0\n0 0 0\n", "a.off", "ends before its last vertex");
+  check_refused("OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "a.off",
+                "each vertex on a line of its own");
+  check_refused("OFF\n1 2 0\n0 0 0\n3 0 0 0 3 0 0 0\n", "a.off", "each face on a line of its own");
   check_refused("OFF\n1 1 0\n0 0 0\n0.5 0 0\n", "a.off", "the number of a face's corners, found");
   check_refused("OFF\n1 x\n", "a.off", "a.off:2: expected the numbers of vertices");
   check_refused("v 0 0\nf 1 1 1\n", "a.obj", "a.obj:1:");

@@ -105,13 +105,19 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
   mesh.triangles.reserve(std::min(faces, bytes.size() / 8 + 1));
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
     std::string_view line = next_off_line(lines);
-    if (line.empty()) lines.fail("the file ends before its last vertex; write it again");
+    if (line.empty()) {
+      lines.fail(
+          "the file ends before its last vertex; write it again, each vertex on a line of its own");
+    }
     mesh.positions.push_back(take_position(line, lines));
   }
   std::vector<std::uint32_t> polygon;
   for (std::size_t face = 0; face < faces; ++face) {
     std::string_view line = next_off_line(lines);
-    if (line.empty()) lines.fail("the file ends before its last face; write it again");
+    if (line.empty()) {
+      lines.fail(
+          "the file ends before its last face; write it again, each face on a line of its own");
+    }
     const std::size_t corners = take_count(line, "the number of a face's corners", lines);
     if (corners < 3) lines.fail("a face needs three corners; remove it");
     polygon.clear();
