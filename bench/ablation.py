@@ -18,7 +18,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_files
+from molecule_runs import (BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_files,
+                           run_program)
 
 PROGRAM = ROOT / "build" / "bench" / "morskin_ablation"
 NONE = "nothing"
@@ -82,9 +83,9 @@ def inputs(folder, only=""):
 def run(path, model, switches, timeout):
     """The report of a run, with what became of it."""
     try:
-        done = subprocess.run([PROGRAM, path, model, *switches], capture_output=True, text=True,
-                              timeout=timeout, check=False, preexec_fn=lambda: resource.setrlimit(
-                                  resource.RLIMIT_AS, (MAX_MEMORY, MAX_MEMORY)))
+        done = run_program([PROGRAM, path, model, *switches], capture_output=True, text=True,
+                           timeout=timeout, preexec_fn=lambda: resource.setrlimit(
+                               resource.RLIMIT_AS, (MAX_MEMORY, MAX_MEMORY)))
     except subprocess.TimeoutExpired:
         return {"outcome": "out_of_time", "reason": f"still running after {timeout:g} s"}
     if done.returncode != 0:

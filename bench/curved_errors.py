@@ -8,11 +8,10 @@ it, flat and curved, Angstrom^2; the mean distance from the skin, Angstrom, and 
 of the angle to its normal, degrees.
 """
 
-import subprocess
 from pathlib import Path
 
 from molecule_runs import (BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_folder,
-                           named_files)
+                           named_files, run_program)
 
 PROGRAM = ROOT / "build" / "bench" / "morskin_curved_errors"
 SURFACES = ["ball", "caffeine.xyz", "5tmn_ligand.pdb"]
@@ -60,8 +59,9 @@ def main():
     with Rows(Path(options.results), COLUMNS, WIDTHS, 4) as rows:
         for surface, path in zip(surfaces, paths):
             for C in SIZES:
-                done = subprocess.run([PROGRAM, path, str(C)], capture_output=True, text=True,
-                                      check=True, timeout=options.timeout)
+                done = run_program([PROGRAM, path, str(C)], capture_output=True, text=True,
+                                   timeout=options.timeout)
+                done.check_returncode()
                 for line in done.stdout.splitlines():
                     rows.add(dict(zip(COLUMNS, [surface, C, *line.split("\t")])))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))

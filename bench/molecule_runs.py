@@ -76,11 +76,21 @@ def named_files(folder, names):
     return found
 
 
+def run_program(words, **options):
+    """subprocess.run(), which ends the script where the program is not built."""
+    try:
+        return subprocess.run(words, check=False, **options)
+    except FileNotFoundError:
+        how = "make command"
+        if words[0] != MORSKIN:
+            how += f", then cmake --build build --target {words[0].name}"
+        sys.exit(f"{words[0]} is not there; run {how}")
+
+
 @functools.cache
 def atom_count(path):
     """The atoms that a mesh would be made of; infinitely many if `balls` does not say."""
-    done = subprocess.run([MORSKIN, "balls", path, "-o", "-", "-q"], capture_output=True,
-                          check=False)
+    done = run_program([MORSKIN, "balls", path, "-o", "-", "-q"], capture_output=True)
     return done.stdout.count(b"\n") if done.returncode == 0 else math.inf
 
 
@@ -114,8 +124,8 @@ def run_command(words, timeout):
     """
     start, before = time.monotonic(), cpu_seconds_of_children()
     try:
-        done = subprocess.run([MORSKIN, *words], capture_output=True, text=True, check=False,
-                              timeout=None if timeout == math.inf else timeout)
+        done = run_program([MORSKIN, *words], capture_output=True, text=True,
+                           timeout=None if timeout == math.inf else timeout)
         code, output, complaint = done.returncode, done.stdout, done.stderr
     except subprocess.TimeoutExpired:
         code, output, complaint = -1, "", f"still running after {timeout:g} s"

@@ -23,6 +23,7 @@ import densities  # noqa: E402
 import features  # noqa: E402
 import implicit  # noqa: E402
 import methods  # noqa: E402
+import molecule_runs  # noqa: E402
 import morse_corpus  # noqa: E402
 import prediction  # noqa: E402
 import replay  # noqa: E402
@@ -115,6 +116,15 @@ class Ends(unittest.TestCase):
                 code, said = self.code_of(script, "--only", "no such molecule")
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
                 self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+    def test_where_a_program_is_not_built_one_line_says_so(self):
+        none = self.table.parent / "none"
+        for script, owner, name in ((ablation, ablation, "PROGRAM"),
+                                    (angles, molecule_runs, "MORSKIN"),
+                                    (curved_errors, curved_errors, "PROGRAM")):
+            with self.subTest(script.__name__), mock.patch.object(owner, name, none):
+                code, _ = self.code_of(script, "--only", "caffeine")
+                self.assertRegex(code, f"^{none} is not there; run make command")
 
     def test_where_all_runs_fail_the_table_says_so(self):
         for script, only, count in ((subdomains, "1grm", 8), (second_order, "benzene", 1)):
