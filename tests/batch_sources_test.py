@@ -65,6 +65,23 @@ class Sources(Batch):
         self.input("torn.tar.gz", whole[:len(whole) // 2])
         self.assertIn("torn.tar.gz: ", self.batch("torn.tar.gz", "-o", "out", code=3))
 
+    def test_archives_behind_each_other_in_one_file_are_all_read(self):
+        self.chains(2)
+        self.input("two.xyzr", chain(7))
+        for name, held in (("a.tar", "in"), ("b.tar", "two.xyzr")):
+            with tarfile.open(self.folder / name, "w") as archive:
+                archive.add(self.folder / held, arcname=held)
+        a, b = ((self.folder / name).read_bytes() for name in ("a.tar", "b.tar"))
+        for ending, pack in (("tar", bytes), ("tar.gz", gzip.compress)):
+            with self.subTest(ending):
+                self.input(f"ab.{ending}", pack(a + b))
+                self.batch(f"ab.{ending}", "-o", ending, *COARSE)
+                self.assertEqual(sorted(self.rows(ending)),
+                                 ["in/chain00.xyzr", "in/chain01.xyzr", "two.xyzr"])
+                for wrong in (a + b[:512], a + b"x" * 512, a + b"x"):
+                    self.input(f"wrong.{ending}", pack(wrong))
+                    self.batch(f"wrong.{ending}", "-o", "wrong", *COARSE, code=3)
+
     def test_an_archive_cut_between_two_files_is_unreadable(self):
         names = self.chains(3)
         with tarfile.open(self.folder / "in.tar", "w") as archive:
