@@ -38,6 +38,16 @@ class Resume(Batch):
         self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 0)
         self.assertEqual({p: p.stat().st_mtime_ns for p in (self.folder / "out").iterdir()}, times)
 
+    def test_rows_are_read_of_regular_files_only(self):
+        self.chains(1)
+        (self.folder / "out").mkdir()
+        os.mkfifo(self.folder / "out/rows-1-of-9.jsonl")
+        (self.folder / "out/rows-2-of-9.jsonl").symlink_to("/dev/zero")
+        self.batch("in", "-o", "out", *COARSE)
+        (self.folder / "out/rows.jsonl").unlink()
+        os.mkfifo(self.folder / "out/rows.jsonl")
+        self.assertIn("no regular file", self.batch("in", "-o", "out", *COARSE, code=7))
+
     def test_a_torn_row_and_a_file_without_a_row_are_made_again(self):
         self.chains(3)
         self.batch("in", "-o", "out", *COARSE)

@@ -39,6 +39,8 @@ std::vector<std::filesystem::path> row_files(const std::filesystem::path& folder
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
+    std::error_code ignored;
+    if (!entry.is_regular_file(ignored)) continue;  // a pipe would be waited for
     if (name.starts_with("rows") && name.ends_with(".jsonl")) files.push_back(entry.path());
   }
   return files;
@@ -97,6 +99,11 @@ RowFile::RowFile(std::filesystem::path path)
     ::close(file_);
     if (error != EWOULDBLOCK) fail(error);
     throw IsLocked(path_.string() + ": another run writes it; wait for its end, or take shards");
+  }
+  struct stat found {};
+  if (::fstat(file_, &found) != 0 || !S_ISREG(found.st_mode)) {
+    ::close(file_);
+    throw geometry::UnwritableOutput(path_.string() + ": is no regular file; remove it");
   }
   cut_torn_line();
 }
