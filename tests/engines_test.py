@@ -132,6 +132,14 @@ class Snakemake(Engines):
         self.assertNotEqual(refused.returncode, 0)
         self.assertIn("out=out{1}: Snakemake takes what is in braces", refused.stderr)
 
+    def test_molecules_that_are_added_to_the_list_are_made(self):
+        names = [f"in/chain{i:02}.xyzr\n" for i in range(12)]
+        words = self.words(morskin(), "out", self.input("list.txt", "".join(names[:8])))
+        for count in (8, 12):
+            self.input("list.txt", "".join(names[:count]))
+            subprocess.run(words, cwd=self.folder, check=True, capture_output=True, timeout=600)
+            self.assertEqual(len(self.rows()), count)
+
     def test_snakemake_goes_on_after_it_was_killed(self):
         words = self.words(morskin(), "out")
         first = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL,
