@@ -46,7 +46,8 @@ std::string listed(const std::set<Name>& names) {
   std::size_t count = 0;
   for (const Name& name : names) {
     if (++count > max_names) break;
-    text += (text.empty() ? "" : ", ") + std::string(text_of(name));
+    const std::string_view shown = text_of(name);
+    text += (text.empty() ? "" : ", ") + (shown.empty() ? "\"\"" : std::string(shown));
   }
   if (count > max_names) text += " and " + std::to_string(names.size() - max_names) + " more";
   return text;

@@ -152,8 +152,8 @@ TEST_CASE("the atoms of chain A and those of the others together are all atoms")
 TEST_CASE("a chain that no atom has is refused and the chains that there are named") {
   for (const File& file : files) {
     CAPTURE(file.name);
-    CHECK(refusal(file, {.chains = {"A", "x"}}) ==
-          file.name + ": has no chain x; choose from A, B, _");
+    CHECK(refusal(file, {.chains = {"A", "x", ""}}) ==
+          file.name + ": has no chain \"\", x; choose from A, B, _");
   }
 }
 

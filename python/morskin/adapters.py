@@ -42,8 +42,13 @@ class _Site(NamedTuple):
 
 def from_gemmi(entity: Any, *, waters: bool = False) -> Molecule:
     """The atoms of a gemmi.Structure, of which it is the first model, or of a gemmi.Model."""
-    model = entity if hasattr(entity, "subchains") else _first(entity)
-    return _molecule_of(_gemmi_places(model), waters)
+    try:
+        model = entity if hasattr(entity, "subchains") else _first(entity)
+        places = list(_gemmi_places(model))
+    except (AttributeError, TypeError) as error:  # of a Chain, say, which has subchains too
+        raise TypeError("from_gemmi takes a gemmi.Structure or gemmi.Model, not "
+                        + type(entity).__name__) from error
+    return _molecule_of(places, waters)
 
 
 def _gemmi_places(model: Any) -> Iterator[list[_Site]]:
@@ -58,6 +63,9 @@ def _gemmi_places(model: Any) -> Iterator[list[_Site]]:
 def from_biopython(entity: Any, *, waters: bool = False) -> Molecule:
     """The atoms of a Bio.PDB Structure, of which it is the first model, or of a Model, Chain or
     Residue."""
+    if getattr(entity, "level", None) not in ("S", "M", "C", "R"):
+        raise TypeError("from_biopython takes a Bio.PDB Structure, Model, Chain or Residue, not "
+                        + type(entity).__name__)
     if entity.level == "S":
         entity = _first(entity.get_models())
     return _molecule_of(_biopython_places(entity), waters)
@@ -140,7 +148,11 @@ def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
     group = atoms.atoms
     if radii is None:
         return _molecule(group.positions, group.elements)
-    return Molecule(np.asarray(group.positions, float), np.asarray(radii, float))
+    found = Molecule(np.asarray(group.positions, float), np.asarray(radii, float))
+    if found.radii.shape != (len(found.positions),):
+        raise ValueError("radii must have the shape (n,), with one radius for each of the "
+                         f"{len(found.positions)} atoms")
+    return found
 
 
 def over_time(atoms: Any, *, frames: slice = slice(None), radii: ArrayLike | None = None,
@@ -154,6 +166,8 @@ def over_time(atoms: Any, *, frames: slice = slice(None), radii: ArrayLike | Non
     Returns an array with a row for each frame and the fields frame, time (ps), area (Angstrom^2),
     volume (Angstrom^3), components and genus. Raises what meshing a frame does.
     """
+    if isinstance(frames, (int, np.integer)):
+        raise TypeError("frames is a slice of the trajectory, as in slice(0, 1), not a number")
     rows = []
     for step in atoms.universe.trajectory[frames]:
         found = from_mdanalysis(atoms, radii=radii).mesh(**options).certificate

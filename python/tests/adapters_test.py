@@ -168,6 +168,17 @@ class Adapters(ModuleTest):
             with self.assertRaisesRegex(morskin.RefusedInput, "no model"):
                 found()
 
+    def test_what_is_no_structure_or_model_is_a_type_error_that_names_what_is_taken(self):
+        class Chain(GemmiModel):
+            pass
+
+        for wrong in (Chain([GemmiResidue([gemmi_atom("CA", 0.0)])]), gemmi_atom("CA", 0.0), None):
+            with self.assertRaisesRegex(TypeError, "takes a gemmi.Structure or gemmi.Model, not "):
+                adapters.from_gemmi(wrong)
+        for wrong in (Thing(level="A"), None):
+            with self.assertRaisesRegex(TypeError, "takes a Bio.PDB Structure, .*, not "):
+                adapters.from_biopython(wrong)
+
     def test_an_element_without_a_radius_is_refused_with_its_atoms(self):
         with self.assertRaises(morskin.RefusedInput) as caught:
             adapters.from_mdanalysis(group([np.zeros((3, 3))], ["C", "Qq", "Qq"]))
@@ -181,10 +192,13 @@ class Adapters(ModuleTest):
         self.assertEqual(caught.exception.atoms, (1,))
 
     def test_radii_of_one_s_own_take_the_place_of_elements(self):
-        found = adapters.from_mdanalysis(Thing(atoms=Thing(positions=np.ones((2, 3), "f4"))),
-                                         radii=[1, 2])
+        atoms = Thing(atoms=Thing(positions=np.ones((2, 3), "f4")))
+        found = adapters.from_mdanalysis(atoms, radii=[1, 2])
         self.assertEqual(found.radii.tolist(), [1, 2])
         self.assertEqual(found.positions.dtype, np.float64)
+        for radii in ([1.0], [1, 2, 3], 1.0, [[1, 2]]):
+            with self.assertRaisesRegex(ValueError, "one radius for each of the 2 atoms"):
+                adapters.from_mdanalysis(atoms, radii=radii)
 
     def test_a_trajectory_gives_a_row_for_each_frame_that_is_asked_for(self):
         frames = [np.array([[0, 0, 0], [d, 0, 0]], "f4") for d in (0.5, 1.5, 9, 1.5)]
@@ -197,6 +211,8 @@ class Adapters(ModuleTest):
         self.assertTrue((np.diff(rows["volume"][:3]) > 0).all())
         some = adapters.over_time(atoms, frames=slice(1, None, 2), C=0.2)
         np.testing.assert_array_equal(some, rows[1::2])
+        with self.assertRaisesRegex(TypeError, "frames is a slice"):
+            adapters.over_time(atoms, frames=0)
         wide = adapters.over_time(atoms, frames=slice(1), radii=[2, 2], model="sas", C=0.2)
         self.assertGreater(wide["area"][0], rows["area"][0])
 
