@@ -214,12 +214,12 @@ class Verify(CommandTest):
             for option in ([], ["--voids-dropped"]):  # else another claim than that of the skin
                 done = self.run_python(Path(verify.__file__), *option, *names)
                 self.assertEqual(done.returncode, 1 if dropped and not option else 0)
-            witness = json.loads(Path(names[2]).read_text())
+            witness, (p, t) = json.loads(Path(names[2]).read_text()), files.read_mesh(names[1])
             self.assertEqual(witness["dropped_voids"], dropped)
-            p, t = files.read_mesh(names[1])
             loaded = np.array(balls), p, t, tuple(map(tuple, witness["simplices"]))
             for other in {0, 1, 2} - {dropped}:
-                self.assertRegex(reason(*loaded, other), "^degree: not all components but those")
+                told = f"degree: not all components but those about {other} voids"
+                self.assertEqual(reason(*loaded, other), told.replace(" 1 voids", " 1 void"))
         whole = self.loaded(name, "--model", "given", "-C", "0.2")
         p, t = whole[1:3]
         label = verify.components(len(p), t.ravel(), t[:, [1, 2, 0]].ravel())

@@ -32,6 +32,10 @@ def are_on_skin(positions, bounds):
     return bounds.least <= down(2e-9 * rho**2 + (2 * rho + moved) * moved)
 
 
+def in_words(voids):
+    return "1 void" if voids == 1 else f"{voids} voids"
+
+
 def prove(balls, positions, triangles, witness, report):
     """Fills the report. Raises NotProved for the first condition that is not proved."""
     if not (np.abs(positions) <= LARGEST).all():
@@ -49,12 +53,12 @@ def prove(balls, positions, triangles, witness, report):
     covering.prove_degree(label, witness["component_vertices"])
     dropped = report["dropped_voids"] = witness["dropped_voids"]
     if not 0 <= dropped <= len(voids):
-        raise NotProved(f"degree: {dropped} voids are said to be left out, of {len(voids)}")
+        raise NotProved(f"degree: the certificate leaves out {in_words(dropped)}, of {len(voids)}")
     if dropped or report["components"] != len(bodies) + len(voids):
         # A component is covered if the mesh goes round the parts on its two sides differently.
         inside, found = ([*map(covering.winding_number, points)] for points in (bodies, voids))
         if {*inside} - {1} or sorted(found) != [0] * (len(voids) - dropped) + [1] * dropped:
-            raise NotProved(f"degree: not all components but those about {dropped} voids")
+            raise NotProved(f"degree: not all components but those about {in_words(dropped)}")
     report["homeomorphic"] = True
     sine = down(down(down(covering.edges)).min(1) / up(2 * covering.R)).min()
     report["angle"] = float(down(np.degrees(np.arcsin(sine))))
@@ -103,8 +107,8 @@ def main():
     for report in verify_all([*zip(names[::3], names[1::3], names[2::3])]):
         if report["homeomorphic"] and report["dropped_voids"] and not arguments.voids_dropped:
             # That is no witness, but another claim: a skin without these voids.
-            report.update(homeomorphic=False, reason="degree: the certificate says that "
-                          f"{report['dropped_voids']} voids are left out; see --voids-dropped")
+            report.update(homeomorphic=False, reason="degree: the certificate leaves out "
+                          f"{in_words(report['dropped_voids'])}; see --voids-dropped")
         print(json.dumps(report, default=float), flush=True)
         reason = report["reason"] or ""
         exit_code = max(exit_code, 2 if reason.startswith("unreadable") else bool(reason))
