@@ -32,6 +32,18 @@ Verdict on_defects(const geometry::MeshCheck& topology, const std::string& name,
   return verdict;
 }
 
+/// Edges are those of triangles with three corners.
+Verdict on_closedness(const geometry::MeshCheck& topology, std::size_t triangles) {
+  Verdict verdict =
+      on_defects(topology, "closed", {MeshDefect::NoTriangles, MeshDefect::BoundaryEdge});
+  const geometry::DefectCount* const repeated = topology.find(MeshDefect::RepeatedCorner);
+  if (repeated != nullptr && repeated->count == triangles) {
+    verdict.holds = false;
+    verdict.reason = "no triangle has three corners";
+  }
+  return verdict;
+}
+
 Verdict on_intersections(const geometry::SelfIntersections& found) {
   Verdict verdict{"without self-intersections", found.count == 0, "", true};
   if (found.count == 0) return verdict;
@@ -125,7 +137,7 @@ std::vector<Verdict> CheckReport::verdicts() const {
       on_defects(topology, "without degenerate triangles",
                  {MeshDefect::RepeatedCorner, MeshDefect::Collinear}),
       on_defects(topology, "without duplicate triangles", {MeshDefect::DuplicateTriangle}),
-      on_defects(topology, "closed", {MeshDefect::NoTriangles, MeshDefect::BoundaryEdge}),
+      on_closedness(topology, triangles),
       on_defects(topology, "manifold",
                  {MeshDefect::CrowdedEdge, MeshDefect::SplitVertex, MeshDefect::UnusedVertex}),
       on_defects(topology, "oriented", {MeshDefect::DisagreeingTriangles})};

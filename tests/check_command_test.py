@@ -286,6 +286,11 @@ class CheckOfFiles(CommandTest):
         verdicts = {v["name"]: v for v in report["verdicts"]}
         self.assertIn("vertex 0 lies", verdicts["vertices on the skin"]["reason"])
 
+    def test_a_mesh_whose_triangles_all_repeat_a_corner_is_not_closed(self):
+        self.input("bad.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n3 0 0 1\n")
+        verdicts = {v["name"]: v.get("reason") for v in self.check("bad.off", code=5)["verdicts"]}
+        self.assertEqual(verdicts["closed"], "no triangle has three corners")
+
     def test_check_of_coordinates_near_the_ends_of_the_doubles(self):
         for size in ("1e300", "1e-300"):
             text = f"OFF\n4 4 0\n0 0 0\n{size} 0 0\n0 {size} 0\n0 0 {size}\n" \
