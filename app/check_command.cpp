@@ -210,12 +210,7 @@ void check_alone(CheckReport& report, const geometry::MeshFile& file) {
   const CheckArguments& arguments = report.arguments;
   const IndexedMesh& mesh = file.mesh;
   report.origin.compare_mesh(file, arguments.threads);
-  report.vertices = mesh.positions.size();
-  report.triangles = mesh.triangles.size();
-  report.shape = geometry::measure_shape(mesh);
-  report.angles = geometry::angle_histogram(mesh);
-  report.quality = certify::measure_quality(mesh, morskin::Run(arguments.threads));
-  report.topology = geometry::check_mesh(mesh);
+  measure_mesh(report, mesh);
   if (file.curved) report.curved = curved_report(*file.curved);
   if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
 }
@@ -262,6 +257,10 @@ ExitCode check_command(const CheckArguments& asked) {
     take_stated_sizes(arguments, report.origin);
     report.origin.compare_input(surface->input.sha256);
     report.against = check_surface(file, surface->prepared, arguments);
+  }
+  if (report.against) {  // as in JSON, where coordinates are extreme too
+    report.against->certificate.area = report.shape.area;
+    report.against->certificate.volume = report.shape.volume;
   }
   check_agreement(report);
   time_limit.cancel();

@@ -60,6 +60,10 @@ struct CheckReport {
   std::vector<Verdict> verdicts() const;
 };
 
+/// Fills in all that is measured of the mesh alone but where it crosses itself. Numbers that are no
+/// doubles are infinite or 0.
+void measure_mesh(CheckReport& report, const geometry::IndexedMesh& mesh);
+
 /// As strict_json writes it.
 std::string json_text(const CheckReport& report);
 std::string people_text(const CheckReport& report);

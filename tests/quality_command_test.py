@@ -153,6 +153,28 @@ class Quality(CommandTest):
         self.assertEqual(self.run_morskin(*words).stderr, b"")
         self.assertIn(b"C Q = 0.8 is above", self.run_morskin(*words, "-C", "0.35").stderr)
 
+    def test_check_of_coordinates_near_the_ends_of_the_doubles(self):
+        for size in ("1e300", "1e-300"):
+            text = f"OFF\n4 4 0\n0 0 0\n{size} 0 0\n0 {size} 0\n0 0 {size}\n" \
+                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+            self.input("far.off", text)
+            report = self.check("far.off")
+            self.assertTrue(report["closed_oriented_manifold"])
+            self.assertEqual(report["self_intersections"], 0)
+            self.assertAlmostEqual(report["min_angle_deg"], 45, 6)
+            self.assertEqual([report["angle_histogram"][k] for k in (4, 6, 9)], [6, 3, 3])
+            self.assertEqual(report["quality"]["triangles_below_deg"]["30"], 0)
+            self.assertEqual(report["quality"]["edge_length_quantiles"]["5"], float(size))
+            part, = report["component_list"]
+            for found in (report, part):
+                for name in ("area", "volume"):
+                    self.assertEqual(found[name], None if size == "1e300" else 0)
+                    self.assertIn("largest", found.get(f"{name}_reason", "the largest double"))
+            said = self.run_morskin("check", "far.off").stdout
+            self.assertNotIn(b"nan", said)
+            self.assertIn(b"40-50: 50%, 60-70: 25%, 90-100: 25%", said)
+            self.run_morskin("check", "far.off", "--against", self.ring, code=5)
+
 
 if __name__ == "__main__":
     main()
