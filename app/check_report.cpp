@@ -211,8 +211,7 @@ std::string json_text(const CheckReport& report) {
   ordered_json json = {{"mesh", arguments.mesh.string()}};
   if (arguments.against) {
     json["input"] = arguments.against->input.string();
-    add_model(json, *arguments.against);
-    add_selection(json, arguments.against->selection);
+    add_skin(json, *arguments.against);
   }
   if (arguments.surface) json["surface"] = *arguments.surface;
   if (report.against && report.against->within) json["within"] = *report.against->within;

@@ -128,6 +128,14 @@ std::string origin_text(const OriginReport& origin) {
   return text;
 }
 
+void add_skin(ordered_json& json, const MoleculeArguments& molecule) {
+  add_model(json, molecule);
+  const bool drops_all = std::isinf(molecule.drop_voids_below);
+  json["drop_voids_below"] = drops_all ? nullptr : ordered_json(molecule.drop_voids_below);
+  if (drops_all) json["drop_voids_below_reason"] = "voids of any volume are dropped";
+  add_selection(json, molecule.selection);
+}
+
 std::string skin_text(const MoleculeArguments& molecule, const certify::Sizing& sizing) {
   ordered_json chosen;
   add_selection(chosen, molecule.selection);

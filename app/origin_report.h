@@ -31,7 +31,9 @@ void add_origin(nlohmann::ordered_json& json, const OriginReport& origin);
 /// Lines; none if the file states nothing.
 std::string origin_text(const OriginReport& origin);
 
-/// The skin that a mesh is checked against, in a line.
+/// Adds what is said of the skin that a mesh is checked against.
+void add_skin(nlohmann::ordered_json& json, const MoleculeArguments& molecule);
+/// The same and the sizes, in a line.
 std::string skin_text(const MoleculeArguments& molecule, const certify::Sizing& sizing);
 
 }  // namespace morskin::app

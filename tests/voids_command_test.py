@@ -42,11 +42,14 @@ class Voids(CommandTest):
     def test_check_compares_with_the_components_that_are_kept(self):
         name = "every component once"
         self.meshed("--voids", "drop")
-        self.checked("--voids", "drop")
+        checked = self.checked("--voids", "drop")
+        self.assertIsNone(checked["drop_voids_below"])
+        self.assertIn("any volume", checked["drop_voids_below_reason"])
         broken = self.broken(self.checked("--voids", "keep", code=5))
         self.assertIn("wall of the void", broken[name])
         self.meshed()
-        self.checked()
+        self.assertEqual(self.checked()["drop_voids_below"], 0)
+        self.assertEqual(self.checked("--voids", "9.5")["drop_voids_below"], 9.5)
         reason = self.broken(self.checked("--voids", "drop", code=5))[name]
         self.assertRegex(reason, "wall of the void at .*, which is to be dropped, is covered by")
 
