@@ -12,6 +12,7 @@
 namespace morskin::app {
 namespace {
 
+constexpr double largest_C = 1e150;    // of larger ones the default Q is not finite
 constexpr double largest_probe = 1e4;  // Angstrom; keeps the weights in the predicates' range
 
 /// A list of radii is checked here; a file when it is read.
@@ -31,6 +32,7 @@ void check_sizing(const certify::Sizing& sizing) {
   if (!(sizing.C >= certify::Sizing::min_C) || !std::isfinite(sizing.C)) {
     throw UsageError("-C must be at least 1e-5 and finite");
   }
+  if (sizing.C > largest_C) throw UsageError("-C must be at most 1e150");
   if (!(sizing.Q > 1) || !std::isfinite(sizing.Q))
     throw UsageError("-Q must be above 1 and finite");
   if (!(2 * sizing.C < sizing.Q)) throw UsageError("-C must be below half of -Q");

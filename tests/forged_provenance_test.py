@@ -79,6 +79,14 @@ class ForgedProvenance(ProvenanceTest):
             self.assertEqual((report["C"], report["Q"]), (0.08, 1.65))
             self.assertFalse({"C", "Q", "size"} & set(report["origin"]["taken"]))
 
+    def test_of_a_C_too_large_C_is_called_wrong_and_not_the_Q_that_goes_with_it(self):
+        self.meshed("-o", "m.off", "-C", "0.3")
+        text = (self.folder / "m.off").read_text()
+        kept = [line for line in text.splitlines(keepends=True) if "morskin: Q " not in line]
+        forged = self.input("far.off", "".join(kept).replace("morskin: C 0.3", "morskin: C 1e300"))
+        told = self.check(forged, "--against", self.ring, code=5)["origin"]["not_taken"]
+        self.assertEqual(told, ["C: -C must be at most 1e150"])
+
     def test_one_statement_that_makes_no_sense_takes_no_other_with_it(self):
         self.meshed("-o", "m.ply", "--model", "sas", "-C", "0.2", molecule=CRAMBIN)
         for key, value in (("chain", "Q"), ("voids", "-5"), ("Q", "0.1"), ("model-number", "7")):
