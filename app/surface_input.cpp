@@ -113,7 +113,9 @@ SurfaceInput read_surface(const std::string& text) {
     }
     input = of_formula(words.first, within, text);
   } else if (words.name == "gaussian") {
-    require_count(words, text, 0);
+    if (!words.others.empty()) {
+      refuse(text, "it takes one molecule, whose name has no comma, and options key=value");
+    }
     input = of_gaussians(words, text);
   } else {
     refuse(text,
@@ -126,8 +128,8 @@ SurfaceInput read_surface(const std::string& text) {
 
 std::optional<std::filesystem::path> molecule_of_surface(const std::string& text) {
   const Words words = words_of(text);
-  return words.name == "gaussian" ? std::optional<std::filesystem::path>(words.first)
-                                  : std::nullopt;
+  const bool has_one = words.name == "gaussian" && words.others.empty();
+  return has_one ? std::optional<std::filesystem::path>(words.first) : std::nullopt;
 }
 
 implicit::PreparedSurface prepare_surface(const SurfaceInput& input,

@@ -126,7 +126,8 @@ class Surfaces(CommandTest):
         for surface, why in (("formula:x", "not closed"), ("formula:1/0", "not closed"),
                              ("formula:x^2+y^2-z^2*(1-z^2)", "singular"), ("cube:1", "it must be"),
                              ("formula:x+", "column 3"), ("gaussian:pipe.xyzr", "no file"),
-                             ("gaussian:-", "no file"), ("gaussian:pair.xyzr,decay=0", "decay")):
+                             ("gaussian:-", "no file"), ("gaussian:a,b.pdb", "has no comma"),
+                             ("gaussian:pair.xyzr,decay=0", "decay")):
             with self.subTest(surface=surface):
                 self.input("said.off", f"{mesh}# morskin: surface {surface}\n")
                 alone = self.check("said.off")
@@ -170,6 +171,7 @@ class Surfaces(CommandTest):
                                     ("formula:z,within=3", 2, "power of two"),
                                     ("formula:z,size=3", 2, "unknown option"),
                                     ("gaussian:none.pdb", 3, "none.pdb"),
+                                    ("gaussian:a,b.pdb", 2, "has no comma"),
                                     ("gaussian:ring.xyzr,decay=0", 4, "decay"),
                                     ("gaussian:ring.xyzr,level=nan", 4, "level")):
             with self.subTest(surface=surface):
