@@ -132,6 +132,9 @@ ExitCode render_command(const RenderArguments& arguments) {
   for (const std::filesystem::path& path : arguments.meshes) {
     meshes.push_back(geometry::read_mesh(path));
   }
+  if (std::ranges::all_of(meshes, [](const auto& mesh) { return mesh.triangles.empty(); })) {
+    throw geometry::RefusedInput(arguments.meshes.front().string() + ": has no triangles to draw");
+  }
   StagedOutputs outputs({arguments.output});
   const Camera camera = camera_for(meshes, arguments);
   std::vector<Image> panels;

@@ -92,11 +92,15 @@ class PictureCommand(CommandTest):
         self.run_morskin("render", mesh, "-o", "missing/x.png", code=7)
         self.assertFalse((self.folder / "x.png").exists())
 
-    def test_a_mesh_of_nothing_is_drawn_as_nothing(self):
+    def test_meshes_without_triangles_are_refused_but_not_beside_others(self):
         (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
         (self.folder / "point.off").write_text("OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n")
-        for name in ("empty.off", "point.off"):
-            self.assertEqual(size_of(self.picture("render", name, "--size", "30")), (30, 30))
+        done = self.run_morskin("render", "empty.off", "-o", "x.png", code=4)
+        self.assertIn(b"empty.off: has no triangles to draw", done.stderr)
+        self.assertFalse((self.folder / "x.png").exists())
+        self.assertEqual(size_of(self.picture("render", "point.off", "--size", "30")), (30, 30))
+        both = self.picture("render", "empty.off", "point.off", "--size", "30")
+        self.assertEqual(size_of(both), (76, 30))
 
     def test_coordinates_near_the_ends_of_the_doubles_are_refused(self):
         for size in ("1e300", "1e-300"):
