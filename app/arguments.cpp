@@ -212,7 +212,6 @@ std::string kind_of_value(const CLI::App& app, const std::string& name) {
     const CLI::Option* option = command->get_option_no_throw(name);
     if (option == nullptr) continue;
     if (option->get_expected_max() == 0) return "no value";
-    if (option->get_delimiter() != '\0') return "numbers";
     const std::string type = option->get_type_name();
     if (type.starts_with("INT") || type.starts_with("UINT")) return "a whole number";
   }

@@ -83,9 +83,6 @@ void finish_sweep(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("snapshots are of one front from below: leave out --fronts");
   }
   if (is_sweep) mesh.fronts = 1;
-  for (const double value : mesh.snapshot_values) {
-    if (!std::isfinite(value)) throw UsageError("--snapshot-at needs finite numbers");
-  }
 }
 
 void finish_sizes(MeshArguments& mesh, const Typed& typed) {
@@ -181,6 +178,7 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("INPUT is missing: a molecule, or --surface");
   }
   mesh.typed = typed.skin;
+  mesh.snapshot_values = parsed_snapshots_at(typed.snapshots_at);
   if (mesh.models) check_several(mesh);
   if (mesh.fail_fast && !mesh.models) {
     throw UsageError("--fail-fast is for several models, as in --model-number all");

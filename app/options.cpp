@@ -12,7 +12,7 @@
 namespace morskin::app {
 namespace {
 
-void add_snapshot_options(CLI::App& command, MeshArguments& mesh) {
+void add_snapshot_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
   command
       .add_option("--snapshots", mesh.snapshots,
                   "Write so many states of the growing mesh and its front, at even steps of\n"
@@ -20,10 +20,9 @@ void add_snapshot_options(CLI::App& command, MeshArguments& mesh) {
       ->check(CLI::Range(0, 100'000))
       ->default_str("0");
   command
-      .add_option("--snapshot-at", mesh.snapshot_values,
-                  "Also, or instead, at these values: v,v,...")
+      .add_option("--snapshot-at", typed.snapshots_at, "Also, or instead, at these values: v,v,...")
+      ->type_name("FLOAT")
       ->default_str("none")
-      ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--snapshot-dir", mesh.snapshot_folder, "The folder for them")
       ->type_name("FOLDER")
@@ -50,7 +49,7 @@ void add_mesh(CLI::App& app, MeshArguments& mesh, Typed& typed) {
   add_preset_option(command, typed);
   command.add_flag("--fail-fast", mesh.fail_fast,
                    "Of several models mesh none after one that fails");
-  add_snapshot_options(command, mesh);
+  add_snapshot_options(command, mesh, typed);
   command.add_option("--report", mesh.report, "Also write the report to this file, as JSON")
       ->default_str("none");
   add_certificate_option(command, mesh.certificate);

@@ -25,6 +25,7 @@ struct Typed {
   std::string method = "auto";
   std::string guard = "everywhere";
   std::optional<std::size_t> fronts;
+  std::vector<std::string> snapshots_at;
   std::optional<double> density, triangles, grading, angle_goal;
   std::optional<std::string> grow, vertex_data, max_memory;
   std::optional<std::string> purpose;  ///< of --for

@@ -84,6 +84,23 @@ std::pair<double, double> parsed_growth(std::string_view text) {
   throw UsageError("--grow needs two times, the earlier first, as in --grow -3..0");
 }
 
+std::vector<double> parsed_snapshots_at(const std::vector<std::string>& lists) {
+  std::vector<double> values;
+  for (const std::string& list : lists) {
+    for (std::size_t first = 0; first <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', first), list.size());
+      const auto value = geometry::parse_double(list.substr(first, comma - first));
+      if (!value || !std::isfinite(*value)) {
+        throw UsageError("--snapshot-at takes numbers, finite ones with commas between, not " +
+                         geometry::quoted(list));
+      }
+      values.push_back(*value);
+      first = comma + 1;
+    }
+  }
+  return values;
+}
+
 VertexData parsed_vertex_data(std::string_view text) {
   const std::span<const morskin::Datum> all = morskin::all_data();
   if (text == "all") return {{all.begin(), all.end()}, true, true, true};

@@ -3,8 +3,10 @@
 /// Values of options that are numbers or words.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/arguments.h"
 
@@ -27,6 +29,10 @@ double parsed_voids(std::string_view text);
 /// Of --grow: T0..T1, the earlier first.
 /// @throws UsageError
 std::pair<double, double> parsed_growth(std::string_view text);
+
+/// Of --snapshot-at, given as often as there are lists: finite numbers with commas between.
+/// @throws UsageError
+std::vector<double> parsed_snapshots_at(const std::vector<std::string>& lists);
 
 /// Of --vertex-data: names of groups with commas between them, or all.
 /// @throws UsageError

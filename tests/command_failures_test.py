@@ -148,7 +148,7 @@ class Failures(CommandTest):
 
     def test_numbers_that_are_not_finite_are_told_so(self):
         for words in (("-C",), ("-Q",), ("--size",), ("--density",), ("--grading",),
-                      ("--method", "marching-cubes", "--grid")):
+                      ("--method", "marching-cubes", "--grid"), ("--snapshot-at",)):
             said = self.run_morskin("mesh", self.ring, "-o", "a.ply", *words, "inf", code=2).stderr
             self.assertIn(b"finite", said)
 

@@ -116,6 +116,8 @@ class Mesh(CommandTest):
         report = self.mesh_json(self.ring, "-o", "ring.ply", "--snapshots", "4",
                                 "--snapshot-at", "-1e9", "--snapshot-dir", "steps")
         self.assertTrue(report["certified"])
+        for wrong in ("0,,1", "0,", ","):
+            self.run_morskin("mesh", self.ring, "-o", "a.ply", "--snapshot-at", wrong, code=2)
         names = sorted(path.name for path in (self.folder / "steps").iterdir())
         self.assertEqual(names, sorted(f"snapshot-{k}.{ending}" for k in range(1, 6)
                                        for ending in ("ply", "vtu")))
