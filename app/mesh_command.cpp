@@ -158,6 +158,7 @@ void note_doubts(const MeshArguments& arguments) {
 MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
+  if (!arguments.quiet) note_unused_radii(arguments.molecule, input);
   for (auto& p : input.points) p.weight += arguments.grow_to;
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);

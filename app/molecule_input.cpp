@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <span>
 #include <utility>
 
 #include "app/sha256.h"
@@ -84,6 +85,21 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   check_weights(input);
   input.rounded_coordinates = round_coordinates(input.molecule, input.points);
   return input;
+}
+
+void note_unused_radii(const MoleculeArguments& arguments, const MoleculeInput& input) {
+  const auto list = arguments.radii ? skin::parse_radius_table(*arguments.radii) : std::nullopt;
+  if (!list) return;
+  constexpr std::size_t most = 5;
+  const std::vector<std::string> unused = list->unused_by(input.molecule.atoms);
+  if (unused.empty()) return;
+  std::string names;
+  for (const std::string& name : std::span(unused).first(std::min(most, unused.size()))) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (unused.size() > most) names += " and " + std::to_string(unused.size() - most) + " more";
+  std::cerr << "morskin: note: " << input.molecule.source << ": no atom takes the radius of "
+            << names << "\n";
 }
 
 morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Run& run) {

@@ -25,6 +25,10 @@ struct MoleculeInput {
 /// @throws UsageError              the model is Given and the file gives radii, or the other way
 MoleculeInput read_input(const MoleculeArguments& arguments);
 
+/// Tells on standard error of radii that were listed, as in C=1.7, and that no atom takes: a slip
+/// more often than a wish. Tables in files are of many molecules.
+void note_unused_radii(const MoleculeArguments& arguments, const MoleculeInput& input);
+
 /// morskin::prepare_skin, but a refusal calls the atoms by their names.
 /// @throws geometry::RefusedInput
 morskin::PreparedSkin prepare_skin(const MoleculeInput& input,

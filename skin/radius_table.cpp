@@ -89,6 +89,16 @@ std::string RadiusTable::text_for(std::span<const Atom> atoms) const {
   return text;
 }
 
+std::vector<std::string> RadiusTable::unused_by(std::span<const Atom> atoms) const {
+  std::map<std::string, double, std::less<>> unused = own_;
+  for (const Atom& atom : atoms) {
+    if (const auto* entry = entry_of(atom)) unused.erase(entry->first);
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, radius] : unused) names.push_back(name);
+  return names;
+}
+
 std::optional<RadiusTable> parse_radius_table(std::string_view text) {
   for (const auto& [name, source] : names) {
     if (text == name) return RadiusTable(source);

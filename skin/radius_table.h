@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "skin/molecule.h"
 #include "skin/radii.h"
@@ -33,6 +34,9 @@ class RadiusTable {
   /// "elements", "bondi", "alvarez", or what the atoms take of the user's own, "ALA:CA=1.9,C=1.7".
   /// Law: radius_table() of it gives the atoms the same radii.
   std::string text_for(std::span<const Atom> atoms) const;
+
+  /// Of the user's own, the elements and names that none of the atoms takes a radius by, sorted.
+  std::vector<std::string> unused_by(std::span<const Atom> atoms) const;
 
  private:
   const std::pair<const std::string, double>* entry_of(const Atom& atom) const;

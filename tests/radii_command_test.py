@@ -48,6 +48,14 @@ class Radii(CommandTest):
         done = self.run_morskin("batch", "list.txt", "-o", "all", "--features", "--probe", "1")
         self.assertIn(b"note: model ses-like has no probe", done.stderr)
 
+    def test_a_note_names_listed_radii_that_no_atom_takes(self):
+        said = self.complaint("--radii", "c=1.7,N=1.5,H=1.1,ALA:CAA=2,S=1.8", code=0)
+        self.assertIn("note: a.pdb: no atom takes the radius of ALA:CAA, S\n", said)
+        many = "C=1,N=1,H=1," + ",".join(f"ALA:X{i}=1" for i in range(7))
+        self.assertIn("ALA:X4 and 2 more\n", self.complaint("--radii", many, code=0))
+        for words in (("c=1.7,N=1.5,H=1.1,S=1.8", "-q"), ("C=1.7,N=1.5,D=1.1",), ("bondi",)):
+            self.assertEqual(self.complaint("--radii", *words, code=0), "")
+
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
                                 (("--radii", "elements"), [1.7, 1.7, 1.55, 1.2, 2.44]),
