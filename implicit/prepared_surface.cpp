@@ -21,6 +21,16 @@ struct BoundedRoom {
   double M;
 };
 
+/// Whether the surface seems to meet a box, or one of a cover. Where bounds over a box are wide, it
+/// may be in the cover although f is far from zero in it.
+bool seems_met(const Function& f, const Box& box) {
+  const Function::Value at = f.at(box.centre);
+  return std::abs(at.value) <= box.half * at.gradient.norm();
+}
+bool seems_met(const Function& f, const Cover& cover) {
+  return std::ranges::any_of(cover.boxes, [&](const CoverBox& b) { return seems_met(f, b.box); });
+}
+
 /// The largest norm of the Hessian at some points of the room, along normals of the surface. A
 /// search that cannot succeed is mostly known by it.
 double sampled_norm(const Function& f, const Levelling& levelling, const Cover& cover, double M) {
@@ -60,11 +70,10 @@ std::optional<BoundedRoom> room_for(const Function& f, const Cover& cover, doubl
 BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run& run) {
   double least = 0, gradient = 0;  // by the middles of boxes that the surface seems to meet
   for (const CoverBox& b : cover.boxes) {
-    const Function::Value at = f.at(b.box.centre);
-    if (!(std::abs(at.value) <= b.box.half * at.gradient.norm())) continue;
+    if (!seems_met(f, b.box)) continue;
     const double norm = hessian_norm(f, {}, b.box.centre);
     if (std::isfinite(norm)) least = std::max(least, norm);
-    gradient = std::max(gradient, at.gradient.norm());
+    gradient = std::max(gradient, f.at(b.box.centre).gradient.norm());
   }
   constexpr double step = 1.25, largest = 1e6;
   for (double M = step * least; M > 0 && M <= largest * least; M *= step) {
@@ -75,12 +84,17 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
       "roots and quotients that vanish there");
 }
 
-/// Says why the last cube holds no surface. @param found  in it
-[[noreturn]] void refuse(const std::optional<Cover>& found, double half) {
+/// Says why the last cube holds no surface.
+/// @param found   in it
+/// @param is_met  whether the surface seems to meet a box of it
+[[noreturn]] void refuse(const std::optional<Cover>& found, bool is_met, double half) {
   const std::string where = "within " + geometry::in_digits(half, 6) + " of the centre ";
   const bool is_largest = half >= largest_half;
   if (found && found->boxes.empty()) {
     throw geometry::RefusedInput(where + "the function has no zero");
+  }
+  if (found && !is_met) {
+    throw geometry::RefusedInput(where + "no zero of the function is found; choose another level");
   }
   if (found) {
     throw geometry::RefusedInput(where + "the surface has not room enough; " +
@@ -109,7 +123,8 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
   for (;; cube.half *= 2) {
     found = run.stage("cover", [&] { return cover(*f, cube, found, run); });
     if (!found) bounded.reset();  // the next cube keeps no boxes
-    if (found && !found->boxes.empty()) {
+    const bool is_met = found && seems_met(*f, *found);
+    if (is_met) {
       // A larger cube keeps all boxes of the one before, and mostly adds none.
       const bool is_same_body = bounded && found->boxes.size() == boxes;
       if (!is_same_body) {
@@ -119,7 +134,7 @@ PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchS
       if (cube.contains(bounded->room.cube())) break;
     }
     if (!space.is_fixed && cube.half < largest_half) continue;
-    refuse(found, cube.half);
+    refuse(found, is_met, cube.half);
   }
   const std::vector<Vector> heights = height ? std::vector{*height} : default_heights();
   std::optional<CriticalHeights> critical;

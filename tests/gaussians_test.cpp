@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include "geometry/error.h"
+#include "implicit/implicit_surface.h"
 #include "tests/support/ball_sets.h"
 #include "tests/support/test.h"
 
@@ -118,4 +119,19 @@ TEST_CASE("no ball, a decay and a level out of range are refused, each by its na
   }
   for (const double x : {1e-3, 1e3}) CHECK_NOTHROW(Gaussians(ball, {.decay = x}));
   for (const double x : {1e-6, 1e6}) CHECK_NOTHROW(Gaussians(ball, {.level = x}));
+}
+
+TEST_CASE("a level that the sum reaches nowhere is refused in these words") {
+  std::vector<Ball> benzene;
+  for (int k = 0; k < 6; ++k) {
+    const Vector out(std::cos(k * M_PI / 3), std::sin(k * M_PI / 3), 0);
+    benzene.push_back({1.39 * out, 1.7});
+    benzene.push_back({2.48 * out, 1.2});
+  }
+  for (const double level : {11.0, 1e2, 1e6}) {
+    CAPTURE(level);
+    const auto f = std::make_shared<Gaussians>(benzene, GaussianOptions{.level = level});
+    CHECK_THROWS_WITH_AS(implicit::prepare_surface(f, {f->extent(), false}, {}),
+                         doctest::Contains("no zero"), geometry::RefusedInput);
+  }
 }
