@@ -101,7 +101,9 @@ BoundedRoom best_room(const Function& f, const Cover& cover, const geometry::Run
                                  (is_largest ? "scale it down" : "choose more with within="));
   }
   throw geometry::RefusedInput(
-      where + "the surface is not closed, or the function is not above zero outside; " +
+      where +
+      "the surface is not closed, or the function is not above zero outside, or its bounds are too "
+      "wide to tell; " +
       (is_largest ? "scale a larger surface down, or of a formula " : "") +
       "choose another space with within=, or its negative");
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geometry/error.h"
-#include "implicit/cover.h"
+#include "implicit/implicit_surface.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -142,4 +142,15 @@ TEST_CASE("a formula so steep that its bounds do not tell its zeros is not calle
     why = error.what();
   }
   CHECK(support::contains(why, "too wide to tell its zeros"));
+}
+
+TEST_CASE("a formula so small that its bounds tell nothing is not only called open") {
+  const auto flat = std::make_shared<Expression>("1e-160*(x^2+y^2+z^2-1)");
+  std::string why;
+  try {
+    implicit::prepare_surface(flat, {{geometry::Point::Zero(), 2}, true}, {});
+  } catch (const geometry::RefusedInput& error) {
+    why = error.what();
+  }
+  CHECK(support::contains(why, "too wide to tell"));
 }
