@@ -49,8 +49,8 @@ Gaussians::Gaussians(std::vector<Ball> balls, const GaussianOptions& options)
   farthest_ = 4 * extent_.half;
   for (std::uint32_t i = 0; i < balls_.size(); ++i) all_.push_back(i);
   constexpr double usual_side = 1;  // Angstrom
-  constexpr int most = 48;
-  voxels_ = std::clamp(static_cast<int>(2 * extent_.half / usual_side), 1, most);
+  constexpr double most = 48;
+  voxels_ = static_cast<int>(std::clamp(2 * extent_.half / usual_side, 1.0, most));
   voxel_side_ = 2 * extent_.half / voxels_;
   fine_ = grid(fine_tail);
   coarse_ = grid(coarse_tail);
