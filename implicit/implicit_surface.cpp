@@ -105,7 +105,8 @@ surface::LineCrossings ImplicitSurface::crossings(const Point& p, const Point& q
 
 /// A piece is settled once it is far from the cover. In the room it is settled once its ends tell
 /// that it stays on one side, or once G is monotone on it: N is 1-Lipschitz, so along the piece its
-/// part keeps its sign where it is longer than the piece.
+/// part keeps its sign where it is longer than the piece. One that touches the surface within
+/// rounding is never, and is halved no further than to `min_share`: its ends count.
 void ImplicitSurface::halve(const Point& p, const Point& q, double low, double high,
                             surface::LineCrossings& found) const {
   const Point a = p + low * (q - p), b = p + high * (q - p);
@@ -124,12 +125,7 @@ void ImplicitSurface::halve(const Point& p, const Point& q, double low, double h
     return;
   }
   const bool is_monotone = std::abs(at_a.half_gradient.dot(b - a)) > length * length;
-  if (is_monotone) {
-    if (!is_one_side) found.all.push_back(zero(p, q, low, high, at_a.value > 0));
-    return;
-  }
-  if (high - low < min_share) {
-    found.is_complete = found.is_complete && is_one_side;
+  if (is_monotone || high - low < min_share) {
     if (!is_one_side) found.all.push_back(zero(p, q, low, high, at_a.value > 0));
     return;
   }
