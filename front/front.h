@@ -56,7 +56,9 @@ struct FrontChange {
   std::span<const FrontEdgeId> opened;  ///< new edges
   std::span<const FrontEdgeId> closed;  ///< edges that are gone: a corner's, or it and the last two
   std::span<const FrontEdgeId> moved;   ///< edges with another target
-  std::span<const FrontEdgeId> corners;  ///< whose bare angle is new or has changed
+  /// Corners whose bare angle is new or has changed. Of a triangle whose apex is new or elsewhere
+  /// on the front only those at the apex: the two at the ends of its edge are left out.
+  std::span<const FrontEdgeId> corners;
 };
 
 /// Keeps something that follows from the front.

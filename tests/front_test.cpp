@@ -241,3 +241,24 @@ TEST_CASE("a reused front edge has a new generation") {
   CHECK(added == polygon[2]);
   CHECK(plane.front[added].generation > before);
 }
+
+TEST_CASE("a step notes the corners at a triangle's apex, or on both sides of one that closed") {
+  struct Watch : FrontMirror {
+    std::set<FrontEdgeId> noted;
+    void follow(const FrontChange& change) override {
+      noted = {change.corners.begin(), change.corners.end()};
+    }
+  };
+  using Corners = std::set<FrontEdgeId>;
+  Watch watch;
+  Plane plane;
+  plane.front.add_mirror(watch);
+  const auto polygon = plane.fan(0, 0, 0.2, 0, 12);
+  CHECK(watch.noted == Corners(polygon.begin(), polygon.end()));
+  CHECK(watch.noted.contains(plane.front.attach(polygon[0], flat(0.3, 0.1))));
+  CHECK(watch.noted.size() == 1);
+  const FrontEdgeId split = plane.front.attach(polygon[2], polygon[7]);
+  CHECK(watch.noted == Corners{split, polygon[7]});
+  plane.front.close_corner(polygon[4]);
+  CHECK(watch.noted == Corners{polygon[3], polygon[5]});
+}
