@@ -7,7 +7,8 @@
 /// of its box; the median is the node, the two halves are the subtrees. Ranges of a few points are
 /// leaves.
 ///
-/// Results equal those of a linear search in the order of ids, ties included.
+/// The nearest point is that of a linear search in the order of ids, ties included; all points
+/// within a radius are those of one too, in another order.
 /// Source: Friedman, Bentley & Finkel 1977.
 
 #include <algorithm>
