@@ -48,6 +48,7 @@ struct Cover {
 /// @param inner  of the cube of half the size about the same centre, where there is one already
 /// @return nothing where a zero may lie on the cube's boundary or f is not positive there
 /// @throws SingularLevel
+/// @throws geometry::RefusedInput  where f has no bounds, or such wide ones that they tell nothing
 std::optional<Cover> cover(const Function& f, const Box& cube, const std::optional<Cover>& inner,
                            const geometry::Run& run);
 

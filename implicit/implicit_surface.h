@@ -100,7 +100,8 @@ struct SearchSpace {
 /// @param height  the direction asked for; without one the default, and others where that leaves a
 ///                box undecided
 /// @throws SingularLevel
-/// @throws geometry::RefusedInput  where there is no zero, or the space holds it not with room
+/// @throws geometry::RefusedInput  where there is no zero, the space holds it not with room, or
+///                                 bounds on f or its derivatives tell nothing
 PreparedSurface prepare_surface(std::shared_ptr<const Function> f, const SearchSpace& space,
                                 const std::optional<Vector>& height,
                                 const geometry::Run& run = geometry::Run());
