@@ -7,17 +7,6 @@
 
 namespace morskin::morse {
 
-namespace {
-
-/// Whether two protecting spheres of full size overlap: only then is there anything to contract.
-bool has_overlap(const std::vector<CriticalPoint>& points, double radius_share) {
-  std::vector<double> radii;
-  for (const CriticalPoint& p : points) radii.push_back(radius_share * p.point.length_scale);
-  return !overlapping_spheres(points, radii).empty();
-}
-
-}  // namespace
-
 Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
                  const std::optional<MorseFunction>& asked, double radius_share,
                  const geometry::Run& run, const Contraction& contract) {
@@ -29,7 +18,8 @@ Guide make_guide(const skin::SkinSurface& skin, long euler_characteristic,
     ++guide.found[static_cast<std::size_t>(p.index)];
   }
   guide.points = chosen.critical.points;
-  if (!has_overlap(guide.points, radius_share)) {
+  // Only spheres of full size that overlap leave anything to contract.
+  if (overlapping_spheres(guide.points, full_radii(guide.points, radius_share)).empty()) {
     guide.spheres = protecting_spheres(skin, guide.points, radius_share);
     return guide;
   }

@@ -6,6 +6,13 @@
 
 namespace morskin::morse {
 
+std::vector<double> full_radii(const std::vector<CriticalPoint>& points, double radius_share) {
+  std::vector<double> radii;
+  radii.reserve(points.size());
+  for (const CriticalPoint& p : points) radii.push_back(radius_share * p.point.length_scale);
+  return radii;
+}
+
 std::vector<std::pair<CriticalId, CriticalId>> overlapping_spheres(
     const std::vector<CriticalPoint>& points, const std::vector<double>& radii) {
   using Tree = geometry::KdTree<CriticalId>;

@@ -9,6 +9,10 @@
 
 namespace morskin::morse {
 
+/// By critical point, the radius of a protecting sphere of full size, Angstrom.
+/// @param radius_share  over the length scale at the centre
+std::vector<double> full_radii(const std::vector<CriticalPoint>& points, double radius_share);
+
 /// All pairs of overlapping spheres about critical points, the smaller id first, in order.
 /// Near-linear in the points and pairs.
 /// @param radii  by critical point, Angstrom; a sphere of radius 0 overlaps nothing.

@@ -10,15 +10,6 @@ namespace morskin::morse {
 
 namespace {
 
-std::vector<double> full_radii(const MorseSmaleComplex& complex, double radius_share) {
-  std::vector<double> radii;
-  radii.reserve(complex.points.size());
-  for (const CriticalPoint& p : complex.points) {
-    radii.push_back(radius_share * p.point.length_scale);
-  }
-  return radii;
-}
-
 /// The path from each cancelled extremum to its heir along the lines of cancelled saddles. Each
 /// such saddle is an edge between the two extrema of its old arcs; together they are trees with one
 /// survivor each, so the path is unique.
@@ -93,7 +84,7 @@ class HeirPaths {
 class Simplifier {
  public:
   Simplifier(const MorseSmaleComplex& complex, double radius_share)
-      : complex_(complex), quadrangles_(complex), full_(full_radii(complex, radius_share)) {
+      : complex_(complex), quadrangles_(complex), full_(full_radii(complex.points, radius_share)) {
     result_.overlaps_before = overlapping_spheres(complex.points, full_).size();
   }
 

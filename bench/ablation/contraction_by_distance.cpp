@@ -41,10 +41,7 @@ std::optional<morse::Arc> shortest_arc(const morse::MorseSmaleComplex& complex,
 morse::Simplification contract_by_distance(const morse::MorseSmaleComplex& complex,
                                            double radius_share) {
   morse::Quadrangles quadrangles(complex);
-  std::vector<double> radii;
-  for (const morse::CriticalPoint& p : complex.points) {
-    radii.push_back(radius_share * p.point.length_scale);
-  }
+  std::vector<double> radii = morse::full_radii(complex.points, radius_share);
   while (const auto arc = shortest_arc(complex, quadrangles, radii)) {
     quadrangles.cancel(arc->saddle, arc->extremum);
   }
