@@ -20,6 +20,7 @@
 #include "geometry/files/mesh_files.h"
 #include "geometry/glued_triangles.h"
 #include "geometry/mesh_shape.h"
+#include "morse/protecting_spheres.h"
 #include "morse/validate_complex.h"
 
 namespace morskin::app {
@@ -35,15 +36,14 @@ struct Context {
   morse::Simplification simplified;
 };
 
-// The complex with all its points and, where rounding leaves them undecided, without its lines.
+// The complex with all its points and, where rounding leaves them undecided, without its lines. Its
+// spheres are those of the front then (morse/make_guide.cpp).
 morse::Simplification unsimplified(morse::MorseSmaleComplex& complex, double radius_share) {
   complex.arcs.clear();
   complex.regions.clear();
   morse::Simplification result;
   result.survives.assign(complex.points.size(), true);
-  for (const morse::CriticalPoint& p : complex.points) {
-    result.radius.push_back(radius_share * p.point.length_scale);
-  }
+  result.radius = morse::disjoint_radii(complex.points, radius_share);
   return result;
 }
 

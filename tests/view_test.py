@@ -139,6 +139,17 @@ class Layers(ViewTest):
             for k in range(3):
                 self.assertAlmostEqual(points[6 * i + k], point["position"][k], places=4)
 
+    def test_spheres_of_an_undecided_complex_are_apart_as_those_of_the_front(self):
+        c60 = MOLECULES / "c60.xyz"  # two saddles are joined along this height
+        page = self.view(c60, "--function", "height:1,0,0", "-C", "0.3")
+        self.assertNotIn("lines", page.about)
+        numbers = page.array("critical.points")
+        spheres = [numbers[i:i + 6] for i in range(0, len(numbers), 6)]
+        self.assertEqual(len(spheres), sum(page.about["critical"]["found"]))
+        for *p, _, _, r in spheres:
+            for *q, _, _, s in spheres:
+                self.assertTrue(p == q or r + s < math.dist(p, q) + 1e-5)
+
     def test_lines_of_molecules_far_apart_keep_their_places(self):
         rows = [line.split() for line in self.ring.read_text().splitlines()[1:]]
         away = 9.9e5
