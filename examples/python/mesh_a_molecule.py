@@ -31,7 +31,7 @@ print(morskin.check(vertices, faces[1:], skin, **mesh.sizing))
 
 # [excerpt: python-not-certified]
 try:
-    skin.mesh(C=0.4, Q=1.05, angle_goal_deg=0)
+    skin.mesh(C=0.9, Q=1.9, angle_goal_deg=0)
 except morskin.NotCertified as error:
     print(error, "in", error.mesh)
 # [/excerpt]
