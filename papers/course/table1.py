@@ -156,6 +156,7 @@ def texts(rows, scaling, agreement):
     exponent, error, _ = tables.fit(scaling, "seconds", series="corpus", method="sweep")[0]
     yield page, f"{exponent:.3f} ± {error:.3f} over molecules, below"
     slower = [p[3] / median(rows, m, "sweep", "cpu_seconds") for m, p in tables.PAPER.items()]
+    slower = [round(ratio, -1) for ratio in slower]  # of times twenty years apart
     yield page, f"processor time here is {span(slower)} times less than the paper's seconds"
     yield "papers/lessons/10-results.md", reproduced_table(rows, LESSON_ROWS)
     yield ("papers/lessons/10-results.md",
