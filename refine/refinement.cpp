@@ -37,6 +37,7 @@ void Refinement::run_from_short_edges() {
   finish();
 }
 
+/// Flips, contracts and inserts until nothing more goes through.
 void Refinement::finish() {
   operations_.report_to(run_);
   operations_.flip_where_needed();
