@@ -24,8 +24,8 @@ class Archive {
   bool is_link() const { return is_link_; }
 
   /// Writes the file that next() named. @pre it did, and this is the first call since
-  /// @param longest  bytes; of a longer file there are zeros, one more than these, which take no
-  ///                 space and which nobody reads who takes no more than `longest`
+  /// @param longest  bytes; a longer file is not unpacked. One more zero than these stands in its
+  ///                 place, without taking space, so that readers with this limit refuse it
   /// @throws geometry::UnwritableOutput  also
   void extract(const std::filesystem::path& target, std::size_t longest);
 
