@@ -41,8 +41,8 @@ double IntegralLines::wall_distance(CriticalId id) const {
 
 // At a critical point p the gradient of f is mu N(p), and G = 0 gives 2 N(p) . d = -d . M d for
 // d = x - p, so on the patch f(x) - f(p) = d . (curvature I - mu M / 2) d = d . form d exactly. Let
-// l be the form's lower value on the tangent plane, T its part between plane and normal, h its
-// value on the normal, x = |d| / rho. As |n . d| <= rho x^2 / 2,
+// l be the form's lower value on the tangent plane, T its part between plane and normal, h the size
+// of its value on the normal, x = |d| / rho. As |n . d| <= rho x^2 / 2,
 //
 //     d . form d  >=  |d|^2 g(x),   g(x) = l (1 - x^2 / 4) - T x - h x^2 / 4,
 //
