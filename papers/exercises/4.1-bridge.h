@@ -10,6 +10,6 @@ Count ring_bridges = unanswered;
 /// protecting spheres?
 Count touches_outside = unanswered;
 
-/// Explain. How far below a saddle are the two branches of a level set as close as an edge is long?
-/// To leading order; rho is the length scale there.
+/// Explain. How far below a saddle at a waist are the two branches of a level set as close as an
+/// edge is long? To leading order; rho is the length scale there.
 Formula<double(double rho, double edge)> depth_of_gap = unanswered;
