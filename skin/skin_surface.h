@@ -67,10 +67,11 @@ class SkinSurface final : public surface::Surface {
 
   /// The mixed cell that contains x, by a walk over cell walls.
   ///
-  /// The mixed complex is a regular subdivision, so a walk that always crosses a wall with x beyond
-  /// it cannot cycle. With rounded walls it can, where several cells are flatter than rounding;
-  /// then a search tries every path. On two walls or more of a cell, which may be flat, it goes by
-  /// the definition whether the cell contains x; if not, the walk begins anew at the nearest atom.
+  /// It crosses the wall that x is farthest beyond. The mixed complex need not be a regular
+  /// subdivision: over just any wall with x beyond it a walk may cycle. Over the farthest it does
+  /// where several cells are flatter than rounding; then a search tries every path. On two walls or
+  /// more of a cell, which may be flat, it goes by the definition whether the cell contains x; if
+  /// not, the walk begins anew at the nearest atom.
   CellId locate(const Point& x, CellId hint) const override;
   /// Whether `cell` is a kept cell and contains x, so that a walk from it ends at once.
   bool is_in(const Point& x, CellId cell) const override;
