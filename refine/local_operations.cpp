@@ -99,7 +99,8 @@ void LocalOperations::note_flip(HalfEdgeId h) {
 /// Flips the edge if a far corner lies in the surface ball beyond it, and the two balls after the
 /// flip are less deeply entered. Two angles mostly tell that none lies there; else bounds decide
 /// where they can. Where they cannot the balls are found to rounding, so that all answers together
-/// describe one restricted Voronoi diagram and flipping cannot go in circles.
+/// describe one restricted Voronoi diagram: where they contradict each other flips go in circles.
+/// That they end otherwise is not proved; flip_where_needed() counts them.
 bool LocalOperations::flip_if_better(HalfEdgeId h) {
   const SurfaceMesh& connectivity = mesh_.surface;
   const HalfEdgeId g = connectivity.twin(h);
