@@ -89,7 +89,7 @@ function build(all) {
       { text: 'one bowl, no bridge', reply: 'Each ball has a lowest point of its own, a minimum.' },
       { text: 'two bowls, no bridge', reply: 'Two fronts must join where the neck’s lower saddle is.' },
       { text: 'two bowls, two bridges', isRight: true,
-        reply: 'Two minima, two saddles on the neck: at the lower one the fronts join, at the upper one they part. Then two maxima are sealed.' },
+        reply: 'Two minima, two saddles on the neck: at the lower one the fronts join, at the upper one they part. Then the front closes at two maxima.' },
     ]),
     element('div', { class: 'columns' },
       element('div', {}, solid.canvas, element('p', { class: 'soft' },
