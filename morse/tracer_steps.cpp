@@ -75,7 +75,7 @@ double Tracer::step_time() {
   is_implicit_ = false;
   if (!(speed > slope_at_rest * gradient)) return 0;
   // Where the flow is slow, near critical points, it is nearly linear, and a step's error is its
-  // length times the ninth power of its time: a little more time gives about the same error.
+  // length times the eighth power of its time: a little more time gives about the same error.
   const double time =
       lines_.step_ * std::sqrt(std::sqrt(std::sqrt(gradient / speed))) / flow_.rate(u_, gradient);
   const auto [fast, slow] = speed < creeping_slope * gradient ? rates() : std::pair(0.0, 0.0);
