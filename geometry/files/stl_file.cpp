@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "geometry/error.h"
@@ -20,30 +21,45 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::size_t header_size = 84;  // 80 bytes of text, then the number of triangles
 constexpr std::size_t record_size = 50;  // a normal, three corners, two spare bytes
 
-// Numbers vertices by first appearance, equal bits alike: an open-addressing hash table.
+// Numbers vertices by first appearance, equal ones alike: an open-addressing hash table, or a
+// sorted map from where positions meet in few of its slots, as a file may choose them to.
 class CornerMerger {
  public:
   explicit CornerMerger(IndexedMesh& mesh) : mesh_(mesh), slots_(1024, no_index) {}
 
   std::uint32_t vertex_at(const Point& position) {
-    if (2 * mesh_.positions.size() >= slots_.size()) grow();
-    const std::size_t slot = slot_of(position);
-    if (slots_[slot] == no_index) {
-      slots_[slot] = static_cast<std::uint32_t>(mesh_.positions.size());
+    std::uint32_t& vertex = number_of(position);
+    if (vertex == no_index) {
+      vertex = static_cast<std::uint32_t>(mesh_.positions.size());
       mesh_.positions.push_back(position);
     }
-    return slots_[slot];
+    return vertex;
   }
 
  private:
-  static std::array<std::uint64_t, 3> bits_of(const Point& position) {
+  using Bits = std::array<std::uint64_t, 3>;
+
+  // no_index for a new vertex.
+  std::uint32_t& number_of(const Point& position) {
+    constexpr std::size_t usual_steps = 16;  // a lookup; on average they are fewer than two
+    if (steps_ > 1000 + usual_steps * ++lookups_ && sorted_.empty()) {
+      for (std::uint32_t i = 0; i < mesh_.positions.size(); ++i) {
+        sorted_.emplace(bits_of(mesh_.positions[i]), i);
+      }
+    }
+    if (!sorted_.empty()) return sorted_.try_emplace(bits_of(position), no_index).first->second;
+    if (2 * mesh_.positions.size() >= slots_.size()) grow();
+    return slots_[slot_of(position)];
+  }
+
+  static Bits bits_of(const Point& position) {
     const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
     return {bits(position.x()), bits(position.y()), bits(position.z())};
   }
 
-  std::size_t slot_of(const Point& position) const {
+  std::size_t slot_of(const Point& position) {
     std::uint64_t hash = 0;
-    const std::array<std::uint64_t, 3> bits = bits_of(position);
+    const Bits bits = bits_of(position);
     for (const std::uint64_t coordinate : bits) {
       hash = (hash ^ coordinate) * 0x9E3779B97F4A7C15ULL;
       hash ^= hash >> 32;
@@ -51,6 +67,7 @@ class CornerMerger {
     std::size_t slot = hash & (slots_.size() - 1);
     while (slots_[slot] != no_index && bits_of(mesh_.positions[slots_[slot]]) != bits) {
       slot = (slot + 1) & (slots_.size() - 1);
+      ++steps_;
     }
     return slot;
   }
@@ -64,6 +81,8 @@ class CornerMerger {
 
   IndexedMesh& mesh_;
   std::vector<std::uint32_t> slots_;
+  std::size_t lookups_ = 0, steps_ = 0;  // steps from one slot to the next
+  std::map<Bits, std::uint32_t> sorted_;
 };
 
 std::uint32_t count_at(std::string_view bytes) {
