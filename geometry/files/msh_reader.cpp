@@ -1,9 +1,9 @@
 // Reads Gmsh's MSH 4.1 as text: triangles of three nodes, or of six where they are curved. Points
 // and lines are skipped, as are sections other than nodes and elements.
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -56,7 +56,18 @@ void check_count(std::int64_t told, std::int64_t found, const std::string& what,
 /// Points with Gmsh's tags for them.
 struct Nodes {
   std::vector<Point> points;
-  std::unordered_map<std::int64_t, std::uint32_t> index;  ///< by tag
+  std::vector<std::pair<std::int64_t, std::uint32_t>> by_tag;  ///< ascending, with the index
+
+  /// As a rule tags follow each other; others are searched for. A file could choose them so that a
+  /// hash table would have them all in one place.
+  std::optional<std::uint32_t> index(std::int64_t tag) const {
+    if (by_tag.empty() || tag < by_tag.front().first) return std::nullopt;
+    const auto place = static_cast<std::size_t>(tag - by_tag.front().first);
+    if (place < by_tag.size() && by_tag[place].first == tag) return by_tag[place].second;
+    const auto found = std::ranges::lower_bound(by_tag, std::pair(tag, std::uint32_t{0}));
+    if (found == by_tag.end() || found->first != tag) return std::nullopt;
+    return found->second;
+  }
 };
 
 Nodes parse_nodes(TextLines& lines) {
@@ -67,9 +78,7 @@ Nodes parse_nodes(TextLines& lines) {
     const std::size_t first = nodes.points.size();
     for (std::int64_t i = 0; i < count; ++i) {
       const auto next = static_cast<std::uint32_t>(first + static_cast<std::size_t>(i));
-      if (!nodes.index.try_emplace(integers(lines, 1)[0], next).second) {
-        lines.fail("two nodes have this tag; write the mesh again");
-      }
+      nodes.by_tag.emplace_back(integers(lines, 1)[0], next);
     }
     for (std::int64_t i = 0; i < count; ++i) {
       std::string_view fields = next_line(lines);
@@ -77,13 +86,19 @@ Nodes parse_nodes(TextLines& lines) {
     }
   }
   check_count(told[1], static_cast<std::int64_t>(nodes.points.size()), "nodes", lines);
+  if (!std::ranges::is_sorted(nodes.by_tag)) std::ranges::sort(nodes.by_tag);
+  const auto twice = std::ranges::adjacent_find(
+      nodes.by_tag, [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != nodes.by_tag.end()) {
+    lines.fail("two nodes have the tag " + std::to_string(twice->first) + "; write the mesh again");
+  }
   return nodes;
 }
 
 std::uint32_t take_node(std::string_view& fields, const Nodes& nodes, const TextLines& lines) {
-  const auto found = nodes.index.find(take_integer(fields, lines));
-  if (found == nodes.index.end()) lines.fail("a node does not exist; write the mesh again");
-  return found->second;
+  const std::optional<std::uint32_t> found = nodes.index(take_integer(fields, lines));
+  if (!found) lines.fail("a node does not exist; write the mesh again");
+  return *found;
 }
 
 void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mesh) {
