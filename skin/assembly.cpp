@@ -54,7 +54,7 @@ struct Copies {
 };
 
 /// A chain that two parts give one motion is copied once. A file may name far more chains than it
-/// has: those are left out before they are copied.
+/// has, or one motion very often: those are left out before they are copied.
 /// @throws RefusedInput  they have more than `max_atoms`
 Copies copies_of(const Assembly& assembly, const Chains& atoms_of, const std::string& source,
                  std::size_t max_atoms) {
@@ -66,7 +66,9 @@ Copies copies_of(const Assembly& assembly, const Chains& atoms_of, const std::st
       const auto found = atoms_of.find(chain);
       if (found != atoms_of.end()) present.push_back(found);
     }
+    std::set<std::string_view> moved;  // motions that have copied all chains of the part
     for (const Motion& motion : part.motions) {
+      if (!moved.insert(motion.name).second) continue;
       auto& [number, copied] =
           known.try_emplace(motion.name, known.size() + 1, std::set<Label>()).first->second;
       Copy copy{&motion, number, {}};

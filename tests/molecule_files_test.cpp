@@ -207,6 +207,27 @@ TEST_CASE("an assembly of many chains is copied in time that grows with their nu
   CHECK(molecule.atoms.back().position == Point(count - 1 + 5., 5, 5));
 }
 
+TEST_CASE("an assembly that names one operator many times is copied in time that grows with them") {
+  // 20,000 chains and 100,000 times one operator; were each asked for each, 2,000 million
+  // questions.
+  constexpr std::size_t chains = 20'000, times = 100'000;
+  std::string text =
+      "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+      "_atom_site.Cartn_z\n_atom_site.label_asym_id\n";
+  std::string names, operators = "1";
+  for (std::size_t i = 0; i < chains; ++i) {
+    text += "C " + std::to_string(i) + " 0 0 C" + std::to_string(i) + "\n";
+    names += (i == 0 ? "C" : ",C") + std::to_string(i);
+  }
+  for (std::size_t i = 1; i < times; ++i) operators += ",1";
+  text += shift_and_assemblies() + "1 " + operators + " " + names + "\n";
+  ReadOptions options;
+  options.selection.assembly = "1";
+  const Molecule molecule = parse_molecule(text, "a.cif", options);
+  REQUIRE(molecule.atoms.size() == chains);
+  CHECK(molecule.atoms.back().position == Point(chains - 1 + 5., 5, 5));
+}
+
 TEST_CASE("the radii are Bondi's where Bondi gives one") {
   // Bondi 1964, table 1.
   const std::map<std::string, double> bondi{{"H", 1.20},  {"He", 1.40}, {"C", 1.70},  {"N", 1.55},
