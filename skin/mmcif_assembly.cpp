@@ -73,17 +73,18 @@ class Operators {
   std::vector<Motion> motions(std::string_view expression) const {
     const std::string_view all = expression;
     std::vector<std::vector<Motion>> factors;
+    std::size_t count = 1;  // of copies, asked before there is memory for them
     while (!(expression = trimmed(expression)).empty()) {
       const bool is_open = expression.front() == '(';
       const std::size_t end = expression.find(is_open ? ')' : '(');
       if (is_open && end == std::string_view::npos) fail(all, "lacks a closing bracket");
       factors.push_back(listed(expression.substr(is_open, end - is_open), all));
+      check_count(count *= factors.back().size(), all);
       expression.remove_prefix(std::min(end, expression.size() - is_open) + is_open);
     }
     if (factors.empty()) fail(all, "is empty");
     std::vector<Motion> product = factors.front();
     for (std::size_t i = 1; i < factors.size(); ++i) {
-      check_count(product.size() * factors[i].size(), all);
       std::vector<Motion> next;
       for (const Motion& first : product) {
         for (const Motion& second : factors[i]) next.push_back(composed(first, second));
@@ -110,14 +111,13 @@ class Operators {
         // The first number that is no operator ends it, so a range is no longer than their table.
         for (std::int64_t id = range->first;; ++id) {
           motions.push_back(checked(std::to_string(id), all));
-          check_count(motions.size(), all);
           if (id == range->last) break;
         }
       } else {
         fail(all, "names an operator " + quoted(item) + " that the file does not have");
       }
+      check_count(motions.size(), all);
     }
-    check_count(motions.size(), all);
     return motions;
   }
 

@@ -255,6 +255,18 @@ class Assemblies(CommandTest):
                                                   ("1", "1", "A")]))
         self.assertEqual(self.positions("other.cif", "--biological-assembly", "1"), [[1, 0, 0]])
 
+    def test_too_many_copies_are_refused_before_they_take_memory(self):
+        many = {str(i): ([*IDENTITY[0]], [i, 0, 0]) for i in range(50000)}
+        def little_memory():  # a motion takes 130 bytes and more
+            resource.setrlimit(resource.RLIMIT_AS, (2 ** 30, 2 ** 30))
+        for expression in ("1" + 5_000_000 * ",1", 400 * "(0-49999)"):
+            with self.subTest(expression[:10]):
+                self.input("many.cif", cif([("A", "A", "C", 0, 0, 0)], many,
+                                           [("1", expression, "A")]))
+                said = self.positions("many.cif", "--biological-assembly", "1", code=4,
+                                      preexec_fn=little_memory)
+                self.assertIn("more than 100,000 copies", said)
+
     def test_chains_that_a_file_names_and_does_not_have_cost_nothing(self):
         many = {str(i): ([*IDENTITY[0]], [i, 0, 0]) for i in range(300)}
         chains = ",".join(f"c{i}" for i in range(300))
