@@ -131,17 +131,22 @@ void MixedComplex::add_walls_to_facets(std::size_t index, std::vector<Wall>& wal
 }
 
 /// The indices of a simplex's cofaces of one dimension more, ascending. An edge joins their further
-/// corner to the simplex's first; simplices are sorted.
+/// corner to each of the simplex's, of which the one with the fewest edges is asked; a large ball
+/// may have one to every other. Simplices are sorted.
 template <std::size_t N>
 std::vector<std::uint32_t> MixedComplex::cofaces(const std::array<AtomId, N>& simplex) const {
   std::vector<std::uint32_t> result;
-  const std::uint32_t v = vertex_of(simplex[0]);
+  const auto edges_at = [this](AtomId a) {
+    return first_edge_[vertex_of(a) + 1] - first_edge_[vertex_of(a)];
+  };
+  const AtomId corner = *std::ranges::min_element(simplex, {}, edges_at);
+  const std::uint32_t v = vertex_of(corner);
   for (std::uint32_t i = first_edge_[v]; i < first_edge_[v + 1]; ++i) {
     if constexpr (N == 1) {
       result.push_back(edges_at_[i]);
     } else {
       const auto& [a, b] = triangulation_.edges[edges_at_[i]];
-      const AtomId apex = a == simplex[0] ? b : a;
+      const AtomId apex = a == corner ? b : a;
       std::array<AtomId, N + 1> coface;
       std::copy_n(simplex.begin(), N, coface.begin());
       coface[N] = apex;

@@ -86,6 +86,17 @@ TEST_CASE("walls made on demand are the same once the lists of facets are forgot
   });
 }
 
+TEST_CASE("walls of small cells are made in time that does not grow with a large ball's edges") {
+  // 8,000 edges of the large ball; were each asked for some 30,000 of its cells, 240 million.
+  const SkinSurface skin(seeds_in_a_ball(8000));
+  const MixedComplex& complex = skin.complex();
+  const auto& t = complex.triangulation();
+  CHECK(complex.kept_walls(complex.cell(AtomId{0U})).size() > 7000);
+  std::size_t walls = 0;
+  for (std::uint32_t i = 0; i < complex.size(); ++i) walls += complex.walls(CellId{i}).size();
+  CHECK(walls == 2 * (2 * t.edges.size() + 3 * t.triangles.size() + 4 * t.tetrahedra.size()));
+}
+
 TEST_CASE("a cell is left out only if the ranges of power and weight on it do not overlap") {
   // By the definition, tetrahedron by tetrahedron, with no short cut for what lies deep inside.
   std::size_t left_out = 0;

@@ -91,4 +91,16 @@ inline std::vector<geometry::WeightedPoint> ball_set(unsigned seed) {
   return weighted(balls);
 }
 
+/// A ball of radius 1000 with many of radius 1 halfway to one of its poles, to each of which it has
+/// an edge; they do not change the skin, a sphere.
+inline std::vector<geometry::WeightedPoint> seeds_in_a_ball(std::size_t seeds) {
+  Random random(1);
+  Balls balls{{geometry::Point::Zero(), 1000}};
+  while (balls.size() <= seeds) {
+    const geometry::Vector off(random.between(-0.15, 0.15), 1, random.between(-0.15, 0.15));
+    balls.push_back({500 * off.normalized(), 1});
+  }
+  return weighted(balls);
+}
+
 }  // namespace morskin::support
