@@ -188,6 +188,18 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
 }
 
 TEST_CASE(
+    "a protecting sphere that meets many cells finds them in time that grows with their number") {
+  // 8,000 balls inside of one; were each of 96,000 cells held against all before it, 5 * 10^9.
+  const SkinSurface skin(seeds_in_a_ball(8000));
+  const CriticalPoints critical = critical_points(skin, MorseFunction{});
+  REQUIRE(critical.points.size() == 2);
+  const ProtectingSpheres spheres = protecting_spheres(skin, critical.points, share);
+  for (const CriticalId id : {CriticalId{0U}, CriticalId{1U}}) {
+    CHECK(spheres.containing(critical.points[id.index()].point) == id);
+  }
+}
+
+TEST_CASE(
     "the sphere that holds a point of the skin is the one that a search of all spheres finds") {
   std::size_t held = 0;
   for_seeds<Case>(300, [&](Case& test) {
