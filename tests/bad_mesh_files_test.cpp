@@ -136,6 +136,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a VTU array that ends inside a number is turned down, however long it says it is") {
+  const std::string text = serialized(plain_tetrahedron(), MeshFormat::Vtu);
+  // The lengths of the arrays of points and of corners, 96 bytes, and with one more 97.
+  const std::string length = ">YAAAAAAAAA", longer = ">YQAAAAAAAA";
+  CHECK(text.find(length) != text.rfind(length));
+  for (const std::size_t at : {text.find(length), text.rfind(length)}) {
+    std::string damaged = text;
+    const std::size_t padding = damaged.find("=</DataArray>", at);
+    damaged[padding] = 'A';
+    std::ranges::copy(longer, damaged.begin() + static_cast<std::ptrdiff_t>(at));
+    check_refused(damaged, "a.vtu", "an array that is damaged");
+  }
+}
+
 TEST_CASE("a VTU file whose tags are not closed in turn is no XML, and is turned down") {
   const std::string text = serialized(plain_tetrahedron(), MeshFormat::Vtu);
   check_refused(replaced(text, "</VTKFile>", ""), "a.vtu", "ends before \"VTKFile\" is closed");

@@ -26,8 +26,13 @@ namespace {
   throw UnreadableInput(source + ": " + what);
 }
 
+[[noreturn]] void fail_for_damage(const std::string& source) {
+  fail(source, "has an array that is damaged; write it again");
+}
+
 template <class Number>
-std::vector<double> numbers_of(std::string_view bytes) {
+std::vector<double> numbers_of(std::string_view bytes, const std::string& source) {
+  if (bytes.size() % sizeof(Number) != 0) fail_for_damage(source);
   std::vector<double> result(bytes.size() / sizeof(Number));
   for (std::size_t i = 0; i < result.size(); ++i) {
     Number number;
@@ -143,20 +148,18 @@ class Reader {
     if (format != "binary") fail(source_, "has arrays that are not inline; write it as binary");
     const std::optional<std::string> bytes = from_base64(trimmed(tag.text));
     const std::size_t head = is_wide_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
-    if (!bytes || bytes->size() < head) {
-      fail(source_, "has an array that is damaged; write it again");
-    }
+    if (!bytes || bytes->size() < head) fail_for_damage(source_);
     std::uint64_t size = 0;
     std::memcpy(&size, bytes->data(), head);
-    if (size != bytes->size() - head) fail(source_, "has an array that is damaged; write it again");
+    if (size != bytes->size() - head) fail_for_damage(source_);
     const std::string_view numbers = std::string_view(*bytes).substr(head);
     const std::string_view type = value(tag, "type");
-    if (type == "Float64") return numbers_of<double>(numbers);
-    if (type == "Float32") return numbers_of<float>(numbers);
-    if (type == "Int64" || type == "UInt64") return numbers_of<std::int64_t>(numbers);
-    if (type == "Int32") return numbers_of<std::int32_t>(numbers);
-    if (type == "UInt32") return numbers_of<std::uint32_t>(numbers);
-    if (type == "UInt8") return numbers_of<std::uint8_t>(numbers);
+    if (type == "Float64") return numbers_of<double>(numbers, source_);
+    if (type == "Float32") return numbers_of<float>(numbers, source_);
+    if (type == "Int64" || type == "UInt64") return numbers_of<std::int64_t>(numbers, source_);
+    if (type == "Int32") return numbers_of<std::int32_t>(numbers, source_);
+    if (type == "UInt32") return numbers_of<std::uint32_t>(numbers, source_);
+    if (type == "UInt8") return numbers_of<std::uint8_t>(numbers, source_);
     fail(source_, "has numbers of the type " + quoted(type) +
                       ", which are not read; write Float64 and Int64");
   }
