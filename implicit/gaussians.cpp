@@ -52,39 +52,70 @@ Gaussians::Gaussians(std::vector<Ball> balls, const GaussianOptions& options)
   constexpr double most = 48;
   voxels_ = static_cast<int>(std::clamp(2 * extent_.half / usual_side, 1.0, most));
   voxel_side_ = 2 * extent_.half / voxels_;
-  fine_ = grid(fine_tail);
-  coarse_ = grid(coarse_tail);
+  fill_grids();
 }
 
 double Gaussians::sum_at(double f) const { return options_.level * std::exp(-options_.decay * f); }
 
-/// A ball may be left out of a voxel where its power distance exceeds another's so much, all over
-/// it, that n of its kind have no more than the tail.
-Gaussians::Grid Gaussians::grid(double tail) const {
-  Grid result{tail, {}, {}};
+/// A ball may be left out where its power distance exceeds another's so much, all over the part of
+/// space, that n of its kind have no more than the tail.
+std::vector<std::uint32_t> Gaussians::counting(Ids ids, const Point& middle, double radius,
+                                               double tail) const {
   const double gap = std::log(static_cast<double>(balls_.size()) / tail) / options_.decay;
-  const double radius = voxel_side_ * 0.87;  // of a voxel's circumscribed ball, rounding included
+  std::vector<double> distances;
+  distances.reserve(ids.size());
+  double least = Interval::infinity;
+  for (const std::uint32_t id : ids) {
+    const Ball& ball = balls_[id];
+    const double far = distances.emplace_back((middle - ball.centre).norm()) + radius;
+    least = std::min(least, far * far - ball.radius * ball.radius);
+  }
+  const double most = least + gap;
+  std::vector<std::uint32_t> result;
+  result.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Ball& ball = balls_[ids[i]];
+    const double near = std::max(0.0, distances[i] - radius);
+    if (near * near - ball.radius * ball.radius < most) result.push_back(ids[i]);
+  }
+  return result;
+}
+
+/// What counts in a voxel counts in a cube of voxels too, whose ball is wider by far more than
+/// rounding; and so does the ball that the others are held against.
+void Gaussians::fill_grids() {
+  constexpr int side = 6;         // of a cube, in voxels
+  constexpr double round = 0.87;  // of a cube's circumscribed ball, over its side, with a margin
   const Point corner = extent_.centre - Vector::Constant(extent_.half);
-  for (int k = 0; k < voxels_; ++k) {
-    for (int j = 0; j < voxels_; ++j) {
-      for (int i = 0; i < voxels_; ++i) {
-        const Point middle = corner + voxel_side_ * (Vector(i, j, k) + Vector::Constant(0.5));
-        double least = Interval::infinity;
-        for (const Ball& ball : balls_) {
-          const double far = (middle - ball.centre).norm() + radius;
-          least = std::min(least, far * far - ball.radius * ball.radius);
-        }
-        result.first.push_back(result.ids.size());
-        for (const std::uint32_t id : all_) {
-          const Ball& ball = balls_[id];
-          const double near = std::max(0.0, (middle - ball.centre).norm() - radius);
-          if (near * near - ball.radius * ball.radius < least + gap) result.ids.push_back(id);
-        }
+  const int cubes = (voxels_ + side - 1) / side;
+  const auto for_each = [](int count, auto visit) {
+    for (int k = 0; k < count; ++k) {
+      for (int j = 0; j < count; ++j) {
+        for (int i = 0; i < count; ++i) visit(i, j, k);
       }
     }
-  }
-  result.first.push_back(result.ids.size());
-  return result;
+  };
+  std::vector<std::vector<std::uint32_t>> in_cube;
+  for_each(cubes, [&](int i, int j, int k) {
+    const Point middle = corner + side * voxel_side_ * (Vector(i, j, k) + Vector::Constant(0.5));
+    in_cube.push_back(counting(all_, middle, side * voxel_side_ * round, fine_tail));
+    in_cube.back().shrink_to_fit();
+  });
+  fine_.tail = fine_tail;
+  coarse_.tail = coarse_tail;
+  for_each(voxels_, [&](int i, int j, int k) {
+    const Point middle = corner + voxel_side_ * (Vector(i, j, k) + Vector::Constant(0.5));
+    const int cube = (k / side * cubes + j / side) * cubes + i / side;
+    Ids ids = in_cube[static_cast<std::size_t>(cube)];
+    std::vector<std::uint32_t> kept;
+    for (Grid* const grid : {&fine_, &coarse_}) {  // of what counts in the one, in the other
+      kept = counting(ids, middle, voxel_side_ * round, grid->tail);
+      ids = kept;
+      grid->first.push_back(grid->ids.size());
+      grid->ids.insert(grid->ids.end(), kept.begin(), kept.end());
+    }
+  });
+  for (Grid* const grid : {&fine_, &coarse_}) grid->first.push_back(grid->ids.size());
 }
 
 std::size_t Gaussians::voxel(const Point& x) const {

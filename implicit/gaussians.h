@@ -48,11 +48,14 @@ class Gaussians final : public Function {
 
   /// The balls that count in each voxel of the extent.
   struct Grid {
-    double tail;                     ///< the others have less than this share of the sum, together
+    double tail = 0;                 ///< the others have less than this share of the sum, together
     std::vector<std::size_t> first;  ///< by voxel, into ids
     std::vector<std::uint32_t> ids;
   };
-  Grid grid(double tail) const;
+  void fill_grids();
+  /// Those of some balls that count in a ball of space, all but a tail.
+  std::vector<std::uint32_t> counting(Ids ids, const Point& middle, double radius,
+                                      double tail) const;
   /// The balls that count all over a box.
   Ids near(const Box& box, const Grid& grid) const;
   /// The voxel of a point; voxel_count() outside of the grid.
