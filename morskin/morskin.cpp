@@ -66,6 +66,7 @@ certify::Sizing sizing_of(const MeshOptions& options) {
   certify::Sizing sizing{options.C, options.Q.value_or(certify::Sizing::quality_for(options.C)),
                          options.max_length_scale};
   if (!options.edge_length) return sizing;
+  require_sound({.sizing = sizing});  // or the length would be blamed for C or Q
   sizing.set_edge_length(*options.edge_length);
   if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
     throw geometry::RefusedInput("the length of edges is too small, or no number");

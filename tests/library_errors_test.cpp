@@ -89,6 +89,10 @@ TEST_CASE("what makes no sense is refused in words that name it") {
     CHECK(said({.C = 0.3, .edge_length = length}) ==
           "the length of edges is too small, or no number");
   }
+  for (const double C : {nan, -1., 0., infinite}) {
+    CAPTURE(C);
+    CHECK(said({.C = C, .edge_length = 1}) == "C and Q must satisfy C >= 1e-5, 2 C < Q and Q > 1");
+  }
   for (const double limit : {nan, -infinite, 1.}) {
     CAPTURE(limit);
     CHECK(said({.C = 0.3, .max_length_scale = limit, .edge_length = 1}).find("one of them") !=
