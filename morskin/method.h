@@ -77,9 +77,9 @@ struct MeshingOptions {
   /// The function to sweep along; without one, the height y with a small tilt, and further tilts
   /// should that be degenerate.
   std::optional<morse::MorseFunction> function = {};
-  /// So many subdomains are swept each for itself, up to front::max_subdomains; of what is no power
-  /// of two the next below. 1: one front from below, as in Algorithm 1. Without one, as many as the
-  /// size of the mesh is worth.
+  /// So many subdomains are swept each for itself: a power of two up to front::max_subdomains. 1:
+  /// one front from below, as in Algorithm 1. Without one, as many as the size of the mesh is
+  /// worth.
   std::optional<std::size_t> fronts = {};
   front::Guard guard = front::Guard::Everywhere;
   /// Whether other runs replace what a sweep's certificate does not cover (safety_net.h).
