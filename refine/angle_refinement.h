@@ -20,7 +20,8 @@ namespace morskin::refine {
 
 struct AngleRefinementCounts {
   std::size_t inserted = 0;
-  std::vector<Point> left;  ///< first corners of triangles below the bound that it did not break
+  /// First corners of triangles that it could not break: below the bound, or too big for [U].
+  std::vector<Point> left;
 };
 
 /// @param bound_deg  at most 30, but for rounding
