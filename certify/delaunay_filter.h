@@ -77,9 +77,9 @@ inline bool is_certainly_delaunay(const Corners& abc, const SurfacePoint& d, dou
 /// The filter for all edges of a mesh.
 ///
 /// A triangle takes eight bytes, 16 bits each for its cotangents, rounded down, and its clearance,
-/// rounded up. Rounding is safe: with c + c' > 0 and k < 1, the difference of the two sides of
-/// (c + c')^2 > k^2 (1 + max(c, c')^2) grows with either cotangent and falls with k. A cotangent
-/// below -8 counts as -8, for which no other makes up.
+/// rounded up. Rounding is safe: where (c + c')^2 > k^2 (1 + max(c, c')^2) with c + c' > 0 and
+/// k < 1, c + c' exceeds k max(c, c'), so the difference of the two sides grows with either
+/// cotangent; and it falls with k. A cotangent below -8 counts as -8, for which no other makes up.
 class DelaunayFilter {
  public:
   explicit DelaunayFilter(std::size_t triangles)
