@@ -44,8 +44,8 @@ class ScalesTooFarApart : public geometry::RefusedInput {
   geometry::AtomId largest;  ///< beside the coordinate and radius of this one
 };
 
-/// A neck, a tunnel or a gap between two sheets is half as wide as four units in the last place of
-/// the coordinates there: no double lies inside.
+/// Half the width of a neck, a tunnel or a gap between two sheets is below 2^-50 of the largest
+/// coordinate there, which is at most eight units in its last place: too few doubles lie inside.
 class UnresolvedNeck : public geometry::RefusedInput {
  public:
   explicit UnresolvedNeck(std::vector<geometry::AtomId> between);
