@@ -24,7 +24,7 @@ struct MeshingOptions;
 ///
 /// Law: with the limited length scale s of two points of the skin x and y,
 ///      s(x) <= 1.5 s(y) + slope |x - y|,
-///      for a point's length scale is at most 1.5 times that of the trial's nearest vertex.
+///      for some vertex of the trial near y allows no more there than 1.5 times y's length scale.
 /// @throws what make_mesh() does
 std::shared_ptr<const surface::SizeField> size_field(const PreparedSkin& skin,
                                                      const MeshingOptions& options,
