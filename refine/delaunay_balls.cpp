@@ -100,9 +100,9 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_to_break(Facet 
 
 /// Whether a facet has an angle below the bound.
 bool DelaunayRefinement::has_small_angle(const FacetGeometry& facet) const {
-  if (min_angle_ == 0) return false;
+  if (min_squared_sine_ == 0) return false;
   const auto& [a, b, c] = facet.corners;
-  return smallest_squared_sine(a->position, b->position, c->position) < min_angle_;
+  return smallest_squared_sine(a->position, b->position, c->position) < min_squared_sine_;
 }
 
 /// Whether the certificate could prove a facet that meets [U] by itself. Where C Q is too large

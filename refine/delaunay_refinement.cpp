@@ -28,7 +28,7 @@ DelaunayRefinement::DelaunayRefinement(const surface::Surface& surface, const Si
                                        std::span<const SurfacePoint> seeds, double min_angle_deg)
     : surface_(surface),
       sizing_(sizing),
-      min_angle_(std::pow(std::sin(min_angle_deg * M_PI / 180), 2)),
+      min_squared_sine_(std::pow(std::sin(min_angle_deg * M_PI / 180), 2)),
       body_(surface.bounding_ball()),
       delaunay_([&] {
         std::vector<WeightedPoint> points;

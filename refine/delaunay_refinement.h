@@ -13,7 +13,7 @@
 /// dual edge of a facet between an inside and an outside one crosses the skin an odd number of
 /// times, so the mesh is the boundary of the inside tetrahedra: closed, even where rounding
 /// misplaces the circumcentre of a flat one. Dual edges with an even number of crossings are found
-/// by following them piece by piece (skin/line_crossings.h).
+/// by following them piece by piece (Surface::crossings).
 ///
 /// Facets with an angle below a bound are broken as well, if one is given: the last step of any
 /// method where a mesh alone does not get there (angle_refinement.h). The centre of a ball larger
@@ -57,7 +57,7 @@ class DelaunayRefinement {
   /// @param seeds      points of the skin; every component has a triangle of them with a surface
   ///                   ball small enough for [U]. Seeds in one plane have none, and make an empty
   ///                   mesh.
-  /// @param min_angle  degrees, at most 30: facets with a smaller one are broken
+  /// @param min_angle_deg  at most 30: facets with a smaller angle are broken
   /// @throws geometry::LimitReached
   DelaunayRefinement(const surface::Surface& surface, const Sizing& sizing,
                      std::span<const SurfacePoint> seeds, double min_angle_deg = 0);
@@ -151,7 +151,7 @@ class DelaunayRefinement {
 
   const surface::Surface& surface_;
   const Sizing sizing_;
-  const double min_angle_;  ///< squared sine
+  const double min_squared_sine_;  ///< of a facet's angles
   const surface::BoundingBall body_;
   std::vector<SurfacePoint> samples_;  ///< by corner
   geometry::Triangulator delaunay_;
