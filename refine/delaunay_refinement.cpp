@@ -17,7 +17,7 @@ using geometry::WeightedPoint;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Buckets of work, one to an octave of the ball's ratio.
+/// Buckets of work, one to an octave of the circumradius over the largest that [U] allows.
 constexpr std::size_t buckets = 8;
 
 WeightedPoint unweighted(const Point& p) { return {p, 0}; }
@@ -129,7 +129,8 @@ bool DelaunayRefinement::stands(const Work& work) const {
 }
 
 /// Makes a surface ball's centre a sample point.
-/// @return false where there is a sample already, or the centre is not found on the skin.
+/// @return false where there is a sample already, the centre is not found on the skin, or the ball
+///         keeps off and [L] forbids it
 bool DelaunayRefinement::insert(const Ball& ball, Facet facet) {
   std::optional<SurfacePoint> x = surface_.project(ball.centre, ball.cell);
   if (!x) return false;
