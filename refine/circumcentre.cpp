@@ -36,9 +36,9 @@ Vector circumcentre_offset(const std::array<const Point*, 4>& p) {
   return offset;
 }
 
-/// In doubles the centre is off by some 10 u (L^4 + R L^3) / V, L the longest edge, R the radius
-/// and 6 V the determinant: for R <= L below 1e-5 L unless the tetrahedron is flatter than this
-/// share of L^3. Those that are flatter are computed with 106 bits.
+/// In doubles the centre is off by up to some u (L^4 + R L^3) / D, measured, L being the longest
+/// edge, R the radius and D the determinant: for R <= L by 2e-6 L where D is this share of L^3.
+/// Those that are flatter are computed with 106 bits.
 constexpr double flat_share = 1e-10;
 
 }  // namespace
