@@ -70,8 +70,8 @@ std::string objection_to_nodes(const SecondOrderMesh& mesh) {
     const Point &a = mesh.nodes[edge.low], &b = mesh.nodes[edge.high];
     const double off = (mesh.nodes[edge.node] - (a + b) / 2).norm();
     if (off < (b - a).norm() / 2) continue;
-    return "node " + std::to_string(edge.node) + " is as far from the middle of " + edge.name() +
-           " as they are";
+    return "node " + std::to_string(edge.node) + " is no nearer to the middle of " + edge.name() +
+           " than they are";
   }
   std::ranges::sort(edges, {},
                     [](const CurvedEdge& e) { return std::tuple(e.node, e.low, e.high); });

@@ -27,7 +27,7 @@ struct CurvedMeasures {
 CurvedMeasures measure_curved(const geometry::SecondOrderMesh& mesh);
 
 /// Why the nodes in edges do not fit the edges: the triangles at an edge have two nodes, two edges
-/// have one, or a node is as far from the middle of its edge as the ends are. Empty if they do.
+/// have one, or a node is no nearer to the middle of its edge than the ends are. Empty if they do.
 /// Then the curved triangles are glued as the flat ones are.
 std::string objection_to_nodes(const geometry::SecondOrderMesh& mesh);
 
