@@ -7,6 +7,15 @@
 
 namespace morskin::certify {
 
+namespace {
+
+/// "1 edge breaks [L]", "2 edges break [L]".
+std::string in_words(std::size_t count, const std::string& element, const std::string& condition) {
+  return std::to_string(count) + " " + element + (count == 1 ? " breaks " : "s break ") + condition;
+}
+
+}  // namespace
+
 void Certificate::compare_counts() {
   const long v = static_cast<long>(vertices), t = static_cast<long>(triangles);
   euler_characteristic = v - t / 2;
@@ -52,8 +61,8 @@ void Certificate::conclude(const Sizing& sizing) {
              geometry::in_digits(proved_angle_deg(), 9) + " degrees, below " +
              geometry::in_digits(claimed, 4);
   } else {
-    reason = std::to_string(violations_L) + " edges break [L], " + std::to_string(violations_U) +
-             " triangles break [U]";
+    reason =
+        in_words(violations_L, "edge", "[L]") + ", " + in_words(violations_U, "triangle", "[U]");
   }
 }
 

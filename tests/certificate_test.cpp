@@ -252,7 +252,7 @@ TEST_CASE("a mesh with one vertex too near to another is homeomorphic but breaks
   CHECK_FALSE(certificate.certified);
   CHECK(certificate.violations_L > 0);
   CHECK(certificate.worst_L < 1);
-  CHECK_MESSAGE(support::contains(certificate.reason, "break [L]"), certificate.reason);
+  CHECK_MESSAGE(support::contains(certificate.reason, "[L]"), certificate.reason);
 }
 
 TEST_CASE("coordinates that are no numbers are rejected") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "certify/certificate.h"
 #include "certify/triangle_geometry.h"
@@ -119,5 +120,20 @@ TEST_CASE(
     const double Q = std::sqrt(2 * largest / shortest);
     check_counts(certify::certify(mesh, good.skin.surface, good.skin.topology, {largest / Q, Q}),
                  mesh, largest, shortest);
+  }
+}
+
+TEST_CASE("one element that breaks a size condition is told in the singular") {
+  certify::Certificate found;
+  found.min_sine = 0.1;
+  for (const auto& [edges, triangles, told] :
+       {std::tuple(1U, 2U, "1 edge breaks [L], 2 triangles break [U]"),
+        std::tuple(2U, 1U, "2 edges break [L], 1 triangle breaks [U]"),
+        std::tuple(1U, 0U, "1 edge breaks [L], 0 triangles break [U]")}) {
+    found.violations_L = edges;
+    found.violations_U = triangles;
+    found.reason.clear();
+    found.conclude({});
+    CHECK(found.reason == told);
   }
 }
