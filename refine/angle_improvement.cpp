@@ -89,7 +89,7 @@ class AngleImprovement {
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
         if (missing_.contains(all[i]) && improve(all[i], depth)) {
-          counts.changed += journal_.has_connectivity();
+          counts.changed += journal_.exchanged();
         }
         journal_.clear();
       }

@@ -40,8 +40,10 @@ HalfEdgeId Journal::half_edge(VertexId from, VertexId to) const {
   return found;
 }
 
-bool Journal::has_connectivity() const {
-  return std::ranges::any_of(changes_, [](const Change& c) { return c.kind != Kind::Move; });
+std::size_t Journal::exchanged() const {
+  return static_cast<std::size_t>(std::ranges::count_if(changes_, [](const Change& c) {
+    return c.kind == Kind::Insertion || c.kind == Kind::Removal;
+  }));
 }
 
 void Journal::undo(std::size_t first, std::vector<SurfaceMesh::FreeSlots>& free_slots) {

@@ -24,8 +24,8 @@ class Journal {
   void note_move(VertexId v, const SurfacePoint& from);
 
   std::size_t size() const { return changes_.size(); }
-  /// Whether anything but moves was noted.
-  bool has_connectivity() const;
+  /// How many vertices were taken out and put in, all told.
+  std::size_t exchanged() const;
   /// Takes all changes back but the first ones.
   /// @param free_slots  of the vertices removed, the last at the end; those of vertices inserted
   ///                    are added

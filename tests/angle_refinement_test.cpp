@@ -123,9 +123,14 @@ TEST_CASE("improvement leaves fewer angles below the goal, and a certified mesh"
     constexpr double goal_deg = 38;
     Mesh mesh = rough_mesh(skin, sizing);
     const std::vector<TriangleId> below = smooth(skin.surface, sizing, mesh, goal_deg).left;
+    const std::size_t vertices = mesh.surface.vertex_count();
     const AngleImprovementCounts counts =
         improve_angles(skin.surface, sizing, mesh, goal_deg, below);
     CHECK(counts.left <= below.size());
+    // Each vertex that goes or comes changes their number by one.
+    const std::size_t now = mesh.surface.vertex_count();
+    CHECK(counts.changed >= std::max(vertices, now) - std::min(vertices, now));
+    CHECK((counts.changed + vertices + now) % 2 == 0);
     for (std::size_t v = 0; v < mesh.surface.vertex_count(); ++v) {
       CHECK(mesh.surface.outgoing(VertexId{v}));  // no trial leaves an empty slot
     }
