@@ -117,9 +117,11 @@ morskin::PreparedSkin prepare_skin(const MoleculeInput& input, const morskin::Ru
   } catch (const morskin::ScalesTooFarApart& apart) {
     throw geometry::RefusedInput(
         input.molecule.source + ": " + describe(input.molecule, apart.small) +
-        " has a patch over 2^36 times smaller than the largest coordinate, that of " +
-        describe(input.molecule, apart.largest) +
-        ": doubles cannot carry both; mesh them from two files");
+        " has a patch over 2^36 times smaller than " +
+        (apart.small == apart.largest
+             ? "its largest coordinate: doubles cannot carry both; move the molecule to the origin"
+             : "the largest coordinate, that of " + describe(input.molecule, apart.largest) +
+                   ": doubles cannot carry both; mesh them from two files"));
   }
 }
 

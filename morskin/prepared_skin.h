@@ -35,7 +35,8 @@ constexpr double least_provable_weight = 0x1p-141;
 /// A wall of the mixed complex is known to 2^-42 of the largest coordinate, and a cell narrower
 /// than 64 of these tolerances counts as one without width (morse::Tracer::no_width). So a ball
 /// that shares skin with another must have a patch of at least that radius, 2^-36 of the largest
-/// coordinate.
+/// coordinate. One that shares none needs a radius of one tolerance, or no function has critical
+/// points on it that can be told apart.
 class ScalesTooFarApart : public geometry::RefusedInput {
  public:
   ScalesTooFarApart(geometry::AtomId too_small, geometry::AtomId far_out);

@@ -49,6 +49,26 @@ TEST_CASE("tiny balls that share skin are refused beside a far one, which the re
   CHECK(is_certified(points));
 }
 
+TEST_CASE("a ball by itself is meshed where its critical points can be told apart, or refused") {
+  CHECK(is_certified({ball(1000, 0, 0, 1e-9)}));
+  for (const double radius : {2e-10, 1e-12, 1e-18}) {
+    CAPTURE(radius);
+    const WeightedPoints alone{ball(1000, 0, 0, radius)};
+    CHECK_THROWS_WITH_AS(prepare_skin(alone),
+                         "weighted point 0 has a patch over 2^36 times smaller than its largest "
+                         "coordinate: doubles cannot carry both; move it to the origin",
+                         ScalesTooFarApart);
+    try {
+      prepare_skin({ball(0, 0, 0, radius), ball(1000, 0, 0, 1)});
+      FAIL("not refused");
+    } catch (const ScalesTooFarApart& apart) {
+      CHECK(apart.small == geometry::AtomId(0u));
+      CHECK(apart.largest == geometry::AtomId(1u));
+    }
+    CHECK(is_certified({ball(1000, 0, 0, 1), ball(1000.5, 0, 0, radius)}));  // inside: no skin
+  }
+}
+
 TEST_CASE("necks and gaps are meshed as thin as coordinates resolve, and thinner ones refused") {
   const double a = 0x1.8p0 + 0x1p-33;
   const double gap = a * a, neck = std::nextafter(gap, 10.0);  // weights
