@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "geometry/kd_tree.h"
 #include "geometry/orthogonal.h"
@@ -53,46 +54,87 @@ std::optional<std::array<SurfacePoint, 3>> seed_triangle(const surface::Surface&
   return triangle;
 }
 
+/// Three for each critical point, itself the first.
+struct Candidates {
+  std::vector<SurfacePoint> points;
+  std::vector<char> has_triangle;  ///< by critical point; without one the other two stay unused
+};
+
+Candidates candidates_at(const surface::Surface& skin,
+                         const std::vector<morse::CriticalPoint>& critical,
+                         const certify::Sizing& sizing) {
+  Candidates result;
+  for (const morse::CriticalPoint& c : critical) {
+    SurfacePoint p = c.point;
+    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+    const auto triangle = seed_triangle(skin, p, sizing);
+    result.has_triangle.push_back(triangle ? 1 : 0);
+    for (std::size_t k = 0; k < 3; ++k) result.points.push_back(triangle ? (*triangle)[k] : p);
+  }
+  return result;
+}
+
+/// Some of the candidates, which keep their distance.
+class Seeds {
+ public:
+  Seeds(std::vector<SurfacePoint> candidates, const certify::Sizing& sizing)
+      : candidates_(std::move(candidates)),
+        sizing_(sizing),
+        share_(min_spacing * sizing.C * sizing.Q),
+        tree_(positions(candidates_)),
+        is_seed_(candidates_.size(), 0) {
+    for (const SurfacePoint& p : candidates_) {
+      largest_ = std::max(largest_, sizing.scale(p.length_scale));
+    }
+  }
+
+  /// Whether a candidate is far enough from all seeds.
+  bool may_take(std::size_t i) const {
+    const SurfacePoint& p = candidates_[i];
+    // rho is 1-Lipschitz: a point nearer than share times its own rho has no larger one than this.
+    const double own = sizing_.scale(p.length_scale);
+    const double radius = share_ * (share_ < 1 ? std::min(own / (1 - share_), largest_) : largest_);
+    bool is_free = true;
+    tree_.for_each_within(p.position, radius, [&](const auto& near) {
+      const SurfacePoint& q = candidates_[near.id.index()];
+      const double least = share_ * sizing_.scale(std::max(p.length_scale, q.length_scale));
+      if (is_seed_[near.id.index()] != 0 && near.squared_distance <= least * least) is_free = false;
+    });
+    return is_free;
+  }
+  void take(std::size_t i) { is_seed_[i] = 1; }
+
+  /// In the order of the candidates.
+  std::vector<SurfacePoint> list() const {
+    std::vector<SurfacePoint> seeds;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (is_seed_[i] != 0) seeds.push_back(candidates_[i]);
+    }
+    return seeds;
+  }
+
+ private:
+  static std::vector<geometry::Point> positions(const std::vector<SurfacePoint>& points) {
+    std::vector<geometry::Point> result;
+    for (const SurfacePoint& p : points) result.push_back(p.position);
+    return result;
+  }
+
+  const std::vector<SurfacePoint> candidates_;
+  const certify::Sizing sizing_;
+  const double share_;  ///< least distance of two over the larger length scale
+  const geometry::KdTree<SeedId> tree_;
+  std::vector<char> is_seed_;
+  double largest_ = 0;  ///< of the length scales
+};
+
 }  // namespace
 
 std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
                                          const std::vector<morse::CriticalPoint>& critical,
                                          const certify::Sizing& sizing) {
-  // Three positions for each critical point; those of a triangle that could not be laid stay
-  // unused.
-  std::vector<SurfacePoint> candidates;
-  std::vector<geometry::Point> positions;
-  std::vector<char> has_triangle;
-  for (const morse::CriticalPoint& c : critical) {
-    SurfacePoint p = c.point;
-    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
-    const auto triangle = seed_triangle(skin, p, sizing);
-    has_triangle.push_back(triangle ? 1 : 0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      candidates.push_back(triangle ? (*triangle)[k] : p);
-      positions.push_back(candidates.back().position);
-    }
-  }
-  const geometry::KdTree<SeedId> tree(positions);
-  std::vector<char> is_seed(candidates.size(), 0);
-  const double share = min_spacing * sizing.C * sizing.Q;
-  double largest = 0;
-  for (const SurfacePoint& p : candidates) {
-    largest = std::max(largest, sizing.scale(p.length_scale));
-  }
-  const auto is_free = [&](std::size_t i) {
-    const SurfacePoint& p = candidates[i];
-    // rho is 1-Lipschitz: a point nearer than share times its own rho has no larger one than this.
-    const double own = sizing.scale(p.length_scale);
-    const double radius = share * (share < 1 ? std::min(own / (1 - share), largest) : largest);
-    bool free = true;
-    tree.for_each_within(p.position, radius, [&](const auto& near) {
-      const SurfacePoint& q = candidates[near.id.index()];
-      const double least = share * sizing.scale(std::max(p.length_scale, q.length_scale));
-      if (is_seed[near.id.index()] != 0 && near.squared_distance <= least * least) free = false;
-    });
-    return free;
-  };
+  Candidates candidates = candidates_at(skin, critical, sizing);
+  Seeds seeds(std::move(candidates.points), sizing);
   // Whole triangles first, so that every component gets one, in the order of their length scales: a
   // point of a large component may stand nearer to a small one than its own length scale, beside it
   // in its tangent plane, but it has critical points elsewhere.
@@ -100,18 +142,15 @@ std::vector<SurfacePoint> delaunay_seeds(const surface::Surface& skin,
   std::iota(by_scale.begin(), by_scale.end(), std::size_t{0});
   std::ranges::stable_sort(by_scale, {}, [&](auto i) { return critical[i].point.length_scale; });
   for (const std::size_t i : by_scale) {
-    if (has_triangle[i] == 0) continue;
-    if (!is_free(3 * i) || !is_free(3 * i + 1) || !is_free(3 * i + 2)) continue;
-    for (std::size_t k = 0; k < 3; ++k) is_seed[3 * i + k] = 1;
+    if (candidates.has_triangle[i] == 0) continue;
+    if (!seeds.may_take(3 * i) || !seeds.may_take(3 * i + 1) || !seeds.may_take(3 * i + 2))
+      continue;
+    for (std::size_t k = 0; k < 3; ++k) seeds.take(3 * i + k);
   }
   for (std::size_t i = 0; i < critical.size(); ++i) {
-    if (is_free(3 * i)) is_seed[3 * i] = 1;
+    if (seeds.may_take(3 * i)) seeds.take(3 * i);
   }
-  std::vector<SurfacePoint> seeds;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (is_seed[i] != 0) seeds.push_back(candidates[i]);
-  }
-  return seeds;
+  return seeds.list();
 }
 
 StaticResult static_mesh(const surface::Surface& surface,
