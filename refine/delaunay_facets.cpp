@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "geometry/glued_triangles.h"
@@ -135,14 +136,14 @@ std::vector<Triangle> neighbours_together(const std::vector<Triangle>& triangles
   return ordered;
 }
 
-/// The corners where triangles do not make one disk: ends of edges with more than two triangles,
-/// and corners whose triangles fall into several fans.
-std::vector<std::uint32_t> corners_without_disk(const std::vector<Triangle>& triangles) {
-  // An edge seen from one of its ends.
-  struct Spoke {
-    std::uint32_t corner, other, triangle;
-    auto operator<=>(const Spoke&) const = default;
-  };
+/// An edge of a triangle, seen from one of its ends.
+struct Spoke {
+  std::uint32_t corner, other, triangle;
+  auto operator<=>(const Spoke&) const = default;
+};
+
+/// All, those of one corner together, and among them those of one edge.
+std::vector<Spoke> sorted_spokes(const std::vector<Triangle>& triangles) {
   std::vector<Spoke> spokes;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -151,28 +152,39 @@ std::vector<std::uint32_t> corners_without_disk(const std::vector<Triangle>& tri
     }
   }
   std::sort(spokes.begin(), spokes.end());
+  return spokes;
+}
+
+/// Whether the triangles at a corner make one disk: each edge has two of them, and going round from
+/// edge to edge comes by all. Each triangle has two spokes here, so their number is even.
+bool is_disk(std::span<const Spoke> spokes) {
+  for (std::size_t i = 0; i < spokes.size(); i += 2) {
+    const bool is_pair = spokes[i].other == spokes[i + 1].other &&
+                         (i + 2 == spokes.size() || spokes[i + 2].other != spokes[i].other);
+    if (!is_pair) return false;
+  }
+  std::size_t at = 0, turns = 0;
+  do {
+    const std::size_t on_other_side = at ^ 1;
+    ++turns;
+    // The other spoke of that triangle.
+    std::size_t next = 0;
+    while (next == on_other_side || spokes[next].triangle != spokes[on_other_side].triangle) ++next;
+    at = next;
+  } while (at != 0 && turns <= spokes.size());
+  return 2 * turns == spokes.size();
+}
+
+/// The corners where triangles do not make one disk: ends of edges with more than two triangles,
+/// and corners whose triangles fall into several fans.
+std::vector<std::uint32_t> corners_without_disk(const std::vector<Triangle>& triangles) {
+  const std::vector<Spoke> spokes = sorted_spokes(triangles);
   std::vector<std::uint32_t> bad;
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].corner == spokes[begin].corner) ++end;
-    // Goes round from spoke to spoke: each has two triangles, each triangle two spokes here.
-    bool is_disk = true;
-    for (std::size_t i = begin; i < end && is_disk; i += 2) {
-      is_disk = spokes[i].other == spokes[i + 1].other &&
-                (i + 2 == end || spokes[i + 2].other != spokes[i].other);
+    if (!is_disk(std::span(spokes).subspan(begin, end - begin))) {
+      bad.push_back(spokes[begin].corner);
     }
-    const auto partner = [&](std::size_t i) { return begin + ((i - begin) ^ 1); };
-    std::size_t at = begin, turns = 0;
-    while (is_disk) {
-      const std::size_t on_other_side = partner(at);
-      ++turns;
-      // The other spoke of that triangle.
-      std::size_t next = begin;
-      while (next == on_other_side || spokes[next].triangle != spokes[on_other_side].triangle)
-        ++next;
-      at = next;
-      if (at == begin || turns > end - begin) break;
-    }
-    if (!is_disk || 2 * turns != end - begin) bad.push_back(spokes[begin].corner);
   }
   return bad;
 }
