@@ -203,6 +203,12 @@ class VerifyLimits(unittest.TestCase):
                         with self.assertRaisesRegex(NotProved, "tube: triangle 0"):
                             of.prove_tube()
 
+    def test_a_triangle_that_leans_too_much_for_its_size_is_not_blamed_on_the_tube_alone(self):
+        of = covering_of(triangle(0.1), [[0, 1, 2]],
+                         lambda y: told(np.broadcast_to([2, 0, 1e-4], y.shape)))
+        with self.assertRaisesRegex(NotProved, "^upright or tube: triangle 0 is too big$"):
+            of.prove_tube()
+
     def test_a_vertex_is_proved_up_to_where_a_path_may_come_back_to_its_triangles_planes(self):
         for error, at_top in product((0, 0.02), (0, 0.03, 0.05)):
             farthest = change(1 - error, 1 / np.sqrt(3) - error) - 2 / 3

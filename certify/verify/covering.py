@@ -73,7 +73,7 @@ class Covering:
             t, R = np.tile(t[coarse], 4), np.tile(R[coarse] / 2, 4)
             pieces, at = in_quarters(pieces, middles), in_quarters(at, seen.reshape(at.shape))
             off = 2.0**-49 * np.abs(self.positions).max() + TINY
-        raise NotProved(f"tube: triangle {t.min()} is too big")
+        raise NotProved(f"upright or tube: triangle {t.min()} is too big")
 
     def hold(self, t, corners, at, R, off):
         """Whether (c1) and (c2) hold on a piece of each triangle t, given bounds `at` its corners,
