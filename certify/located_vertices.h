@@ -62,8 +62,9 @@ struct LocatedMesh {
   }
 };
 
-/// The side that an edge is measured from, so that it is once: where a triangle has it from the
-/// smaller id to the larger or, at the end of an open mesh, where the only one has it.
+/// The side that an edge is measured from, so that it is once where triangles are oriented alike:
+/// where one has it from the smaller id to the larger or, at the end of an open mesh, where the
+/// only one has it. Triangles that run along an edge the same way measure it once each.
 class EdgeSides {
  public:
   EdgeSides() = default;  ///< of a closed oriented mesh
