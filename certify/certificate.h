@@ -74,7 +74,8 @@ struct Certificate {
   /// Homeomorphic, all vertices on the skin, [U] everywhere, and all angles as large as claimed: by
   /// [L], or each by itself (Sizing::claimed_angle_deg).
   bool certified = false;
-  /// Why not, naming the first element that breaks a claim; empty when certified.
+  /// Why not, naming the first element that breaks a claim, or how many break [L] and [U]; empty
+  /// when certified.
   std::string reason;
   /// By Claim, the first element that breaks it, in words; empty where it holds. Counts stay empty
   /// where the mesh is no manifold.
