@@ -36,7 +36,8 @@ struct MeshResult : RunCounts {
 
 /// Meshes, delivers and certifies a skin. Stages: "critical points", "integral lines", "sweep",
 /// "refine", "smooth", "deliver", "certify" and, where they are needed, "thin", "thicken", "improve
-/// angles", "refine angles", "refine angles in space"; other methods leave some out.
+/// angles", "refine angles", "refine angles in space"; other methods leave some out. The static
+/// method and the last of these make all cells of the skin, in "triangulate" and "mixed complex".
 /// @throws morse::DegenerateFunction when options.function is degenerate for this skin;
 ///         geometry::RefusedInput for options that make no sense; geometry::Stopped
 MeshResult make_mesh(const PreparedSkin& skin, const MeshingOptions& options, Observer& observer,
