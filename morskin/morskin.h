@@ -133,8 +133,9 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// What is proved of a mesh and how good it is.
 struct Certificate {
-  /// Homeomorphic, every vertex on the skin, [U] of section 2.2 everywhere, and either [L]
-  /// everywhere or every angle at least 30 degrees: then size_violations may be above 0.
+  /// Homeomorphic, every vertex on the skin, [U] of section 2.2 everywhere, and every angle at
+  /// least 30 degrees: then size_violations may be above 0. In place of such angles [L] everywhere
+  /// will do for Skin::certify, and for Skin::mesh with an angle goal below 30.
   bool certified = false;
   bool is_homeomorphic = false;  ///< to the skin, even isotopic
   std::string reason;            ///< why it is not certified; empty if it is
