@@ -45,7 +45,9 @@ auto with_errors(Work work) {
   } catch (const UnresolvedNeck& error) {
     throw Error(Kind::Refused, error.what(), outside(error.atoms));
   } catch (const ScalesTooFarApart& error) {
-    throw Error(Kind::Refused, error.what(), {error.small.value, error.largest.value});
+    const bool is_one = error.small == error.largest;
+    throw Error(Kind::Refused, error.what(),
+                is_one ? outside({error.small}) : outside({error.small, error.largest}));
   } catch (const morse::DegenerateFunction& error) {
     throw Error(Kind::Degenerate, error.what());
   } catch (const geometry::RefusedInput& error) {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <stop_token>
@@ -101,6 +102,21 @@ TEST_CASE("what makes no sense is refused in words that name it") {
   CHECK(said({.angle_goal_deg = -1}) == "the goal for angles must be from 0 to 60 degrees");
   CHECK(said({.density = infinite}) == "the density must be above 0 and finite");
   CHECK(said({.grading = infinite}) == "the grading must be at least 0.01 and finite");
+}
+
+TEST_CASE("atoms too small for the coordinates are named, each once") {
+  using Atoms = std::vector<std::uint32_t>;
+  const auto named = [](const std::vector<Atom>& atoms) -> Atoms {
+    try {
+      const Skin skin(atoms);
+    } catch (const Error& error) {
+      CHECK(error.kind() == Error::Kind::Refused);
+      return error.atoms();
+    }
+    return {};
+  };
+  CHECK(named({{{1000, 0, 0}, 1e-12}}) == Atoms{0});
+  CHECK(named({{{0, 0, 0}, 1e-12}, {{1000, 0, 0}, 1}}) == Atoms{0, 1});
 }
 
 TEST_CASE("a mesh with a vertex that is not finite is written to no file") {
