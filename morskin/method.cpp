@@ -118,12 +118,10 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, O
     raise_angles(skin.surface, options, made, run);
   }
   if (made.angles.left.empty()) return made;
-  run.stage("refine angles in space", [&] {
-    auto refined = refine_angles_in_space(skin, made.mesh, options, angle_bound_deg(options), run);
-    if (!refined) return;
-    made.mesh = std::move(*refined);
-    drop_components(skin, made.mesh, run);
-  });
+  auto refined = refine_angles_in_space(skin, made.mesh, options, angle_bound_deg(options), run);
+  if (!refined) return made;
+  made.mesh = std::move(*refined);
+  drop_components(skin, made.mesh, run);
   return made;
 }
 

@@ -106,7 +106,8 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& options,
 MethodResult static_method(const PreparedSkin& skin, const MeshingOptions& options, const Run& run);
 
 /// The vertices of a mesh again, as samples of restricted Delaunay refinement until no facet has a
-/// smaller angle: the last resort where refine::refine_angles() leaves triangles.
+/// smaller angle: the last resort where refine::refine_angles() leaves triangles. In the stages
+/// "triangulate", "mixed complex" and "refine angles in space".
 /// @param min_angle_deg  at most 30
 /// @return nothing where the facets do not become a surface
 std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,

@@ -55,20 +55,22 @@ std::optional<surface::Mesh> refine_angles_in_space(const PreparedSkin& skin,
                                                     const MeshingOptions& options,
                                                     double min_angle_deg, const Run& run) {
   const skin::SkinSurface surface(skin.surface.points(), skin::MixedComplex::Keep::All, run);
-  std::vector<surface::SurfacePoint> seeds(mesh.points.begin(), mesh.points.end());
-  for (surface::SurfacePoint& p : seeds) {
-    p.position = p.position.unaryExpr(&geometry::on_exact_grid);
-    p.cell = surface.complex().same(p.cell, skin.surface.complex());
-  }
-  const SizedSurface sized(surface, options.sizes);
-  refine::DelaunayRefinement refinement(*sized, options.sizing, seeds, min_angle_deg);
-  refinement.run(run);
-  surface::Mesh refined = refinement.mesh();
-  if (geometry::validate(refined.surface)) return std::nullopt;
-  for (surface::SurfacePoint& p : refined.points) {
-    p.cell = skin.surface.complex().same(p.cell, surface.complex());
-  }
-  return refined;
+  return run.stage("refine angles in space", [&]() -> std::optional<surface::Mesh> {
+    std::vector<surface::SurfacePoint> seeds(mesh.points.begin(), mesh.points.end());
+    for (surface::SurfacePoint& p : seeds) {
+      p.position = p.position.unaryExpr(&geometry::on_exact_grid);
+      p.cell = surface.complex().same(p.cell, skin.surface.complex());
+    }
+    const SizedSurface sized(surface, options.sizes);
+    refine::DelaunayRefinement refinement(*sized, options.sizing, seeds, min_angle_deg);
+    refinement.run(run);
+    surface::Mesh refined = refinement.mesh();
+    if (geometry::validate(refined.surface)) return std::nullopt;
+    for (surface::SurfacePoint& p : refined.points) {
+      p.cell = skin.surface.complex().same(p.cell, surface.complex());
+    }
+    return refined;
+  });
 }
 
 }  // namespace morskin

@@ -106,9 +106,11 @@ TEST_CASE("what refinement leaves of a mesh by the static method, refinement in 
 TEST_CASE("refinement in space does the same") {
   for_cases([](const PreparedSkin& skin, const Sizing& sizing) {
     const Mesh mesh = rough_mesh(skin, sizing);
-    const auto refined =
-        refine_angles_in_space(skin, mesh, {.sizing = sizing}, 30, geometry::Run(1));
+    std::string stage;
+    const geometry::Run run(1, [&](std::string_view name, double) { stage = name; });
+    const auto refined = refine_angles_in_space(skin, mesh, {.sizing = sizing}, 30, run);
     REQUIRE(refined);
+    CHECK(stage.starts_with("refine angles in space"));
     CHECK(smallest_angle(*refined) >= 30 - 1e-9);
     CHECK(shortest_edge(*refined) >= (1 - 1e-9) * shortest_edge(mesh));
     const Certificate c = certificate(skin, *refined, sizing);
