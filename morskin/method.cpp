@@ -81,19 +81,19 @@ namespace {
 /// failed may have left worse triangles.
 void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& options,
                            MethodResult& made, const Run& run) {
-  constexpr double reach_step = 3, max_reach = 15;  // length scales; some two edges, and a dozen
+  constexpr double radius_step = 3, max_radius = 15;  // length scales; some two edges, and a dozen
   run.stage("thin", [&] { refine::thin(skin.surface, options.sizing, made.mesh, run); });
   if (options.goal_deg() == 0) return;
   const surface::Mesh thinned = made.mesh;
   std::vector<geometry::Point> places;
   raise_angles(skin.surface, options, made, run);
-  for (double reach = reach_step; reach <= max_reach; reach += reach_step) {
+  for (double radius = radius_step; radius <= max_radius; radius += radius_step) {
     const std::vector<geometry::Point>& left = made.angles.left;
     if (left.empty()) return;
     places.insert(places.end(), left.begin(), left.end());
     made.mesh = thinned;
     run.stage("thicken", [&] {
-      refine::thicken(skin.surface, options.sizing, made.mesh, places, reach, run);
+      refine::thicken(skin.surface, options.sizing, made.mesh, places, radius, run);
     });
     raise_angles(skin.surface, options, made, run);
   }

@@ -109,11 +109,11 @@ std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& me
 }
 
 std::size_t thicken(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                    const std::vector<Point>& places, double reach, const geometry::Run& run) {
+                    const std::vector<Point>& places, double radius, const geometry::Run& run) {
   const auto is_near_place = [&](VertexId v) {
     const SurfacePoint& p = mesh.at(v);
     return std::ranges::any_of(
-        places, [&](const Point& x) { return (x - p.position).norm() < reach * p.length_scale; });
+        places, [&](const Point& x) { return (x - p.position).norm() < radius * p.length_scale; });
   };
   Work work;
   for (std::size_t i = 0; i < mesh.surface.triangle_count(); ++i) {

@@ -24,11 +24,11 @@ std::size_t thin(const surface::Surface& surface, const Sizing& sizing, Mesh& me
 
 /// Makes the mesh finer about places where thinning left too little room for good angles: edges
 /// there Delaunay and circles within three quarters of [U], as far as flips and insertions go.
-/// @param mesh   comes out compact
-/// @param reach  how far from a place, in length scales
+/// @param mesh    comes out compact
+/// @param radius  about a place, in length scales
 /// @return the number of vertices that went in
 std::size_t thicken(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                    const std::vector<Point>& places, double reach,
+                    const std::vector<Point>& places, double radius,
                     const geometry::Run& run = geometry::Run());
 
 }  // namespace morskin::refine
