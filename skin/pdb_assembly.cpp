@@ -59,7 +59,8 @@ class Reader {
     if (skip("BIOMOLECULE:")) {
       finish_motion();
       begin(names_in(text));
-    } else if (skip("APPLY THE FOLLOWING TO CHAINS:")) {
+    } else if (skip("APPLY THE FOLLOWING TO CHAINS:") ||
+               skip("IN ADDITION APPLY THE FOLLOWING TO CHAINS:")) {  // older files
       finish_motion();
       if (known_.empty()) begin({"1"});  // the only one needs no name
       if (is_wanted_) wanted_.parts.emplace_back();

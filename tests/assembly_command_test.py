@@ -277,6 +277,16 @@ class Assemblies(CommandTest):
         self.assertEqual(self.positions("names.cif", "--biological-assembly", "1",
                                         preexec_fn=little_time), [[1, 0, 0]])
 
+    def test_chains_that_older_files_apply_matrices_to_in_addition_have_matrices_of_their_own(self):
+        text = "".join(f"HETATM    {i}  O   HOH {c}   {i}       {i}.000   2.000   3.000\n"
+                       for i, c in enumerate("AB", 1))
+        shift = (IDENTITY[0], [0, 0, 50])
+        added = "\n".join(remark_350([shift], "B").splitlines()[1:])
+        added = added.replace("APPLY", "IN ADDITION APPLY")
+        self.input("old.pdb", remark_350([IDENTITY], "A") + added + "\n" + text)
+        self.check(self.positions("old.pdb", "--biological-assembly", "1"),
+                   [[1, 2, 3], [2, 2, 53]])
+
     def test_a_damaged_remark_is_refused_with_its_line(self):
         text, motion = self.two_fold()
         good = remark_350([IDENTITY, motion]).splitlines()
