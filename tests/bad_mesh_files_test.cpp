@@ -65,6 +65,24 @@ TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("PK", "a.npz", "only written");
 }
 
+TEST_CASE("a mesh file that goes on behind what it counts is turned down, padding aside") {
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  check_refused(off + off, "a.off", "a.off:7: the file goes on behind the last of its 1 faces");
+  check_refused(replaced(off, "3 1 0", "3 0 0"), "a.off", "the last of its 0 faces");
+  CHECK(complaint(off + "\n# written by hand\n", "a.off").empty());
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
+      "property double z\nend_header\n";
+  const std::string text = header + "0 0 0";
+  check_refused(text + " 1\n", "a.ply", "a.ply:8: the file goes on");
+  check_refused(text + "\n" + text, "a.ply", "a.ply:8: the file goes on");
+  CHECK(complaint(text + "\n\n", "a.ply").empty());
+  const std::string binary = replaced(header, "ascii", "binary_little_endian");
+  const std::string bytes = binary + std::string(24, '\0');
+  check_refused(bytes + "\1", "a.ply", "byte 24 of the body: the file goes on");
+  CHECK(complaint(bytes + std::string(5, '\0') + "\n", "a.ply").empty());
+}
+
 TEST_CASE("a carriage return alone, which ends a line for some programs only, is turned down") {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   check_refused("# by hand\rv 9 9 9\n" + obj, "a.obj", "a.obj:1: a carriage return");

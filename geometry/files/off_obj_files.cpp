@@ -126,6 +126,10 @@ IndexedMesh parse_off(std::string_view bytes, const std::string& source) {
     }
     append_fan(mesh, polygon);
   }
+  if (!next_off_line(lines).empty()) {
+    lines.fail("the file goes on behind the last of its " + std::to_string(faces) +
+               " faces; write it again");
+  }
   return mesh;
 }
 

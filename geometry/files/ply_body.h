@@ -49,6 +49,12 @@ class PlyBinaryBody {
     return source_ + ": byte " + std::to_string(whole_size_ - rest_.size()) + " of the body";
   }
 
+  /// Whether more is left than what files are padded with.
+  bool has_more() const {
+    constexpr std::string_view padding("\0 \t\r\n", 5);
+    return rest_.find_first_not_of(padding) != std::string_view::npos;
+  }
+
   void skip(std::size_t size) {
     if (size > rest_.size())
       throw UnreadableInput(location() + ": the file ends too early; write it again");
@@ -95,6 +101,7 @@ class PlyAsciiBody {
   std::string_view rest() const { return lines_.rest(); }
   std::size_t min_size(PlyScalar) const { return 1; }
   std::string location() const { return lines_.location(); }
+  bool has_more() const { return !trimmed(fields_).empty() || !trimmed(lines_.rest()).empty(); }
 
   double take(PlyScalar type) {
     std::string_view field = take_field(fields_);

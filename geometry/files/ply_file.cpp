@@ -222,6 +222,11 @@ IndexedMesh read_body(Body body, const PlyHeader& header, const std::string& sou
     }
   }
   if (!has_vertices) throw UnreadableInput(source + ": has no vertices; is it a mesh?");
+  if (body.has_more()) {
+    throw UnreadableInput(body.location() +
+                          ": the file goes on behind the last element that its header counts; " +
+                          "write it again");
+  }
   check_finite(mesh, source);
   check_corners(mesh, source);
   return mesh;
