@@ -10,7 +10,8 @@
 namespace morskin::app {
 namespace {
 
-constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+// The last three are how queues tell of a limit.
+constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
 constexpr int time_limit_signal = SIGALRM;  // app/limits.cpp handles it
 
 // The files that the handler removes: it may read lock-free atomics only.

@@ -10,7 +10,8 @@ namespace morskin::app {
 /// Removes the files of the current RemovedOnInterrupt. Safe in a signal handler.
 void remove_watched_files();
 
-/// While this exists SIGINT, SIGTERM and SIGHUP remove the named files before they end the program.
+/// While this exists SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1 and SIGUSR2 remove the named files
+/// before they end the program.
 /// @pre only one exists at a time.
 class RemovedOnInterrupt {
  public:

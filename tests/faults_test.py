@@ -93,7 +93,8 @@ class Faults(CommandTest):
         return left
 
     def test_a_signal_at_any_moment_leaves_the_old_file_or_the_new_and_no_other(self):
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU,
+                       signal.SIGUSR1, signal.SIGUSR2):
             with self.subTest(number):
                 self.assertEqual(self.signals(number), [])
 
