@@ -136,6 +136,9 @@ class Rows(Batch):
                 self.assertNotIn("molecule.pdb", self.batch(*words, code=2))
         no_utf8 = os.fsdecode(b"\xff")
         self.assertIn("no UTF-8", self.batch("in", "-o", "out", "--chain", no_utf8, code=2))
+        for word in ("in/*", "in/" + sorted(os.listdir(self.folder / "in"))[0]):
+            self.assertIn("--only is of folders and archives",
+                          self.batch(word, "-o", "out", "--only", "*.cif", code=2))
         self.assertEqual(self.names(), ["in"])
         for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",), ("in", "--only", "*.pdb")):
             self.batch(*words, "-o", "out", code=3)

@@ -116,6 +116,12 @@ std::vector<BatchInput> meant_by(const std::string& word, const std::string& onl
   return listed(word);
 }
 
+/// Whether the word names what `--only` chooses from.
+bool holds_molecules(const std::string& word) {
+  std::error_code ignored;
+  return word != "-" && (std::filesystem::is_directory(word, ignored) || names_an_archive(word));
+}
+
 std::string place_of(const BatchInput& input) {
   return (input.is_in_archive ? input.name + " in " : "") + input.file.string();
 }
@@ -156,6 +162,9 @@ std::vector<BatchInput> batch_inputs(const std::vector<std::string>& words,
                          "two folders");
       }
     }
+  }
+  if (!only.empty() && std::ranges::none_of(words, holds_molecules)) {
+    throw UsageError("--only is of folders and archives, and none is given; leave it out");
   }
   if (inputs.empty()) {
     throw geometry::UnreadableInput("no molecules in " + words.front() +
