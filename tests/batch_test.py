@@ -140,8 +140,10 @@ class Rows(Batch):
             self.assertIn("--only is of folders and archives",
                           self.batch(word, "-o", "out", "--only", "*.cif", code=2))
         self.assertEqual(self.names(), ["in"])
-        for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",), ("in", "--only", "*.pdb")):
+        for words in (("no*.pdb",), ("in", "no*.pdb"), ("nothing",)):
             self.batch(*words, "-o", "out", code=3)
+        self.assertIn("no molecules in in that fit --only *.pdb;",
+                      self.batch("in", "-o", "out", "--only", "*.pdb", code=3))
         self.assertEqual(self.names(), ["in"])
 
     def test_a_full_disk_ends_the_batch_without_a_row(self):

@@ -169,6 +169,7 @@ std::vector<BatchInput> batch_inputs(const std::vector<std::string>& words,
   if (inputs.empty()) {
     throw geometry::UnreadableInput("no molecules in " + words.front() +
                                     (words.size() > 1 ? " and the others" : "") +
+                                    (only.empty() ? "" : " that fit --only " + only) +
                                     "; name some, a folder, an archive or a file of names");
   }
   return inputs;
