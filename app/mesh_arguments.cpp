@@ -125,11 +125,12 @@ void check_surface(const MeshArguments& mesh, const Typed& typed) {
     throw UsageError("a molecule and --surface are two surfaces; give one of them");
   }
   const bool is_of_skins = is_of_molecules(typed.skin) || mesh.models || typed.vertex_data ||
-                           mesh.areas || mesh.certificate || mesh.task_trace || mesh.order == 2;
+                           mesh.preset || mesh.areas || mesh.certificate || mesh.task_trace ||
+                           mesh.order == 2;
   if (is_of_skins) {
     throw UsageError(
-        "--surface goes without the options of molecules, --vertex-data, --areas, --order 2, "
-        "--certificate and --trace-tasks");
+        "--surface goes without the options of molecules, --for, --vertex-data, --areas, "
+        "--order 2, --certificate and --trace-tasks");
   }
   const bool is_sweep = mesh.method == MeshMethod::Auto || mesh.method == MeshMethod::Sweep;
   if (!is_sweep || mesh.guard != front::Guard::Everywhere || mesh.size_goal.is_set() ||

@@ -68,6 +68,11 @@ class Presets(CommandTest):
         self.assertIn(b"--for", done.stderr)
         self.assertEqual(self.names(), [])
 
+    def test_a_surface_that_is_no_skin_has_none(self):
+        done = self.run_morskin("mesh", "--surface", "sphere:2", "--for", "bem", "-o", "s.ply",
+                                code=2)
+        self.assertIn(b"--surface goes without the options of molecules, --for,", done.stderr)
+
     def test_without_a_purpose_an_output_needs_its_ending(self):
         self.run_morskin("mesh", self.ring, "-o", "r", code=2)
 
