@@ -55,6 +55,17 @@ class Radii(CommandTest):
         self.assertIn("ALA:X4 and 2 more\n", self.complaint("--radii", many, code=0))
         for words in (("c=1.7,N=1.5,H=1.1,S=1.8", "-q"), ("C=1.7,N=1.5,D=1.1",), ("bondi",)):
             self.assertEqual(self.complaint("--radii", *words, code=0), "")
+        radii = ("--radii", "C=1.7,N=1.5,H=1.1,ALA:CAA=2")
+        self.run_morskin("mesh", "a.pdb", "-o", "a.ply", "-q", "-C", "0.3", *radii)
+        for words in (("view", "a.pdb", "-o", "a.html", "-C", "0.3"), ("check", "a.ply"),
+                      ("view", "a.ply", "-o", "a.html")):
+            against = () if words[1] == "a.pdb" else ("--against", "a.pdb")
+            done = self.run_morskin(*words, *against, *radii)
+            self.assertEqual(done.stderr.decode(),
+                             "morskin: note: a.pdb: no atom takes the radius of ALA:CAA\n")
+        # What the file states is of its own atoms.
+        done = self.run_morskin("check", "a.ply", "--against", "a.pdb")
+        self.assertEqual(done.stderr, b"")
 
     def test_named_tables_give_the_published_radii(self):
         for words, expected in (((), [1.7, 1.7, 1.55, 1.2, 2.44]),
