@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/complex_files.h"
@@ -128,8 +130,12 @@ void finish(const CheckArguments& check, const Typed& typed) {
   }
 }
 
+/// Texts that an empty word would leave as if they were not given.
+constexpr std::array<std::string_view, 8> lost_if_empty{
+    "--size", "--view", "--up", "--at", "--inset", "--colour", "--only", "--snapshot-dir"};
+
 /// CLI11 takes an empty word for no number, so that an unset variable of a script would go unseen.
-void check_numbers(const CLI::App& command) {
+void check_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string type = option->get_type_name();
     const bool is_number =
@@ -137,12 +143,17 @@ void check_numbers(const CLI::App& command) {
     if (is_number && std::ranges::count(option->results(), "") > 0) {
       throw UsageError(option->get_name() + " is empty; give a number or leave it out");
     }
+    const bool is_lost =
+        std::ranges::find(lost_if_empty, option->get_name()) != lost_if_empty.end();
+    if (is_lost && std::ranges::count(option->results(), "") > 0) {
+      throw UsageError(option->get_name() + " is empty; leave it out or fill it");
+    }
   }
 }
 
 /// The arguments of the command that was given, checked.
 Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
-  check_numbers(*app.get_subcommands().front());
+  check_values(*app.get_subcommands().front());
   if (app.got_subcommand("features")) set_feature_defaults(typed, all.features);
   if (typed.purpose) apply_preset(typed, all.mesh);
   auto& model_number = typed.skin.selection.model_number;

@@ -90,6 +90,17 @@ class EmptyWords(CommandTest):
                 self.assertTrue(said.startswith(b"morskin: " + option.encode()), said)
         self.assertEqual(self.names(), [])
 
+    def test_an_empty_text_is_not_taken_for_none(self):
+        render = ("render", "a.ply", "-o", "a.png")
+        for words, option in ((("batch", self.ring, "-o", "folder"), "--only"),
+                              (("mesh", self.ring, "-o", "a.ply"), "--snapshot-dir"),
+                              *((render, option) for option in ("--size", "--view", "--up", "--at",
+                                                                "--inset", "--colour"))):
+            with self.subTest(words=words, option=option):
+                said = self.run_morskin(*words, option, "", code=2).stderr
+                self.assertIn(option.encode() + b" is empty; leave it out or fill it", said)
+        self.assertEqual(self.names(), [])
+
 
 if __name__ == "__main__":
     main()
