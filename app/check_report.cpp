@@ -151,7 +151,7 @@ std::string components_text(const geometry::MeshCheck& topology) {
     std::string words =
         counted(c.triangles, "triangle", "triangles") + ", area " + brief(c.area, 6) + " A^2";
     words += !c.is_closed_and_oriented
-                 ? ", not closed"
+                 ? ", not closed and oriented"
                  : ", genus " + grouped(static_cast<long long>(c.genus())) + ", volume " +
                        brief(c.volume, 6) + " A^3" + (c.volume < 0 ? " (a cavity)" : "");
     text += line(i == 0 ? "components" : "", std::to_string(i) + ": " + words);
@@ -257,8 +257,9 @@ std::string people_text(const CheckReport& report) {
   text += "\n" + origin_text(report.origin);
   if (arguments.against) text += skin_text(*arguments.against, arguments.sizing);
   const geometry::MeshCheck& topology = report.topology;
-  text += line("manifold",
-               topology.defects.empty() ? "closed, oriented" : "NO: " + topology.defects[0].first);
+  text += line("manifold", topology.defects.empty()
+                               ? "closed, oriented"
+                               : "NO closed, oriented one: " + topology.defects[0].first);
   text += components_text(topology);
   if (report.against) {
     text += skin_text(report);

@@ -153,6 +153,14 @@ class Quality(CommandTest):
         self.assertEqual(self.run_morskin(*words).stderr, b"")
         self.assertIn(b"C Q = 0.8 is above", self.run_morskin(*words, "-C", "0.35").stderr)
 
+    def test_of_a_closed_mesh_with_a_turned_triangle_no_line_says_that_it_is_open(self):
+        self.input("turned.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                 "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+        told = self.run_morskin("check", "turned.off", code=5).stdout.decode()
+        self.assertIn("manifold    NO closed, oriented one: edge 0-1: its triangles", told)
+        self.assertIn(" A^2, not closed and oriented\n", told)
+        self.assertIn("  yes  closed\n", told)
+
     def test_check_of_coordinates_near_the_ends_of_the_doubles(self):
         for size in ("1e300", "1e-300"):
             text = f"OFF\n4 4 0\n0 0 0\n{size} 0 0\n0 {size} 0\n0 0 {size}\n" \
