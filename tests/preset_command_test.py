@@ -90,6 +90,14 @@ class EmptyWords(CommandTest):
                 self.assertTrue(said.startswith(b"morskin: " + option.encode()), said)
         self.assertEqual(self.names(), [])
 
+    def test_an_empty_name_of_a_file_to_read_is_called_so(self):
+        for words in (("info", ""), ("check", ""), ("render", "", "-o", "a.png"),
+                      ("batch", "", "-o", "folder"), ("view", "", "-o", "a.html")):
+            with self.subTest(words=words):
+                said = self.run_morskin(*words, code=3).stderr
+                self.assertEqual(said, b"morskin: the name of a file to read is empty; give one\n")
+        self.assertEqual(self.names(), [])
+
     def test_an_empty_text_is_not_taken_for_none(self):
         render = ("render", "a.ply", "-o", "a.png")
         for words, option in ((("batch", self.ring, "-o", "folder"), "--only"),

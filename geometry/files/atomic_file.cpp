@@ -107,6 +107,7 @@ std::string create_beside(const std::filesystem::path& target, int& number) {
 }  // namespace
 
 FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  if (path.empty()) throw UnreadableInput("the name of a file to read is empty; give one");
   const bool is_standard_input = path == "-";
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
