@@ -75,7 +75,10 @@ void finish_sweep(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--fronts must be a power of two, as boxes are halved");
   }
   mesh.fronts = typed.fronts;
-  if (!mesh.has_snapshots()) return;
+  if (!mesh.has_snapshots()) {
+    if (mesh.snapshot_folder == ".") return;
+    throw UsageError("--snapshot-dir is for snapshots, and none are asked for; add --snapshots");
+  }
   if (!is_sweep && mesh.method != MeshMethod::Dynamic) {
     throw UsageError("snapshots are for the methods sweep and dynamic");
   }

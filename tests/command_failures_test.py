@@ -106,7 +106,7 @@ class Failures(CommandTest):
                       (*good, "--fronts", "0"), (*good, "--fronts", "70000"),
                       (*good, "--fronts", "-1"), (*good, "--fronts", "3"),
                       (*good, "--snapshots", "-1"), (*good, "--snapshots", "4000000000"),
-                      (*good, "--fronts", "x"),
+                      (*good, "--fronts", "x"), (*good, "--snapshot-dir", "no"),
                       (*good, "--method", "dynamic", "--guard", "spheres"),
                       (*good, "--method", "dynamic", "--angle-goal", "25"),
                       (*good, "--report", "ring.ply.unverified"),
