@@ -147,7 +147,9 @@ std::string listed_models(std::vector<std::int64_t> numbers) {
     while (last + 1 < numbers.size() && gap_before(last + 1) <= 1) ++last;
     if (++runs > max_runs) return text + " ...";
     text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
-    if (numbers[last] > numbers[first]) text += " to " + std::to_string(numbers[last]);
+    if (numbers[last] == numbers[first]) continue;
+    text += last == first + 1 ? ", " : " to ";
+    text += std::to_string(numbers[last]);
   }
   return text;
 }

@@ -279,7 +279,7 @@ TEST_CASE("a model is found by its number, or by its place where the file gives 
   CHECK(read(numbered, {.model = 7}).counts.other_models == 2);
   CHECK(refusal(numbered, {.model = 1}) == "a.pdb: has no model 1; choose from 3, 5, 7");
   CHECK(places(read(placed, {.model = 2})) == std::vector<double>{2});
-  CHECK(refusal(placed, {.model = 3}) == "a.pdb: has no model 3; choose from 1 to 2");
+  CHECK(refusal(placed, {.model = 3}) == "a.pdb: has no model 3; choose from 1, 2");
   CHECK(refusal({"a.xyzr", small_xyzr}, {.model = 2}) ==
         "a.xyzr: has no model 2; its only one is number 1");
 }
