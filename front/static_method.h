@@ -19,8 +19,8 @@ namespace morskin::front {
 ///
 /// Law:  two seeds, unless of one triangle, are farther apart than 0.9 C Q times the larger of
 ///       their length scales, which meets [L] where Q^2 > 2.3. A triangle's own edges shrink when
-///       it is projected, and beyond largest_proved_C may break [L]. Every component has three
-///       seeds at least.
+///       it is projected, and beyond largest_proved_C may break [L]. A component has three seeds
+///       at least, if a triangle projects at one of its critical points.
 std::vector<surface::SurfacePoint> delaunay_seeds(const surface::Surface& surface,
                                                   const std::vector<morse::CriticalPoint>& critical,
                                                   const certify::Sizing& sizing);
