@@ -187,9 +187,8 @@ TEST_CASE("protecting spheres are disjoint, no larger than asked and hold their 
   });
 }
 
-TEST_CASE(
-    "a protecting sphere that meets many cells finds them in time that grows with their number") {
-  // 8,000 balls inside of one; were each of 96,000 cells held against all before it, 5 * 10^9.
+TEST_CASE("protecting spheres of a ball that holds thousands contain their critical points") {
+  // 8,000 balls inside; were each of 96,000 cells held against all before it, 5 * 10^9 questions.
   const SkinSurface skin(seeds_in_a_ball(8000));
   const CriticalPoints critical = critical_points(skin, MorseFunction{});
   REQUIRE(critical.points.size() == 2);

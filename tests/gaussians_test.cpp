@@ -84,9 +84,8 @@ TEST_CASE("Gaussians are the sum over all balls, whichever are left out of a vox
   CHECK(without_some > 50);
 }
 
-TEST_CASE(
-    "Gaussians of many balls are prepared in less time than asking each for each voxel takes") {
-  // 3,000 balls, 110,592 voxels and two grids: 660 million questions.
+TEST_CASE("the value of thousands of Gaussians is that of all of them together") {
+  // 3,000 balls; were each asked for each of 110,592 voxels of two grids, 660 million questions.
   support::Random random(1);
   const auto balls = balls_within(random, 60, 3000);
   const Gaussians f(balls, {});

@@ -86,7 +86,7 @@ TEST_CASE("walls made on demand are the same once the lists of facets are forgot
   });
 }
 
-TEST_CASE("walls of small cells are made in time that does not grow with a large ball's edges") {
+TEST_CASE("in a ball that holds thousands each simplex has a wall to each facet, and it one back") {
   // 8,000 edges of the large ball; were each asked for some 30,000 of its cells, 240 million.
   const SkinSurface skin(seeds_in_a_ball(8000));
   const MixedComplex& complex = skin.complex();

@@ -207,7 +207,7 @@ TEST_CASE("an assembly of many chains is copied in time that grows with their nu
   CHECK(molecule.atoms.back().position == Point(count - 1 + 5., 5, 5));
 }
 
-TEST_CASE("an assembly that names one operator many times is copied in time that grows with them") {
+TEST_CASE("an assembly that names one operator many times has each chain once") {
   // 20,000 chains and 100,000 times one operator; were each asked for each, 2,000 million
   // questions.
   constexpr std::size_t chains = 20'000, times = 100'000;
