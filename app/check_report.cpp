@@ -259,7 +259,7 @@ std::string people_text(const CheckReport& report) {
   const geometry::MeshCheck& topology = report.topology;
   text += line("manifold", topology.defects.empty()
                                ? "closed, oriented"
-                               : "NO closed, oriented one: " + topology.defects[0].first);
+                               : "NOT closed and oriented: " + topology.defects[0].first);
   text += components_text(topology);
   if (report.against) {
     text += skin_text(report);

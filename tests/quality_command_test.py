@@ -157,7 +157,7 @@ class Quality(CommandTest):
         self.input("turned.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                  "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
         told = self.run_morskin("check", "turned.off", code=5).stdout.decode()
-        self.assertIn("manifold    NO closed, oriented one: edge 0-1: its triangles", told)
+        self.assertIn("manifold    NOT closed and oriented: edge 0-1: its triangles", told)
         self.assertIn(" A^2, not closed and oriented\n", told)
         self.assertIn("  yes  closed\n", told)
 
