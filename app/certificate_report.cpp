@@ -1,5 +1,6 @@
 // The certificate in reports.
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/report.h"
@@ -37,6 +38,12 @@ ordered_json certificate_json(const Certificate& c) {
                        {"homeomorphic", c.is_homeomorphic},
                        {"certified", c.certified}};
   if (!c.certified) json["reason"] = c.reason;
+  if (!std::isfinite(c.max_distance_to_skin)) {
+    for (const std::string name : {"max_distance_to_skin", "max_relative_distance_to_skin"}) {
+      json[name] = nullptr;
+      json[name + "_reason"] = "no bound is known of a vertex's distance from the skin";
+    }
+  }
   if (c.holds(certify::Claim::Manifold)) return json;
   for (const std::string name : {"components", "euler_characteristic", "genus"}) {
     json[name] = nullptr;

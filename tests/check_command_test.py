@@ -133,6 +133,10 @@ class Check(CommandTest):
         for far in (0.0, 1e30):  # in the void's middle, and where the bounds on G overflow
             self.write([[far, 0.0, 0.0], *vertices], [])
             self.assertIn("not known", self.broken(*self.words)["vertices on the skin"])
+            report = self.check("bad.off", *self.words, code=5)
+            for key in ("max_distance_to_skin", "max_relative_distance_to_skin"):
+                self.assertIsNone(report[key])
+                self.assertIn("no bound is known", report[key + "_reason"])
 
     def test_a_self_intersection(self):
         vertices, triangles = self.good_mesh(MOLECULES / "two_balls.xyzr")
