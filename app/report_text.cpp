@@ -101,8 +101,8 @@ std::string fallback_text(const MeshReport& report) {
                                  replacement_text(f) + ": " + f.reason);
   }
   if (fallbacks.size() <= max_lines) return text;
-  return text + line("fallback", grouped(fallbacks.size() - max_lines) +
-                                     " components more; --report lists them");
+  return text + line("fallback", counted(fallbacks.size() - max_lines, "component", "components") +
+                                     " more; --report lists them");
 }
 
 /// Of what balls the skin is, and how fine the mesh.
