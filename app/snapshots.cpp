@@ -46,15 +46,14 @@ void write_snapshot(const std::filesystem::path& folder, std::size_t number,
       geometry::serialized(surface::indexed_mesh(mesh), geometry::MeshFormat::PlyBinary));
 }
 
-std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
-                                                  std::size_t number,
-                                                  const front::Snapshot& snapshot) {
+void write_snapshot(const std::filesystem::path& folder, std::size_t number,
+                    const front::Snapshot& snapshot) {
   const geometry::IndexedMesh mesh = surface::indexed_mesh(snapshot.mesh);
   const std::string stem = "snapshot-" + std::to_string(number);
-  const std::filesystem::path ply = folder / (stem + ".ply"), vtu = folder / (stem + ".vtu");
-  geometry::write_file_atomically(ply, geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));
-  geometry::write_file_atomically(vtu, grid_text(mesh, snapshot.front, snapshot.function));
-  return {ply, vtu};
+  geometry::write_file_atomically(folder / (stem + ".ply"),
+                                  geometry::serialized(mesh, geometry::MeshFormat::PlyBinary));
+  geometry::write_file_atomically(folder / (stem + ".vtu"),
+                                  grid_text(mesh, snapshot.front, snapshot.function));
 }
 
 }  // namespace morskin::app

@@ -3,7 +3,6 @@
 /// Intermediate states of a sweep as mesh files (the paper's Figure 4).
 
 #include <filesystem>
-#include <vector>
 
 #include "front/snapshots.h"
 
@@ -11,11 +10,9 @@ namespace morskin::app {
 
 /// Writes snapshot-K.ply, the mesh laid so far, and snapshot-K.vtu, the same with the edges of the
 /// front, marked by the integer `front`, and the Morse function's value at every vertex.
-/// @return the two names
 /// @throws geometry::UnwritableOutput
-std::vector<std::filesystem::path> write_snapshot(const std::filesystem::path& folder,
-                                                  std::size_t number,
-                                                  const front::Snapshot& snapshot);
+void write_snapshot(const std::filesystem::path& folder, std::size_t number,
+                    const front::Snapshot& snapshot);
 /// Writes snapshot-K.ply, a state of the growing skin.
 /// @throws geometry::UnwritableOutput
 void write_snapshot(const std::filesystem::path& folder, std::size_t number,
