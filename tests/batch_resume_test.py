@@ -195,7 +195,8 @@ class Resume(Batch):
 
     def test_a_signal_ends_the_workers_and_leaves_nothing_unfinished(self):
         self.chains(4, balls=400)
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU,
+                       signal.SIGUSR1, signal.SIGUSR2):
             run = self.started("in", "-o", "out", "-C", "0.03")
             workers = self.first_workers(run)
             run.send_signal(number)

@@ -13,7 +13,8 @@
 namespace morskin::app {
 namespace {
 
-constexpr std::array stop_signals = {SIGINT, SIGTERM, SIGHUP};
+// The last three are how queues tell of a limit.
+constexpr std::array stop_signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);

@@ -39,7 +39,8 @@ class Children {
   /// @param errors  the file for what it says on standard error
   pid_t start(const std::vector<std::string>& words, const std::filesystem::path& errors);
 
-  /// Waits for one of these children to end; nothing if SIGINT, SIGTERM or SIGHUP came first.
+  /// Waits for one of these children to end; nothing if SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1
+  /// or SIGUSR2 came first.
   /// @pre one is running
   std::optional<EndedChild> next_ended();
 
