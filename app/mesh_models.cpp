@@ -46,11 +46,16 @@ MeshArguments for_model(const MeshArguments& all, std::int64_t model) {
   return one;
 }
 
-constexpr std::array passed_on{SIGINT, SIGTERM, SIGHUP};
+// The last three are how queues tell of a limit.
+constexpr std::array passed_on{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
 
-volatile pid_t running = 0;  // the run that signals are for
+volatile pid_t running = 0;             // the run that signals are for
+volatile std::sig_atomic_t passed = 0;  // the last of them
 
-void pass_on(int signal) { ::kill(running, signal); }
+void pass_on(int signal) {
+  passed = signal;
+  ::kill(running, signal);
+}
 
 /// While it exists, signals that end a run go to the run alone, which removes its files first.
 class PassedSignals {
@@ -81,6 +86,13 @@ class PassedSignals {
   sigset_t signals_{}, before_{};
   std::array<struct sigaction, passed_on.size()> old_{};
 };
+
+/// Whether the signal that ended a run is for all: whoever ends one means all, but a run can reach
+/// a limit that is its own.
+bool ends_all(int signal) {
+  return signal == SIGINT || signal == SIGTERM || signal == SIGHUP ||
+         (signal != 0 && signal == passed);
+}
 
 /// @return what waitpid tells of it
 int run_apart(const MeshArguments& one, MeshRun run) {
@@ -118,9 +130,8 @@ ExitCode mesh_models(const MeshArguments& arguments, MeshRun run) {
   int worst = 0;
   for (const MeshArguments& one : runs) {
     const int status = run_apart(one, run);
-    // Whoever ends one run means all.
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) ::raise(signal);
+    if (ends_all(signal)) ::raise(signal);
     const int code =
         WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(ExitCode::InternalError);
     if (code == 0) continue;

@@ -139,7 +139,8 @@ class Models(CommandTest):
             said = self.run_morskin(*command, *several, code=2).stderr
             self.assertIn(b"only mesh takes several models", said)
 
-    def test_an_interrupt_ends_all_and_leaves_no_half_file(self):
+    def in_second_model(self):
+        """A process that meshes the second of eight models."""
         self.input("long.pdb", pdb({n: [1.5 * k for k in range(400)] for n in range(1, 9)}))
         process = subprocess.Popen(
             [morskin(), "mesh", "long.pdb", "-C", "0.05", "--model-number", "all", "-o", "m.ply",
@@ -149,6 +150,17 @@ class Models(CommandTest):
         while not any(name.startswith("m-2.ply.part") for name in self.names()):
             self.assertLess(time.monotonic(), end)
             time.sleep(0.005)
+        return process
+
+    def test_a_signal_to_the_command_alone_ends_all_and_leaves_no_half_file(self):
+        for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGUSR1, signal.SIGUSR2):
+            process = self.in_second_model()
+            process.send_signal(number)
+            self.assertEqual(process.wait(60), -number)
+            self.assertEqual(self.names(), ["bad.pdb", "long.pdb", "m-1.ply", "nmr.pdb"])
+
+    def test_an_interrupt_ends_all_and_leaves_no_half_file(self):
+        process = self.in_second_model()
         os.killpg(process.pid, signal.SIGINT)
         self.assertEqual(process.wait(60), -signal.SIGINT)
         self.assertEqual(self.made(), ["m-1.ply"])
