@@ -21,8 +21,7 @@ namespace morskin::app {
 namespace {
 
 // Messages without allocation.
-char memory_text[256] =
-    "out of memory: the mesh is too big for this machine; a larger -C makes it smaller";
+char memory_text[256] = "out of memory: the input is too big for this machine";
 char time_text[512];
 
 extern "C" void end_for_lack_of_time(int) {
@@ -61,6 +60,10 @@ std::uint64_t machine_bytes() {
 }
 
 void limit_memory(const Limits& limits) {
+  if (*limits.advice != '\0') {
+    std::snprintf(memory_text, sizeof memory_text,
+                  "out of memory: the mesh is too big for this machine; %s", limits.advice);
+  }
   const std::uint64_t most = limits.max_memory.value_or(machine_bytes());
   rlimit limit{}, space{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0 || ::getrlimit(RLIMIT_AS, &space) != 0) return;

@@ -27,7 +27,7 @@ std::uint64_t machine_bytes();
 /// program.
 void limit_memory(const Limits& limits);
 
-/// The message for lack of memory. Allocates nothing.
+/// The message for lack of memory, with the advice of the limits. Allocates nothing.
 const char* out_of_memory_text();
 
 /// While this exists the program ends after the time of the limits, if they have one.
