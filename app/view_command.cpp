@@ -261,9 +261,10 @@ ExitCode view_command(const ViewArguments& arguments) {
   }
   progress.wipe();
   if (has_failed) {
+    const std::string what_is_left =
+        outputs.files().empty() ? "; nothing is written" : "; see " + name.string();
     std::cerr << "morskin: " << arguments.output.string()
-              << ": not certified: " << viewed.certificate->reason << "; see " << name.string()
-              << "\n";
+              << ": not certified: " << viewed.certificate->reason << what_is_left << "\n";
   }
   if (!arguments.quiet) {
     print_beside(arguments.output, people_text(arguments, viewed, page, bytes.size(), name));

@@ -239,6 +239,13 @@ class Failures(ViewTest):
         self.assertTrue(done.stderr.startswith(b"morskin: "), done.stderr)
         return done.stderr.decode()
 
+    def test_standard_output_gets_no_page_that_is_not_certified_and_the_message_says_so(self):
+        done = self.run_morskin("view", MOLECULES / "ring12.xyzr", "-C", "0.7", "-Q", "1.5", "-o",
+                                "-", code=5)
+        self.assertEqual(done.stdout, b"")
+        self.assertIn(b"nothing is written", done.stderr)
+        self.assertNotIn(b"see -", done.stderr)
+
     def test_each_failure_has_its_exit_code_and_leaves_nothing(self):
         (self.folder / "broken.ply").write_text("ply\nnonsense\n")
         (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
