@@ -41,7 +41,8 @@ Subject subject_of(geometry::IndexedMesh mesh, const RenderArguments& arguments)
   return {std::move(scene), colours.components};
 }
 
-// The typical side of a visible triangle, pixels: the root of the mean of their areas.
+// The typical side of a triangle in the picture, pixels: the root of the mean of half the product
+// of two sides as seen. A triangle counts where its first corner does.
 double mean_side(const geometry::IndexedMesh& mesh, const Camera& camera) {
   double sum = 0;
   std::size_t count = 0;
