@@ -28,7 +28,7 @@ inline constexpr Colour skin_blue = Colour::of(0x9fc1dc), minimum_red = Colour::
 
 Colour colour_of_index(int index);
 /// The meaning of colour_of_index, in front of other entries.
-pictures::Legend critical_point_legend(std::vector<LegendEntry> others = {});
+pictures::Legend critical_point_legend(std::vector<LegendEntry> others);
 
 /// Renders at `scale` times the camera's size.
 Image panel(const Scene& scene, const Camera& camera, double scale,
