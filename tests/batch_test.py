@@ -35,6 +35,11 @@ class Rows(Batch):
                          [triangles[0], triangles[2], triangles[4]])
         self.assertEqual(summary["triangles"]["sum"], sum(triangles))
 
+    def test_a_shard_without_molecules_has_a_line_of_counts_and_no_table(self):
+        self.chains(1)
+        done = self.run_morskin("batch", "in", "-o", "out", "--shard", "2/3")
+        self.assertEqual(done.stdout, b"0 molecules, 0 rows, 0 made now in 0 s\n")
+
     def test_curved_triangles_are_those_of_mesh(self):
         name, = self.chains(1)
         self.batch("in", "-o", "out", *COARSE, "--format", "vtu,msh", "--order", "2")

@@ -78,6 +78,9 @@ std::string people_text(const BatchSummary& summary) {
     statuses.append(grouped(count)).append(" ").append(status);
   }
   if (!statuses.empty()) text.append(": ").append(statuses);
+  text += '\n';
+  const auto is_empty = [](const std::vector<double>& values) { return values.empty(); };
+  if (std::ranges::all_of(summary.values, is_empty)) return text;
   const auto table_line = [](const std::string& label, const std::vector<std::string>& cells) {
     std::string result(2, ' ');
     result += label;
@@ -92,7 +95,6 @@ std::string people_text(const BatchSummary& summary) {
   };
   std::vector<std::string> cells;
   for (const Quantile& one : quantiles) cells.emplace_back(one.name);
-  text += '\n';
   text += table_line("", cells);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (summary.values[i].empty()) continue;

@@ -25,7 +25,7 @@ BatchSummary summarized(const std::vector<BatchInput>& inputs,
 
 /// As strict_json writes it; quantiles are those of what has the figure.
 std::string json_text(const BatchSummary& summary);
-/// A line of counts and a table of quantiles.
+/// A line of counts and, where there are figures, a table of their quantiles.
 std::string people_text(const BatchSummary& summary);
 
 }  // namespace morskin::app
