@@ -11,7 +11,10 @@ namespace morskin::app {
 ExitCode balls_command(const BallsArguments& arguments) {
   check_not_input(arguments.output, arguments.molecule);
   const MoleculeInput input = read_input(arguments.molecule);
-  if (!arguments.quiet) note_unused_radii(arguments.molecule, input);
+  if (!arguments.quiet) {
+    note_rounded_coordinates(input);
+    note_unused_radii(arguments.molecule, input);
+  }
   const std::string text =
       arguments.weights ? skin::xyzw_text(input.points) : skin::xyzr_text(input.points);
   StagedOutputs outputs({arguments.output});

@@ -227,6 +227,7 @@ void check_against_molecule(CheckReport& report, const geometry::MeshFile& file,
   report.origin.taken = std::move(stated.taken);
   report.origin.not_taken = std::move(stated.not_taken);
   report.origin.compare_input(stated.input.sha256);
+  note_rounded_coordinates(stated.input);
   if (arguments.typed.radii) note_unused_radii(*arguments.against, stated.input);
   report.against = check_against(file, report.topology, stated.input, arguments, certificate);
   find_what_fits(file.mesh, arguments, report);

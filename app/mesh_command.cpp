@@ -158,7 +158,10 @@ void note_doubts(const MeshArguments& arguments) {
 MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
-  if (!arguments.quiet) note_unused_radii(arguments.molecule, input);
+  if (!arguments.quiet) {
+    note_rounded_coordinates(input);
+    note_unused_radii(arguments.molecule, input);
+  }
   for (auto& p : input.points) p.weight += arguments.grow_to;
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);

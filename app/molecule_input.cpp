@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -18,23 +19,26 @@ namespace {
 
 using geometry::WeightedPoint;
 
+/// The first atom that has a coordinate with too many digits for the exact predicates.
+std::optional<geometry::AtomId> first_inexact(const skin::Molecule& molecule) {
+  const auto first = std::ranges::find_if(molecule.atoms, [](const skin::Atom& atom) {
+    return !std::ranges::all_of(atom.position, geometry::is_exact_coordinate);
+  });
+  if (first == molecule.atoms.end()) return std::nullopt;
+  return geometry::AtomId(static_cast<std::size_t>(first - molecule.atoms.begin()));
+}
+
 /// Files hold noise like 1e-25 for 0; rounding it moves an atom by 2^-121 Angstrom at most.
 std::size_t round_coordinates(const skin::Molecule& molecule, std::vector<WeightedPoint>& points) {
-  const auto first = std::ranges::find_if(points, [](const WeightedPoint& p) {
-    return !std::ranges::all_of(p.position, geometry::is_exact_coordinate);
-  });
-  if (first == points.end()) return 0;
-  const geometry::AtomId atom(static_cast<std::size_t>(first - points.begin()));
+  const std::optional<geometry::AtomId> first = first_inexact(molecule);
+  if (!first) return 0;
   const std::size_t count = geometry::move_to_exact_grid(points);
   if (count == 0) {
     throw geometry::RefusedInput(
-        molecule.source + ": " + describe(molecule, atom) +
+        molecule.source + ": " + describe(molecule, *first) +
         " has a coordinate with digits below 2^-120 Angstrom, and radii are too small for it to be "
         "rounded; give larger lengths");
   }
-  std::cerr << "morskin: note: " << molecule.source << ": coordinates below 2^-68 Angstrom were "
-            << "rounded to multiples of 2^-120: " << count << ", the first of "
-            << describe(molecule, atom) << "\n";
   return count;
 }
 
@@ -85,6 +89,14 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
   check_weights(input);
   input.rounded_coordinates = round_coordinates(input.molecule, input.points);
   return input;
+}
+
+void note_rounded_coordinates(const MoleculeInput& input) {
+  if (input.rounded_coordinates == 0) return;
+  const skin::Molecule& molecule = input.molecule;
+  std::cerr << "morskin: note: " << molecule.source << ": coordinates below 2^-68 Angstrom were "
+            << "rounded to multiples of 2^-120: " << input.rounded_coordinates << ", the first of "
+            << describe(molecule, *first_inexact(molecule)) << "\n";
 }
 
 void note_unused_radii(const MoleculeArguments& arguments, const MoleculeInput& input) {

@@ -18,12 +18,14 @@ struct MoleculeInput {
   std::size_t rounded_coordinates = 0;          ///< to multiples of 2^-120 Angstrom
 };
 
-/// A note on standard error tells of coordinates that had to be rounded.
 /// @throws geometry::UnreadableInput
 /// @throws geometry::RefusedInput  also for an atom whose weight is out of the range of the exact
 ///                                 predicates
 /// @throws UsageError              the model is Given and the file gives radii, or the other way
 MoleculeInput read_input(const MoleculeArguments& arguments);
+
+/// Tells on standard error of coordinates that had to be rounded.
+void note_rounded_coordinates(const MoleculeInput& input);
 
 /// Tells on standard error of radii that were listed, as in C=1.7, and that no atom takes: a slip
 /// more often than a wish. Tables in files are of many molecules.

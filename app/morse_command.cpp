@@ -55,7 +55,10 @@ std::string people_text(const ComplexReport& report, const MoleculeInput& input)
 
 ExitCode morse_command(const MorseArguments& arguments) {
   const MoleculeInput input = read_input(arguments.molecule);
-  if (!arguments.quiet) note_unused_radii(arguments.molecule, input);
+  if (!arguments.quiet) {
+    note_rounded_coordinates(input);
+    note_unused_radii(arguments.molecule, input);
+  }
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);
   const morskin::PreparedSkin skin = prepare_skin(input);

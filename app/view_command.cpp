@@ -120,7 +120,10 @@ struct Viewed {
 
 Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
   MoleculeInput input = read_input(arguments.molecule);
-  if (!arguments.quiet) note_unused_radii(arguments.molecule, input);
+  if (!arguments.quiet) {
+    note_rounded_coordinates(input);
+    note_unused_radii(arguments.molecule, input);
+  }
   Context context = app::context(std::move(input), arguments.molecule, arguments, run);
   morskin::MeshingOptions options;
   options.sizing = arguments.sizing;
@@ -161,7 +164,10 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   StatedMolecule stated =
       read_stated(std::move(asked), arguments.sizing, arguments.typed, file.provenance);
   const MoleculeArguments& molecule = stated.molecule;
-  if (arguments.typed.radii && !arguments.quiet) note_unused_radii(molecule, stated.input);
+  if (!arguments.quiet) {
+    note_rounded_coordinates(stated.input);
+    if (arguments.typed.radii) note_unused_radii(molecule, stated.input);
+  }
   Context context = app::context(std::move(stated.input), molecule, arguments, run);
   set_sizing(context, stated.sizing);
   describe(page, context, molecule);

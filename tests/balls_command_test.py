@@ -62,6 +62,17 @@ class Balls(CommandTest):
         self.assertIn(b"rounded to multiples of 2^-120: 2, the first of ball (line 1)", done.stderr)
         self.assertEqual(self.mesh_json("zero.xyzr", "-o", "zero.ply")["coordinates_rounded"], 0)
 
+    def test_rounding_is_told_once_and_not_to_who_asks_for_quiet(self):
+        self.input("noise.xyzr", "1e-25 0 0 1\n1 0 0 1\n")
+        self.run_morskin("mesh", self.ring, "-o", "ring.off", "-q")
+        # Of another genus: the models are tried in turn.
+        done = self.run_morskin("check", "ring.off", "--against", "noise.xyzr", code=5)
+        self.assertEqual(done.stderr.count(b"rounded"), 1)
+        for words in (("mesh", "-o", "a.ply"), ("balls", "-o", "a.xyzr"), ("morse", "-o", "a.json"),
+                      ("view", "-o", "a.html"), ("features", "-o", "a.npz")):
+            done = self.run_morskin(words[0], "noise.xyzr", *words[1:], "-q")
+            self.assertEqual(done.stderr, b"")
+
 
 if __name__ == "__main__":
     main()
