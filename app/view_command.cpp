@@ -247,6 +247,9 @@ ExitCode view_command(const ViewArguments& arguments) {
   page.about["title"] = arguments.molecule.input.filename().string();
   page.about["version"] = version;
   const bool is_mesh = names_a_mesh(arguments.molecule.input);
+  for (const geometry::PendingFile& file : outputs.files()) {
+    if (!is_mesh) check_unverified_name(file);
+  }
   const Viewed viewed =
       is_mesh ? view_mesh(page, arguments, run) : view_molecule(page, arguments, run);
   add_frames(page, frame_files(arguments.growth));

@@ -272,6 +272,9 @@ class Failures(ViewTest):
                 complaint = self.failure(*words, "-o", "page.html", code=4)
                 self.assertIn(f"{name}: the mesh is too large or too small", complaint)
         self.failure(self.ring, "-o", "nowhere/page.html", code=7)
+        (self.folder / "page.html.unverified").mkdir()
+        self.before = sorted([*self.before, "page.html.unverified"])
+        self.assertIn("is a folder", self.failure(self.ring, "-o", "page.html", code=7))
 
 
 if __name__ == "__main__":
