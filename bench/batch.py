@@ -21,7 +21,7 @@ import time
 from pathlib import Path
 
 from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, end,
-                           markdown, molecule_folder, named_files)
+                           markdown, molecule_folder, named_files, run_program)
 
 RECIPES = ROOT / "bench" / "batch_inputs.txt"
 FILES = ["1aon.pdb.gz", "1bmf.pdb.gz", "1r03_24mer.pdb.gz", "2buk_capsid.pdb.gz", "1dps.pdb",
@@ -127,9 +127,10 @@ def row_of(model, options, target):
     made = target.parent / model
     shutil.rmtree(made, ignore_errors=True)
     start, before = time.monotonic(), cpu_seconds_of_children()
-    done = subprocess.run([MORSKIN, "batch", target, "-o", made, "--model", model, *OPTIONS,
-                           "--workers", str(options.workers), "--timeout", str(options.timeout),
-                           "--json"], stdout=subprocess.PIPE, check=True)
+    done = run_program([MORSKIN, "batch", target, "-o", made, "--model", model, *OPTIONS,
+                        "--workers", str(options.workers), "--timeout", str(options.timeout),
+                        "--json"], stdout=subprocess.PIPE)
+    done.check_returncode()
     summary = json.loads(done.stdout)
     row = {"model": model, "inputs": summary["inputs"], "workers": options.workers,
            "seconds": time.monotonic() - start,

@@ -12,7 +12,8 @@ import random
 import tempfile
 from pathlib import Path
 
-from molecule_runs import MORSKIN, Rows, argument_parser, end, mesh, molecule_files, molecule_folder
+from molecule_runs import (MORSKIN, Rows, argument_parser, atom_count, end, mesh, molecule_files,
+                           molecule_folder)
 from tile import read_balls
 
 COLUMNS = ["piece", "model", "C", "atoms", "triangles", "min_angle", "seconds", "verdict"]
@@ -48,6 +49,8 @@ def main():
     files = molecule_files(molecule_folder(options.molecules), options.only)
     if not files:
         end([], [])
+    if atom_count(files[0]) == math.inf:
+        end([], [], files[:1])
     atoms = read_balls(MORSKIN, files[0])
     print(f"pieces of {files[0].name}, {len(atoms)} atoms")
     chosen = random.Random(options.seed)

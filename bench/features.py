@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 from molecule_runs import (MORSKIN, STAGES, Rows, argument_parser, end, markdown,
-                           molecule_folder, named_files)
+                           molecule_folder, named_files, run_program)
 
 MOLECULES = ["atp.pdb", "amprenavir.pdb", "heme.pdb", "1grm_model1.pdb", "9dna_duplex.pdb",
              "1l2y.cif", "1crn.pdb", "1bna.pdb", "1ubq.pdb", "1rna.cif", "1ejg.pdb", "2koc.pdb",
@@ -35,16 +35,16 @@ def arguments():
 def timed(path, output, timeout):
     """Processor and wall seconds of one run, which prints and tells nothing."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    subprocess.run([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1"], check=True,
-                   timeout=timeout)
+    run_program([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1"],
+                timeout=timeout).check_returncode()
     wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall
 
 
 def reported(path, output, timeout):
     report = output.with_name("r.json")
-    subprocess.run([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1", "--report",
-                    report], check=True, timeout=timeout)
+    run_program([MORSKIN, "features", path, "-o", output, "-q", "--threads", "1", "--report",
+                 report], timeout=timeout).check_returncode()
     return json.loads(report.read_text(encoding="utf-8"))
 
 

@@ -11,12 +11,11 @@ radii from the surface by the r^-6 integral. Needs python3-numpy and python3-sci
 
 import gzip
 import statistics
-import subprocess
 import tempfile
 from pathlib import Path
 
-from molecule_runs import (ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder,
-                           named_files)
+from molecule_runs import (MORSKIN, Rows, argument_parser, end, markdown, mesh, molecule_folder,
+                           named_files, run_program)
 
 CHAINS = ["1crn A", "1ejg A", "5pti A", "1ubq A", "1hpv A", "1aki A", "1brs A", "1brs B", "1kx5 A",
           "1kx5 B", "1kx5 C", "1dps A", "1r03 A", "1ake A", "1k4c C", "4hhb A", "4hhb B", "2por A",
@@ -61,8 +60,7 @@ def run_chain(rows, file, chain, timeout):
         path = Path(place) / "chain.pdb"
         path.write_text("\n".join(lines) + "\nEND\n", encoding="utf-8")
         xyzr = Path(place) / "chain.xyzr"
-        balls = [str(ROOT / "build" / "morskin"), "balls", str(path), "-o", str(xyzr), "-q"]
-        subprocess.run(balls, check=True)
+        run_program([MORSKIN, "balls", path, "-o", xyzr, "-q"]).check_returncode()
         comparison = Comparison(xyzr, charges_of(lines))
         for offset in OFFSETS:
             out = Path(place) / "skin.ply"

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """How the scripts of bench end where runs fail, and where there is nothing to run."""
 
+import argparse
 import contextlib
 import io
 import subprocess
@@ -125,6 +126,17 @@ class Ends(unittest.TestCase):
             with self.subTest(script.__name__), mock.patch.object(owner, name, none):
                 code, _ = self.code_of(script, "--only", "caffeine")
                 self.assertRegex(code, f"^{none} is not there; run make command")
+        for script in (coarse, features, ses_like):
+            with (self.subTest(script.__name__), mock.patch.object(script, "MORSKIN", none),
+                  mock.patch.object(molecule_runs, "MORSKIN", none),
+                  mock.patch.dict(sys.modules, ses_comparison=mock.MagicMock())):  # needs numpy
+                molecule_runs.atom_count.cache_clear()
+                code, _ = self.code_of(script, "--only", "1crn")
+                self.assertRegex(code, f"^{none} is not there; run make command")
+        options = argparse.Namespace(workers=1, timeout=1)
+        with mock.patch.object(batch, "MORSKIN", none), self.assertRaises(SystemExit) as ended:
+            batch.row_of("vdw", options, none)
+        self.assertRegex(ended.exception.code, f"^{none} is not there; run make command")
 
     def test_where_all_runs_fail_the_table_says_so(self):
         for script, only, count in ((subdomains, "1grm", 8), (second_order, "benzene", 1)):
