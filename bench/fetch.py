@@ -25,6 +25,7 @@ import re
 import sys
 import urllib.error
 import urllib.request
+import zlib
 from pathlib import Path
 
 from molecule_runs import ROOT, molecule_files, read_rows
@@ -85,7 +86,7 @@ def verdict(data, row):
 def uncompressed(data):
     try:
         return gzip.decompress(data) if data.startswith(b"\x1f\x8b") else data
-    except (OSError, EOFError) as error:
+    except (OSError, EOFError, zlib.error) as error:
         raise Failure(f"broken gzip: {error}; not kept") from error
 
 

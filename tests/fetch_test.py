@@ -99,6 +99,13 @@ class Fetch(unittest.TestCase):
         self.assertIn("has no atoms", self.fetch("1CRN").stderr)
         self.assertEqual(self.there(), [])
 
+    def test_a_broken_gzip_is_not_kept_and_the_next_entry_is_fetched(self):
+        whole = gzip.compress(CRAMBIN)
+        for broken in (whole[:10] + b"\xff" * 90, whole[:-8] + b"\0" * 8, whole[:5000]):
+            self.server.files["/1CRN.pdb.gz"] = self.server.files["/1AKE.pdb.gz"] = broken
+            done = self.fetch("1CRN", "1AKE")
+            self.assertEqual((done.stderr.count("broken gzip"), self.there()), (2, []))
+
     def test_a_transfer_that_was_cut_goes_on_where_it_ended(self):
         self.server.cut = 5000
         done = self.fetch("1CRN")
