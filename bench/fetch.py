@@ -56,9 +56,10 @@ def coordinates(text):
         atoms = (line for line in text.splitlines() if line.startswith(("ATOM  ", "HETATM")))
         return [" ".join([line[30:38], line[38:46], line[46:54]]) for line in atoms]
     columns = re.findall(r"^_atom_site\.(\S+)", text, re.MULTILINE)
-    where = [columns.index(f"Cartn_{axis}") for axis in "xyz"]
+    where = [columns.index(name) for name in ("Cartn_x", "Cartn_y", "Cartn_z") if name in columns]
     rows = (line.split() for line in text.splitlines() if line.startswith(("ATOM ", "HETATM ")))
-    return [" ".join(row[i] for i in where) for row in rows]
+    return [" ".join(row[i] for i in where) for row in rows
+            if len(where) == 3 and len(row) > max(where)]
 
 
 def hashes(data):

@@ -99,6 +99,14 @@ class Fetch(unittest.TestCase):
         self.assertIn("has no atoms", self.fetch("1CRN").stderr)
         self.assertEqual(self.there(), [])
 
+    def test_an_mmcif_file_without_atoms_is_not_kept(self):
+        heads = "".join(f"_atom_site.Cartn_{axis}\n" for axis in "xyz")
+        for text in ("data_1CRN\n#\n", f"data_1CRN\nloop_\n{heads}#\n",
+                     f"data_1CRN\nloop_\n_atom_site.group_PDB\n{heads}ATOM 1.0 2.0\n"):
+            self.server.files["/1CRN.cif.gz"] = gzip.compress(text.encode())
+            self.assertIn("1crn.cif: has no atoms", self.fetch("1CRN").stderr)
+            self.assertEqual(self.there(), ["1crn.pdb"])
+
     def test_a_broken_gzip_is_not_kept_and_the_next_entry_is_fetched(self):
         whole = gzip.compress(CRAMBIN)
         for broken in (whole[:10] + b"\xff" * 90, whole[:-8] + b"\0" * 8, whole[:5000]):
