@@ -112,6 +112,13 @@ def test_without_the_program_a_run_is_not_judged():
     assert code == 2 and "no /nowhere/morskin; make build first" in said, said
 
 
+def test_where_the_program_fails_one_line_tells_its_exit_code():
+    for lesson, verb in (("1", "info"), ("2", "mesh"), ("4", "morse")):
+        code, said = asked(lesson, "run", "1", "--command", "/bin/false")
+        assert code == 2 and f"error: morskin {verb} " in said, said
+        assert "ends with exit code 1" in said, said
+
+
 def test_a_folder_in_place_of_the_program_is_an_error_of_one_line():
     folder = str(Path(__file__).resolve().parent)
     code, said = asked("1", "run", "1", "--command", folder)
