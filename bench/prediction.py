@@ -20,6 +20,7 @@ import random
 import subprocess
 
 import molecule_runs
+from molecule_runs import markdown
 
 GUARDS = ["everywhere", "adjacent", "spheres"]
 
@@ -40,12 +41,6 @@ def mesh(path, model, timeout, *options):
         print(f"{path.name} {model} is left out: {done.complaint}", flush=True)
         return None
     return done.report if done.code in (0, 5) else {}
-
-
-def table(columns, rows):
-    lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
 
 
 def touches_row(name, model, report):
@@ -77,10 +72,10 @@ def compare_guards(options, folder, runs):
     guards = [[guard, len(outcomes), sum(o[i] is not None for o in outcomes),
                sum(o[i] is None for o in outcomes), f"{sum(o[i] for o in common):.2f}"]
               for i, guard in enumerate(GUARDS)]
-    first = table(["molecule", "model", "saddles", "surviving", "inside", "outside",
-                   "futile inside", "futile outside", "share inside"], touches)
-    second = table(["guard", "runs", "certified", "failed",
-                    f"seconds of sweep, {len(common)} runs"], guards)
+    first = markdown(["molecule", "model", "saddles", "surviving", "inside", "outside",
+                      "futile inside", "futile outside", "share inside"], touches)
+    second = markdown(["guard", "runs", "certified", "failed",
+                       f"seconds of sweep, {len(common)} runs"], guards)
     return first + "\n" + second, sum(o[0] is None for o in outcomes)
 
 
@@ -112,8 +107,8 @@ def try_functions(options, folder, runs):
         rows.append([name, model, len(reports), len(good), ", ".join(map(str, sorted(chi))) or "-",
                      f"{min((r['min_angle_deg'] for r in good), default=0):.2f}"])
         print(*rows[-1], flush=True)
-    return table(["molecule", "model", "functions", "certified", "chi", "smallest angle"],
-                 rows), failures
+    return markdown(["molecule", "model", "functions", "certified", "chi", "smallest angle"],
+                    rows), failures
 
 
 def main():
