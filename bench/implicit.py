@@ -9,7 +9,7 @@ certifies and `check`, from the file, does too.
 import tempfile
 from pathlib import Path
 
-from molecule_runs import BUNDLED, Rows, argument_parser, end, run_command
+from molecule_runs import BUNDLED, Rows, argument_parser, end, markdown, run_command
 
 MOLECULES = ["cube8.xyzr", "ring12.xyzr", "benzene.pdb", "cyclohexane.pdb", "caffeine.xyz",
              "atp.pdb", "5tmn_ligand.pdb", "c60.xyz", "amprenavir.pdb", "heme.pdb"]
@@ -50,16 +50,14 @@ def row_of(path, surface, timeout):
 
 def table(rows):
     """The rows of the page."""
-    lines = ["| molecule | surface | triangles | angles | components, genus | critical points | "
-             "mesh, s | check, s |", "|---|---|---|---|---|---|---|---|"]
-    for r in rows:
-        cells = [r["molecule"], r["surface"], f"{int(r['triangles']):,}",
-                 f"{float(r['min_angle']):.1f} to {float(r['max_angle']):.1f}",
-                 f"{r['components']}, {r['genus']}", r["critical"].replace("-", " − ", 1)
-                 .replace("+", " + "), f"{float(r['cpu_seconds']):.2f}",
-                 f"{float(r['check_seconds']):.2f}"]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    return markdown(
+        ["molecule", "surface", "triangles", "angles", "components, genus", "critical points",
+         "mesh, s", "check, s"],
+        ([r["molecule"], r["surface"], f"{int(r['triangles']):,}",
+          f"{float(r['min_angle']):.1f} to {float(r['max_angle']):.1f}",
+          f"{r['components']}, {r['genus']}",
+          r["critical"].replace("-", " − ", 1).replace("+", " + "),
+          f"{float(r['cpu_seconds']):.2f}", f"{float(r['check_seconds']):.2f}"] for r in rows))
 
 
 def sentence(rows):
