@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""papers/course/pictures.py, which tells stale pictures. Takes Debian's Pillow
-(cmake/pages_packages.txt)."""
+"""papers/course/pictures.py, which tells stale pictures, and what build.py says of them. Takes
+Debian's Pillow (cmake/pages_packages.txt)."""
 
 import subprocess
 import sys
@@ -13,6 +13,8 @@ from support.plain_tests import run_all
 
 ROOT = Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "papers" / "figures"
+sys.path.insert(0, str(ROOT / "papers" / "course"))
+from build import stale_pictures  # noqa: E402
 
 
 def told(kept, made):
@@ -58,6 +60,15 @@ def test_one_frame_of_many_is_told():
     assert not told(frames, frames)
     assert told(frames, [frames[0], with_line(frames[1]), frames[2]])
     assert told(frames, frames[:2])
+
+
+def test_a_stale_picture_is_named_once_in_a_folder_with_a_blank_too():
+    with tempfile.TemporaryDirectory(prefix="a b") as folder:
+        kept, made = Path(folder) / "kept.png", Path(folder) / "made.png"
+        figure().save(kept)
+        with_line(figure()).save(made)
+        (said,) = stale_pictures([(kept, made)])
+        assert said.partition(": kept otherwise")[0].endswith("/kept.png"), said
 
 
 if __name__ == "__main__":

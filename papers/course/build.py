@@ -108,7 +108,7 @@ def stale_pictures(pictures):
     """Complaints about pictures that look otherwise than their commands draw them now."""
     files = [str(file) for kept, made in pictures if kept.exists() for file in (kept, made)]
     stale = subprocess.run([SYSTEM_PYTHON, PAPERS / "course" / "pictures.py", *files], text=True,
-                           stdout=subprocess.PIPE, check=True).stdout.split()
+                           stdout=subprocess.PIPE, check=True).stdout.splitlines()
     stale += [str(kept) for kept, _ in pictures if not kept.exists()]
     return [f"{os.path.relpath(kept, ROOT)}: kept otherwise than its command draws it now; "
             "make figures" for kept in sorted(set(stale))]
