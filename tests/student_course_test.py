@@ -3,11 +3,13 @@
 
 import re
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "papers" / "lessons"), str(ROOT / "papers" / "course")]
 import student  # noqa: E402
+from build import archive  # noqa: E402
 from answers import Run  # noqa: E402
 from page import LESSONS as LESSON_PAGES  # noqa: E402
 from page import PAPERS, SOLUTIONS, Page, page_files  # noqa: E402
@@ -84,6 +86,13 @@ def test_sources_with_answers_are_hidden():
     for path in (PAPERS / "exercises" / "4.1-seal.h", LESSON_PAGES / "exercises.py"):
         assert not student.is_hidden(path), path
         assert not list(student.leaks_in(path.read_text(encoding="utf-8"), path.name))
+
+
+def test_the_archive_has_the_whole_name_of_its_folder():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name) / "course-1.0"
+        folder.mkdir()
+        assert archive(folder).name == "course-1.0.zip"
 
 
 if __name__ == "__main__":

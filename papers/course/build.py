@@ -58,7 +58,7 @@ def built(out, boxes, command, tags):
 
 def archive(folder):
     """Writes FOLDER.zip: the same bytes whenever the site is the same."""
-    target = folder.with_suffix(".zip")
+    target = folder.with_name(f"{folder.name}.zip")
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as zipped:
         for file in sorted(path for path in folder.rglob("*") if path.is_file()):
             name = Path(folder.name) / file.relative_to(folder)
