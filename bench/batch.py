@@ -18,7 +18,6 @@ import shutil
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, cpu_seconds_of_children, end,
                            markdown, molecule_folder, named_files, run_program)

@@ -12,7 +12,7 @@ tenth, or says that C allows nothing so coarse.
 import statistics
 from pathlib import Path
 
-from molecule_runs import (ROOT, Rows, argument_parser, end, markdown, mesh, molecule_folder,
+from molecule_runs import (Rows, argument_parser, end, markdown, mesh, molecule_folder,
                            named_files)
 
 MOLECULES = ["1crn.pdb", "1ejg.pdb", "5pti.pdb", "1ubq.pdb", "1l2y.cif", "1aki.pdb", "1stp.cif",
