@@ -8,16 +8,19 @@ itself would. Boxes of balls of those radii stand `--gap` Angstrom apart; below 
 """
 
 import argparse
+import shutil
 import subprocess
 import sys
 
 
 def read_balls(morskin, molecule):
-    """The atoms that morskin uses, with their van der Waals radii."""
-    text = subprocess.run(
-        [morskin, "balls", molecule, "-o", "-", "--model", "vdw", "-q"],
-        check=True, capture_output=True, text=True).stdout
-    lines = (line.split() for line in text.splitlines() if not line.startswith("#"))
+    """The atoms that morskin uses, with their van der Waals radii. Where it fails, which it tells
+    itself, the script ends with its exit code."""
+    done = subprocess.run([morskin, "balls", molecule, "-o", "-", "--model", "vdw", "-q"],
+                          check=False, stdout=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        sys.exit(done.returncode)
+    lines = (line.split() for line in done.stdout.splitlines() if not line.startswith("#"))
     return [tuple(map(float, fields[:4])) for fields in lines if fields]
 
 
@@ -43,6 +46,8 @@ def main():
     parser.add_argument("--gap", type=float, default=0.0, help="between copies, Angstrom")
     parser.add_argument("-o", required=True, help="the XYZR file")
     arguments = parser.parse_args()
+    if not shutil.which(arguments.morskin):
+        parser.error(f"{arguments.morskin} is no command")
     balls = read_balls(arguments.morskin, arguments.molecule)
     step = [pitch(balls, axis, arguments.gap) for axis in range(3)]
     nx, ny, nz = arguments.n

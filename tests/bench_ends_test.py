@@ -138,6 +138,16 @@ class Ends(unittest.TestCase):
             batch.row_of("vdw", options, none)
         self.assertRegex(ended.exception.code, f"^{none} is not there; run make command")
 
+    def test_copies_of_what_cannot_be_read_end_as_the_command_does(self):
+        out = self.table.with_name("copies.xyzr")
+        tile = [sys.executable, ROOT / "bench" / "tile.py", "nowhere.pdb", "-o", out]
+        for command, code, said in ((molecule_runs.MORSKIN, 3, "morskin: "),
+                                    ("/nowhere", 2, "usage: ")):
+            done = subprocess.run([*tile[:2], command, *tile[2:]], capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual((done.returncode, out.exists()), (code, False), done.stderr)
+            self.assertTrue(done.stderr.startswith(said), done.stderr)
+
     def test_where_all_runs_fail_the_table_says_so(self):
         for script, only, count in ((subdomains, "1grm", 8), (second_order, "benzene", 1)):
             with (self.subTest(script.__name__), mock.patch.object(script, "mesh",
