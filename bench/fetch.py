@@ -94,8 +94,8 @@ def uncompressed(data):
 def transfer(url, part):
     """Writes the file at the address; goes on with what there is of it."""
     start = part.stat().st_size if part.exists() else 0
-    request = urllib.request.Request(url, headers={"Range": f"bytes={start}-"} if start else {})
     try:
+        request = urllib.request.Request(url, headers={"Range": f"bytes={start}-"} if start else {})
         with urllib.request.urlopen(request, timeout=SECONDS) as answer:
             goes_on = answer.status == http.HTTPStatus.PARTIAL_CONTENT
             with open(part, "ab" if goes_on else "wb") as file:
@@ -106,6 +106,8 @@ def transfer(url, part):
     except urllib.error.HTTPError as error:
         if error.code != http.HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE:  # there is no more of it
             raise Failure(f"{url}: {error.code} {error.reason}") from error
+    except (ValueError, http.client.InvalidURL) as error:
+        raise NoNetwork(f"{url} is no address: {error}") from error
     except urllib.error.URLError as error:
         raise NoNetwork(f"no network, or {url} is not there: {error.reason}") from error
     except (OSError, http.client.HTTPException) as error:

@@ -134,6 +134,12 @@ class Fetch(unittest.TestCase):
         self.assertEqual((done.returncode, len(done.stderr.splitlines()), self.there()), (1, 1, []))
         self.assertIn("no network", done.stderr)
 
+    def test_what_is_no_address_is_named_once(self):
+        for self.url in ("nowhere/", "http://127.0.0.1:port/"):
+            done = self.fetch()
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(f"{self.url}1AF6.pdb.gz is no address", done.stderr)
+
     def test_the_papers_own_molecule_comes_with_its_inhibitor_and_its_row(self):
         place = "       1.000   2.000   3.000  1.00 10.00"
         others = "".join(f"{head}{place}\n" for head in (
