@@ -6,10 +6,11 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "lessons"))
-from answers import Formula, Number, Run, evaluated  # noqa: E402
+from answers import FUNCTIONS, Formula, Number, Run, evaluated, value_or_none  # noqa: E402
 from questions import LESSONS  # noqa: E402
 
 from support.plain_tests import run_all  # noqa: E402
@@ -76,6 +77,14 @@ def test_a_formula_is_arithmetic_and_nothing_else():
         except ValueError:
             continue
         raise AssertionError(f"taken: {text}")
+
+
+def test_a_formula_without_a_value_has_none_whatever_python_calls_that():
+    for text in ("sqrt(-1)", "log(0)", "floor(1e400)", "floor(1e400 - 1e400)", "1/0", "sqrt(1, 2)"):
+        assert value_or_none(text, {}) is None, text
+    wrong = ValueError("expected a nonnegative input, got -1.0")  # of Python 3.14
+    with mock.patch.dict(FUNCTIONS, sqrt=mock.Mock(side_effect=wrong)):
+        assert value_or_none("sqrt(-1)", {}) is None
 
 
 def test_what_is_to_be_run_is_judged_by_running_it():

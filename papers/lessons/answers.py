@@ -21,6 +21,10 @@ OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mu
              ast.Div: operator.truediv, ast.Pow: math.pow, ast.USub: operator.neg}
 
 
+class NoFormula(ValueError):
+    """Anything but arithmetic with the variables that there are."""
+
+
 class NoValue(ValueError):
     """A division by zero, a root of a negative number and the like."""
 
@@ -28,7 +32,7 @@ class NoValue(ValueError):
 def evaluated(text, variables):
     """A formula's value.
 
-    Raises NoValue where it has none, ValueError on anything but arithmetic with these variables.
+    Raises NoValue where it has none, NoFormula on anything but arithmetic with these variables.
     """
     names = {"pi": math.pi} | variables
 
@@ -46,19 +50,17 @@ def evaluated(text, variables):
                 return OPERATORS[type(node.op)](value(node.operand))
             case ast.Call(func=ast.Name(id=name), keywords=[]) if name in FUNCTIONS:
                 return FUNCTIONS[name](*map(value, node.args))
-        raise ValueError(f"only arithmetic with {', '.join(names)} and {', '.join(FUNCTIONS)}")
+        raise NoFormula(f"only arithmetic with {', '.join(names)} and {', '.join(FUNCTIONS)}")
 
     try:
         tree = ast.parse(text.strip().replace("^", "**"), mode="eval")
     except SyntaxError as error:
-        raise ValueError(f"no formula: {text}") from error
+        raise NoFormula(f"no formula: {text}") from error
     try:
         return value(tree)
-    except (ArithmeticError, TypeError) as error:
-        raise NoValue(f"{text}: {error}") from error
-    except ValueError as error:
-        if "domain" not in str(error):
-            raise
+    except NoFormula:
+        raise
+    except (ArithmeticError, TypeError, ValueError) as error:
         raise NoValue(f"{text}: {error}") from error
 
 
