@@ -3,15 +3,12 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <utility>
 
 namespace morskin::app {
 namespace {
 
-// The last three are how queues tell of a limit.
-constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
 constexpr int time_limit_signal = SIGALRM;  // app/limits.cpp handles it
 
 // The files that the handler removes: it may read lock-free atomics only.
@@ -27,7 +24,7 @@ extern "C" void remove_and_end(int number) {
 sigset_t signal_set() {
   sigset_t set;
   ::sigemptyset(&set);
-  for (const int number : signals) ::sigaddset(&set, number);
+  for (const int number : end_signals) ::sigaddset(&set, number);
   ::sigaddset(&set, time_limit_signal);
   return set;
 }
@@ -47,7 +44,7 @@ RemovedOnInterrupt::RemovedOnInterrupt() {
   struct sigaction action {};
   action.sa_handler = remove_and_end;
   action.sa_mask = signal_set();
-  for (const int number : signals) {
+  for (const int number : end_signals) {
     // A signal that the caller chose to ignore (nohup) stays ignored.
     struct sigaction old {};
     ::sigaction(number, nullptr, &old);

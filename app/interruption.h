@@ -2,16 +2,20 @@
 
 /// Removal of temporary files when the user or the system ends the program.
 
+#include <array>
+#include <csignal>
 #include <string>
 #include <vector>
 
 namespace morskin::app {
 
+/// By which users and systems end a program; the last three are how queues tell of a limit.
+inline constexpr std::array end_signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
+
 /// Removes the files of the current RemovedOnInterrupt. Safe in a signal handler.
 void remove_watched_files();
 
-/// While this exists SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1 and SIGUSR2 remove the named files
-/// before they end the program.
+/// While this exists the signals that end a program remove the named files first.
 /// @pre only one exists at a time.
 class RemovedOnInterrupt {
  public:

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/interruption.h"
 #include "app/output_names.h"
 #include "geometry/files/atomic_file.h"
 #include "skin/molecule_files.h"
@@ -46,9 +47,6 @@ MeshArguments for_model(const MeshArguments& all, std::int64_t model) {
   return one;
 }
 
-// The last three are how queues tell of a limit.
-constexpr std::array passed_on{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
-
 volatile pid_t running = 0;             // the run that signals are for
 volatile std::sig_atomic_t passed = 0;  // the last of them
 
@@ -62,11 +60,12 @@ class PassedSignals {
  public:
   PassedSignals() {
     ::sigemptyset(&signals_);
-    for (const int number : passed_on) ::sigaddset(&signals_, number);
+    for (const int number : end_signals) ::sigaddset(&signals_, number);
     ::sigprocmask(SIG_BLOCK, &signals_, &before_);
     struct sigaction action {};
     action.sa_handler = pass_on;
-    for (std::size_t i = 0; i < passed_on.size(); ++i) ::sigaction(passed_on[i], &action, &old_[i]);
+    for (std::size_t i = 0; i < end_signals.size(); ++i)
+      ::sigaction(end_signals[i], &action, &old_[i]);
   }
   PassedSignals(const PassedSignals&) = delete;
   PassedSignals& operator=(const PassedSignals&) = delete;
@@ -78,13 +77,14 @@ class PassedSignals {
   }
   /// In the run itself, and at the end.
   void restore() const {
-    for (std::size_t i = 0; i < passed_on.size(); ++i) ::sigaction(passed_on[i], &old_[i], nullptr);
+    for (std::size_t i = 0; i < end_signals.size(); ++i)
+      ::sigaction(end_signals[i], &old_[i], nullptr);
     ::sigprocmask(SIG_SETMASK, &before_, nullptr);
   }
 
  private:
   sigset_t signals_{}, before_{};
-  std::array<struct sigaction, passed_on.size()> old_{};
+  std::array<struct sigaction, end_signals.size()> old_{};
 };
 
 /// Whether the signal that ended a run is for all: whoever ends one means all, but a run can reach

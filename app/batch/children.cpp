@@ -6,15 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <system_error>
 
+#include "app/interruption.h"
+
 namespace morskin::app {
 namespace {
-
-// The last three are how queues tell of a limit.
-constexpr std::array stop_signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -51,7 +49,7 @@ Children::Children() {
   ::signal(SIGCHLD, SIG_DFL);  // ignored by whoever started this, children would leave no trace
   ::sigemptyset(&waited_for_);
   ::sigaddset(&waited_for_, SIGCHLD);
-  for (const int number : stop_signals) {
+  for (const int number : end_signals) {
     // A signal that the caller chose to ignore (nohup) stays ignored.
     struct sigaction action {};
     ::sigaction(number, nullptr, &action);

@@ -39,8 +39,7 @@ class Children {
   /// @param errors  the file for what it says on standard error
   pid_t start(const std::vector<std::string>& words, const std::filesystem::path& errors);
 
-  /// Waits for one of these children to end; nothing if SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1
-  /// or SIGUSR2 came first.
+  /// Waits for one of these children to end; nothing if one of the end_signals came first.
   /// @pre one is running
   std::optional<EndedChild> next_ended();
 
