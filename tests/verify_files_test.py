@@ -86,6 +86,7 @@ class VerifyFiles(unittest.TestCase):
         fours = [(4, *f) for f in FACES]
         self.refused([off(fours), ply(size=4), ply(size=2), off([(3, *f) for f in FACES], word="N"),
                       off([(3, *f, 0) for f in FACES]), off([(3, 0, 1)]), ply()[:-1], "", "OFF",
+                      ply() + ply(),
                       ply(header=HEADER.replace("little", "big")),
                       ply(header=HEADER.replace("list uchar int", "list uchar uint"))],
                      files.read_mesh)

@@ -37,7 +37,10 @@ def read_mesh(path):
         table = np.frombuffer(data, fields(at_vertices), int(vertices), header.end())
         positions = np.column_stack([table["x"], table["y"], table["z"]]).astype(float)
         list_and_more = [("size", "u1"), ("corners", "<i4", 3)] + fields(at_faces)
-        table = np.frombuffer(data, list_and_more, int(faces), header.end() + table.nbytes)
+        at = header.end() + table.nbytes
+        table = np.frombuffer(data, list_and_more, int(faces), at)
+        if data[at + table.nbytes:].strip(b"\0 \t\r\n"):
+            raise ValueError(f"{path}: goes on behind the last face that its header counts")
         faces = np.column_stack([table["size"], table["corners"]]).astype(np.int64)
     else:
         off, vertices, faces, _, *words = re.sub(rb"#.*", b"", data).split()
