@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Makes libzip.a and libarchive.a in a folder, from Debian's source packages: Debian has libzip as a
-# shared library only, and libarchive.a needs more than Debian has as static ones. Without the
-# encryption and compressions that no mesh file and no archive of molecules uses but gzip's.
-#                                                                     static_libraries.sh FOLDER
+# Makes libarchive.a in a folder, from Debian's source package: Debian's own needs more than Debian
+# has as static libraries. Without the encryption and compressions that no mesh file and no archive
+# of molecules uses but gzip's.                                       static_libraries.sh FOLDER
 set -euo pipefail
 mkdir -p "$1/apt/lists"
 cd "$1"
-[ ! -e libzip.a ] || [ ! -e libarchive.a ] || exit 0
+[ ! -e libarchive.a ] || exit 0
 
 # A list of sources and a state of apt's own: neither root nor the system's lists are needed.
 codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
@@ -14,13 +13,7 @@ echo "deb-src http://deb.debian.org/debian $codename main" > apt/sources.list
 options=(-o "Dir::Etc::SourceList=$PWD/apt/sources.list" -o Dir::Etc::SourceParts=-
          -o "Dir::State::Lists=$PWD/apt/lists" -o "Dir::Cache=$PWD/apt" -q)
 apt-get "${options[@]}" update
-apt-get "${options[@]}" source libzip libarchive
-
-cmake -S libzip-*/ -B libzip-build -D BUILD_SHARED_LIBS=OFF -D CMAKE_BUILD_TYPE=Release \
-  -D ENABLE_COMMONCRYPTO=OFF -D ENABLE_GNUTLS=OFF -D ENABLE_MBEDTLS=OFF -D ENABLE_OPENSSL=OFF \
-  -D ENABLE_BZIP2=OFF -D ENABLE_LZMA=OFF -D ENABLE_ZSTD=OFF
-cmake --build libzip-build --target zip --parallel "$(nproc)"
-cp libzip-build/lib/libzip.a .
+apt-get "${options[@]}" source libarchive
 
 cmake -S libarchive-*/ -B libarchive-build -D BUILD_SHARED_LIBS=OFF -D CMAKE_BUILD_TYPE=Release \
   -D ENABLE_OPENSSL=OFF -D ENABLE_NETTLE=OFF -D ENABLE_LIBB2=OFF -D ENABLE_LZ4=OFF \

@@ -27,8 +27,7 @@ PACKAGES = {"libarchive.so.13": ("libarchive13", "libarchive"),
             "libnettle.so.8": ("libnettle8", "nettle"),
             "libpng16.so.16": ("libpng16-16", "libpng"),
             "libstdc++.so.6": ("libstdc++6", None),
-            "libz.so.1": ("zlib1g", "zlib"),
-            "libzip.so.4": ("libzip4", "libzip")}
+            "libz.so.1": ("zlib1g", "zlib")}
 BASE_SYSTEM = {"libc.so.6", "libgcc_s.so.1", "libm.so.6"}
 
 

@@ -5,7 +5,8 @@
 //   the arrays beside the mesh, texts as <U
 //   numbers of the provenance as 0-d arrays; metadata, all of it as a JSON text
 
-#include <zip.h>
+#include <archive.h>
+#include <archive_entry.h>
 
 #include <algorithm>
 #include <bit>
@@ -65,55 +66,55 @@ std::string npy_text(const std::string& text) {
   return npy("<U" + std::to_string(text.size()), "()", characters);
 }
 
-/// A ZIP archive in memory; libzip says nothing of its errors here but that memory is short.
+/// A ZIP archive in memory; libarchive fails here only where memory is short.
 class Archive {
  public:
-  Archive() : source_(zip_source_buffer_create(nullptr, 0, 0, nullptr)) {
-    zip_source_keep(source_);
-    archive_ = zip_open_from_source(source_, ZIP_TRUNCATE, nullptr);
-    require(archive_ != nullptr);
-  }
-  Archive(const Archive&) = delete;
-  Archive& operator=(const Archive&) = delete;
-  ~Archive() {
-    if (archive_ != nullptr) zip_discard(archive_);
-    zip_source_free(source_);
+  Archive() {
+    require(archive_ != nullptr && entry_ != nullptr);
+    require(::archive_write_set_format_zip(archive_.get()) == ARCHIVE_OK);
+    require(::archive_write_zip_set_compression_store(archive_.get()) == ARCHIVE_OK);
+    require(::archive_write_set_bytes_per_block(archive_.get(), 0) == ARCHIVE_OK);
+    require(::archive_write_open(archive_.get(), &bytes_, nullptr, append, nullptr) == ARCHIVE_OK);
   }
 
-  /// Adds an array. @pre the name is new
-  void add(const std::string& name, std::string bytes) {
-    const std::string& kept =
-        *contents_.emplace_back(std::make_unique<std::string>(std::move(bytes)));
-    zip_source_t* const source = zip_source_buffer(archive_, kept.data(), kept.size(), 0);
-    const zip_int64_t index = zip_file_add(archive_, (name + ".npy").c_str(), source, 0);
-    require(index >= 0);
-    const auto entry = static_cast<zip_uint64_t>(index);
-    constexpr zip_uint16_t midnight = 0, first_of_1980 = (1 << 5) | 1;  // the same every time
-    require(zip_set_file_compression(archive_, entry, ZIP_CM_STORE, 0) == 0);
-    require(zip_file_set_dostime(archive_, entry, midnight, first_of_1980, 0) == 0);
+  /// Adds an array. Without a time: the same bytes every time. @pre the name is new
+  void add(const std::string& name, const std::string& bytes) {
+    ::archive_entry_clear(entry_.get());
+    ::archive_entry_set_pathname(entry_.get(), (name + ".npy").c_str());
+    ::archive_entry_set_size(entry_.get(), static_cast<la_int64_t>(bytes.size()));
+    ::archive_entry_set_filetype(entry_.get(), AE_IFREG);
+    ::archive_entry_set_perm(entry_.get(), 0644);
+    require(::archive_write_header(archive_.get(), entry_.get()) == ARCHIVE_OK);
+    require(::archive_write_data(archive_.get(), bytes.data(), bytes.size()) ==
+            static_cast<la_ssize_t>(bytes.size()));
   }
 
   /// The bytes of the whole. @pre called once, last
   std::string close() {
-    require(zip_close(archive_) == 0);
-    archive_ = nullptr;
-    zip_stat_t stat;
-    require(zip_source_stat(source_, &stat) == 0 && zip_source_open(source_) == 0);
-    std::string bytes(stat.size, '\0');
-    require(zip_source_read(source_, bytes.data(), bytes.size()) ==
-            static_cast<zip_int64_t>(bytes.size()));
-    zip_source_close(source_);
-    return bytes;
+    require(::archive_write_close(archive_.get()) == ARCHIVE_OK);
+    return std::move(bytes_);
   }
 
  private:
   static void require(bool has_worked) {
     if (!has_worked) throw std::bad_alloc();
   }
+  static la_ssize_t append(archive* /*writer*/, void* bytes, const void* block, std::size_t size) {
+    try {
+      static_cast<std::string*>(bytes)->append(static_cast<const char*>(block), size);
+    } catch (const std::exception&) {  // may not pass through C
+      return -1;
+    }
+    return static_cast<la_ssize_t>(size);
+  }
+  struct Free {
+    void operator()(archive* written) const { ::archive_write_free(written); }
+    void operator()(archive_entry* entry) const { ::archive_entry_free(entry); }
+  };
 
-  std::vector<std::unique_ptr<std::string>> contents_;  // libzip reads them in close()
-  zip_source_t* source_;
-  zip_t* archive_ = nullptr;
+  std::string bytes_;
+  std::unique_ptr<archive, Free> archive_{::archive_write_new()};
+  std::unique_ptr<archive_entry, Free> entry_{::archive_entry_new()};
 };
 
 /// Texts as NumPy's, each as wide as the longest, padded with zeros.
