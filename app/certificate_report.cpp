@@ -84,8 +84,8 @@ std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
                        counted(c.vertices, "vertex", "vertices"));
   if (c.triangles == 0) return text;
   const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
-  return text + line("angles", brief(c.min_angle_deg) + " to " + brief(c.max_angle_deg) +
-                                   " degrees (bound " + brief(bound) + ")");
+  return text + line("angles", angles_text(c.min_angle_deg, c.max_angle_deg) + " (bound " +
+                                   brief(bound) + ")");
 }
 
 namespace {

@@ -267,8 +267,7 @@ std::string people_text(const CheckReport& report) {
     text += line("mesh", counted(report.triangles, "triangle", "triangles") + ", " +
                              counted(report.vertices, "vertex", "vertices"));
     if (report.triangles > 0) {
-      text += line("angles", brief(report.shape.min_angle_deg) + " to " +
-                                 brief(report.shape.max_angle_deg) + " degrees");
+      text += line("angles", angles_text(report.shape.min_angle_deg, report.shape.max_angle_deg));
     }
     text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
                                brief(report.shape.volume, 6) + " A^3");

@@ -31,7 +31,7 @@ ordered_json quality_json(const MeshQuality& quality, double area) {
           {"min_valence", quality.min_valence},
           {"max_valence", quality.max_valence},
           {"vertices_by_valence", quality.valences},
-          {"min_radius_ratio", rounded(quality.min_radius_ratio)},
+          {"min_radius_ratio", rounded_lower_bound(quality.min_radius_ratio)},
           {"mean_radius_ratio", rounded(quality.mean_radius_ratio)},
           {"edge_length_quantiles",
            {{"5", rounded(quality.edges.short_end)},

@@ -41,6 +41,10 @@ std::string brief_lower_bound(double number, int digits) {
   return brief(rounded_lower_bound(number, digits), digits);
 }
 
+std::string angles_text(double min_deg, double max_deg) {
+  return brief_lower_bound(min_deg, 4) + " to " + brief_bound(max_deg, 4) + " degrees";
+}
+
 double rounded(double number, int digits) {
   return std::strtod(brief(number, digits).c_str(), nullptr);
 }

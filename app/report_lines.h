@@ -19,6 +19,8 @@ std::string brief(double number, int digits = 4);
 std::string brief_bound(double number, int digits);
 /// The same of a lower bound: not above the number. @pre number >= 0
 std::string brief_lower_bound(double number, int digits);
+/// The angles of triangles, "30.02 to 104.9 degrees", rounded outwards.
+std::string angles_text(double min_deg, double max_deg);
 /// The double nearest to `number` with so many significant digits, for JSON that people read.
 double rounded(double number, int digits = 6);
 /// The same of a bound: not below the number. @pre number >= 0

@@ -37,7 +37,7 @@ class Quality(CommandTest):
             "max_valence": max(valences),
             "vertices_by_valence": [valences[k] for k in range(9)] +
                                    [sum(n for k, n in valences.items() if k > 8)],
-            "min_radius_ratio": float(f"{min(ratios):.6g}"),
+            "min_radius_ratio": math.floor(1e6 * min(ratios)) / 1e6,
             "mean_radius_ratio": float(f"{sum(ratios) / len(ratios):.6g}"),
             "edge_length_quantiles": self.quantiles(places, triangles),
             "vertices_per_square_angstrom": float(f"{len(places) / area:.6g}"),

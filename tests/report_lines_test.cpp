@@ -50,6 +50,11 @@ TEST_CASE("rounded bounds lie on their sides of a number, a unit of the last dig
   CHECK(app::brief_lower_bound(0.99999, 3) == "0.999");
 }
 
+TEST_CASE("angles just beyond a bound do not look as if they kept it") {
+  CHECK(app::angles_text(30, 105) == "30 to 105 degrees");
+  CHECK(app::angles_text(29.9996, 105.0001) == "29.99 to 105.1 degrees");
+}
+
 TEST_CASE("a certificate's distances are no shorter in JSON than they were proved") {
   support::for_seeds(1000, [&](unsigned seed) {
     support::Random random(seed);
