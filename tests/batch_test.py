@@ -130,6 +130,17 @@ class Rows(Batch):
             self.assertEqual([(r["status"], r["outputs"]) for r in rows], 2 * [("limit", [])])
             self.assertTrue(all(word in r["reason"] for r in rows), rows)
 
+    def test_a_molecule_that_takes_more_processor_time_than_the_system_grants_is_tried_once(self):
+        self.chains(1, balls=400)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.batch("in", "-o", "out", "-C", "0.01", preexec_fn=lambda:
+                   resource.setrlimit(resource.RLIMIT_CPU, (1, resource.RLIM_INFINITY)))
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 2)
+        row = self.rows()["chain00.xyzr"]
+        self.assertEqual((row["status"], row["outputs"], self.made()), ("limit", [], {}))
+        self.assertIn("processor time", row["reason"])
+
     def test_wrong_arguments_give_2_and_make_nothing(self):
         self.chains(1)
         options = ("-C -1", "--density 0", "--format png", "--format .ply", "--format a.ply",

@@ -42,6 +42,19 @@ bool is_fault(int signal) {
   return std::ranges::find(faults, signal) != faults.end();
 }
 
+/// The system's, of processor time; a second attempt would reach it as well.
+bool is_limit(int signal) { return signal == SIGXCPU; }
+
+/// Why a molecule has no mesh whose worker a signal ended.
+std::string reason_of(int signal) {
+  if (is_limit(signal)) {
+    return "reached the processor time that the system grants a program; raise it, see ulimit -t";
+  }
+  const std::string end = "ended by signal " + std::to_string(signal);
+  if (is_fault(signal)) return end + "; please report it with the input";
+  return end + ", " + std::to_string(max_attempts) + " times; is there memory for so many workers?";
+}
+
 std::string_view status_of(int exit_code) {
   switch (static_cast<ExitCode>(exit_code)) {
     case ExitCode::Success:
@@ -204,7 +217,9 @@ std::optional<ordered_json> Workers::next_row() {
     const std::optional<EndedChild> ended = children_.next_ended();
     if (!ended) return std::nullopt;
     Job job = std::move(jobs_.extract(ended->id).mapped());
-    if (ended->signal != 0 && !is_fault(ended->signal) && job.attempts < max_attempts) {
+    const bool comes_from_outside =
+        ended->signal != 0 && !is_fault(ended->signal) && !is_limit(ended->signal);
+    if (comes_from_outside && job.attempts < max_attempts) {
       ++job.attempts;
       run(std::move(job));
       continue;
@@ -230,17 +245,16 @@ std::optional<ordered_json> Workers::next_row() {
 
 ordered_json Workers::row_of(const Job& job, const EndedChild& ended) const {
   const bool is_killed = ended.signal != 0;
-  const std::string_view status = is_killed ? "failed" : status_of(ended.exit_code);
+  const std::string_view status = is_limit(ended.signal) ? "limit"
+                                  : is_killed            ? "failed"
+                                                         : status_of(ended.exit_code);
   ordered_json row = {{"input", job.input.name}, {"status", status}};
   ordered_json report;
   if (std::ifstream stream(job.folder / report_name); stream && !is_killed) {
     report = ordered_json::parse(stream);
   }
   if (is_killed) {
-    row["reason"] = "ended by signal " + std::to_string(ended.signal) +
-                    (is_fault(ended.signal) ? "; please report it with the input"
-                                            : ", " + std::to_string(max_attempts) + " times; is " +
-                                                  "there memory for so many workers?");
+    row["reason"] = reason_of(ended.signal);
   } else if (status != "ok") {
     row["reason"] = last_words(job.folder / errors_name, job.file, job.input.name);
     if (report.contains("reason")) row["reason"] = report["reason"];
