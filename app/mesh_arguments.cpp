@@ -169,8 +169,9 @@ void finish(morskin::SizeGoal& goal, const Typed& typed) {
     throw UsageError("--density must be above 0 and finite");
   }
   constexpr double max_triangles = geometry::SurfaceMesh::max_triangles;
-  if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles)) {
-    throw UsageError("--triangles must be from 4 to " +
+  if (typed.triangles && !(*typed.triangles >= 4 && *typed.triangles <= max_triangles &&
+                           std::trunc(*typed.triangles) == *typed.triangles)) {
+    throw UsageError("--triangles must be a whole number from 4 to " +
                      std::to_string(geometry::SurfaceMesh::max_triangles));
   }
   goal.density = typed.density;

@@ -152,10 +152,6 @@ class Failures(CommandTest):
             said = self.run_morskin("mesh", self.ring, "-o", "a.ply", *words, "inf", code=2).stderr
             self.assertIn(b"finite", said)
 
-    def test_too_many_triangles_are_told_how_many_there_may_be(self):
-        done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "--triangles", "1e11", code=2)
-        self.assertRegex(done.stderr, rb"--triangles must be from 4 to \d{9,}")
-
     def test_help_and_version_are_no_failure(self):
         self.assertIn(b"Exit codes", self.run_morskin("--help").stdout)
         for command in ("mesh", "morse", "balls", "info", "check"):

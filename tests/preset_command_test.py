@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What `mesh --for PURPOSE` sets, what overrides it, and what the report says of it; and that an
-empty word sets nothing. Usage: preset_command_test.py path/to/morskin"""
+"""What `mesh --for PURPOSE` sets, what overrides it, and what the report says of it; and words
+that set nothing, but are refused. Usage: preset_command_test.py path/to/morskin"""
 
 from support.command import MOLECULES, CommandTest, main
 
@@ -108,6 +108,11 @@ class EmptyWords(CommandTest):
                 said = self.run_morskin(*words, option, "", code=2).stderr
                 self.assertIn(option.encode() + b" is empty; leave it out or fill it", said)
         self.assertEqual(self.names(), [])
+
+    def test_numbers_of_triangles_that_no_mesh_has_are_told_how_many_there_may_be(self):
+        for n in ("1e11", "3", "100.7"):
+            done = self.run_morskin("mesh", self.ring, "-o", "a.ply", "--triangles", n, code=2)
+            self.assertRegex(done.stderr, rb"--triangles must be a whole number from 4 to \d{9,}")
 
 
 if __name__ == "__main__":
