@@ -72,12 +72,17 @@ std::optional<std::uint32_t> SkinComponents::body_below(const Point& x, CellId c
 }
 
 std::optional<SkinComponents::Sides> SkinComponents::sides(const SurfacePoint& x) const {
-  const MixedComplex& complex = skin_.complex();
   const std::optional<std::uint32_t> body = body_below(x.position, x.cell);
+  const std::optional<OuterSide> outer = outer_side(x);
+  if (!body || !outer) return std::nullopt;
+  return Sides{*body, outer->cavity};
+}
+
+std::optional<SkinComponents::OuterSide> SkinComponents::outer_side(const SurfacePoint& x) const {
   const std::optional<End> up = path_end(x.position, x.cell, 3);
-  if (!body || !up) return std::nullopt;
-  if (!up->is_at_infinity && !(complex.patch(up->cell).half_weight < 0)) return std::nullopt;
-  return Sides{*body, void_of(*up)};
+  if (!up) return std::nullopt;
+  const bool is_free = up->is_at_infinity || skin_.patch(up->cell).half_weight < 0;
+  return is_free ? std::optional(OuterSide{void_of(*up)}) : std::nullopt;
 }
 
 std::optional<std::uint32_t> SkinComponents::void_at(const Point& x, CellId cell) const {

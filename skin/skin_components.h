@@ -33,6 +33,12 @@ class SkinComponents {
   /// Walked in doubles, between parts that were found exactly. Nothing if rounding loses the path.
   /// @pre x lies on the skin.
   std::optional<Sides> sides(const SurfacePoint& x) const;
+  /// The side away from the body.
+  struct OuterSide {
+    std::optional<std::uint32_t> cavity;  ///< in DualComplex::voids; nothing for the outside
+  };
+  /// The same walk, without the one to the body, which is the longer.
+  std::optional<OuterSide> outer_side(const SurfacePoint& x) const;
   /// The void that a point of the complement lies in; nothing outside them all.
   /// @pre G(x) > 0, and x lies in the cell
   std::optional<std::uint32_t> void_at(const Point& x, CellId cell) const;

@@ -66,12 +66,16 @@ class Measuring {
         components_(skin, topology),
         cavity_(cavity),
         fineness_(fineness),
-        off_(rounding_of_centres(skin)),
+        all_(skin.bounding_ball()),
+        off_(rounding_of_centres(all_)),
         smallest_(std::max(topology.voids[cavity].clearance * 0x1p-20, 4 * off_)) {}
 
   /// Of cubes to begin with: the ball about the void's deepest point fits in one.
   double half_side(const Void& v) const { return std::max(v.clearance, smallest_); }
 
+  bool is_outside_all(const Cube& cube) const {
+    return (cube.centre - all_.centre).norm() > all_.radius + 2 * cube.half_side;
+  }
   /// Whether the void comes into the cube.
   bool add(const Cube& cube, CellId hint) {
     const CellId cell = skin_.locate(cube.centre, hint);
@@ -100,8 +104,7 @@ class Measuring {
 
  private:
   /// A centre is rounded once by place and once for each of some twenty halvings.
-  static double rounding_of_centres(const SkinSurface& skin) {
-    const surface::BoundingBall all = skin.bounding_ball();
+  static double rounding_of_centres(const surface::BoundingBall& all) {
     return 0x1p-47 * (all.centre.cwiseAbs().maxCoeff() + all.radius);
   }
 
@@ -116,10 +119,10 @@ class Measuring {
   bool add_cut(const Cube& cube, CellId cell, const surface::Enclosure& at, double slack) {
     const VolumeBounds shares = cut_shares(at, cube.half_side, slack);
     const auto on_skin = skin_.project(cube.centre, cell);
-    const auto sides = on_skin ? components_.sides(*on_skin) : std::nullopt;
-    if (sides && sides->cavity != cavity_) return false;
+    const auto side = on_skin ? components_.outer_side(*on_skin) : std::nullopt;
+    if (side && side->cavity != cavity_) return false;
     volume_.high += shares.high * cube.volume();
-    if (!sides) return true;
+    if (!side) return true;
     volume_.low += shares.low * cube.volume();
     return shares.high > 0;
   }
@@ -128,6 +131,7 @@ class Measuring {
   const SkinComponents components_;
   const std::uint32_t cavity_;
   const double fineness_;
+  const surface::BoundingBall all_;
   const double off_;  ///< bound on a stored centre's distance from where it should be, Angstrom
   const double smallest_;  ///< half side, Angstrom: cubes that small stay undecided
   VolumeBounds volume_;
@@ -144,15 +148,13 @@ VolumeBounds void_volume(const SkinSurface& skin, const DualComplex& topology, s
   using Place = std::array<int, 3>;
   std::vector<Place> waiting{{0, 0, 0}};
   std::set<Place> seen(waiting.begin(), waiting.end());
-  const surface::BoundingBall all = skin.bounding_ball();
   const double half_side = measuring.half_side(v);
   while (!waiting.empty()) {
     const Place place = waiting.back();
     waiting.pop_back();
     const Vector steps(place[0], place[1], place[2]);
     const Cube cube{v.centre + 2 * half_side * steps, half_side};
-    if ((cube.centre - all.centre).norm() > all.radius + 2 * half_side) continue;
-    if (!measuring.add(cube, start)) continue;
+    if (measuring.is_outside_all(cube) || !measuring.add(cube, start)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       for (const int step : {-1, 1}) {
         Place next = place;
