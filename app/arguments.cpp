@@ -38,7 +38,6 @@ void finish(MorseArguments& morse, const Typed& typed) {
     throw UsageError(morse.output.string() + ": the ending must be .json or .vtu");
   }
   morse.function = parsed(typed);
-  morse.progress = parsed_progress(typed.progress);
   if (typed.is_raw && typed.persistence) {
     throw UsageError("--raw does not simplify and --persistence does; give one of them");
   }
@@ -90,7 +89,6 @@ void finish(ViewArguments& view, const Typed& typed) {
   }
   view.typed = typed.skin;
   view.function = parsed(typed);
-  view.progress = parsed_progress(typed.progress);
 }
 
 void finish(FeaturesArguments& features, const Typed& typed) {
@@ -178,6 +176,11 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
                          &all.view.limits, &all.render.limits}) {
     finish(*limits, typed);
   }
+  for (ShowProgress* progress :
+       {&all.mesh.progress, &all.features.mesh.progress, &all.morse.progress, &all.view.progress,
+        &all.info.progress, &all.check.progress, &all.batch.arguments.progress}) {
+    *progress = parsed_progress(typed.progress);
+  }
   const auto finished = [&](auto& arguments, const auto& as_typed) {
     finish(arguments, as_typed);
     return arguments;
@@ -190,7 +193,6 @@ Arguments chosen(const CLI::App& app, AllArguments& all, Typed& typed) {
   if (app.got_subcommand("balls")) return finished(all.balls, typed);
   if (app.got_subcommand("info")) return all.info;
   if (app.got_subcommand("batch")) {
-    all.batch.arguments.progress = parsed_progress(typed.progress);
     return batch_arguments(*app.get_subcommand("batch"), all.batch);
   }
   if (app.got_subcommand("figure")) {

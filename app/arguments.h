@@ -120,6 +120,7 @@ struct InfoArguments {
   std::vector<std::string> words;
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
+  ShowProgress progress = ShowProgress::Auto;
 };
 
 struct CheckArguments {
@@ -132,6 +133,7 @@ struct CheckArguments {
   bool json = false;
   unsigned threads = 1;  ///< at most; the result is the same for any number
   Limits limits{.advice = "leave out the search with --no-self-intersections"};
+  ShowProgress progress = ShowProgress::Auto;
   std::optional<std::string> surface;  ///< in place of a molecule's skin: see surface_input.h
 };
 

@@ -12,6 +12,7 @@
 #include "app/molecule_input.h"
 #include "app/output_names.h"
 #include "app/percent_encoding.h"
+#include "app/progress.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
 #include "app/stated_skin.h"
@@ -46,16 +47,18 @@ void measure(AgainstSkin& result, const geometry::MeshFile& file, const surface:
 /// @param certificate  for the file's text, if one is asked for
 AgainstSkin check_against(const geometry::MeshFile& file, const geometry::MeshCheck& topology,
                           const MoleculeInput& input, const CheckArguments& arguments,
-                          std::string& certificate) {
+                          std::string& certificate, const morskin::Run& run) {
   const IndexedMesh& mesh = file.mesh;
-  const morskin::Run run(arguments.threads);
   const morskin::PreparedSkin skin = prepare_skin(input, *arguments.against, run);
-  const auto points = certify::locate_vertices(mesh, skin.surface);
+  const auto points =
+      run.stage("locate", [&] { return certify::locate_vertices(mesh, skin.surface, run); });
   AgainstSkin result;
   const std::vector<surface::CellId> cells = certify::cells_of(points);
-  result.certificate =
-      certify::certify(mesh, {{}, cells}, skin.surface, skin.expected(), arguments.sizing, run);
-  measure(result, file, skin.surface, points, arguments.sizing, run);
+  result.certificate = run.stage("certify", [&] {
+    return certify::certify(mesh, {{}, cells}, skin.surface, skin.expected(), arguments.sizing,
+                            run);
+  });
+  run.stage("measure", [&] { measure(result, file, skin.surface, points, arguments.sizing, run); });
   result.covered = covered_components(input, skin, mesh, topology, points);
   if (arguments.certificate) {
     certificate =
@@ -83,8 +86,8 @@ void check_stated_file(const std::string& surface) {
 
 /// The surface given or, where there is neither one nor a molecule, the one that the mesh file
 /// states. The statement may be wrong in any way; then the report says so.
-std::optional<GivenSurface> surface_of(CheckArguments& arguments, OriginReport& origin) {
-  const morskin::Run run(arguments.threads);
+std::optional<GivenSurface> surface_of(CheckArguments& arguments, OriginReport& origin,
+                                       const morskin::Run& run) {
   if (arguments.surface) return GivenSurface(*arguments.surface, run);
   const std::optional<std::string> encoded = stated(origin.stated, "surface");
   const auto text = encoded && !arguments.against ? percent_decoded(*encoded) : std::nullopt;
@@ -128,35 +131,37 @@ void take_stated_sizes(CheckArguments& arguments, OriginReport& origin) {
 }
 
 AgainstSkin check_surface(const geometry::MeshFile& file, const implicit::PreparedSurface& prepared,
-                          const CheckArguments& arguments) {
+                          const CheckArguments& arguments, const morskin::Run& run) {
   const IndexedMesh& mesh = file.mesh;
-  const morskin::Run run(arguments.threads);
-  const auto points = certify::locate_vertices(mesh, prepared.surface);
+  const auto points =
+      run.stage("locate", [&] { return certify::locate_vertices(mesh, prepared.surface, run); });
   const std::vector<surface::CellId> cells = certify::cells_of(points);
   AgainstSkin result;
-  result.certificate =
-      morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
+  result.certificate = run.stage("certify", [&] {
+    return morskin::certify_implicit(mesh, {{}, cells}, prepared, arguments.sizing, run);
+  });
   result.certificate.reason = about_surface(result.certificate.reason);
-  measure(result, file, prepared.surface, points, arguments.sizing, run);
+  run.stage("measure",
+            [&] { measure(result, file, prepared.surface, points, arguments.sizing, run); });
   result.covered = components_by_minima(mesh, prepared);
   result.within = searched_within(*arguments.surface, prepared);
   return result;
 }
 
 /// Of the models but the one taken, that to whose skin the mesh is homeomorphic.
-std::optional<skin::Model> fitting_model(const IndexedMesh& mesh, const CheckArguments& arguments) {
+std::optional<skin::Model> fitting_model(const IndexedMesh& mesh, const CheckArguments& arguments,
+                                         const morskin::Run& run) {
   MoleculeArguments other = *arguments.against;
   for (const skin::Model model :
        {skin::Model::Vdw, skin::Model::Sas, skin::Model::Paper, skin::Model::SesLike}) {
     if (model == arguments.against->model) continue;
     other.model = model;
     try {
-      const morskin::Run run(arguments.threads);
       const morskin::PreparedSkin skin = prepare_skin(read_input(other), other, run);
-      if (certify::certify(mesh, skin.surface, skin.expected(), arguments.sizing, run)
-              .is_homeomorphic) {
-        return model;
-      }
+      const certify::Certificate found = run.stage("try other models", [&] {
+        return certify::certify(mesh, skin.surface, skin.expected(), arguments.sizing, run);
+      });
+      if (found.is_homeomorphic) return model;
     } catch (const geometry::RefusedInput&) {
       // A skin that is singular, or of weights out of range, is not this mesh's.
     }
@@ -177,12 +182,13 @@ std::optional<double> fitting_C(double worst_U, const certify::Sizing& sizing,
 }
 
 /// Looks for the model or C that was meant, where none was given and the default does not fit.
-void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report) {
+void find_what_fits(const IndexedMesh& mesh, const CheckArguments& arguments, CheckReport& report,
+                    const morskin::Run& run) {
   const certify::Certificate& certificate = report.against->certificate;
   const bool is_of_weights = arguments.against->model == skin::Model::Given;
   if (!arguments.typed.model && !is_of_weights && !certificate.is_homeomorphic &&
       report.topology.is_closed_oriented_manifold()) {
-    report.fitting_model = fitting_model(mesh, arguments);
+    report.fitting_model = fitting_model(mesh, arguments, run);
   }
   if (!arguments.typed.C && !arguments.typed.size && certificate.is_homeomorphic &&
       certificate.violations_U > 0) {
@@ -206,19 +212,24 @@ void check_agreement(const CheckReport& report) {
 }
 
 /// All that is told of the mesh alone.
-void check_alone(CheckReport& report, const geometry::MeshFile& file) {
+void check_alone(CheckReport& report, const geometry::MeshFile& file, const morskin::Run& run) {
   const CheckArguments& arguments = report.arguments;
   const IndexedMesh& mesh = file.mesh;
-  report.origin.compare_mesh(file, arguments.threads);
-  measure_mesh(report, mesh);
-  if (file.curved) report.curved = curved_report(*file.curved);
-  if (arguments.self_intersections) report.intersections = geometry::self_intersections(mesh);
+  run.stage("measure", [&] {
+    report.origin.compare_mesh(file, arguments.threads);
+    measure_mesh(report, mesh);
+    if (file.curved) report.curved = curved_report(*file.curved);
+  });
+  if (!arguments.self_intersections) return;
+  run.stage("self-intersections",
+            [&] { report.intersections = geometry::self_intersections(mesh); });
 }
 
 /// What needs the molecule, with what the mesh file states where no option is given.
 /// @param certificate  for the file's text, if one is asked for
 void check_against_molecule(CheckReport& report, const geometry::MeshFile& file,
-                            std::string& certificate) {
+                            std::string& certificate, const morskin::Run& run,
+                            ProgressLine& progress) {
   CheckArguments& arguments = report.arguments;
   StatedMolecule stated =
       read_stated(*arguments.against, arguments.sizing, arguments.typed, report.origin.stated);
@@ -227,10 +238,11 @@ void check_against_molecule(CheckReport& report, const geometry::MeshFile& file,
   report.origin.taken = std::move(stated.taken);
   report.origin.not_taken = std::move(stated.not_taken);
   report.origin.compare_input(stated.input.sha256);
+  progress.wipe();
   note_rounded_coordinates(stated.input);
   if (arguments.typed.radii) note_unused_radii(*arguments.against, stated.input);
-  report.against = check_against(file, report.topology, stated.input, arguments, certificate);
-  find_what_fits(file.mesh, arguments, report);
+  report.against = check_against(file, report.topology, stated.input, arguments, certificate, run);
+  find_what_fits(file.mesh, arguments, report, run);
 }
 
 }  // namespace
@@ -243,7 +255,10 @@ ExitCode check_command(const CheckArguments& asked) {
   std::string certificate;
   CheckReport report;
   CheckArguments& arguments = report.arguments = asked;
-  geometry::MeshFile file = geometry::read_mesh_file(arguments.mesh);
+  ProgressLine progress(arguments.progress);
+  const morskin::Run run(arguments.threads, progress.callback());
+  geometry::MeshFile file =
+      run.stage("read", [&] { return geometry::read_mesh_file(arguments.mesh); });
   if (file.mesh.triangles.size() > max_triangles) {
     throw geometry::UnreadableInput(arguments.mesh.string() + ": has more than " +
                                     std::to_string(max_triangles) + " triangles; cut it up");
@@ -253,12 +268,12 @@ ExitCode check_command(const CheckArguments& asked) {
       !stated(report.origin.stated, "surface")) {
     throw UsageError("-C, -Q and --size are of a mesh and its surface: add --against or --surface");
   }
-  check_alone(report, file);
-  if (arguments.against) check_against_molecule(report, file, certificate);
-  if (const std::optional<GivenSurface> surface = surface_of(arguments, report.origin)) {
+  check_alone(report, file, run);
+  if (arguments.against) check_against_molecule(report, file, certificate, run, progress);
+  if (const std::optional<GivenSurface> surface = surface_of(arguments, report.origin, run)) {
     take_stated_sizes(arguments, report.origin);
     report.origin.compare_input(surface->input.sha256);
-    report.against = check_surface(file, surface->prepared, arguments);
+    report.against = check_surface(file, surface->prepared, arguments, run);
   }
   if (report.against) {  // as in JSON, where coordinates are extreme too
     report.against->certificate.area = report.shape.area;
@@ -266,6 +281,7 @@ ExitCode check_command(const CheckArguments& asked) {
   }
   check_agreement(report);
   time_limit.cancel();
+  progress.wipe();
   if (outputs) write_to_all(*outputs, certificate);  // last, for a limit leaves no file
   report.seconds = stopwatch.seconds();
   print_beside(arguments.certificate.value_or(""),

@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/molecule_input.h"
+#include "app/progress.h"
 #include "app/report.h"
 #include "app/selection_arguments.h"
 #include "app/strict_json.h"
@@ -90,7 +91,8 @@ Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
             "",
             triangles,
             estimated_bytes(input, arguments.sizing, triangles)};
-  const morskin::Run run(arguments.threads);
+  ProgressLine progress(arguments.progress);
+  const morskin::Run run(arguments.threads, progress.callback());
   try {
     const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
     info.hidden = skin.surface.triangulation().hidden.size();

@@ -189,7 +189,6 @@ void finish(MeshArguments& mesh, const Typed& typed) {
     throw UsageError("--fail-fast is for several models, as in --model-number all");
   }
   mesh.function = parsed(typed);
-  mesh.progress = parsed_progress(typed.progress);
   finish_method(mesh, typed);
   finish_sweep(mesh, typed);
   finish_sizes(mesh, typed);

@@ -115,6 +115,7 @@ void add_info(CLI::App& app, InfoArguments& info, Typed& typed) {
   add_sizing_options(command, typed);
   command.add_flag("--json", info.json, "Print JSON");
   add_threads_option(command, info.threads);
+  add_progress_option(command, typed);
 }
 
 void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against, Typed& typed) {
@@ -140,6 +141,7 @@ void add_check(CLI::App& app, CheckArguments& check, MoleculeArguments& against,
   command.add_flag("--json", check.json, "Print all that was found as JSON");
   add_threads_option(command, check.threads);
   add_limit_options(command, check.limits, typed);
+  add_progress_option(command, typed);
   command.footer(
       "Exit code 0: a closed oriented 2-manifold without degenerate, duplicate or intersecting\n"
       "triangles and, with --against, certified; 5: not, and the reason names the first element.");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 
 #include "geometry/parallel.h"
 #include "skin/orthocentre.h"
@@ -37,8 +38,14 @@ bool is_surely_below(const PreparedSkin& skin, std::uint32_t cavity, double boun
 template <class Visit>
 void for_each_void(const PreparedSkin& skin, const Run& run, Visit visit) {
   run.stage("voids", [&] {
-    geometry::for_each_task(run.threads(), skin.topology.voids.size(),
-                            [&](std::size_t cavity) { visit(static_cast<std::uint32_t>(cavity)); });
+    const std::size_t count = skin.topology.voids.size();
+    std::mutex reporting;
+    std::size_t done = 0;
+    geometry::for_each_task(run.threads(), count, [&](std::size_t cavity) {
+      visit(static_cast<std::uint32_t>(cavity));
+      const std::lock_guard lock(reporting);
+      run.report(static_cast<double>(++done) / static_cast<double>(count));
+    });
   });
 }
 

@@ -220,10 +220,11 @@ class Mesh(CommandTest):
         self.assertEqual(self.names(), ["ring.ply"])
 
     def test_the_progress_line_is_shown_only_when_asked_off_a_terminal(self):
-        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--progress", "always")
-        self.assertIn(b"%", done.stderr)
-        done = self.run_morskin("mesh", self.ring, "-o", "ring.ply")
-        self.assertEqual(done.stderr, b"")
+        for words, stage in ((("mesh", self.ring, "-o", "ring.ply"), b"%"),
+                             (("info", self.ring), b"mixed complex"),
+                             (("check", "ring.ply", "--against", self.ring), b"certify")):
+            self.assertIn(stage, self.run_morskin(*words, "--progress", "always").stderr)
+            self.assertEqual(self.run_morskin(*words).stderr, b"")
 
     def test_a_direction_is_taken_with_a_minus_sign(self):
         report = self.mesh_json(self.ring, "-o", "ring.ply", "--height", "-1,0.3,0.2")
