@@ -1,8 +1,13 @@
 // PQR, XYZ, XYZR and XYZW: words separated by white space.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "geometry/error.h"
 #include "geometry/files/text_lines.h"
@@ -97,13 +102,65 @@ Label xyz_element(std::string_view field, const TextLines& lines) {
   return Label(*element);
 }
 
-AtomRecord xyz_atom(const TextLines& lines) {
-  std::string_view fields = lines.line();
+/// Where a row of XYZ has the element and the first of three coordinates, counted from 0.
+struct XyzColumns {
+  std::size_t element = 0, x = 1;
+};
+
+/// The value of Properties in the comment of an extended XYZ file; empty if it has none.
+std::string_view properties_in(std::string_view comment) {
+  constexpr std::string_view key = "Properties=";
+  for (std::string_view word : fields_of(comment)) {
+    if (!word.starts_with(key)) continue;
+    word.remove_prefix(key.size());
+    return word.starts_with('"') ? word.substr(1, word.find('"', 1) - 1) : word;
+  }
+  return {};
+}
+
+/// Up to the next colon, which is taken too.
+std::string_view take_part(std::string_view& rest) {
+  const std::size_t colon = std::min(rest.find(':'), rest.size());
+  const std::string_view part = rest.substr(0, colon);
+  rest.remove_prefix(std::min(colon + 1, rest.size()));
+  return part;
+}
+
+// Of "species:S:1:pos:R:3", the name, type and width of one column after the other. What is not of
+// this form is a comment like any other.
+XyzColumns xyz_columns(const TextLines& lines) {
+  constexpr std::int64_t widest = 1000;
+  constexpr std::size_t none = std::string_view::npos;
+  std::size_t symbol = none, atomic_number = none, x = none;
+  std::string_view rest = properties_in(lines.line());
+  if (rest.empty()) return {};
+  for (std::size_t column = 0; !rest.empty();) {
+    const std::string_view name = take_part(rest);
+    const bool has_type = !take_part(rest).empty();
+    const std::optional<std::int64_t> width = parse_integer(take_part(rest));
+    if (name.empty() || !has_type || !width || *width < 1 || *width > widest) return {};
+    if (name == "species" && *width == 1) symbol = column;
+    if (name == "Z" && *width == 1) atomic_number = column;
+    if (name == "pos" && *width == 3) x = column;
+    column += static_cast<std::size_t>(*width);
+  }
+  const std::size_t element = symbol != none ? symbol : atomic_number;
+  if (element != none && x != none) return {element, x};
+  lines.fail("Properties names no column " +
+             std::string(x == none ? "pos:R:3" : "species:S:1 or Z:I:1") + "; mend the comment");
+}
+
+AtomRecord xyz_atom(const TextLines& lines, const XyzColumns& columns) {
+  const std::vector<std::string_view> fields = fields_of(lines.line());
+  const auto field = [&](std::size_t column) {
+    return column < fields.size() ? fields[column] : std::string_view();
+  };
   AtomRecord record;
   record.atom.line = line_number(lines);
-  record.atom.element = xyz_element(take_field(fields), lines);
-  for (int axis = 0; axis < 3; ++axis) {
-    record.atom.position[axis] = number_in(take_field(fields), "a coordinate", lines);
+  record.atom.element = xyz_element(field(columns.element), lines);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    record.atom.position[static_cast<Eigen::Index>(axis)] =
+        number_in(field(columns.x + axis), "a coordinate", lines);
   }
   return record;
 }
@@ -164,13 +221,14 @@ ParsedFile parse_xyz(std::string_view bytes, const std::string& source, ModelSea
           (models.has_begun() ? "; the count above may be too small" : "; is it an XYZ file?"));
     }
     const bool is_read = models.begin();
-    lines.advance();  // the comment
+    const bool has_comment = lines.advance();
+    const XyzColumns columns = has_comment && is_read ? xyz_columns(lines) : XyzColumns();
     for (std::int64_t atom = 0; atom < *count; ++atom) {
       if (!lines.advance() || trimmed(lines.line()).empty()) {
         lines.fail("there are " + std::to_string(atom) + " atoms where " + std::to_string(*count) +
                    " were announced; mend the count");
       }
-      if (is_read) file.atoms.push_back(xyz_atom(lines));
+      if (is_read) file.atoms.push_back(xyz_atom(lines, columns));
     }
   }
   return file;

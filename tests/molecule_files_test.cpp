@@ -79,6 +79,32 @@ TEST_CASE("an XYZ file takes symbols and atomic numbers, an XYZR file comments")
   CHECK(balls.counts.duplicates == 1);
 }
 
+TEST_CASE("an extended XYZ file has its columns where its comment says") {
+  const auto atom_of = [](const std::string& comment, const std::string& row) {
+    return parse_molecule("1\n" + comment + "\n" + row + "\n", "a.xyz").atoms.at(0);
+  };
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"Properties=species:S:1:pos:R:3:charge:R:1", "O 4 5 6 -0.8"},
+      {"Properties=species:S:1:id:I:1:pos:R:3", "O 1 4 5 6"},
+      {"Lattice=\"9 0 0 0 9 0 0 0 9\" Properties=\"id:I:1:species:S:1:pos:R:3\"", "1 O 4 5 6"},
+      {"Properties=pos:R:3:Z:I:1:forces:R:3", "4 5 6 8 1 2 3"},
+      {"Properties=Z:I:1:forces:R:3:pos:R:3:species:S:1", "7 1 2 3 4 5 6 O"},
+      {"Properties=unknown", "O 4 5 6"}};
+  for (const auto& [comment, row] : files) {
+    CAPTURE(comment);
+    const Atom atom = atom_of(comment, row);
+    CHECK(atom.element.view() == "O");
+    CHECK(atom.position == geometry::Point(4, 5, 6));
+  }
+  const auto unreadable = [&](const std::string& comment, const char* part) {
+    CHECK_THROWS_WITH_AS(atom_of(comment, "O 4 5 6"), doctest::Contains(part),
+                         geometry::UnreadableInput);
+  };
+  unreadable("Properties=species:S:1:vel:R:3", "a.xyz:2: Properties names no column pos:R:3;");
+  unreadable("Properties=id:I:1:pos:R:3", "a.xyz:2: Properties names no column species:S:1 or");
+  unreadable("Properties=species:S:1:id:I:1:pos:R:3", "a.xyz:3: expected a coordinate, found the");
+}
+
 TEST_CASE("without an ending the content tells the format") {
   CHECK(parse_molecule(small_pdb(), "-").atoms.size() == 3);
   CHECK(parse_molecule("# made by hand\n" + small_cif, "-").atoms.size() == 2);
