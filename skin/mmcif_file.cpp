@@ -1,6 +1,7 @@
 // mmCIF: gemmi parses the grammar. The table of atoms is read here, because few of its columns are
 // needed and small files lack some that gemmi's own reader requires.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>
@@ -25,7 +26,7 @@ namespace {
 
 namespace cif = gemmi::cif;
 
-// Tags of _atom_site, in the order of Column; those with two names are tried in turn.
+// Tags of _atom_site, in the order of Column; a row without a value of one has the other.
 enum Column : std::size_t {
   Record,
   X,
@@ -44,8 +45,7 @@ enum Column : std::size_t {
   ColumnCount
 };
 struct ColumnTags {
-  std::string_view tag;
-  std::string_view other = {};
+  std::string_view tag, other = {};
 };
 constexpr std::array<ColumnTags, ColumnCount> column_tags = {{
     {"group_PDB"},
@@ -90,23 +90,23 @@ class AtomTable {
     if (loop_ == nullptr && !only_row_.tags.empty()) loop_ = &only_row_;
     if (loop_ == nullptr) return;
     for (std::size_t column = 0; column < ColumnCount; ++column) {
-      columns_[column] = column_of(column_tags[column].tag);
-      if (columns_[column] < 0) columns_[column] = column_of(column_tags[column].other);
+      columns_[column] = {column_of(column_tags[column].tag), column_of(column_tags[column].other)};
     }
   }
 
   bool has_atoms() const { return loop_ != nullptr && size() > 0; }
-  bool has(Column column) const { return columns_[column] >= 0; }
+  bool has(Column column) const { return std::ranges::max(columns_[column]) >= 0; }
   std::size_t size() const { return loop_->length(); }
 
   // The value without its quotation marks; empty if the column is missing or the value unknown.
   std::string value(std::size_t row, Column column) const {
-    if (!has(column)) return {};
-    return cif::as_string(raw(row, column));
+    for (const int place : columns_[column]) {
+      if (place >= 0 && !cif::is_null(at(row, place))) return cif::as_string(at(row, place));
+      if (column == Chain && place >= 0) break;  // an atom without an author's chain is of none
+    }
+    return {};
   }
-  const std::string& raw(std::size_t row, Column column) const {
-    return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(columns_[column])];
-  }
+  const std::string& raw(std::size_t row, Column of) const { return at(row, columns_[of][0]); }
   // gemmi does not keep the lines of values. If, as usual, each row has its own line, the first
   // row's line gives the others; otherwise they stay unknown. All text before is gone through.
   void find_lines(std::string_view text) {
@@ -120,7 +120,7 @@ class AtomTable {
         continue;
       }
       if (row == 0) first_line_ = lines.number();
-      if (first != loop_->values[row * loop_->tags.size()]) {
+      if (first != at(row, 0)) {
         first_line_ = 0;
         return;
       }
@@ -140,15 +140,17 @@ class AtomTable {
   }
 
   int column_of(std::string_view tag) const {
-    if (tag.empty()) return -1;
-    return loop_->find_tag("_atom_site." + std::string(tag));
+    return tag.empty() ? -1 : loop_->find_tag("_atom_site." + std::string(tag));
+  }
+  const std::string& at(std::size_t row, int place) const {
+    return loop_->values[row * loop_->tags.size() + static_cast<std::size_t>(place)];
   }
 
   cif::Loop* loop_ = nullptr;
   cif::Loop only_row_;
-  std::array<int, ColumnCount> columns_{};
-  std::size_t loop_line_ = 0;   // of the loop, which the rows come after
-  std::size_t first_line_ = 0;  // of the first row; 0 if unknown
+  std::array<std::array<int, 2>, ColumnCount> columns_{};  // of both tags; -1 if missing
+  std::size_t loop_line_ = 0;                              // of the loop, which the rows come after
+  std::size_t first_line_ = 0;                             // of the first row; 0 if unknown
 };
 
 double coordinate(const AtomTable& table, std::size_t row, Column column,
@@ -260,12 +262,10 @@ ParsedFile atoms_of(const AtomTable& table, const std::string& source, ModelSear
 AssemblyTables assembly_tables(std::string_view bytes, const std::string& source) {
   cif::Document document = parse_document(bytes, source);
   AssemblyTables tables;
-  std::vector<std::string> numbers{"id"};
-  for (const std::string row : {"1", "2", "3"}) {
-    for (const char* column : {"1", "2", "3"})
-      numbers.push_back("matrix[" + row + "][" + column + "]");
-  }
-  for (const char* row : {"1", "2", "3"}) numbers.push_back(std::string("vector[") + row + "]");
+  const std::vector<std::string> numbers = {
+      "id",           "matrix[1][1]", "matrix[1][2]", "matrix[1][3]", "matrix[2][1]",
+      "matrix[2][2]", "matrix[2][3]", "matrix[3][1]", "matrix[3][2]", "matrix[3][3]",
+      "vector[1]",    "vector[2]",    "vector[3]"};
   for (cif::Block& block : document.blocks) {
     if (!AtomTable(block).has_atoms()) continue;
     for (const auto& row : block.find("_pdbx_struct_assembly_gen.",

@@ -179,6 +179,27 @@ TEST_CASE("a chain of a long name is chosen by all of it or by what an error tel
                        "a.cif: has no chain heavychain2; choose from B, heavycha", RefusedInput);
 }
 
+TEST_CASE("an mmCIF atom without an author's name, residue or number has its label's") {
+  std::string tags = "data_x\nloop_\n";
+  for (const char* tag :
+       {"type_symbol", "label_alt_id", "label_atom_id", "label_comp_id", "label_seq_id",
+        "label_asym_id", "auth_atom_id", "auth_comp_id", "auth_seq_id", "auth_asym_id", "occupancy",
+        "Cartn_x", "Cartn_y", "Cartn_z"}) {
+    tags += std::string("_atom_site.") + tag + "\n";
+  }
+  const std::string first = "C A CA ALA 1 A ? ? ? ? 0.4 0 0 0\nC B CA ALA 1 A ? ? ? ? 0.6 1 0 0\n";
+  const std::string others =
+      "O . O  ALA 1 A .  .  . . 1 3 0 0\nC . CA ALA 2 A ?  ?  ? ? 1 6 0 0\n"
+      "C . CA ALA 1 B CX MSE 7 X 1 9 0 0\nO . O HOH . C ? ? ? ? 1 12 0 0\n";
+  const Molecule molecule = parse_molecule(tags + first + others, "a.cif");
+  CHECK(names_of(molecule) == "CA O CA CX");
+  CHECK(molecule.counts.alternates == 1);
+  CHECK(molecule.counts.waters == 1);
+  REQUIRE(molecule.atoms.size() == 4);
+  CHECK(describe(molecule.atoms[2]) == "atom CA of ALA 2 (line 20)");
+  CHECK(describe(molecule.atoms[3]) == "atom CX of MSE 7 chain X (line 21)");
+}
+
 TEST_CASE("only the first model is read") {
   const std::string atom = pdb_line("ATOM", " CA ", ' ', "ALA", 1, 0, "");
   const Molecule numbered =
