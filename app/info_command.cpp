@@ -174,11 +174,8 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   std::string text = arguments.molecule.input.string() + "\n";
   text += line("atoms", grouped(input.molecule.atoms.size()) + " (" + composition + ")");
   text += line("left out", words.empty() ? "none" : words);
-  if (counts.other_models > 0) {
-    const auto& number = arguments.molecule.selection.model;
-    text += line("models", (number ? "number " + std::to_string(*number) : "the first") + " of " +
-                               grouped(counts.other_models + 1));
-  }
+  const std::string model = model_in_words(counts, arguments.molecule.selection);
+  if (!model.empty()) text += line("models", model);
   const std::string& radii = input.molecule.radii;
   text += line("radii", brief(info.radii.smallest) + " to " + brief(info.radii.largest) + " A, " +
                             (radii == "input"     ? "as in the file"

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "app/report_lines.h"
 #include "app/sha256.h"
 #include "geometry/exact_range.h"
 #include "geometry/files/atomic_file.h"
@@ -153,6 +154,12 @@ RadiusRange patch_radii(const std::vector<geometry::WeightedPoint>& points) {
 std::size_t skipped(const skin::ReadingCounts& counts) {
   return counts.other_chains + counts.waters + counts.hetatms + counts.alternates +
          counts.hydrogens + counts.zero_radii + counts.unknown;
+}
+
+std::string model_in_words(const skin::ReadingCounts& counts, const skin::Selection& selection) {
+  if (counts.other_models == 0) return "";
+  return (selection.model ? "number " + std::to_string(*selection.model) : "the first") + " of " +
+         grouped(counts.other_models + 1);
 }
 
 std::string skipped_in_words(const skin::ReadingCounts& counts) {

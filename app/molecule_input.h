@@ -51,4 +51,7 @@ std::size_t skipped(const skin::ReadingCounts& counts);
 /// The reasons in words, "120 of other chains, 34 of water"; empty if nothing was left out.
 std::string skipped_in_words(const skin::ReadingCounts& counts);
 
+/// Which model of several was read, "the first of 20" or "number 3 of 20"; empty if there is one.
+std::string model_in_words(const skin::ReadingCounts& counts, const skin::Selection& selection);
+
 }  // namespace morskin::app

@@ -85,6 +85,7 @@ ordered_json input_json(const MeshReport& report) {
                {"atoms_used", report.atoms_used},
                {"atoms_skipped", skipped(report.reading)},
                {"atoms_skipped_by_reason", skipped_json(report.reading)},
+               {"models_skipped", report.reading.other_models},
                {"atoms_duplicate", report.reading.duplicates},
                {"atoms_hidden", report.atoms_hidden},
                {"coordinates_rounded", report.rounded_coordinates},

@@ -135,6 +135,8 @@ std::string people_text(const MeshReport& report) {
   if (report.preset) text += line("preset", preset_text(*report.preset));
   text += line("atoms", grouped(report.atoms_used) + " used, " + grouped(skipped(report.reading)) +
                             " left out" + (words.empty() ? "" : " (" + words + ")"));
+  const std::string model = model_in_words(report.reading, report.molecule.selection);
+  if (!model.empty()) text += line("models", model);
   if (report.rounded_coordinates > 0) {
     text += line("rounded", counted(report.rounded_coordinates, "coordinate", "coordinates") +
                                 " to multiples of 2^-120 A");

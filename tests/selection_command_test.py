@@ -188,6 +188,17 @@ class Selections(CommandTest):
         self.assertIn(b"number 4 of 2",
                       self.run_morskin("info", "two.pdb", "--model-number", "4").stdout)
 
+    def test_the_report_of_a_mesh_tells_that_it_is_of_one_model_of_several(self):
+        words = ("two.pdb", "-o", "two.ply", "-C", "0.4")
+        for more, told in (((), b"models      the first of 2\n"),
+                           (("--model-number", "4"), b"models      number 4 of 2\n")):
+            with self.subTest(more):
+                self.assertIn(told, self.run_morskin("mesh", *words, *more).stdout)
+                self.assertEqual(self.mesh_json(*words, *more)["models_skipped"], 1)
+        only = ("ring.xyzr", "-o", "ring.ply", "-C", "0.4")
+        self.assertNotIn(b"models", self.run_morskin("mesh", *only).stdout)
+        self.assertEqual(self.mesh_json(*only)["models_skipped"], 0)
+
     def test_help_states_every_default(self):
         text = self.run_morskin("mesh", "--help").stdout.decode()
         for option, default in (("--model-number", "[the first]"), ("--chain", "[all chains]"),
