@@ -79,6 +79,10 @@ AtomRecord pqr_atom(const TextLines& lines) {
   atom.name = whole_label(name, "name", name, lines);
   atom.residue = whole_label(fields[3], "residue", name, lines);
   if (fields.size() == 11) atom.chain = whole_label(fields[4], "chain", name, lines);
+  // A column more than there should be would move all that comes behind it.
+  if (fields[x - 1].find('.') != std::string_view::npos) {
+    lines.fail("expected the residue's number, found " + quoted(fields[x - 1]) + "; mend the line");
+  }
   atom.residue_number = whole_label(fields[x - 1], "residue number", name, lines);
   atom.element = Label(element_from_word(name, fields[3]));
   atom.position = {number_in(fields[x], "the coordinate x", lines),

@@ -126,6 +126,17 @@ TEST_CASE("bad input is turned down with its line, the atom and what to do") {
   unreadable("", "-", "is empty");
 }
 
+TEST_CASE("a PQR line with a number too many is turned down, not read one column on") {
+  CHECK(parse_molecule("ATOM 1 N ALA A -1B 1.0 2.0 3.0 0.1 1.5\n", "a.pqr").atoms.size() == 1);
+  for (const std::string number : {"0.0", "7"}) {
+    CAPTURE(number);
+    CHECK_THROWS_WITH_AS(
+        parse_molecule("ATOM 1 N ALA 1 1.0 2.0 3.0 " + number + " 0.1 1.5\n", "a.pqr"),
+        doctest::Contains("a.pqr:1: expected the residue's number, found \"1.0\";"),
+        UnreadableInput);
+  }
+}
+
 TEST_CASE("a missing file and a folder are turned down") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(read_molecule(folder / "none.pdb"), doctest::Contains("cannot be opened"),
