@@ -78,9 +78,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> charmm_io
     {"CAD", "Cd"},
 }};
 
+// Metals of residues that have another name, which CHARMM shifts to column 14 like all short ones.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> metals_in_residues = {
+    {{"FE", "HEM"}, {"FE", "HEME"}, {"FE", "FE2"}, {"ZN", "ZN2"}, {"CD", "CD2"}}};
+
 // The element of an ion, which is called like its residue: "ZN" of "ZN", "MG2" of "MG2", "CL" or
-// "CL-" of "CL-", "SOD" of "SOD"; "" if it is none.
+// "CL-" of "CL-", "SOD" of "SOD"; or of a metal above. "" if it is none.
 std::string_view ion_from_name(std::string_view name, std::string_view residue) {
+  const std::pair pair(name, residue);
+  if (std::ranges::find(metals_in_residues, pair) != metals_in_residues.end()) {
+    return symbol_or_empty(name);
+  }
   const std::string_view letters = residue.substr(0, residue.find_first_of("0123456789+-"));
   const bool is_charged = residue.ends_with('+') || residue.ends_with('-');
   if (name != residue && !(is_charged && name == letters)) return {};

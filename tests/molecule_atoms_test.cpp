@@ -82,6 +82,21 @@ TEST_CASE("an ion that is called like its residue is that element wherever its n
   CHECK(element(" CHA", "CLA") == "C");
 }
 
+TEST_CASE("the iron of a heme is no fluorine where its name begins in column 14, as of CHARMM") {
+  const auto line_of = [](const char* name, const char* residue) {
+    return pdb_line("ATOM", name, ' ', residue, 1, 0, "  1.00  0.00      HEM ");
+  };
+  std::string heme = line_of(" FE ", "HEM");
+  CHECK(elements_of(parse_molecule(heme, "charmm.pdb")) == "Fe");
+  heme.replace(17, 5, "HEMEA");
+  CHECK(elements_of(parse_molecule(heme, "charmm.pdb")) == "Fe");
+  CHECK(elements_of(parse_molecule(line_of(" FE ", "FE2"), "charmm.pdb")) == "Fe");
+  CHECK(elements_of(parse_molecule(line_of(" ZN ", "ZN2"), "charmm.pdb")) == "Zn");
+  CHECK(elements_of(parse_molecule(line_of(" CD ", "CD2"), "charmm.pdb")) == "Cd");
+  CHECK(elements_of(parse_molecule(line_of(" CD ", "LIG"), "charmm.pdb")) == "C");
+  CHECK(elements_of(parse_molecule(line_of(" FE ", "LIG"), "charmm.pdb")) == "F");
+}
+
 TEST_CASE("in a longer name without columns the first letter decides as in one of four") {
   std::string text;
   for (const char* name : {"HO5''", "NA123", "CA123", "CO123", "CA12", "FE", "CL123"}) {
