@@ -79,7 +79,7 @@ def _biopython_places(entity: Any) -> Iterator[list[_Site]]:
         several = [one for residue in residues
                    for one in (residue.disordered_get_list() if residue.is_disordered() == 2
                                else [residue])]
-        yield [_Site(a.coord, a.element, a.name, one.resname.strip(), a.altloc,
+        yield [_Site(a.coord, a.element, a.name, one.resname.strip(), a.altloc or " ",
                      1.0 if a.occupancy is None else a.occupancy)
                for one in several for a in one.get_unpacked_list()]
 
@@ -111,10 +111,10 @@ def _likeliest(place: list[_Site]) -> Iterator[_Site]:
         yield from place
         return
 
-    def rank(site: _Site) -> tuple[float, int]:
-        return site.occupancy, -ord(site.letter)
+    def rank(site: _Site) -> tuple[float, str]:
+        return -site.occupancy, site.letter
 
-    residue = max(located, key=rank).residue
+    residue = min(located, key=rank).residue
     best: dict[tuple[str, int], _Site] = {}
     copies: Counter[tuple[str, str]] = Counter()  # files made by symmetry repeat name and letter
     for site in located:
@@ -123,7 +123,7 @@ def _likeliest(place: list[_Site]) -> Iterator[_Site]:
         name = _without_deuterium(site)
         key = name, copies[name, site.letter]
         copies[name, site.letter] += 1
-        if key not in best or rank(site) > rank(best[key]):
+        if key not in best or rank(site) < rank(best[key]):
             best[key] = site
     chosen = {id(site) for site in best.values()}
     yield from (site for site in place

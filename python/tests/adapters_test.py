@@ -125,6 +125,13 @@ class Adapters(ModuleTest):
             residue = BioResidue((0, "C"), (1, "C"), (2, "C")).located(*places)
             self.assertEqual(adapters.from_biopython(residue).positions[:, 0].tolist(), [1])
 
+    def test_biopython_s_locations_may_have_several_letters_or_none(self):
+        for letters, kept in ((("AB", "AA"), [1]), (("", ""), [0, 1]), ((None, "A"), [1])):
+            places = [("CA", letter, 0.4 if letter is None else 0.5) for letter in letters]
+            residue = BioResidue((0, "C"), (1, "C")).located(*places)
+            with self.subTest(letters=letters):
+                self.assertEqual(adapters.from_biopython(residue).positions[:, 0].tolist(), kept)
+
     def test_of_biopython_s_residues_of_one_number_the_likeliest_is_taken_of_either_record(self):
         def positions(chain):
             cysteine = BioResidue((0, "C"), name="CYS").located(("CB", "A", 0.4))
