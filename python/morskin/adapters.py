@@ -148,7 +148,8 @@ def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
     group = atoms.atoms
     if radii is None:
         return _molecule(group.positions, group.elements)
-    found = Molecule(np.asarray(group.positions, float), np.asarray(radii, float))
+    # Masked radii stay masked, and are refused with the skin.
+    found = Molecule(np.asarray(group.positions, float), np.asanyarray(radii, float))
     if found.radii.shape != (len(found.positions),):
         raise ValueError("radii must have the shape (n,), with one radius for each of the "
                          f"{len(found.positions)} atoms")

@@ -207,6 +207,12 @@ class Adapters(ModuleTest):
             with self.assertRaisesRegex(ValueError, "one radius for each of the 2 atoms"):
                 adapters.from_mdanalysis(atoms, radii=radii)
 
+    def test_masked_radii_of_one_s_own_are_refused(self):
+        atoms = Thing(atoms=Thing(positions=np.array([[0, 0, 0], [9, 0, 0]], "f4")))
+        found = adapters.from_mdanalysis(atoms, radii=np.ma.masked_equal([1.0, 2.0], 2.0))
+        with self.assertRaisesRegex(ValueError, "^radii must have no masked values"):
+            found.skin()
+
     def test_a_trajectory_gives_a_row_for_each_frame_that_is_asked_for(self):
         frames = [np.array([[0, 0, 0], [d, 0, 0]], "f4") for d in (0.5, 1.5, 9, 1.5)]
         atoms = group(frames, ["C", "C"])
