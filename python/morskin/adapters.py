@@ -145,7 +145,7 @@ def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
 
     radii  (n,), Angstrom; None: by `atoms.elements`, which the topology must have
     """
-    group = atoms.atoms
+    group = _group(atoms)
     if radii is None:
         return _molecule(group.positions, group.elements)
     # Masked radii stay masked, and are refused with the skin.
@@ -154,6 +154,14 @@ def from_mdanalysis(atoms: Any, *, radii: ArrayLike | None = None) -> Molecule:
         raise ValueError("radii must have the shape (n,), with one radius for each of the "
                          f"{len(found.positions)} atoms")
     return found
+
+
+def _group(atoms: Any) -> Any:
+    group = getattr(atoms, "atoms", None)
+    if group is None:
+        raise TypeError("an MDAnalysis AtomGroup or Universe is taken, not "
+                        + type(atoms).__name__)
+    return group
 
 
 def over_time(atoms: Any, *, frames: slice = slice(None), radii: ArrayLike | None = None,
@@ -170,7 +178,7 @@ def over_time(atoms: Any, *, frames: slice = slice(None), radii: ArrayLike | Non
     if isinstance(frames, (int, np.integer)):
         raise TypeError("frames is a slice of the trajectory, as in slice(0, 1), not a number")
     rows = []
-    for step in atoms.universe.trajectory[frames]:
+    for step in _group(atoms).universe.trajectory[frames]:
         found = from_mdanalysis(atoms, radii=radii).mesh(**options).certificate
         rows.append((step.frame, step.time, found.area, found.volume, found.components,
                      found.genus))

@@ -185,6 +185,9 @@ class Adapters(ModuleTest):
         for wrong in (Thing(level="A"), None):
             with self.assertRaisesRegex(TypeError, "takes a Bio.PDB Structure, .*, not "):
                 adapters.from_biopython(wrong)
+        for take in (adapters.from_mdanalysis, adapters.over_time):
+            with self.assertRaisesRegex(TypeError, "AtomGroup or Universe is taken, not float"):
+                take(1.0)
 
     def test_an_element_without_a_radius_is_refused_with_its_atoms(self):
         with self.assertRaises(morskin.RefusedInput) as caught:
