@@ -66,7 +66,10 @@ def _radii_text(radii: Radii) -> bytes | None:
     if isinstance(radii, os.PathLike):
         # Beginning like a path it is a file, even if its name is a table's or looks like a list.
         radii = os.path.join(os.curdir, radii)
-    return None if radii is None else os.fsencode(radii)
+    text = None if radii is None else os.fsencode(radii)
+    if text is not None and 0 in text:
+        raise ValueError("embedded null byte")  # as of the other names of files
+    return text
 
 
 def _read_options(*, chains: Sequence[str] = (), waters: bool = False,

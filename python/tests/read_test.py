@@ -62,6 +62,11 @@ class Reading(ModuleTest):
                     np.testing.assert_array_equal(morskin.read(self.file, radii=path).radii,
                                                   [1.6, 1.1, 1.5, 1.9, 2])
 
+    def test_radii_with_a_nul_are_a_value_error_as_other_names_are(self) -> None:
+        for radii in ("bondi\0", Path("mine\0.txt")):
+            with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
+                morskin.read(self.file, radii=radii)
+
     def test_charges_are_those_of_a_pqr_file_in_the_order_of_its_atoms(self) -> None:
         file = self.folder / "a.pqr"
         file.write_text("ATOM 1 N ALA 1 0 0 0 -0.3 1.5\nATOM 2 H ALA 1 1 0 0 0.25 0\n"
