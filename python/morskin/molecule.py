@@ -65,7 +65,7 @@ def _radii_text(radii: Radii) -> bytes | None:
         return os.fsencode(",".join(f"{key}={float(value)!r}" for key, value in radii.items()))
     if isinstance(radii, os.PathLike):
         # Beginning like a path it is a file, even if its name is a table's or looks like a list.
-        radii = os.path.join(os.curdir, radii)
+        radii = os.path.join(os.curdir, os.fsdecode(radii))
     text = None if radii is None else os.fsencode(radii)
     if text is not None and 0 in text:
         raise ValueError("embedded null byte")  # as of the other names of files

@@ -62,6 +62,12 @@ class Reading(ModuleTest):
                     np.testing.assert_array_equal(morskin.read(self.file, radii=path).radii,
                                                   [1.6, 1.1, 1.5, 1.9, 2])
 
+    def test_radii_may_be_an_entry_of_a_folder_that_is_listed_in_bytes(self) -> None:
+        (self.folder / "a").mkdir()
+        (self.folder / "a" / "bondi").write_text("N 1.6\nH 1.1\nC 1.9\nS 2\nO 1.5\n")
+        (entry,) = os.scandir(os.fsencode(self.folder / "a"))
+        self.assertEqual(morskin.read(self.file, radii=entry).radii[0], 1.6)
+
     def test_radii_with_a_nul_are_a_value_error_as_other_names_are(self) -> None:
         for radii in ("bondi\0", Path("mine\0.txt")):
             with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
