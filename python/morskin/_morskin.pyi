@@ -123,8 +123,8 @@ def check(vertices: ArrayLike, faces: ArrayLike, skin: Skin, *, C: float = 0.08,
           progress: _Progress = None) -> Certificate: ...
 class ReadOptions:
     def __init__(self, *, chains: Sequence[bytes], waters: bool, hetatms: Sequence[bytes] | None,
-                 altloc: str, hydrogens: bool, model_number: int | None,
-                 biological_assembly: str | None, radii: bytes | None) -> None: ...
+                 altloc: bytes, hydrogens: bool, model_number: int | None,
+                 biological_assembly: bytes | None, radii: bytes | None) -> None: ...
 
 def features(file: _File, options: ReadOptions, *, density: float, model: Model, probe: float,
              drop_voids_below: float, C: float, Q: float | None, angle_goal_deg: float | None,

@@ -79,12 +79,12 @@ def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
                   radii: Radii = None) -> ReadOptions:
     if isinstance(chains, str) or isinstance(hetatms, str):
         raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
-    assembly = None if biological_assembly is None else str(biological_assembly)
+    assembly = None if biological_assembly is None else os.fsencode(str(biological_assembly))
     return ReadOptions(
         chains=[os.fsencode(chain) for chain in chains], waters=waters,
         hetatms=None if hetatms is None else [os.fsencode(name) for name in hetatms],
-        altloc=altloc, hydrogens=hydrogens, model_number=model_number,
-        biological_assembly=assembly, radii=_radii_text(radii))
+        altloc=os.fsencode(altloc) if isinstance(altloc, str) else altloc, hydrogens=hydrogens,
+        model_number=model_number, biological_assembly=assembly, radii=_radii_text(radii))
 
 
 def read(file: str | PathLike[str], *, chains: Sequence[str] = (), waters: bool = False,

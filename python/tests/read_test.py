@@ -73,6 +73,14 @@ class Reading(ModuleTest):
             with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
                 morskin.read(self.file, radii=radii)
 
+    def test_a_location_and_the_name_of_an_assembly_may_hold_any_byte(self) -> None:
+        file = self.folder / "bytes.pdb"
+        file.write_bytes(b"".join(b"ATOM      1  CA %cALA A   1    %8.3f   0.000   0.000  0.50"
+                                  b"  0.00           C\n" % place for place in ((66, 1), (233, 2))))
+        self.assertEqual(morskin.read(file, altloc="\udce9").positions[:, 0].tolist(), [2])
+        with self.assertRaisesRegex(morskin.RefusedInput, "tells of no biological assembly"):
+            morskin.read(file, biological_assembly="\udce9")
+
     def test_charges_are_those_of_a_pqr_file_in_the_order_of_its_atoms(self) -> None:
         file = self.folder / "a.pqr"
         file.write_text("ATOM 1 N ALA 1 0 0 0 -0.3 1.5\nATOM 2 H ALA 1 1 0 0 0.25 0\n"
