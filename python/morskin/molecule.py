@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import reprlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
@@ -72,17 +73,26 @@ def _radii_text(radii: Radii) -> bytes | None:
     return text
 
 
+def _names(names: Sequence[str], argument: str) -> list[bytes]:
+    """As bytes, since files may hold any."""
+    try:
+        if not isinstance(names, (str, bytes)):
+            return [os.fsencode(name) for name in names]
+    except TypeError:
+        pass  # no names, or no sequence
+    raise TypeError(f"{argument} must be a sequence of names, as in [\"A\"], not "
+                    + reprlib.repr(names))
+
+
 def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
                   hetatms: Sequence[str] | None = None, altloc: str = "likeliest",
                   hydrogens: bool = True, model_number: int | None = None,
                   biological_assembly: str | int | None = None,
                   radii: Radii = None) -> ReadOptions:
-    if isinstance(chains, str) or isinstance(hetatms, str):
-        raise TypeError("chains and hetatms are sequences of names, as in [\"A\"]")
     assembly = None if biological_assembly is None else os.fsencode(str(biological_assembly))
     return ReadOptions(
-        chains=[os.fsencode(chain) for chain in chains], waters=waters,
-        hetatms=None if hetatms is None else [os.fsencode(name) for name in hetatms],
+        chains=_names(chains, "chains"), waters=waters,
+        hetatms=None if hetatms is None else _names(hetatms, "hetatms"),
         altloc=os.fsencode(altloc) if isinstance(altloc, str) else altloc, hydrogens=hydrogens,
         model_number=model_number, biological_assembly=assembly, radii=_radii_text(radii))
 

@@ -68,6 +68,14 @@ class Reading(ModuleTest):
         (entry,) = os.scandir(os.fsencode(self.folder / "a"))
         self.assertEqual(morskin.read(self.file, radii=entry).radii[0], 1.6)
 
+    def test_chains_and_hetatms_that_are_no_names_are_named_with_their_value(self) -> None:
+        for name in ("chains", "hetatms"):
+            for value in ("A", b"A", 5, [1], [None]):
+                with self.assertRaises(TypeError) as caught:
+                    morskin.read(self.file, **{name: value})
+                self.assertEqual(str(caught.exception), f"{name} must be a sequence of names, as "
+                                 f'in ["A"], not {value!r}')
+
     def test_radii_with_a_nul_are_a_value_error_as_other_names_are(self) -> None:
         for radii in ("bondi\0", Path("mine\0.txt")):
             with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
