@@ -54,6 +54,17 @@ class Molecule:
         return skin.mesh(threads=threads, progress=progress, **options)
 
 
+def _entry(key: str, value: float) -> str:
+    shown = reprlib.repr(value)
+    try:
+        return f"{key}={float(value)!r}"
+    except TypeError:
+        raise TypeError(f"the radius of {key} must be a number, not {shown}") from None
+    except (ValueError, OverflowError):
+        raise RefusedInput(f"the radius of {key} is {shown}, which is no number, or too large a "
+                           "one") from None
+
+
 def _radii_text(radii: Radii) -> bytes | None:
     """A table as the library takes it: a name, a file, or a list of entries."""
     if isinstance(radii, Mapping):
@@ -63,7 +74,7 @@ def _radii_text(radii: Radii) -> bytes | None:
         if wrong := [key for key in radii if set(",=") & set(str(key))]:
             raise RefusedInput(f"radii has {wrong[0]!r}, which is neither an element nor a residue "
                                "and an atom as in ALA:CA")
-        return os.fsencode(",".join(f"{key}={float(value)!r}" for key, value in radii.items()))
+        return os.fsencode(",".join(_entry(key, value) for key, value in radii.items()))
     if isinstance(radii, os.PathLike):
         # Beginning like a path it is a file, even if its name is a table's or looks like a list.
         radii = os.path.join(os.curdir, os.fsdecode(radii))

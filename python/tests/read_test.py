@@ -76,6 +76,12 @@ class Reading(ModuleTest):
                 self.assertEqual(str(caught.exception), f"{name} must be a sequence of names, as "
                                  f'in ["A"], not {value!r}')
 
+    def test_a_radius_of_a_dict_that_is_no_number_is_named_with_its_key(self) -> None:
+        for error, value in ((TypeError, None), (TypeError, [1]), (morskin.RefusedInput, "wide"),
+                             (morskin.RefusedInput, 10**400)):
+            with self.assertRaisesRegex(error, "^the radius of ALA:CA "):
+                morskin.read(self.file, radii={"ALA:CA": value})
+
     def test_radii_with_a_nul_are_a_value_error_as_other_names_are(self) -> None:
         for radii in ("bondi\0", Path("mine\0.txt")):
             with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
