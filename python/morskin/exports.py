@@ -21,7 +21,8 @@ def to_meshio(mesh: Mesh) -> Any:
     """Mesh.to_meshio."""
     import meshio
     triangles = mesh.faces.astype(np.int64)  # meshio's writer of Fluent's files knows no uint32
-    return meshio.Mesh(mesh.vertices, [("triangle", triangles)], point_data=_vertex_data(mesh))
+    points = mesh.vertices.copy()  # as all else, to be written to
+    return meshio.Mesh(points, [("triangle", triangles)], point_data=_vertex_data(mesh))
 
 
 def to_vtk(mesh: Mesh) -> Any:

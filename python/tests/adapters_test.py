@@ -251,6 +251,13 @@ class Exports(ModuleTest):
         for name in ("normals", "curvatures", "atoms", "length_scales", "components"):
             np.testing.assert_array_equal(read.point_data[name].squeeze(), getattr(mesh, name))
 
+    def test_what_meshio_gets_may_be_written_to_and_the_mesh_stays_as_it_is(self):
+        mesh = morskin.Skin([[0, 0, 0]], [1]).mesh(C=0.3)
+        for told in (mesh.to_meshio(), mesh.to_meshio()):
+            np.testing.assert_array_equal(told.points, mesh.vertices)
+            told.points *= 10
+            told.point_data["normals"] *= 10
+
     def test_meshio_writes_gmsh_s_files_without_the_pairs_of_curvatures(self):
         mesh = morskin.Skin([[0, 0, 0], [1.5, 0, 0]], [1.5, 1.2]).mesh(C=0.3)
         self.assertIn("curvatures", morskin.Mesh.to_meshio.__doc__.partition("Gmsh")[2])
