@@ -21,13 +21,24 @@ void require_unmasked(const py::object& from, const std::string& name) {
                         (count == 1 ? " is masked" : " are masked"));
 }
 
+/// @throws py::error_already_set  ValueError, caused by what NumPy or the object itself raises;
+///                                but what is no fault of theirs, as KeyboardInterrupt, as it is
+py::array array_from(const py::object& from, const std::string& name) {
+  try {
+    return py::array(from);
+  } catch (py::error_already_set& raised) {
+    if (!raised.matches(PyExc_Exception) || raised.matches(PyExc_MemoryError)) throw;
+    py::raise_from(raised, PyExc_ValueError, (name + " cannot be made an array").c_str());
+    throw py::error_already_set();
+  }
+}
+
 /// The numbers of an array-like, whose NumPy kind must be one of `kinds`.
 template <class T>
 Contiguous<T> numbers(const py::object& from, std::string_view kinds, const std::string& name,
                       const char* what) {
   require_unmasked(from, name);
-  const auto array = py::array::ensure(from);
-  if (!array) throw py::value_error(name + " cannot be made an array");
+  const py::array array = array_from(from, name);
   // Nothing at all has the kind of floats.
   if (array.size() > 0 && kinds.find(array.dtype().kind()) == kinds.npos) {
     throw py::type_error(name + " must hold " + what);
@@ -100,8 +111,7 @@ TriangleMesh mesh_from(const py::object& vertices, const py::object& faces) {
   TriangleMesh mesh;
   for (py::ssize_t v = 0; v < positions.shape(0); ++v) mesh.vertices.push_back(point(positions, v));
   // The largest unsigned numbers would be negative ones as signed, and named so.
-  const auto array = py::array::ensure(faces);
-  mesh.triangles = array && array.dtype().kind() == 'u'
+  mesh.triangles = array_from(faces, "faces").dtype().kind() == 'u'
                        ? triangles_from<std::uint64_t>(faces, positions.shape(0))
                        : triangles_from<std::int64_t>(faces, positions.shape(0));
   return mesh;

@@ -58,6 +58,25 @@ class Errors(ModuleTest):
                 with self.assertRaisesRegex(ValueError, r"^direction must have the shape \(3,\)$"):
                     call(direction)
 
+    def test_what_an_array_raises_on_its_way_is_the_cause_or_goes_on_if_it_is_no_fault_of_it(self):
+        class Far:
+            def __init__(self, raised):
+                self.raised = raised
+
+            def __array__(self, dtype=None):
+                raise self.raised
+
+        skin = morskin.Skin(*BALLS)
+        for call, name in ((lambda far: morskin.Skin(far, [1]), "positions"),
+                           (lambda far: morskin.check([[0, 0, 0]], far, skin), "faces")):
+            for raised in (KeyboardInterrupt(), MemoryError()):
+                with self.assertRaises(type(raised)):
+                    call(Far(raised))
+            reason = RuntimeError("no numpy() of what requires a gradient")
+            with self.assertRaisesRegex(ValueError, f"^{name} cannot be made an array$") as caught:
+                call(Far(reason))
+            self.assertIs(caught.exception.__cause__, reason)
+
     def test_masked_values_are_refused_and_an_empty_mask_is_none(self):
         positions, radii = np.array(BALLS[0], float), np.array(BALLS[1], float)
         skin = morskin.Skin(positions, radii)
