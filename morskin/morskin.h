@@ -139,12 +139,12 @@ struct Certificate {
   bool certified = false;
   bool is_homeomorphic = false;  ///< to the skin, even isotopic
   std::string reason;            ///< why it is not certified; empty if it is
-  std::size_t components = 0;
-  long genus = 0;  ///< summed over components
+  std::size_t components = 0;    ///< 0 where the mesh is no closed manifold
+  long genus = 0;                ///< summed over components; 0 there too
   double min_angle_deg = 0, max_angle_deg = 0;
   double area = 0;                  ///< Angstrom^2
   double volume = 0;                ///< Angstrom^3, voids taken off
-  double max_distance_to_skin = 0;  ///< of a vertex
+  double max_distance_to_skin = 0;  ///< of a vertex; infinite where none is known
   std::size_t size_violations = 0;  ///< edges that break [L] and triangles that break [U]
 };
 

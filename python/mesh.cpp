@@ -50,14 +50,16 @@ void bind_certificate(py::module_& module) {
                     "bool: homeomorphic to the skin, even isotopic")
       .def_readonly("reason", &Certificate::reason,
                     "str: why the mesh is not certified; empty if it is")
-      .def_readonly("components", &Certificate::components, "int: connected components")
-      .def_readonly("genus", &Certificate::genus, "int: summed over components")
+      .def_readonly("components", &Certificate::components,
+                    "int: connected components; 0 where the mesh is no closed manifold")
+      .def_readonly("genus", &Certificate::genus,
+                    "int: summed over components; 0 where the mesh is no closed manifold")
       .def_readonly("min_angle_deg", &Certificate::min_angle_deg, "float: degrees")
       .def_readonly("max_angle_deg", &Certificate::max_angle_deg, "float: degrees")
       .def_readonly("area", &Certificate::area, "float: Angstrom^2")
       .def_readonly("volume", &Certificate::volume, "float: Angstrom^3, voids taken off")
       .def_readonly("max_distance_to_skin", &Certificate::max_distance_to_skin,
-                    "float: of a vertex, Angstrom")
+                    "float: of a vertex, Angstrom; inf where none is known")
       .def_readonly("size_violations", &Certificate::size_violations,
                     "int: edges that break [L] and triangles that break [U]")
       .def("__repr__", [](const Certificate& c) { return in_words(c); });

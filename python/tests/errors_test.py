@@ -157,6 +157,18 @@ class Errors(ModuleTest):
             with self.assertRaises(morskin.RefusedInput, msg=options):
                 morskin.check(mesh.vertices, mesh.faces, skin, **options)
 
+    def test_the_help_says_what_a_certificate_has_of_a_mesh_that_is_no_manifold_or_far_off(self):
+        skin = morskin.Skin(*BALLS)
+        mesh = skin.mesh(C=0.3)
+        found = morskin.check(mesh.vertices, mesh.faces[1:], skin)
+        self.assertEqual((found.components, found.genus), (0, 0))
+        far = morskin.check(mesh.vertices * 0, mesh.faces, skin)
+        self.assertEqual(far.max_distance_to_skin, math.inf)
+        for name, text in (("components", "0 where the mesh is no closed manifold"),
+                           ("genus", "0 where the mesh is no closed manifold"),
+                           ("max_distance_to_skin", "inf where none is known")):
+            self.assertIn(text, getattr(morskin.Certificate, name).__doc__)
+
     def test_a_refused_atom_is_named(self):
         for atom, radius in (([0, 0, 0], -1), ([0, math.nan, 0], 1), ([0, 1e12, 0], 1),
                              ([0, 0, 0], 1e6), ([0, 0, 0], 3e-22)):
