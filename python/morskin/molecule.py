@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 import os
 import reprlib
@@ -151,6 +152,8 @@ def features(file: str | PathLike[str], *, density: float = 2, model: Model = "s
 
     Raises what `read` raises, and NotCertified, with the mesh.
     """
+    if unknown := options.keys() - inspect.signature(read).parameters.keys():
+        raise TypeError(f"features() got an unexpected keyword argument {min(unknown)!r}")
     return _morskin.features(file, _read_options(**options), density=density, model=model,
                              probe=probe, drop_voids_below=drop_voids_below, C=C, Q=Q,
                              angle_goal_deg=angle_goal_deg, threads=threads, progress=progress)

@@ -48,6 +48,10 @@ class Features(ModuleTest):
             morskin.read(file, chains=["A"])
         self.assertEqual(len(morskin.read(file, chains=[str(caught.exception)[-1]])), 1)
 
+    def test_an_option_that_there_is_not_is_told_as_one_of_features(self):
+        with self.assertRaisesRegex(TypeError, r"^features\(\) got .* argument 'densty'$"):
+            morskin.features(MOLECULES / "benzene.pdb", densty=5)
+
     def test_charges_of_a_pqr_file_and_the_options_of_read_are_there_too(self):
         file = MOLECULES / "1l2y.pqr"
         features = morskin.features(file, hydrogens=False)
