@@ -31,7 +31,15 @@ function tally(numbers, size) {
   return counts;
 }
 
-const short = (x) => signed(Number(x.toPrecision(3)).toString());
+const short = (x, digits = 3) => signed(Number(x.toPrecision(digits)).toString());
+
+// The ends and the middle of a scale, true to a hundredth of it: far from 0 three digits are too few.
+function ticks(low, span) {
+  const power = (x) => Math.floor(Math.log10(x));
+  const most = Math.max(Math.abs(low), Math.abs(low + span));
+  const digits = Math.min(Math.max(3, 3 + power(most) - power(span)), 15);
+  return [0, 0.5, 1].map((x) => short(low + x * span, digits));
+}
 
 // A table of colours for a scale, so that painting looks up and does not compute.
 const steps = Array.from({ length: 256 }, (_, i) => palette.gradient(i / 255));
@@ -157,7 +165,7 @@ function functionValue(scene) {
   return { id: 'value', label: 'Morse function', values: () => scale().values,
     legend: () => {
       const { low, span } = scale();
-      return { scale: [short(low), short(low + span / 2), short(low + span)],
+      return { scale: ticks(low, span),
         unit: words.replace(/ along.*| from.*/, '') + ', ' + inPrint(unit) };
     } };
 }

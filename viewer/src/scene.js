@@ -82,10 +82,10 @@ export class Scene {
     return f.origin.reduce((sum, o, k) => sum + (p[k] - o) ** 2, 0);
   }
 
-  // By vertex.
+  // By vertex, in double precision, for they may be large and differ little.
   functionValues() {
     const p = this.mesh.positions;
-    return Float32Array.from({ length: this.mesh.vertexCount }, (_, v) =>
+    return Float64Array.from({ length: this.mesh.vertexCount }, (_, v) =>
       this.functionValue(p[3 * v], p[3 * v + 1], p[3 * v + 2]));
   }
 

@@ -243,3 +243,19 @@ test('of a squared distance the centre is shown, and a sphere through the front'
       assert.match(await page.locator('.legend').first().textContent(), /squared distance, Å²$/);
     });
   });
+
+test('the ends of the scale of a function are told apart far from its zero', { timeout: 900000 },
+  async () => {
+    const far = make('far', join(molecules, 'caffeine.xyz'), '--function', 'distance:10000,0,0');
+    await withPage(far, small, async (page) => {
+      await page.locator('#colour').selectOption('value');
+      const told = (await page.locator('.ticks span').allTextContents()).map(Number);
+      const { low, high } = await page.evaluate(() => window.viewer.scene.functionRange());
+      [low, (low + high) / 2, high].forEach((value, i) =>
+        assert.ok(Math.abs(told[i] - value) < 0.01 * (high - low), `${told} of ${low} to ${high}`));
+      // Values are not rounded to single precision, which has steps of 8 here.
+      const steps = await page.evaluate(() =>
+        window.viewer.scene.functionValues().filter((x) => x % 1 !== 0).length);
+      assert.ok(steps > 1000, `${steps} values between whole numbers`);
+    });
+  });
