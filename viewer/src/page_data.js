@@ -56,7 +56,12 @@ export class PageData {
 export async function loadPage(document) {
   const about = JSON.parse(document.getElementById('about').textContent);
   const element = document.getElementById('data');
-  const bytes = await unpacked(bytesOfBase64(element.textContent.trim()));
+  let bytes;
+  try {
+    bytes = await unpacked(bytesOfBase64(element.textContent.trim()));
+  } catch (cause) { // in the browser's words a letter that is none, or a fetch that failed
+    throw new Error('its data are broken or cut off', { cause });
+  }
   element.remove();
   return new PageData(about, bytes);
 }

@@ -1,9 +1,11 @@
 // What the page meets in a browser that is not as it was made for.
 
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { launch, settle } from './browser.mjs';
-import { pages, small, stage, withPage } from './pages.mjs';
+import { folder, pages, small, stage, withPage } from './pages.mjs';
 import { difference } from './pictures.mjs';
 
 test('a graphics card that was lost comes back with the same picture', { timeout: 900000 }, async () => {
@@ -63,4 +65,21 @@ test('colours that a system forces upon the page leave the legend its own', { ti
     const [bars, panel] = [await colours('.histogram i'), await colours('#panel')];
     assert.ok(!bars.includes(panel[0]), `bars are ${bars[0]} like the panel`);
   });
+});
+
+test('a page whose data are broken says that they are', { timeout: 900000 }, async () => {
+  const [before, data, after] = readFileSync(pages.ligand, 'utf8').split(/(?<=id="data">)([^<]*)/);
+  const browser = await launch();
+  try {
+    for (const broken of [data.slice(0, data.length / 2), '', `!!${data}`]) {
+      const file = join(folder, 'broken.html');
+      writeFileSync(file, before + broken + after);
+      const page = await browser.newPage();
+      await page.goto(`file://${file}`);
+      assert.equal(await page.locator('#message.failed').innerText(),
+        'The page cannot be shown: its data are broken or cut off');
+    }
+  } finally {
+    await browser.close();
+  }
 });
