@@ -199,7 +199,7 @@ function sectionMaterial() {
         float along = dot(vAxis.xyz, vOff);
         float g = vHalfGradient.w + 2.0 * dot(vHalfGradient.xyz, vOff) +
           vAxis.w * (dot(vOff, vOff) - 2.0 * along * along);
-        float skin = 1.0 - smoothstep(0.6, 1.6, abs(g) / max(fwidth(g), 1e-7));
+        float skin = 1.0 - smoothstep(0.6, 1.6, abs(g) / max(fwidth(g), 1e-30));
         vec3 colour = mix(vColour, vec3(0.07, 0.08, 0.1), skin);
         result = vec4(colour, g > 0.0 ? max(0.16, skin) : 1.0);
       }`,

@@ -8,11 +8,20 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { settle } from './browser.mjs';
 import {
-  change, check, folder, make, molecules, morskin, pages, picture, small, withPage,
+  change, check, folder, make, molecules, morskin, pages, picture, small, stage, withPage,
 } from './pages.mjs';
+import { difference } from './pictures.mjs';
 
 const shell = join(molecules, 'shell_hollow.xyzr');
+// A page of two balls of radius 1.7 and 1.5 times a unit.
+const pair = (name, unit) => {
+  const balls = join(folder, `${name}.xyzr`), page = join(folder, `${name}.html`);
+  writeFileSync(balls, `0 0 0 ${1.7 * unit}\n${1.5 * unit} ${unit} 0 ${1.5 * unit}\n`);
+  execFileSync(morskin, ['view', balls, '-o', page, '-q']);
+  return page;
+};
 before(() => {
+  pages.tiny = pair('tiny', 1e-5);
   pages.shell = make('shell', shell);
   pages.distance = make('distance', join(molecules, 'caffeine.xyz'), '--function', 'distance:3,1,2');
 });
@@ -259,3 +268,19 @@ test('the ends of the scale of a function are told apart far from its zero', { t
       assert.ok(steps > 1000, `${steps} values between whole numbers`);
     });
   });
+
+test('the section of cells that are tiny is that of large ones', { timeout: 900000 }, async () => {
+  const section = async (page) => {
+    await page.evaluate(() => window.viewer.set({ style: 'off', section: true }));
+    await settle(page);
+    await page.evaluate(() => { document.querySelector('#scale').hidden = true; });
+    return stage(page);
+  };
+  await withPage(pages.tiny, small, async (page) => {
+    const tiny = await section(page);
+    await withPage(pair('large', 1), small, async (large) => {
+      const off = difference(tiny, await section(large));
+      assert.ok(off < 0.05, `${off} of the picture is another`); // thin lines fall differently
+    });
+  });
+});
