@@ -1,4 +1,4 @@
-// What stands under the title: counts, and whether the mesh is certified.
+// Numbers in words, and what stands under the title: counts, and whether the mesh is certified.
 
 import { counted, element, number } from './dom.js';
 
@@ -15,6 +15,16 @@ export const signed = (text) => (Number(text) === 0 ? text.replace('-', '') : te
 
 // A or A^2, as it is printed.
 export const inPrint = (unit) => unit.replace('A', 'Å').replace('^2', '²');
+
+// The decimals of places in what reaches so far, at least as many as given: a tiny thing has more.
+export const decimals = (least, reach) =>
+  Math.max(least, Math.min(2 - Math.floor(Math.log10(reach || 1)), 100));
+
+// A level of the Morse function.
+export function levelInWords(value, scene) {
+  const { low, high } = scene.functionRange(), { unit } = scene.page.about.function;
+  return `${signed(value.toFixed(decimals(2, high - low)))} ${inPrint(unit)}`;
+}
 
 export function headline(about) {
   const lines = [`${counted(about.mesh.triangles, 'triangle')}, ${number(about.mesh.vertices)} vertices`];

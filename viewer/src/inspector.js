@@ -1,7 +1,7 @@
 // What a click on the surface tells: the triangle, its corner nearest to the click, atom and residue.
 
 import * as THREE from 'three';
-import { signed } from './headline.js';
+import { decimals, signed } from './headline.js';
 import { patchKinds } from './mixed_complex.js';
 
 const short = (x) => Number(x.toPrecision(4)).toString();
@@ -40,7 +40,8 @@ export function facts(scene, { triangle, vertex }) {
     rows.push(['Laid by', scene.operationNames[scene.operation[triangle]] + where]);
   }
   const at = place(scene, vertex), file = at.toArray().map((x, k) => x + scene.centre[k]);
-  rows.push(['Vertex', `at ${file.map((x) => signed(x.toFixed(3))).join(', ')}`]);
+  const told = (x) => signed(x.toFixed(decimals(3, scene.bounds.radius)));
+  rows.push(['Vertex', `at ${file.map(told).join(', ')}`]);
   if (!scene.cells) return rows;
   const { complex, cells } = scene;
   const rho = corners.map((v, k) => complex.lengthScale(cells[v], ...p[k].toArray()));

@@ -3,17 +3,12 @@
 
 import { ComponentList } from './components.js';
 import { choice, counted, element, histogram, icon, number, section, showPlaying, toggle } from './dom.js';
-import { certificateLine, headline, inPrint, signed } from './headline.js';
+import { certificateLine, headline, levelInWords, signed } from './headline.js';
 import { inOneLine } from './inspector.js';
-import { hex } from './palette.js';
 import { levelColour } from './level.js';
 import * as palette from './palette.js';
 
-const css = (colour) => hex(colour);
-
-function withUnit(value, unit) {
-  return `${signed(value.toFixed(2))} ${inPrint(unit)}`;
-}
+const css = palette.hex;
 
 export class Panel {
   constructor(root, viewer) {
@@ -264,9 +259,11 @@ export class Panel {
   }
 
   #showLevel() {
-    const { viewer } = this, { unit } = viewer.scene.page.about.function;
+    const { viewer } = this;
     this.levelNote.hidden = !viewer.state.level;
-    if (viewer.state.level) this.levelNote.textContent = `level ${withUnit(viewer.level(), unit)}`;
+    if (viewer.state.level) {
+      this.levelNote.textContent = `level ${levelInWords(viewer.level(), viewer.scene)}`;
+    }
     if (!this.share) return;
     this.share.hidden = !viewer.state.level;
     this.share.value = viewer.state.share;
@@ -286,7 +283,7 @@ export class Panel {
     this.frontNote.textContent = `${counted(sweep.triangles(), 'triangle')}, ` + (isWhole
       ? `${about.closed ? '' : 'not '}closed`
       : `${counted(sweep.frontEdges ?? 0, 'edge')} in the front` +
-        (level === level ? ` at ${withUnit(level, about.function.unit)}` : ''));
+        (level === level ? ` at ${levelInWords(level, viewer.scene)}` : ''));
   }
 
   #showGrowth() {

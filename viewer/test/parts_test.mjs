@@ -284,3 +284,17 @@ test('the section of cells that are tiny is that of large ones', { timeout: 9000
     });
   });
 });
+
+test('places and levels of what is tiny are told with digits that are not all 0', { timeout: 900000 },
+  async () => {
+    await withPage(pages.tiny, small, async (page) => {
+      await check(page, 'level');
+      assert.match(await page.getByText(/^level /).textContent(), /[1-9]/);
+      const told = await page.evaluate(() => {
+        const { x, y, width, height } = document.querySelector('#stage').getBoundingClientRect();
+        window.viewer.inspect(x + width / 2, y + height / 2);
+        return document.querySelector('.told').textContent.match(/at (.*?)ρ|at ([^[]*)/)[0];
+      });
+      assert.match(told, /[1-9]/);
+    });
+  });
