@@ -1,12 +1,14 @@
 // The viewer's state in the page's address, after #: what differs from how the page opens, and the
 // eye where it was moved. So a link opens the page as it was, and a lesson can embed it so.
 
+import { decimals } from './headline.js';
+
 const kept = ['style', 'colouring', 'edges', 'seeThrough', 'atoms', 'points', 'lines', 'spheres',
   'simplified', 'section', 'cut', 'axis', 'offset', 'level', 'share', 'hidden', 'panel', 'step',
   'frame'];
 const pause = 250; // milliseconds without a change before the address is written
 
-const digits = (numbers) => numbers.map((x) => Number(x.toFixed(6))).join(',');
+const digits = (numbers, places = 6) => numbers.map((x) => Number(x.toFixed(places))).join(',');
 
 export class Address {
   constructor(viewer) {
@@ -22,8 +24,9 @@ export class Address {
   }
 
   #eye() {
-    const { camera, controls } = this.viewer.stage;
-    return digits([...camera.position.toArray(), ...controls.target.toArray()]);
+    const { camera, controls, bounds: { radius } } = this.viewer.stage;
+    return digits([...camera.position.toArray(), ...controls.target.toArray()],
+      decimals(6, radius / 1e4));
   }
 
   text() {

@@ -2,10 +2,12 @@
 // a folded panel.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { settle } from './browser.mjs';
-import { change, pages, small, stage, withPage } from './pages.mjs';
+import { change, folder, morskin, pages, small, stage, withPage } from './pages.mjs';
 import { difference } from './pictures.mjs';
 
 const hash = (page) => page.evaluate(() => { window.viewer.address.write(); return location.hash; });
@@ -165,5 +167,21 @@ test('the panel comes back after P, and the picture is saved', { timeout: 900000
     assert.ok(bytes.length > 5000, 'not an empty picture');
     assert.ok(await change(page, () => page.getByRole('button', { name: 'Copy a link to this view' }).click()) < 0.01);
     assert.match(await page.locator('.told').textContent(), /link is/);
+  });
+});
+
+test('the eye at something tiny is where the address says', { timeout: 900000 }, async () => {
+  const balls = join(folder, 'tiny.xyzr'), file = join(folder, 'tiny.html');
+  writeFileSync(balls, '0 0 0 1.7e-5\n1.5e-5 1e-5 0 1.5e-5\n');
+  execFileSync(morskin, ['view', balls, '-o', file, '-q']);
+  await withPage(file, small, async (page) => {
+    await page.keyboard.press('ArrowLeft');
+    await settle(page);
+    const eye = (at) => at.evaluate(() => window.viewer.stage.camera.position.toArray());
+    const was = await eye(page);
+    await withPage(file + await hash(page), small, async (again) => {
+      const is = await eye(again), off = Math.hypot(...is.map((x, k) => x - was[k]));
+      assert.ok(off < 1e-3 * Math.hypot(...was), `${is} for ${was}`);
+    });
   });
 });
