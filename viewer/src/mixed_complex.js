@@ -25,7 +25,7 @@ const unit = (a) => {
   return [a[0] / length, a[1] / length, a[2] / length];
 };
 
-// Solves a system of one to three equations, given as rows with the right side last, in place.
+// Solves a system of one or two equations, given as rows with the right side last, in place.
 function solved(rows) {
   const n = rows.length;
   for (let i = 0; i < n; ++i) {
@@ -41,9 +41,43 @@ function solved(rows) {
   return rows.map((row, i) => row[n] / row[i]);
 }
 
+// A tetrahedron whose volume is below this share of its edges' product is computed exactly.
+const flat = 2 ** -20;
+
+// The edges of a tetrahedron from its first ball, and by edge the power of its end less its own, at
+// the first ball. Of numbers, or of whole ones in the place of them.
+function arms(places, weights) {
+  const [p, ...others] = places, edges = others.map((q) => minus(q, p));
+  return { edges, powers: edges.map((e, i) => dot(e, e) + weights[0] - weights[i + 1]) };
+}
+
+// What skin/orthocentre.cpp calls a fraction: from the first ball the orthocentre is at
+// numerator / (2 volume).
+function fraction({ edges: [e, f, g], powers: [p, q, r] }) {
+  const [a, b, c] = [cross(f, g), cross(g, e), cross(e, f)];
+  return { numerator: a.map((x, k) => p * x + q * b[k] + r * c[k]), volume: dot(e, a) };
+}
+
+// The same of balls in whole units: coordinates are multiples of 2^-120, weights of its square.
+function exactFraction(balls) {
+  const whole = (x, power) => BigInt(Math.round(x * 2 ** power));
+  return fraction(arms(balls.map((ball) => Array.from(ball.slice(0, 3), (x) => whole(x, 120))),
+    balls.map((ball) => whole(ball[3], 240))));
+}
+
+// From the first of four balls to the orthocentre. exactBalls(): where they are in the file.
+function toOrthocentre(balls, exactBalls) {
+  const quick = arms(balls, balls.map((ball) => ball[3])), { numerator, volume } = fraction(quick);
+  const edges = quick.edges.reduce((product, e) => product * Math.hypot(...e), 1);
+  if (Math.abs(volume) > flat * edges) return numerator.map((x) => x / (2 * volume));
+  const exact = exactFraction(exactBalls());
+  return exact.numerator.map((x) => Number((x << 64n) / (2n * exact.volume)) / 2 ** 184);
+}
+
 export class MixedComplex {
   constructor(page, centre) {
     const balls = page.array('atoms.balls'); // x, y, z, weight
+    this.balls = balls;
     this.atoms = [];
     for (let i = 0; i < balls.length; i += 4) {
       this.atoms.push([balls[i] - centre[0], balls[i + 1] - centre[1], balls[i + 2] - centre[2],
@@ -74,7 +108,13 @@ export class MixedComplex {
 
   // The orthocentre, where all corners have equal power, and the patch's axis.
   #place(cell) {
-    const [p, ...others] = Array.from(this.corners(cell), (atom) => this.atoms[atom]);
+    const corners = Array.from(this.corners(cell)), balls = corners.map((atom) => this.atoms[atom]);
+    const [p, ...others] = balls;
+    if (balls.length === 4) {
+      const off = toOrthocentre(balls, () => this.#exactBalls(corners));
+      this.centres.set(off.map((x, k) => p[k] + x), 3 * cell);
+      return;
+    }
     const spans = others.map((q) => minus(q, p));
     const rows = spans.map((e, i) =>
       [...spans.map((f) => 2 * dot(e, f)), dot(e, e) + p[3] - others[i][3]]);
@@ -84,6 +124,11 @@ export class MixedComplex {
     }
     if (spans.length === 1) this.axes.set(unit(spans[0]), 3 * cell);
     if (spans.length === 2) this.axes.set(unit(cross(spans[0], spans[1])), 3 * cell);
+  }
+
+  // As the file has them: taking off the centre rounds.
+  #exactBalls(atoms) {
+    return atoms.map((atom) => this.balls.subarray(4 * atom, 4 * atom + 4));
   }
 
   // The length scale and the unit normal at a point of the skin in a cell.
@@ -183,9 +228,16 @@ export class MixedComplex {
       v = [v[0] - along * e[0], v[1] - along * e[1], v[2] - along * e[2]];
     } else if (others.length === 2) {
       const n = unit(cross(minus(others[0], p), minus(others[1], p))), up = dot(v, n);
-      v = [up * n[0], up * n[1], up * n[2]];
+      const isDoubtful = Math.abs(up) <= flat * Math.hypot(...v);
+      const side = isDoubtful ? this.#exactSide([...facet, atom]) : Math.sign(up);
+      v = [side * n[0], side * n[1], side * n[2]];
     }
     return unit(v);
+  }
+
+  // On which side of the plane of three atoms a fourth is.
+  #exactSide(atoms) {
+    return exactFraction(this.#exactBalls(atoms)).volume < 0n ? -1 : 1;
   }
 
   // The section with the plane of points origin + s u + t v, |s| and |t| at most `extent`: calls

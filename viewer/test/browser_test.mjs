@@ -149,3 +149,24 @@ test('the plane moves, turns, and cuts the surface', { timeout: 900000 }, async 
   });
 });
 
+
+test('cells of atoms that lie in one plane but for rounding fill the section once', { timeout: 900000 },
+  async () => {
+    await withPage(make('c60', join(molecules, 'c60.xyz')), small, async (page) => {
+      const shares = await page.evaluate(() => {
+        const { viewer } = window, side = 2.24 * viewer.scene.bounds.radius;
+        viewer.set({ section: true });
+        return [-0.9, -0.5, 0, 0.3, 0.64].map((offset) => {
+          viewer.set({ offset });
+          const p = viewer.section.group.children[0].geometry.getAttribute('position').array;
+          let area = 0; // of triangles orthogonal to z
+          for (let i = 0; i < p.length; i += 9) {
+            area += Math.abs((p[i + 3] - p[i]) * (p[i + 7] - p[i + 1]) -
+              (p[i + 6] - p[i]) * (p[i + 4] - p[i + 1])) / 2;
+          }
+          return area / side ** 2;
+        });
+      });
+      for (const share of shares) assert.ok(Math.abs(share - 1) < 1e-4, `${shares}`);
+    });
+  });
