@@ -12,7 +12,8 @@ set_target_properties(installed_library PROPERTIES
   LINKER_LANGUAGE CXX OUTPUT_NAME morskin EXPORT_NAME morskin
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/package)
 target_compile_features(installed_library INTERFACE cxx_std_20)
-target_link_libraries(installed_library PRIVATE ZLIB::ZLIB archive Threads::Threads)
+target_link_libraries(installed_library PRIVATE ZLIB::ZLIB LibArchive::LibArchive
+                                                Threads::Threads)
 target_sources(installed_library PUBLIC FILE_SET headers TYPE HEADERS
   BASE_DIRS ${PROJECT_SOURCE_DIR}
   FILES morskin/morskin.h morskin/mesh_method.h morskin/molecule.h morskin/features.h)
@@ -23,6 +24,7 @@ install(TARGETS installed_library EXPORT morskin_targets
 file(WRITE ${PROJECT_BINARY_DIR}/package/morskinConfig.cmake
 "include(CMakeFindDependencyMacro)
 find_dependency(ZLIB)
+find_dependency(LibArchive)
 find_dependency(Threads)
 include(\${CMAKE_CURRENT_LIST_DIR}/morskinTargets.cmake)
 ")

@@ -123,6 +123,15 @@ class Installed(unittest.TestCase):
         output_of(self.prefix / "bin/morskin", "check", mesh, "--against", molecule, "--model",
                   "sas", "-C", "0.2")
 
+    def test_the_package_finds_every_library_that_the_archive_needs_wherever_it_lies(self):
+        package = self.prefix / "lib/cmake/morskin"
+        needed = re.search(r'INTERFACE_LINK_LIBRARIES "(.*)"',
+                           (package / "morskinTargets.cmake").read_text())[1].split(";")
+        finds = re.findall(r"find_dependency\((\w+)\)",
+                           (package / "morskinConfig.cmake").read_text())
+        self.assertEqual([re.sub(r"\\\$<LINK_ONLY:(\w+)::\w+>", r"\1", name) for name in needed],
+                         finds)
+
     def test_a_compiler_of_an_older_standard_is_told_first_that_the_library_is_of_a_newer(self):
         program = self.prefix / "share/doc/morskin/examples/cpp/mesh_a_molecule.cpp"
         done = subprocess.run([CXX, "-std=c++17", "-Wfatal-errors", "-fsyntax-only",
