@@ -71,6 +71,18 @@ TEST_CASE("a name too long is not blamed on the folder") {
                        doctest::Contains("choose a shorter one"), UnwritableOutput);
 }
 
+TEST_CASE("a name with a NUL is refused, and the file of the name up to there is left alone") {
+  const TemporaryFolder folder;
+  const auto before = folder.file("a", "old");
+  const std::filesystem::path name = before.native() + std::string(1, '\0') + "b.ply";
+  CHECK_THROWS_WITH_AS(read_file(name), doctest::Contains("a?b.ply: no file has a NUL"),
+                       UnreadableInput);
+  CHECK_THROWS_WITH_AS(write_file_atomically(name, "new"),
+                       doctest::Contains("a?b.ply: no file has a NUL"), UnwritableOutput);
+  CHECK(bytes_of(before) == "old");
+  CHECK(folder.file_count() == 1);
+}
+
 TEST_CASE("devices are written to and not replaced") {
   namespace fs = std::filesystem;
   write_file_atomically("/dev/null", "text");

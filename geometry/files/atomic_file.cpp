@@ -19,6 +19,15 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
+// What is wrong with a name that has a NUL; empty if it has none. The system would read the name up
+// to there, which is that of another file.
+std::string fault_of_nul(const std::filesystem::path& path) {
+  std::string name = path.string();
+  if (name.find('\0') == std::string::npos) return {};
+  std::ranges::replace(name, '\0', '?');
+  return name + ": no file has a NUL in its name, shown as ? here; take it out";
+}
+
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& what) {
   throw UnreadableInput(path.string() + ": " + what);
 }
@@ -108,6 +117,7 @@ std::string create_beside(const std::filesystem::path& target, int& number) {
 
 FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   if (path.empty()) throw UnreadableInput("the name of a file to read is empty; give one");
+  if (const std::string fault = fault_of_nul(path); !fault.empty()) throw UnreadableInput(fault);
   const bool is_standard_input = path == "-";
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
@@ -223,6 +233,7 @@ std::filesystem::path PendingFile::final_name(std::string_view suffix) const {
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  if (const std::string fault = fault_of_nul(path); !fault.empty()) throw UnwritableOutput(fault);
   if (!is_written_directly(path)) {
     PendingFile file(path);
     file.write(bytes);
