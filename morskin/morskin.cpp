@@ -231,9 +231,19 @@ TriangleMesh read_mesh(const std::filesystem::path& file) {
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   with_errors([&] {
     const geometry::IndexedMesh written = inside(mesh);
+    const std::optional<geometry::MeshFormat> format = geometry::mesh_format_of(file);
+    const bool is_single =
+        format == geometry::MeshFormat::Stl || format == geometry::MeshFormat::Glb;
+    constexpr double largest_single = std::numeric_limits<float>::max();
+    const auto refuse = [](std::size_t v, const char* why) {
+      throw geometry::RefusedInput("vertex " + std::to_string(v) + why);
+    };
     for (std::size_t v = 0; v < written.positions.size(); ++v) {
-      if (written.positions[v].allFinite()) continue;
-      throw geometry::RefusedInput("vertex " + std::to_string(v) + " is not finite");
+      const geometry::Point& p = written.positions[v];
+      if (!p.allFinite()) refuse(v, " is not finite");
+      if (is_single && p.cwiseAbs().maxCoeff() > largest_single) {
+        refuse(v, " is too far out for STL and GLB; use PLY");
+      }
     }
     geometry::write_mesh(file, written);
   });

@@ -128,7 +128,8 @@ struct TriangleMesh {
 TriangleMesh read_mesh(const std::filesystem::path& file);
 /// Writes PLY (binary), OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or
 /// not at all.
-/// @throws Error  Unwritable; Refused: a corner that is no vertex, or a vertex that is not finite
+/// @throws Error  Unwritable; Refused: a corner that is no vertex, or a vertex that is not finite,
+///                in single precision for STL and GLB
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// What is proved of a mesh and how good it is.

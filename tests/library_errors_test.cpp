@@ -130,6 +130,21 @@ TEST_CASE("a mesh with a vertex that is not finite is written to no file") {
   }
 }
 
+TEST_CASE("a vertex beyond single precision is written to no file that has no more") {
+  const morskin::support::TemporaryFolder folder;
+  const morskin::TriangleMesh mesh{{{0, 0, 0}, {-4e38, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  for (const char* name : {"a.stl", "a.glb"}) {
+    CAPTURE(name);
+    CHECK(kind_of([&] { morskin::write_mesh(mesh, folder / name); }) == Error::Kind::Refused);
+    CHECK(!std::filesystem::exists(folder / name));
+  }
+  for (const char* name : {"a.ply", "a.off", "a.obj", "a.vtu", "a.msh"}) {
+    CAPTURE(name);
+    morskin::write_mesh(mesh, folder / name);
+    CHECK(morskin::read_mesh(folder / name).vertices == mesh.vertices);
+  }
+}
+
 TEST_CASE("a wrong name of data is refused beside all, before it or behind") {
   const morskin::support::TemporaryFolder folder;
   const SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
