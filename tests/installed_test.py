@@ -123,6 +123,19 @@ class Installed(unittest.TestCase):
         output_of(self.prefix / "bin/morskin", "check", mesh, "--against", molecule, "--model",
                   "sas", "-C", "0.2")
 
+    def test_the_example_in_cpp_that_is_short_of_memory_ends_with_a_line_and_code_2(self):
+        if "-fsanitize" in FLAGS:
+            self.skipTest("sanitizers end the program themselves")
+        example = self.folder / "short"
+        shutil.copytree(self.prefix / "share/doc/morskin/examples/cpp", example)
+        output_of("make", "-s", "-C", example,
+                  env={**self.environment, "PKG_CONFIG_PATH": f"{self.prefix}/lib/pkgconfig"})
+        done = subprocess.run(["sh", "-c", 'ulimit -d 512; exec "$0" "$@"',
+                               example / "mesh_a_molecule",
+                               ROOT / "bench/molecules/1grm_model1.pdb", self.folder / "short.ply"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (2, "mesh_a_molecule: std::bad_alloc\n"))
+
     def test_the_package_finds_every_library_that_the_archive_needs_wherever_it_lies(self):
         package = self.prefix / "lib/cmake/morskin"
         needed = re.search(r'INTERFACE_LINK_LIBRARIES "(.*)"',

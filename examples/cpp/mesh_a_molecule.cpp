@@ -6,6 +6,7 @@
 #include <morskin/morskin.h>
 
 #include <cstdio>
+#include <exception>
 
 int main(int count, char** words) {
   if (count != 3) {
@@ -22,7 +23,7 @@ int main(int count, char** words) {
                 certificate.certified ? "certified" : certificate.reason.c_str(), skin.genus(),
                 certificate.min_angle_deg, certificate.area);
     return certificate.certified ? 0 : 1;
-  } catch (const morskin::Error& error) {
+  } catch (const std::exception& error) {  // morskin::Error, or memory or threads that are short
     std::fprintf(stderr, "mesh_a_molecule: %s\n", error.what());
     return 2;
   }
