@@ -18,12 +18,18 @@ function(add_module name)
   apply_project_options(${name})
 endfunction()
 
+# Libraries of templates that a program beside ours may use too, in another version or with other
+# flags. The linker takes one copy of a function for both, so ours have names of their own.
+set(own_names Eigen=morskin_Eigen gemmi=morskin_gemmi tao=morskin_tao
+              fast_float=morskin_fast_float)
+
 # Warnings are errors. Contraction is off, for users of the headers too, so that every build rounds
 # alike (same input, same bytes). Every object may go into a shared library, such as Python's
 # module; all have the same flags for that, since they share a precompiled header. Without
 # interposition the compiler may inline as it does in a program.
 function(apply_project_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_definitions(${target} PUBLIC ${own_names})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
                                            -fPIC -fno-semantic-interposition
                                    PUBLIC -ffp-contract=off)

@@ -136,6 +136,12 @@ class Installed(unittest.TestCase):
                               capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (2, "mesh_a_molecule: std::bad_alloc\n"))
 
+    def test_no_function_of_the_archive_has_the_name_of_one_that_a_program_may_have_too(self):
+        symbols = output_of("nm", "-C", "--defined-only", self.prefix / "lib/libmorskin.a")
+        self.assertIn("morskin::Skin::mesh", symbols)
+        self.assertEqual(re.findall(r".* [TVWu] .*\b(?:Eigen|gemmi|tao|fast_float)::.*", symbols),
+                         [])
+
     def test_the_package_finds_every_library_that_the_archive_needs_wherever_it_lies(self):
         package = self.prefix / "lib/cmake/morskin"
         needed = re.search(r'INTERFACE_LINK_LIBRARIES "(.*)"',
