@@ -1,4 +1,4 @@
-"""Builds the extension with CMake, for pip. It takes Debian's packages (cmake/python_packages.txt);
+"""Builds the extension with CMake, for pip. It takes Debian's packages (cmake/packages.txt);
 the environment variable CMAKE_ARGS is given on to CMake."""
 
 import os
