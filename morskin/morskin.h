@@ -8,8 +8,8 @@
 ///
 /// All lengths are in Angstrom. The library never prints and never exits; what goes wrong is an
 /// Error, but for std::bad_alloc, std::system_error and what `progress` throws. The same input
-/// gives the same bytes on any number of threads. `papers/library.md` goes through every function
-/// with an example.
+/// gives the same bytes on any number of threads. `papers/library.md` goes through every function,
+/// with examples.
 
 // Else the first error would be of something in the standard library.
 #if __cplusplus <= 201703L

@@ -1,4 +1,4 @@
-// papers/library.md, morskin/morskin.h: every function of the library, in a program of its users.
+// papers/library.md, morskin/morskin.h: the library in a program of its users.
 //
 // A molecule is read, its solvent-accessible skin is prepared, meshed and certified, written and
 // read back, asked for what lies at its vertices, and a run is stopped half way.
