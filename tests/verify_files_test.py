@@ -116,6 +116,13 @@ class VerifyFiles(unittest.TestCase):
             self.assertFalse(report["homeomorphic"] or report["on_skin"])
             self.assertRegex(report["reason"], "^not proved: a process was ended")
 
+    def test_a_process_that_ends_while_meshes_are_still_handed_out_leaves_a_verdict_on_each(self):
+        names = [f"m{i}" for i in range(3000)]
+        with mock.patch.object(verify, "verify", killed):
+            reports = list(verify.verify_all([("b", name, "c") for name in names]))
+        self.assertEqual([r["mesh"] for r in reports], names)
+        self.assertFalse([r for r in reports if not r["reason"].startswith("not proved: a proc")])
+
 
 if __name__ == "__main__":
     main()

@@ -10,7 +10,7 @@ import argparse
 import json
 import os
 import sys
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
@@ -83,10 +83,20 @@ def verify(names):
     return {**report, "triangles": len(triangles)}
 
 
+def submitted(pool, names):
+    """The future report, or what ended a process of the pool before."""
+    try:
+        return pool.submit(verify, names)
+    except BrokenProcessPool as error:
+        future = Future()
+        future.set_exception(error)
+        return future
+
+
 def verify_all(triples):
     """The reports, in turn. A process that the system ends takes those with it that wait."""
     with ProcessPoolExecutor(min(len(triples), os.cpu_count())) as pool:
-        for names, future in [(names, pool.submit(verify, names)) for names in triples]:
+        for names, future in [(names, submitted(pool, names)) for names in triples]:
             try:
                 yield future.result()
             except BrokenProcessPool:
