@@ -91,6 +91,12 @@ class VerifyFiles(unittest.TestCase):
                       ply(header=HEADER.replace("list uchar int", "list uchar uint"))],
                      files.read_mesh)
 
+    def test_no_number_of_an_off_file_is_one_that_python_alone_reads(self):
+        rows = off([(3, *f) for f in FACES])
+        for number in ("0.0", "0.1", "4 4 0", "3 0 2 1"):
+            self.refused([rows.replace(number, number[:-1] + "0_" + number[-1], 1),
+                          rows.replace(number, "0_" + number, 1)], files.read_mesh)
+
     def test_a_certificate_is_of_this_mesh_and_names_only_what_is_there(self):
         right = {"format": "morskin-certificate-1", "balls": 5, "vertices": 4, "triangles": 4,
                  "simplices": [[0, 1, 2, 4]], "vertex_atoms": [[4], [0, 1], [2, 1, 0], [3]],

@@ -43,8 +43,9 @@ def read_mesh(path):
             raise ValueError(f"{path}: goes on behind the last face that its header counts")
         faces = np.column_stack([table["size"], table["corners"]]).astype(np.int64)
     else:
-        off, vertices, faces, _, *words = re.sub(rb"#.*", b"", data).split()
-        if off != b"OFF":
+        text = re.sub(rb"#.*", b"", data)
+        off, vertices, faces, _, *words = text.split()
+        if off != b"OFF" or b"_" in text:  # Python alone takes 1_0 for 10
             raise ValueError(f"{path}: neither OFF nor PLY like morskin's")
         cut = 3 * int(vertices)
         positions = np.array([float(word) for word in words[:cut]]).reshape(-1, 3)
