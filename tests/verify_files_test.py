@@ -97,6 +97,13 @@ class VerifyFiles(unittest.TestCase):
             self.refused([rows.replace(number, number[:-1] + "0_" + number[-1], 1),
                           rows.replace(number, "0_" + number, 1)], files.read_mesh)
 
+    def test_an_off_file_of_fewer_than_no_vertices_is_none(self):
+        # Cut so many numbers before the end, both parts would have the right lengths.
+        points = [*POINTS, (1., 1, 1), (1., 1, 2), (1., 2, 1), (2., 1, 1)]
+        rows = off([(3, *f) for f in FACES * 3], points)
+        self.assertEqual(len(self.read(rows, files.read_mesh)[1]), 12)
+        self.refused([rows.replace("8 12 0", "-16 12 0")], files.read_mesh)
+
     def test_a_certificate_is_of_this_mesh_and_names_only_what_is_there(self):
         right = {"format": "morskin-certificate-1", "balls": 5, "vertices": 4, "triangles": 4,
                  "simplices": [[0, 1, 2, 4]], "vertex_atoms": [[4], [0, 1], [2, 1, 0], [3]],

@@ -48,6 +48,8 @@ def read_mesh(path):
         if off != b"OFF" or b"_" in text:  # Python alone takes 1_0 for 10
             raise ValueError(f"{path}: neither OFF nor PLY like morskin's")
         cut = 3 * int(vertices)
+        if cut < 0:  # which would count from the end
+            raise ValueError(f"{path}: fewer than no vertices")
         positions = np.array([float(word) for word in words[:cut]]).reshape(-1, 3)
         faces = np.array([int(word) for word in words[cut:]]).reshape(int(faces), 4)
     corners = faces[:, 1:]
