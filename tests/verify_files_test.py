@@ -3,6 +3,7 @@
 it ends where a process of its own does.
 Usage: verify_files_test.py path/to/morskin (not run)"""
 
+import io
 import json
 import os
 import sys
@@ -120,6 +121,18 @@ class VerifyFiles(unittest.TestCase):
         wrong += [{"component_vertices": [v]} for v in (-1, 4)] + [{"dropped_voids": "some"}]
         self.refused([json.dumps(right | change) for change in wrong], files.read_certificate,
                      5, 4, 4)
+
+    def test_a_list_of_names_that_is_no_text_or_names_itself_is_a_wrong_argument(self):
+        for content in (b"balls\xff\nmesh\ncertificate\n", f"@{self.path}\n".encode()):
+            self.path.write_bytes(content)
+            with self.subTest(content), mock.patch.multiple(
+                    sys, argv=["verify.py", f"@{self.path}"], stdout=io.StringIO(),
+                    stderr=io.StringIO()):
+                try:
+                    code = verify.main()  # from Python 3.12 on any bytes are a file's name
+                except SystemExit as ended:
+                    code = ended.code
+            self.assertEqual(code, 2)
 
     def test_a_process_that_the_system_ends_leaves_a_verdict_on_each_mesh(self):
         with mock.patch.object(verify, "verify", killed):

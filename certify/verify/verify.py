@@ -110,7 +110,10 @@ def main():
                         metavar="BALLS MESH CERTIFICATE")
     parser.add_argument("--voids-dropped", action="store_true", help="prove meshes of the skin "
                         "without as many voids as their certificates leave out")
-    arguments, exit_code = parser.parse_args(), 0
+    try:
+        arguments, exit_code = parser.parse_args(), 0
+    except (UnicodeDecodeError, RecursionError) as error:
+        parser.error(f"a list of names is no text, or names itself: {error}")
     names = arguments.files
     if len(names) % 3:
         parser.error("a mesh takes three files")
