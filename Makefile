@@ -196,7 +196,6 @@ deb: packaged  ## make Debian packages in build/deb, and have lintian look at th
 	  --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog build/deb/*.changes
 
 static: packaged  ## make build/static/morskin, which needs no shared library
-	packaging/static_libraries.sh build/static
 	cmake --build build --parallel $(JOBS) --target morskin_static
 
 clean:  ## remove everything built

@@ -193,7 +193,7 @@ def limit_cases():
                [(*fine, "--max-memory", word) for word in ("0", "-1", "nan", "1e300", "2X")],
                code=2, says="see morskin mesh --help")
     yield Case("a limit of the shell's (ulimit -v)", crambin, [fine], code=6,
-               says="out of memory", memory=True, address_space=60 << 20)
+               says="out of memory", memory=True, address_space=40 << 20)
     yield Case("a limit of the shell's for check", {"cone.off": cone(200000)},
-               [("check", "cone.off")], code=6, memory=True, address_space=60 << 20,
+               [("check", "cone.off")], code=6, memory=True, address_space=40 << 20,
                says="out of memory: the mesh is too big for this machine; leave out the search")
