@@ -53,7 +53,7 @@ MAX_MEMORY = 2 * 2**30  # bytes, of a run
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=60, results="papers/results/ablation.tsv")
+    parser = argument_parser(__doc__, timeout=60, results="papers/results/ablation.tsv", takes=[])
     parser.add_argument("--repetitions", type=int, default=2, help="of every run (%(default)s)")
     return parser.parse_args()
 

@@ -38,7 +38,8 @@ WIDTHS = [9, 6, 5, 7, 11, 5, 6, 12, 14, 11, 16, 18, 16, 11, 8, 7, 10, 0]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/batch.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/batch.tsv",
+                             takes=["molecules", "models"])
     parser.set_defaults(models=",".join(MODELS))
     parser.add_argument("--plan", action="store_true", help="write the list of recipes, no more")
     parser.add_argument("--sample", type=int, default=COUNT, metavar="N", help="recipes to take")

@@ -21,7 +21,8 @@ WIDTHS = [5, 6, 5, 6, 9, 9, 8, 0]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=120, results="results/coarse.tsv")
+    parser = argument_parser(__doc__, timeout=120, results="results/coarse.tsv",
+                             takes=["molecules", "models"])
     parser.set_defaults(only="1f2n_capsid")
     parser.add_argument("--sizes", default="0.2,0.25,0.3,0.35,0.4", help="C, default %(default)s")
     parser.add_argument("--method", choices=["auto", "sweep", "static"], default="auto")

@@ -82,7 +82,7 @@ def coarse_sentence(rows):
 
 
 def main():
-    options = argument_parser(__doc__, timeout=300, results="papers/results/counts.tsv")
+    options = argument_parser(__doc__, timeout=300, results="papers/results/counts.tsv", takes=[])
     options = options.parse_args()
     with Rows(options.results, COLUMNS, WIDTHS, 1) as rows:
         for file, model, c in runs():

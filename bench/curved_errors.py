@@ -24,7 +24,8 @@ WIDTHS = [16, 5, 9, 7, 10, 10, 10, 12, 10, 9]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/curved-errors.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/curved-errors.tsv",
+                             takes=["molecules"])
     parser.set_defaults(molecules=BUNDLED)
     return parser.parse_args()
 

@@ -26,7 +26,8 @@ WIDTHS = [18, 5, 6, 9, 9, 10, 11, 9, 9, 7, 11, 20]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/densities.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/densities.tsv",
+                             takes=["molecules"])
     return parser.parse_args()
 
 

@@ -28,7 +28,8 @@ WIDTHS = [12, 6, 8, 8, 11, 8, 8, 6, 6, 8, 8, 6, 10]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/features.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/features.tsv",
+                             takes=["molecules"])
     return parser.parse_args()
 
 

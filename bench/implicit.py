@@ -77,7 +77,7 @@ def sentence(rows):
 
 def main():
     options = argument_parser(__doc__, timeout=600,
-                              results="papers/results/implicit.tsv").parse_args()
+                              results="papers/results/implicit.tsv", takes=[]).parse_args()
     with Rows(Path(options.results), COLUMNS, WIDTHS, 2) as rows:
         for name in MOLECULES:
             if options.only not in name:

@@ -32,7 +32,8 @@ WIDTHS = [22, 6, 8, 9, 6, 5, 5, 7, 7, 7, 8, 8, 0]
 
 
 def arguments():
-    parser = molecule_runs.argument_parser(__doc__, timeout=900, results="results/methods.tsv")
+    parser = molecule_runs.argument_parser(__doc__, timeout=900, results="results/methods.tsv",
+                                           takes=["molecules", "models"])
     parser.add_argument("--methods", default="sweep,static", help="default %(default)s")
     return parser.parse_args()
 

@@ -35,14 +35,21 @@ class Parser(argparse.ArgumentParser):
         return options
 
 
-def argument_parser(text, *, timeout, results, largest=None):
-    """The arguments that every script takes; it may add its own."""
+def argument_parser(text, *, timeout, results, takes=("molecules", "models", "largest"),
+                    largest=None):
+    """The arguments that scripts share; one may add its own.
+
+    takes: which of these three; a script whose molecules or models are fixed takes none of it.
+    """
     parser = Parser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
-                        help="folder to search (default %(default)s, else bench/molecules)")
-    parser.add_argument("--largest", type=int, metavar="N", default=largest,
-                        help="no molecule of more atoms" + (" (%(default)s)" if largest else ""))
-    parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
+    if "molecules" in takes:
+        parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
+                            help="folder to search (default %(default)s, else bench/molecules)")
+    if "models" in takes:
+        parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
+    if "largest" in takes:
+        parser.add_argument("--largest", type=int, metavar="N", default=largest,
+                            help="no molecule of more atoms" + (f" ({largest})" if largest else ""))
     parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
     parser.add_argument("--timeout", type=float, default=timeout,
                         help="seconds for one run (%(default)s)")

@@ -242,7 +242,8 @@ def draw(rows, path):
 
 
 def main():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/replay.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/replay.tsv",
+                             takes=["molecules"])
     parser.add_argument("--plot", action="store_true",
                         help="only draw the results, as SVG and PNG (python3-matplotlib)")
     parser.add_argument("--repetitions", type=int, default=5, help="default %(default)s")

@@ -22,7 +22,8 @@ WIDTHS = [18, 6, 10, 12, 12, 14, 12]
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=600, results="papers/results/second-order.tsv")
+    parser = argument_parser(__doc__, timeout=600, results="papers/results/second-order.tsv",
+                             takes=["molecules"])
     parser.set_defaults(molecules=BUNDLED)
     return parser.parse_args()
 

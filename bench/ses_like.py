@@ -94,7 +94,8 @@ def table(rows):
 
 def main():
     options = argument_parser(__doc__, timeout=600,
-                              results="papers/results/ses-like.tsv").parse_args()
+                              results="papers/results/ses-like.tsv",
+                              takes=["molecules"]).parse_args()
     folder = molecule_folder(options.molecules)
     chains = [chain for chain in CHAINS if options.only in chain]
     files = named_files(folder, [f"{chain.split()[0]}*.pdb*" for chain in chains])

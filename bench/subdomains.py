@@ -20,7 +20,8 @@ WIDTHS = [18, 6, 8, 10, 10, 17, 10, 6, 8, 10]
 
 def arguments():
     return argument_parser(__doc__, timeout=600,
-                           results="papers/results/subdomains.tsv").parse_args()
+                           results="papers/results/subdomains.tsv",
+                           takes=["molecules"]).parse_args()
 
 
 def row_of(path, model, options, count, run):

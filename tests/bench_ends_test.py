@@ -42,6 +42,14 @@ SINGULAR = Run(4, {}, "singular", 1, 1)
 EMPTY = Run(4, {}, "no ball has a positive weight", 1, 1)
 
 
+SCRIPTS = (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities, features,
+           implicit, methods, morse_corpus, prediction, replay, second_order, ses_like, subdomains)
+
+
+def uses(script, option):
+    return f"options.{option}" in Path(script.__file__).read_text(encoding="utf-8")
+
+
 class Ends(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -50,7 +58,8 @@ class Ends(unittest.TestCase):
 
     def code_of(self, script, *words):
         """The exit code of a script's main, and what it says."""
-        words = [script.__name__, "--molecules", str(BUNDLED), "--results", str(self.table), *words]
+        taken = ["--molecules", str(BUNDLED)] if uses(script, "molecules") else []
+        words = [script.__name__, *taken, "--results", str(self.table), *words]
         said = io.StringIO()
         with (mock.patch.object(sys, "argv", words), contextlib.redirect_stdout(said),
               self.assertRaises(SystemExit) as ended):
@@ -110,13 +119,22 @@ class Ends(unittest.TestCase):
 
     def test_without_a_molecule_nothing_was_run_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
-        for script in (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities,
-                       features, implicit, methods, morse_corpus, prediction, replay,
-                       second_order, ses_like, subdomains):
+        for script in SCRIPTS:
             with self.subTest(script.__name__):
                 code, said = self.code_of(script, "--only", "no such molecule")
                 self.assertEqual((code, said.splitlines()[-1]), (1, "nothing was run"))
                 self.assertEqual(self.table.read_text(encoding="utf-8"), "earlier")
+
+    def test_molecules_models_and_sizes_that_a_script_does_not_ask_about_are_wrong_arguments(self):
+        for script in SCRIPTS:
+            for option, value in (("molecules", "x"), ("models", "vdw"), ("largest", "9")):
+                said = io.StringIO()
+                words = [f"--{option}", value, "--only", "no such molecule"]
+                with self.subTest(script.__name__, option=option), \
+                        contextlib.redirect_stderr(said):
+                    code, _ = self.code_of(script, *words)
+                    self.assertEqual((code, "unrecognized" in said.getvalue()),
+                                     (1, False) if uses(script, option) else (2, True))
 
     def test_where_a_program_is_not_built_one_line_says_so(self):
         none = self.table.parent / "none"
