@@ -25,13 +25,15 @@ STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "v
 
 
 class Parser(argparse.ArgumentParser):
-    """No part of the molecules takes the place of a page's table."""
+    """No part of the molecules or models takes the place of a page's table."""
 
     def parse_args(self, *words):
         options = super().parse_args(*words)
-        if options.only and options.results.resolve().is_relative_to(ROOT / "papers"):
-            self.error(f"--only makes a part of {options.results.name}, which a page shows: say "
-                       "with --results where else to write")
+        parts = [name for name in ("only", "models", "largest")
+                 if getattr(options, name, None) != self.get_default(name)]
+        if parts and options.results.resolve().is_relative_to(ROOT / "papers"):
+            self.error(f"--{parts[0]} makes a part of {options.results.name}, which a page shows: "
+                       "say with --results where else to write")
         return options
 
 

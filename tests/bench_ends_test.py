@@ -185,16 +185,16 @@ class Ends(unittest.TestCase):
         self.assertEqual((code, said.count("FAILED |")), (1, 1))
         self.assertEqual(len(read_rows(self.table)), len(second_order.SIZES))
 
-    def test_a_part_of_the_molecules_replaces_no_table_of_a_page(self):
-        parser = argument_parser("", timeout=1, results="papers/results/features.tsv")
-        elsewhere = ["--results", str(self.table)]
-        for words in ([], ["--only", "1grm", *elsewhere]):
-            parser.parse_args(words)
-        said = io.StringIO()
-        with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as ended:
-            parser.parse_args(["--only", "1grm"])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("a part of features.tsv", said.getvalue())
+    def test_a_part_of_the_molecules_or_models_replaces_no_table_of_a_page(self):
+        parser = argument_parser("", timeout=1, results="papers/results/features.tsv", largest=400)
+        parser.parse_args(["--largest", "400"])
+        for part in (["--only", "1grm"], ["--models", "vdw"], ["--largest", "50"]):
+            parser.parse_args([*part, "--results", str(self.table)])
+            said = io.StringIO()
+            with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as ended:
+                parser.parse_args(part)
+            self.assertEqual(ended.exception.code, 2)
+            self.assertIn(f"{part[0]} makes a part of features.tsv", said.getvalue())
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
