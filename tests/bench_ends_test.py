@@ -109,6 +109,18 @@ class Ends(unittest.TestCase):
         failed = second_order.row_of(Path("caffeine.xyz"), 0.2, BAD, 1)
         self.assertIn("| FAILED |", second_order.table([failed]))
 
+    def test_a_method_that_is_not_certified_makes_no_other_one_wrong(self):
+        shape = {"certified": True, "method": "static", "euler_characteristic": 2, "components": 1,
+                 "genus": 0, "fallbacks": []}
+        torn = shape | {"certified": False, "reason": "torn", "components": 9}
+        for other, verdict in ((shape, "certified"),
+                               (shape | {"genus": 1}, "FAILED: genus is 1, static has 0")):
+            runs = [Run(0, report, "", 1, 1) for report in (torn, shape, other)]
+            with mock.patch.object(molecule_runs, "mesh", side_effect=runs):
+                self.code_of(methods, "--only", "c60", "--models", "vdw", "--methods", "a,b,c")
+            verdicts = [r["verdict"] for r in read_rows(self.table)]
+            self.assertEqual(verdicts, ["FAILED: torn", "certified", verdict])
+
     def test_a_density_that_is_missed_is_good_where_the_mesh_is_finer_only(self):
         for made, missed, verdict in ((2, {}, "made"),
                                       (3, {"missed_size": "so"}, "coarser is not possible"),
