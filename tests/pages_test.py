@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks what the pages say about the code: those of papers/ and ARCHITECTURE.md.
 
-- Every relative link and picture resolves, with its heading if it names one; in READMEs as well.
+- Every relative link and picture resolves, with its heading if it names one; in READMES as well.
 - Every code span names something that is there:
       a file or folder              `certify/sizing.h`, `papers/`
       a name in the file before it  `Sizing::edge_ratio` (a header stands for its .cpp too);
@@ -9,7 +9,7 @@
       a test case, word for word    `"points on a line are collinear"`, in the test file before it
       a make target, an option      `make demo`, `--height`
   A block is a paragraph, a list item or a table row. Formulas are not set as code.
-- Every row of a table has as many cells as its head.
+- Every table has a head, and every row of it as many cells, there as well.
 - Every console block of README.md stands on a page as well, where its commands are run.
 - Every option of the library has a place in the tables of papers/library.md.
 - Every figure is shown on some page, and every SVG well-formed.
@@ -32,7 +32,8 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "papers" / "course"))
 from page import page_files  # noqa: E402
 PAGES = [*page_files(), ROOT / "ARCHITECTURE.md"]
-READMES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]  # their links only
+READMES = [ROOT / "README.md", ROOT / "CHANGELOG.md", ROOT / "bench" / "MEASUREMENTS.md",
+           *sorted(ROOT.glob("*/README.md"))]  # their links and tables only
 CODE_FOLDERS = ["geometry", "surface", "implicit", "skin", "morse", "certify", "refine", "front",
                 "morskin", "python", "app", "bench", "tests", "cmake", "papers", "examples",
                 "packaging"]
@@ -161,25 +162,31 @@ def check_span(checks, sources, where, span, file):
     return file
 
 
-def check_page(checks, sources, page):
-    columns, last_row = 0, 0
+def checked_blocks(checks, page):
+    """(where, block) of each block, with its links and rows of tables checked."""
+    columns, last_row, rows = 0, 0, 0
     for line, block in blocks(page.read_text(encoding="utf-8")):
         where = f"{page.relative_to(ROOT)}:{line}"
         if block.startswith("|"):
             cells = len(re.findall(r"(?<!\\)\|", block)) - 1
-            columns = columns if line == last_row + 1 else cells
+            columns, rows = (columns, rows + 1) if line == last_row + 1 else (cells, 1)
             last_row = line
             checks.expect(cells == columns, where, f"{cells} cells in a table of {columns}")
+            checks.expect(rows != 2 or not block.strip("|:- "), where, "a table without a head")
         for match in LINK.finditer(block):
             check_link(checks, page, where, match[1] or match[2])
+        yield where, block
+
+
+def check_page(checks, sources, page):
+    for where, block in checked_blocks(checks, page):
         file = None
         for match in SPAN.finditer(block):
             file = check_span(checks, sources, where, " ".join(match[2].split()), file)
 
 
 def check_figures(checks):
-    pages = [page for page in [*PAGES, *READMES] if page.exists()]
-    shown = "".join(page.read_text(encoding="utf-8") for page in pages)
+    shown = "".join(page.read_text(encoding="utf-8") for page in [*PAGES, *READMES])
     for figure in sorted((ROOT / "papers" / "figures").iterdir()):
         where = str(figure.relative_to(ROOT))
         checks.expect(f"figures/{figure.name}" in shown, where, "on no page")
@@ -187,7 +194,6 @@ def check_figures(checks):
             continue
         try:
             xml.etree.ElementTree.parse(figure)
-            checks.expect(True, where, "")
         except xml.etree.ElementTree.ParseError as error:
             checks.expect(False, where, str(error))
 
@@ -275,13 +281,9 @@ def main():
     checks = Checks()
     sources = Sources()
     for page in PAGES:
-        checks.expect(page.exists(), page.name, "missing")
-        if page.exists():
-            check_page(checks, sources, page)
+        check_page(checks, sources, page)
     for page in READMES:
-        for line, block in blocks(page.read_text(encoding="utf-8")) if page not in PAGES else []:
-            for match in LINK.finditer(block):
-                check_link(checks, page, f"{page.relative_to(ROOT)}:{line}", match[1] or match[2])
+        list(checked_blocks(checks, page))
     check_figures(checks)
     check_readme(checks)
     check_library(checks)
