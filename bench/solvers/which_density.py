@@ -7,6 +7,7 @@ from molecule import limit, uniform_meshes
 from molecule_runs import ROOT, markdown, read_rows
 
 SHARES = (0.01, 0.001)
+BEM = 5  # vertices per square Angstrom, of `--for bem` (app/presets.cpp)
 
 
 def densities(molecule_rows, ball_rows):
@@ -19,6 +20,14 @@ def densities(molecule_rows, ball_rows):
         finest = uniform_meshes(molecule_rows, model)[-1]
         error = float(finest["energy"]) / limit(molecule_rows, model) - 1
         yield f"1L2Y, model {model}", float(finest["density"]), error
+
+
+def sentence(rows):
+    """What the page says of `--for bem`. @param rows  of the molecule"""
+    ball_rows = read_rows(ROOT / "papers" / "results" / "solvers-balls.tsv")
+    _, _, vdw, ses_like = (100 * density * abs(error) / BEM
+                           for _, density, error in densities(rows, ball_rows))
+    return f"about {vdw:.1f} % with vdw and {ses_like:.1f} % with ses-like"
 
 
 def table(rows):

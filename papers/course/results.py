@@ -82,6 +82,7 @@ def texts():
                                (curved_errors, "curved-errors", "second-order"),
                                (implicit, "implicit", "6-implicit-surfaces")):
         yield f"papers/{page}.md", script.table(read_rows(RESULTS / f"{name}.tsv"))
+    yield "papers/solvers.md", which_density.sentence(read_rows(RESULTS / "solvers-molecule.tsv"))
     yield ("papers/second-order.md",
            second_order.sentence(read_rows(RESULTS / "second-order.tsv")))
     for page in ("papers/6-implicit-surfaces.md", "papers/lessons/10-results.md"):
