@@ -8,6 +8,8 @@ it, flat and curved, Angstrom^2; the mean distance from the skin, Angstrom, and 
 of the angle to its normal, degrees.
 """
 
+import subprocess
+import sys
 from pathlib import Path
 
 from molecule_runs import (BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_folder,
@@ -28,6 +30,18 @@ def arguments():
                              takes=["molecules"])
     parser.set_defaults(molecules=BUNDLED)
     return parser.parse_args()
+
+
+def measured(surface, C, timeout):
+    """The lines that the program prints; ends the script where it prints none, saying why."""
+    try:
+        done = run_program([PROGRAM, surface, str(C)], capture_output=True, text=True,
+                           timeout=timeout)
+    except subprocess.TimeoutExpired:
+        sys.exit(f"{surface} with C = {C}: still running after {timeout:g} s")
+    if done.returncode != 0:
+        sys.exit(f"{surface} with C = {C}: exit code {done.returncode}: {done.stderr.strip()}")
+    return done.stdout.splitlines()
 
 
 def table(rows):
@@ -60,10 +74,7 @@ def main():
     with Rows(Path(options.results), COLUMNS, WIDTHS, 4) as rows:
         for surface, path in zip(surfaces, paths):
             for C in SIZES:
-                done = run_program([PROGRAM, path, str(C)], capture_output=True, text=True,
-                                   timeout=options.timeout)
-                done.check_returncode()
-                for line in done.stdout.splitlines():
+                for line in measured(path, C, options.timeout):
                     rows.add(dict(zip(COLUMNS, [surface, C, *line.split("\t")])))
     print(table([{k: str(v) for k, v in r.items()} for r in rows.rows]))
     end([], rows.rows)

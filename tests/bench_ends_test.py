@@ -168,6 +168,17 @@ class Ends(unittest.TestCase):
             batch.row_of("vdw", options, none)
         self.assertRegex(ended.exception.code, f"^{none} is not there; run make command")
 
+    def test_a_program_that_fails_or_is_out_of_time_is_named_with_what_it_says(self):
+        program = self.table.parent / "program"
+        for text, timeout, said in (("echo nothing >&2; exit 3", 60, "exit code 3: nothing"),
+                                    ("exec sleep 60", 0.1, "still running after 0.1 s")):
+            program.write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
+            program.chmod(0o755)
+            with mock.patch.object(curved_errors, "PROGRAM", program):
+                code, _ = self.code_of(curved_errors, "--only", "ball", "--timeout", str(timeout))
+            self.assertEqual(code, f"ball with C = 0.35: {said}")
+            self.assertFalse(self.table.exists())
+
     def test_copies_of_what_cannot_be_read_end_as_the_command_does(self):
         out = self.table.with_name("copies.xyzr")
         tile = [sys.executable, ROOT / "bench" / "tile.py", "nowhere.pdb", "-o", out]
