@@ -17,6 +17,7 @@ repetition, so that noise hits all alike. What was out of time or left out for l
 measured" in table1.md, and a method that is not built in is named there.
 
 With --parts only some are run; the others' rows are taken from the folder, and table1.md says so.
+--only and --largest choose among the molecules of the scaling, --models those of the agreement.
 With --quick (QUICK=1) Table 1 comes first, every method once and without a limit of time, so that
 the ratios to the sweep are measured whatever the machine is. Then each part has a share of the
 time, with smaller molecules.
