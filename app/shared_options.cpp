@@ -193,7 +193,7 @@ void add_meshing_options(CLI::App& command, MeshArguments& mesh, Typed& typed) {
       .add_option("--grading", typed.grading,
                   "By how much edges may grow for each Angstrom, 0.2 for instance\n"
                   "from where they are short, with -C 0.4. By the static method")
-      ->default_str("as -C allows, 0.18 with 0.08, 0.87 with 0.4");
+      ->default_str("as -C allows, 0.18 with 0.08, 1.09 with 0.4");
   command
       .add_option("--angle-goal", typed.angle_goal,
                   "No angle below so many degrees.\n"
