@@ -25,7 +25,8 @@ STAGES = {"prepare": ["read", "triangulate", "mixed_complex", "dual_complex", "v
 
 
 class Parser(argparse.ArgumentParser):
-    """No part of the molecules or models takes the place of a page's table."""
+    """No part of the molecules or models takes the place of a page's table, and a table that could
+    not be written is found before the runs."""
 
     def parse_args(self, *words):
         options = super().parse_args(*words)
@@ -34,6 +35,9 @@ class Parser(argparse.ArgumentParser):
         if parts and options.results.resolve().is_relative_to(ROOT / "papers"):
             self.error(f"--{parts[0]} makes a part of {options.results.name}, which a page shows: "
                        "say with --results where else to write")
+        usual = self.get_default("results")
+        if usual.suffix and options.results.is_dir():
+            self.error(f"--results {options.results} is a folder: name a file, as {usual.name}")
         return options
 
 

@@ -219,6 +219,14 @@ class Ends(unittest.TestCase):
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(f"{part[0]} makes a part of features.tsv", said.getvalue())
 
+    def test_a_folder_for_the_table_is_a_wrong_argument_before_anything_is_run(self):
+        said = io.StringIO()
+        for script in (angles, prediction):
+            with contextlib.redirect_stderr(said):
+                code, out = self.code_of(script, "--results", str(self.table.parent))
+            self.assertEqual((code, out), (2, ""))
+        self.assertIn("is a folder: name a file, as prediction.md", said.getvalue())
+
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
         for script in (batch, densities, features, replay, ses_like, subdomains):
