@@ -19,7 +19,7 @@ import tempfile
 from pathlib import Path
 
 from molecule_runs import (BUNDLED, ROOT, Rows, argument_parser, end, markdown, molecule_files,
-                           run_program)
+                           positive, run_program)
 
 PROGRAM = ROOT / "build" / "bench" / "morskin_ablation"
 NONE = "nothing"
@@ -54,7 +54,8 @@ MAX_MEMORY = 2 * 2**30  # bytes, of a run
 
 def arguments():
     parser = argument_parser(__doc__, timeout=60, results="papers/results/ablation.tsv", takes=[])
-    parser.add_argument("--repetitions", type=int, default=2, help="of every run (%(default)s)")
+    parser.add_argument("--repetitions", type=positive, default=2,
+                        help="of every run (%(default)s)")
     return parser.parse_args()
 
 

@@ -64,6 +64,13 @@ def argument_parser(text, *, timeout, results, takes=("molecules", "models", "la
     return parser
 
 
+def positive(text):
+    """A number of runs."""
+    if int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return int(text)
+
+
 def molecule_folder(asked):
     """The folder asked for; where there is none, the bundled molecules, with a line saying so."""
     folder = asked if asked.is_absolute() else ROOT / asked

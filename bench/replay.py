@@ -22,7 +22,7 @@ import time
 from pathlib import Path
 
 from molecule_runs import (Rows, argument_parser, end, markdown, mesh, molecule_folder,
-                           named_files, read_rows)
+                           named_files, positive, read_rows)
 
 SURFACES = [("1grm_model1.pdb", "paper"), ("1ubq.pdb", "paper"), ("1kx5.pdb", "sas"),
             ("1aon.pdb.gz", "sas")]
@@ -246,7 +246,7 @@ def main():
                              takes=["molecules"])
     parser.add_argument("--plot", action="store_true",
                         help="only draw the results, as SVG and PNG (python3-matplotlib)")
-    parser.add_argument("--repetitions", type=int, default=5, help="default %(default)s")
+    parser.add_argument("--repetitions", type=positive, default=5, help="default %(default)s")
     options = parser.parse_args()
     if options.plot:
         return draw(read_rows(options.results), options.results)

@@ -34,7 +34,7 @@ import ablation
 import reproduce_tables as tables
 from machine import environment
 from molecule_runs import (BUNDLED, MODELS, argument_parser, atom_count, end, molecule_files,
-                           molecule_folder, run_command, sized_files)
+                           molecule_folder, positive, run_command, sized_files)
 from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
 
@@ -61,7 +61,8 @@ SMALL_MOLECULES = ["benzene.pdb", "c60.xyz", "caffeine.xyz", "cube8.xyzr", "ring
 
 def arguments():
     parser = argument_parser(__doc__, timeout=1800, results="build/results", largest=8000)
-    parser.add_argument("--repetitions", type=int, default=5, help="of every run (%(default)s)")
+    parser.add_argument("--repetitions", type=positive, default=5,
+                        help="of every run (%(default)s)")
     parser.add_argument("--quick", action="store_true", default=os.environ.get("QUICK") == "1",
                         help="some five minutes; also with QUICK=1 in the environment")
     parser.add_argument("--finest", type=float, default=0.004, metavar="C",

@@ -28,6 +28,7 @@ import molecule_runs  # noqa: E402
 import morse_corpus  # noqa: E402
 import prediction  # noqa: E402
 import replay  # noqa: E402
+import reproduce  # noqa: E402
 import second_order  # noqa: E402
 import ses_like  # noqa: E402
 import subdomains  # noqa: E402
@@ -218,6 +219,12 @@ class Ends(unittest.TestCase):
                 parser.parse_args(part)
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(f"{part[0]} makes a part of features.tsv", said.getvalue())
+
+    def test_no_repetition_is_a_wrong_argument(self):
+        for script in (ablation, replay, reproduce):
+            for count in ("0", "-1", "x"):
+                with self.subTest(script.__name__), contextlib.redirect_stderr(io.StringIO()):
+                    self.assertEqual(self.code_of(script, "--repetitions", count), (2, ""))
 
     def test_a_folder_for_the_table_is_a_wrong_argument_before_anything_is_run(self):
         said = io.StringIO()
