@@ -235,11 +235,11 @@ TEST_CASE("the grid step chosen makes as many triangles as the sweep, within a f
   for_molecules({"two_balls.xyzr", "ring12.xyzr", "caffeine.xyz", "5tmn_ligand.pdb"},
                 [&](const WeightedPoints& balls) {
                   const PreparedSkin skin = prepare_skin(balls);
-                  for (const double C : {0.08, 0.05}) {
+                  for (const double C : {0.2, 0.08, 0.05}) {
                     CAPTURE(C);
-                    const auto swept =
-                        make_mesh(skin, {.sizing = {.C = C}, .has_safety_net = false});
-                    const double step = step_like_sweep(skin.surface, {.C = C});
+                    const certify::Sizing sizing{.C = C, .Q = certify::Sizing::quality_for(C)};
+                    const auto swept = make_mesh(skin, {.sizing = sizing, .has_safety_net = false});
+                    const double step = step_like_sweep(skin.surface, sizing);
                     CHECK(triangles(marching_cubes(skin.surface, step)) / triangles(swept) ==
                           doctest::Approx(1).epsilon(0.2));
                   }

@@ -189,9 +189,11 @@ double step_like_sweep(const skin::SkinSurface& skin, const certify::Sizing& siz
   }
   // A plane crosses |n_x| + |n_y| + |n_z| grid edges a square step, 3/2 on average over all
   // directions, and there are two triangles to a vertex. The sweep's share was measured: 1.31 to
-  // 1.43 on the molecules of the paper's Table 1 in all three models.
+  // 1.43 on the molecules of the paper's Table 1 in all three models, with the default constants.
   constexpr double grid_share = 3, sweep_share = 1.4;
-  const double triangles = sweep_share * integral / std::pow(sizing.C * sizing.Q, 2);
+  const certify::Sizing usual;
+  const double coarser = sizing.edge_share() / usual.edge_share();
+  const double triangles = sweep_share * integral / std::pow(usual.C * usual.Q * coarser, 2);
   return std::sqrt(grid_share * area / triangles);
 }
 
