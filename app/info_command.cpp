@@ -184,7 +184,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   text += line("patches", brief(info.patches.smallest) + " to " + brief(info.patches.largest) +
                               " A, " + model_text(arguments.molecule));
   text += line("duplicates", grouped(counts.duplicates));
-  text += line("hidden", grouped(info.hidden) + " (no patch of their own, duplicates included)");
+  text += line("hidden", grouped(info.hidden) + " (no power cell, duplicates included)");
   text += info.parts ? skin_parts_text(*info.parts) : line("refused", info.refusal);
   constexpr double max_in_digits = 1e15;
   const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);

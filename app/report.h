@@ -46,7 +46,7 @@ struct MeshReport {
   morskin::SizeGoal size_goal;  ///< what was asked for
   std::string radii;            ///< skin::Molecule::radii
   std::size_t atoms_used = 0;
-  std::size_t atoms_hidden = 0;  ///< of those used, without a patch of their own
+  std::size_t atoms_hidden = 0;  ///< of those used, without a power cell
   skin::ReadingCounts reading;
   std::size_t rounded_coordinates = 0;  ///< MoleculeInput::rounded_coordinates
   SkinParts parts;

@@ -21,6 +21,15 @@ class Info(CommandTest):
         self.assertEqual(wet["atoms"], dry["atoms"] + dry["skipped_waters"])
         self.assertGreater(dry["skipped_waters"], 0)
 
+    def test_a_ball_is_hidden_if_it_has_no_power_cell_not_if_it_only_has_no_patch(self):
+        # The second ball has a cell, but its sphere does not go there; the third has none.
+        balls = self.input("balls.xyzr", "0 0 0 2\n0.1 0 0 1\n0 0 0 1\n")
+        self.assertIn("hidden      1 (no power cell, duplicates included)",
+                      self.run_morskin("info", balls).stdout.decode())
+        self.run_morskin("mesh", balls, "-o", "m.ply", "-q", "-C", "0.3", "--areas", "a.csv")
+        rows = (self.folder / "a.csv").read_text().splitlines()
+        self.assertEqual([row.split(",")[-1] for row in rows[2:4]], ["0", "0"])
+
     def test_the_memory_told_is_no_fifth_below_what_a_run_takes(self):
         for name in ("two_balls.xyzr", "benzene.pdb", "5tmn_ligand.pdb"):
             for C in ("0.08", "0.4"):
