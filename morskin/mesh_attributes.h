@@ -25,8 +25,8 @@ enum class Datum {
   Scale,       ///< length_scale, Angstrom
   Atom,        ///< atom: the nearest by power distance, from 0
   Shares,      ///< atom1 share1 ... atom4 share4: atoms of the mixed cell, -1 where fewer
-  Component,   ///< component, from 0 in the order of the vertices; is_void, 1 where it bounds a
-               ///< void. By triangle as well
+  Component,   ///< component, from 0 in the order of the vertices; is_void, 1 where it encloses a
+               ///< void, 0 of a body inside one. By triangle as well
   Patch,       ///< by triangle, patch: dimension of the Delaunay simplex behind its middle
 };
 

@@ -3,6 +3,7 @@
 #include "morskin/mesh_attributes.h"
 
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <ranges>
 #include <set>
@@ -179,6 +180,24 @@ TEST_CASE("the wall of a void is told from an outer surface, and components coun
   CHECK(std::next(found.begin())->first == 1);
   CHECK(found.begin()->second + std::next(found.begin())->second == 1);
   CHECK(named(told.triangles, "component").numbers.size() == 2 * made.mesh.triangles.size());
+}
+
+TEST_CASE("a body inside a void has a component that encloses no void") {
+  WeightedPoints balls = molecule("shell_hollow.xyzr", skin::Model::Vdw);
+  balls.push_back(ball(0, 0, 0, 1));
+  const PreparedSkin skin = prepare_skin(balls);
+  REQUIRE(skin.topology.voids.size() == 1);
+  REQUIRE(skin.topology.voids[0].bodies.size() == 2);
+  const MeshResult made = meshed_with(skin, 0.2);
+  const geometry::Attribute component = named(all_of(skin, made).vertices, "component");
+  std::map<double, double> is_void;  // by component
+  for (std::size_t v = 0; v < made.mesh.positions.size(); ++v) {
+    is_void[component.numbers[2 * v]] = component.numbers[2 * v + 1];
+    const bool is_inner = made.mesh.positions[v].norm() < 2;
+    if (is_inner) CHECK(component.numbers[2 * v + 1] == 0);
+  }
+  REQUIRE(is_void.size() == 3);
+  CHECK(is_void[0] + is_void[1] + is_void[2] == 1);
 }
 
 TEST_CASE(
