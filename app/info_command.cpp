@@ -32,8 +32,9 @@ Growth growth(skin::Model model) {
       return {1300, 0};
     case skin::Model::Sas:
       return {85, 2000};
-    case skin::Model::Vdw:
     case skin::Model::SesLike:
+      return {450, 0};
+    case skin::Model::Vdw:
     case skin::Model::Given:
       return {900, 0};
   }
