@@ -49,6 +49,8 @@ ordered_json certificate_json(const Certificate& c) {
     json[name] = nullptr;
     json[name + "_reason"] = "not counted, for the mesh is no closed oriented 2-manifold";
   }
+  json["volume"] = nullptr;
+  json["volume_reason"] = "the mesh is no closed oriented 2-manifold";
   return json;
 }
 
@@ -77,11 +79,15 @@ std::string proved_text(const Certificate& c) {
 
 std::string certified_text(const Certificate& c) { return "certified: " + proved_text(c); }
 
+std::string extent_text(double area, double volume, bool is_closed) {
+  return line("extent", "area " + brief(area, 6) + " A^2" +
+                            (is_closed ? ", volume " + brief(volume, 6) + " A^3" : ""));
+}
+
 std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
-  std::string text =
-      line("extent", "area " + brief(c.area, 6) + " A^2, volume " + brief(c.volume, 6) + " A^3") +
-      line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
-                       counted(c.vertices, "vertex", "vertices"));
+  std::string text = extent_text(c.area, c.volume, c.holds(certify::Claim::Manifold)) +
+                     line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
+                                      counted(c.vertices, "vertex", "vertices"));
   if (c.triangles == 0) return text;
   const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
   return text + line("angles", angles_text(c.min_angle_deg, c.max_angle_deg) + " (bound " +

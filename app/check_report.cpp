@@ -237,7 +237,9 @@ std::string json_text(const CheckReport& report) {
   json["angle_histogram"] = report.angles;
   json["quality"] = quality_json(report.quality, report.shape.area);
   json["area"] = rounded(report.shape.area, 12);
-  json["volume"] = rounded(report.shape.volume, 12);
+  if (report.topology.is_closed_oriented_manifold()) {
+    json["volume"] = rounded(report.shape.volume, 12);
+  }
   if (report.intersections) {
     json["self_intersections"] = report.intersections->count;
     json["self_intersections_complete"] = report.intersections->is_complete;
@@ -269,8 +271,7 @@ std::string people_text(const CheckReport& report) {
     if (report.triangles > 0) {
       text += line("angles", angles_text(report.shape.min_angle_deg, report.shape.max_angle_deg));
     }
-    text += line("extent", "area " + brief(report.shape.area, 6) + " A^2, volume " +
-                               brief(report.shape.volume, 6) + " A^3");
+    text += extent_text(report.shape.area, report.shape.volume, topology.defects.empty());
   }
   if (report.curved) text += curved_text(*report.curved);
   text += quality_text(report.quality, report.shape.area);

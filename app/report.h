@@ -94,7 +94,9 @@ std::string proved_text(const certify::Certificate& certificate);
 std::string certified_text(const certify::Certificate& certificate);
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);
-/// Area and volume, triangles and vertices, angles.
+/// Area and, of a closed oriented 2-manifold, volume.
+std::string extent_text(double area, double volume, bool is_closed);
+/// The same, triangles and vertices, angles.
 std::string measures_text(const certify::Certificate& certificate, const certify::Sizing& sizing);
 /// What else the certificate says.
 /// @param source  of the numbers expected

@@ -136,7 +136,7 @@ class Certifier {
 void Certifier::measure_shape() {
   const geometry::MeshShape shape = geometry::measure_shape(mesh_);
   out_.area = shape.area;
-  out_.volume = shape.volume;
+  if (!built_.defect) out_.volume = shape.volume;
   out_.min_angle_deg = shape.min_angle_deg;
   out_.max_angle_deg = shape.max_angle_deg;
 }

@@ -17,6 +17,7 @@
 /// rounding to floats where all coordinates are floats, as in STL, is a claim of its own.
 
 #include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,7 +62,8 @@ struct Certificate {
   double max_relative_distance_to_skin = 0;  ///< the same over the length scale
   bool is_single_precision = false;          ///< every coordinate is a float
   double area = 0;                           ///< Angstrom^2
-  double volume = 0;                         ///< Angstrom^3, without voids
+  /// Angstrom^3, without voids; NaN where the mesh is no closed oriented 2-manifold.
+  double volume = std::numeric_limits<double>::quiet_NaN();
   bool covering_degree_ok = false;
   /// A vertex of each component at which its covering is shown to have one sheet, where it is.
   std::vector<geometry::VertexId> degree_vertices;

@@ -144,7 +144,7 @@ struct Certificate {
   long genus = 0;                ///< summed over components; 0 there too
   double min_angle_deg = 0, max_angle_deg = 0;
   double area = 0;                  ///< Angstrom^2
-  double volume = 0;                ///< Angstrom^3, voids taken off
+  double volume = 0;                ///< Angstrom^3, voids taken off; NaN where it is no manifold
   double max_distance_to_skin = 0;  ///< of a vertex; infinite where none is known
   std::size_t size_violations = 0;  ///< edges that break [L] and triangles that break [U]
 };

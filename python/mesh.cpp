@@ -57,7 +57,8 @@ void bind_certificate(py::module_& module) {
       .def_readonly("min_angle_deg", &Certificate::min_angle_deg, "float: degrees")
       .def_readonly("max_angle_deg", &Certificate::max_angle_deg, "float: degrees")
       .def_readonly("area", &Certificate::area, "float: Angstrom^2")
-      .def_readonly("volume", &Certificate::volume, "float: Angstrom^3, voids taken off")
+      .def_readonly("volume", &Certificate::volume,
+                    "float: Angstrom^3, voids taken off; nan where the mesh is no closed manifold")
       .def_readonly("max_distance_to_skin", &Certificate::max_distance_to_skin,
                     "float: of a vertex, Angstrom; inf where none is known")
       .def_readonly("size_violations", &Certificate::size_violations,

@@ -1,5 +1,7 @@
 // A mesher's hints may save the certificate a search, and may not change a word of it.
 
+#include <cmath>
+
 #include "certify/certificate.h"
 #include "certify/located_vertices.h"
 #include "tests/support/mesh_part.h"
@@ -88,7 +90,7 @@ void check_same(const Certificate& one, const Certificate& other) {
   CHECK(one.covering_degree_ok == other.covering_degree_ok);
   CHECK(one.restricted_delaunay_violations == other.restricted_delaunay_violations);
   CHECK(one.min_angle_deg == other.min_angle_deg);
-  CHECK(one.volume == other.volume);
+  CHECK((one.volume == other.volume || (std::isnan(one.volume) && std::isnan(other.volume))));
 }
 
 /// A mesh, and others made from it in which something is wrong.

@@ -107,6 +107,20 @@ class HostileMeshes(CommandTest):
             reason = next(v["reason"] for v in report["verdicts"] if v["name"] == "[L]")
             self.assertIn("edge {}-{} has".format(*short), reason)
 
+    def test_a_mesh_that_is_not_closed_has_no_volume(self):
+        self.input("one.xyzr", "0 0 0 1\n")
+        points = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)]
+        faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+        for name, some, code in (("closed.off", faces, 0), ("open.off", faces[1:], 5)):
+            self.input(name, off(points, some))
+            said = self.run_morskin("check", name, code=code).stdout
+            self.assertEqual(b", volume " in said, code == 0)
+            report = self.assert_strict("check", name, "--json", code=code)
+            self.assertEqual("volume" in report, code == 0)
+        report = self.assert_strict("check", "open.off", "--against", "one.xyzr", "--json", code=5)
+        self.assertIsNone(report["volume"])
+        self.assertIn("no closed oriented 2-manifold", report["volume_reason"])
+
     def test_reports_of_mesh_are_strict(self):
         for words in (("-C", "0.9", "-Q", "1.9"), ("--method", "marching-cubes")):
             self.run_morskin("mesh", self.ring, "-o", "x.ply", "-q", "--report", "x.json", *words,

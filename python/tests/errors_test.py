@@ -162,10 +162,12 @@ class Errors(ModuleTest):
         mesh = skin.mesh(C=0.3)
         found = morskin.check(mesh.vertices, mesh.faces[1:], skin)
         self.assertEqual((found.components, found.genus), (0, 0))
+        self.assertTrue(math.isnan(found.volume))
         far = morskin.check(mesh.vertices * 0, mesh.faces, skin)
         self.assertEqual(far.max_distance_to_skin, math.inf)
         for name, text in (("components", "0 where the mesh is no closed manifold"),
                            ("genus", "0 where the mesh is no closed manifold"),
+                           ("volume", "nan where the mesh is no closed manifold"),
                            ("max_distance_to_skin", "inf where none is known")):
             self.assertIn(text, getattr(morskin.Certificate, name).__doc__)
 
