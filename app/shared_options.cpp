@@ -50,7 +50,8 @@ void add_voids_option(CLI::App& command, Typed& typed) {
 void add_sizing_options(CLI::App& command, Typed& typed) {
   command
       .add_option("-C", typed.skin.C,
-                  "Size over the curvature radius; half makes 3 to 4 times as many")
+                  "Size over curvature radius; half makes 3 to 4 times as many.\n"
+                  "Of a C above 0.25 half makes 5 to 11 times as many")
       ->default_str("0.08");
   command.add_option("-Q", typed.skin.Q, "Quality: every angle exceeds asin(1/Q^2)")
       ->default_str("1.65 or, with C above 0.107, just above the least that C allows");

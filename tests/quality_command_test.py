@@ -19,6 +19,14 @@ class Quality(CommandTest):
             result.append(math.degrees(math.acos(cosine)))
         return sorted(result)
 
+    def test_half_a_C_makes_as_many_times_more_triangles_as_the_help_says(self):
+        said = " ".join(self.run_morskin("mesh", "--help-all").stdout.decode().split())
+        self.assertIn("half makes 3 to 4 times as many. Of a C above 0.25 half makes 5 to 11", said)
+        for C, least, most in ((0.08, 3, 4), (0.2, 3, 4), (0.26, 5, 11), (0.4, 5, 11)):
+            whole, half = (self.mesh_json(self.ring, "-o", "m.ply", "-C", size)["triangles"]
+                           for size in (C, C / 2))
+            self.assertTrue(least <= round(half / whole) <= most, C)
+
     def counted(self, places, triangles):
         angles = [self.angles(places, t) for t in triangles]
         valences = Counter(Counter(v for t in triangles for v in t).values())
