@@ -27,6 +27,18 @@ class Quality(CommandTest):
                            for size in (C, C / 2))
             self.assertTrue(least <= round(half / whole) <= most, C)
 
+    def test_edges_grow_without_a_grading_as_the_help_says(self):
+        said = self.run_morskin("mesh", "--help-all").stdout
+        self.assertIn(b"as -C allows, 0.18 with 0.08, 1.09 with 0.4", said)
+        for name, C, below, above in (("caffeine.xyz", "0.08", "0.17", "0.18"),
+                                      ("1crn.pdb", "0.4", "1", "1.1")):
+            meshes = []
+            for words in ((), ("--grading", below), ("--grading", above)):
+                self.run_morskin("mesh", MOLECULES / name, "-o", "m.ply", "-q", "-C", C,
+                                 "--method", "static", *words)
+                meshes.append(self.without_origin("m.ply"))
+            self.assertEqual([mesh == meshes[0] for mesh in meshes], [True, False, True], C)
+
     def counted(self, places, triangles):
         angles = [self.angles(places, t) for t in triangles]
         valences = Counter(Counter(v for t in triangles for v in t).values())
