@@ -4,6 +4,7 @@
 import json
 import os
 import shutil
+import zipfile
 
 from support.command import MOLECULES, CommandTest, main
 
@@ -28,6 +29,13 @@ class Surfaces(CommandTest):
         done = self.run_morskin("mesh", "--surface", surface, "-o", "mesh.ply", *words, code=code)
         self.assertEqual(self.names(), before)
         return done.stderr.decode()
+
+    def test_of_other_surfaces_than_skins_files_have_no_normals(self):
+        for words, has_normals in (((self.ring,), True), (("--surface", "sphere:2"), False)):
+            self.run_morskin("mesh", *words, "-o", "m.npz", "-o", "m.glb", "-q", *COARSE)
+            with zipfile.ZipFile(self.folder / "m.npz") as archive:
+                self.assertEqual("normals.npy" in archive.namelist(), has_normals)
+            self.assertEqual(b'"NORMAL"' in (self.folder / "m.glb").read_bytes(), has_normals)
 
     def test_known_surfaces_are_certified_from_their_files_and_mutants_are_not(self):
         for surface, components, genus in KNOWN:
