@@ -125,6 +125,7 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                {"patch_radius_max", rounded(info.patches.largest)},
                {"duplicates", counts.duplicates},
                {"hidden", info.hidden},
+               {"coordinates_rounded", input.rounded_coordinates},
                {"skipped", skipped(counts)},
                {"skipped_other_chains", counts.other_chains},
                {"skipped_waters", counts.waters},

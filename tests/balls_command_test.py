@@ -61,6 +61,9 @@ class Balls(CommandTest):
         self.assertEqual(json.loads(done.stdout)["coordinates_rounded"], 2)
         self.assertIn(b"rounded to multiples of 2^-120: 2, the first of ball (line 1)", done.stderr)
         self.assertEqual(self.mesh_json("zero.xyzr", "-o", "zero.ply")["coordinates_rounded"], 0)
+        for name, count in (("noise.xyzr", 2), ("zero.xyzr", 0)):
+            told = json.loads(self.run_morskin("info", name, "--json").stdout)
+            self.assertEqual(told["coordinates_rounded"], count)
 
     def test_rounding_is_told_once_and_not_to_who_asks_for_quiet(self):
         self.input("noise.xyzr", "1e-25 0 0 1\n1 0 0 1\n")
