@@ -23,6 +23,7 @@
 #include "app/staged_outputs.h"
 #include "certify/located_vertices.h"
 #include "geometry/error.h"
+#include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/stopwatch.h"
 #include "geometry/task_trace.h"
@@ -155,6 +156,15 @@ void note_doubts(const MeshArguments& arguments) {
   std::cerr << "\n";
 }
 
+/// @throws UsageError  a weight leaves the range of the exact predicates
+void grow(std::vector<geometry::WeightedPoint>& points, double by) {
+  for (auto& p : points) {
+    p.weight += by;
+    if (geometry::is_exact_weight(p.weight)) continue;
+    throw UsageError("--grow must leave every weight within 2^30 Angstrom^2; end it nearer to 0");
+  }
+}
+
 MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
   const Stopwatch reading;
   MoleculeInput input = read_input(arguments.molecule);
@@ -162,7 +172,7 @@ MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
     note_rounded_coordinates(input);
     note_unused_radii(arguments.molecule, input);
   }
-  for (auto& p : input.points) p.weight += arguments.grow_to;
+  grow(input.points, arguments.grow_to);
   report.seconds.read = reading.seconds();
   describe_input(report, arguments, input);
   return input;

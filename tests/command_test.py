@@ -154,8 +154,10 @@ class Mesh(CommandTest):
 
     def test_growth_wants_two_times_and_the_dynamic_method(self):
         for words in (("--grow", "-1..0"), ("--method", "dynamic", "--grow", "0..-1"),
-                      ("--method", "dynamic", "--grow", "x..0")):
-            self.run_morskin("mesh", self.ring, "-o", "ring.ply", *words, code=2)
+                      ("--method", "dynamic", "--grow", "x..0"),
+                      ("--method", "dynamic", "--grow", "0..1e30")):
+            said = self.run_morskin("mesh", self.ring, "-o", "ring.ply", *words, code=2).stderr
+            self.assertIn(b"--grow", said)
 
     def test_no_certificate_is_written_of_balls_that_no_file_has(self):
         done = self.run_morskin("mesh", self.ring, "-o", "ring.ply", "--method", "dynamic",
