@@ -245,17 +245,22 @@ std::string complaint(const CLI::App& app, const CLI::Error& error) {
          (has_comma ? "; decimals follow a point" : "");
 }
 
-/// The last words of a complaint: where the options of the command given are explained.
-std::string help_hint(const CLI::App& app) {
+/// The last words of a complaint: where the options of the command are explained.
+std::string help_hint(const CLI::App& app, std::string command) {
   const std::vector<CLI::App*> given = app.get_subcommands();
-  return "; see morskin " + (given.empty() ? "" : given[0]->get_name() + " ") + "--help\n";
+  if (command.empty() && !given.empty()) command = given[0]->get_name();
+  return "; see morskin " + (command.empty() ? "" : command + " ") + "--help\n";
 }
 
 }  // namespace
 
 Arguments parse_arguments(int count, const char* const* words) {
+  return parse_arguments(count, words, "");
+}
+
+Arguments parse_arguments(int count, const char* const* words, const std::string& command) {
   CLI::App app("", "morskin");
-  app.failure_message([](const CLI::App* parser, const CLI::Error& error) {
+  app.failure_message([&command](const CLI::App* parser, const CLI::Error& error) {
     std::string meant;
     if (std::string_view(error.what()).starts_with("--model: ")) {
       meant = "; the model of a file that has several is --model-number";
@@ -264,7 +269,7 @@ Arguments parse_arguments(int count, const char* const* words) {
       const std::optional<std::string> option = nearest_option(*parser, word);
       if (option) meant += "; " + word + " is no option, did you mean " + *option + "?";
     }
-    return "morskin: " + complaint(*parser, error) + meant + help_hint(*parser);
+    return "morskin: " + complaint(*parser, error) + meant + help_hint(*parser, command);
   });
   AllArguments all;
   Typed typed;
@@ -286,7 +291,7 @@ Arguments parse_arguments(int count, const char* const* words) {
     app.exit(error, std::cout, std::cerr);
     return Finished{is_complaint ? ExitCode::Usage : ExitCode::Success};
   } catch (const UsageError& error) {
-    std::cerr << "morskin: " << error.what() << help_hint(app);
+    std::cerr << "morskin: " << error.what() << help_hint(app, command);
     return Finished{ExitCode::Usage};
   }
 }

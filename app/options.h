@@ -64,4 +64,8 @@ BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed)
 /// Adds all commands and options to the parser. Both must outlive it.
 void add_commands(CLI::App& app, AllArguments& all, Typed& typed);
 
+/// parse_arguments of words that a command makes of its own for another.
+/// @param command  the one to whose help complaints point; empty: the one that the words name
+Arguments parse_arguments(int count, const char* const* words, const std::string& command);
+
 }  // namespace morskin::app

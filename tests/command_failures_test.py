@@ -162,7 +162,8 @@ class Failures(CommandTest):
         for words, command in (((), ""), (("--nope",), ""), (("mehs",), ""), (("mesh",), "mesh "),
                                ((self.ring, "-o", "a.foo"), "mesh "), (("info",), "info "),
                                (("figure", "12", "-o", "a.png"), "figure "),
-                               (("check", "a.ply", "--wat"), "check ")):
+                               (("check", "a.ply", "--wat"), "check "),
+                               (("batch", "l", "-o", "b", "--timeout", "0"), "batch ")):
             said = self.run_morskin(*words, code=2).stderr.decode()
             self.assertTrue(said.endswith(f"; see morskin {command}--help\n"), said)
             self.assertEqual(said.count("--help"), 1)

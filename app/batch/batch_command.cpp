@@ -11,6 +11,7 @@
 #include "app/batch/workers.h"
 #include "app/commands.h"
 #include "app/limits.h"
+#include "app/options.h"
 #include "app/progress.h"
 #include "app/report_lines.h"
 #include "geometry/error.h"
@@ -27,7 +28,8 @@ bool are_options_sound(const BatchArguments& arguments) {
   const std::vector<std::string> words = worker_words(arguments, "molecule.pdb", ".");
   std::vector<const char*> pointers{"morskin"};
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  const Arguments parsed = parse_arguments(static_cast<int>(pointers.size()), pointers.data());
+  const Arguments parsed =
+      parse_arguments(static_cast<int>(pointers.size()), pointers.data(), "batch");
   const auto* const features = std::get_if<FeaturesArguments>(&parsed);
   const auto* const mesh =
       features != nullptr ? &features->mesh : std::get_if<MeshArguments>(&parsed);
