@@ -11,6 +11,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/selection_arguments.h"
+#include "app/skin_arguments.h"
 #include "app/staged_outputs.h"
 #include "app/stated_skin.h"
 #include "app/version.h"
@@ -22,6 +23,7 @@
 #include "geometry/mesh_shape.h"
 #include "morse/protecting_spheres.h"
 #include "morse/validate_complex.h"
+#include "skin/molecule_files.h"
 
 namespace morskin::app {
 namespace {
@@ -118,8 +120,22 @@ struct Viewed {
   std::optional<certify::Certificate> certificate;
 };
 
+// A mesh whose name has no ending, as that of standard input, is taken for a molecule.
+MoleculeInput read_shown(const MoleculeArguments& molecule) {
+  try {
+    return read_input(molecule);
+  } catch (const geometry::UnreadableInput& error) {
+    std::error_code ignored;
+    const bool is_there =
+        is_read_once(molecule.input) || std::filesystem::exists(molecule.input, ignored);
+    if (!is_there || skin::molecule_format_of(molecule.input)) throw;
+    throw geometry::UnreadableInput(std::string(error.what()) +
+                                    "; a mesh is known by its name's ending alone");
+  }
+}
+
 Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morskin::Run& run) {
-  MoleculeInput input = read_input(arguments.molecule);
+  MoleculeInput input = read_shown(arguments.molecule);
   if (!arguments.quiet) {
     note_rounded_coordinates(input);
     note_unused_radii(arguments.molecule, input);

@@ -246,6 +246,13 @@ class Failures(ViewTest):
         self.assertIn(b"nothing is written", done.stderr)
         self.assertNotIn(b"see -", done.stderr)
 
+    def test_a_mesh_without_an_ending_is_refused_with_a_word_on_endings(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        mesh = (self.folder / "m.ply").rename(self.folder / "m").read_bytes()
+        for words in (("m",), ("-",)):
+            done = self.run_morskin("view", *words, "-o", "m.html", code=3, input=mesh)
+            self.assertIn(b"a mesh is known by its name's ending", done.stderr)
+
     def test_each_failure_has_its_exit_code_and_leaves_nothing(self):
         (self.folder / "broken.ply").write_text("ply\nnonsense\n")
         (self.folder / "empty.off").write_text("OFF\n0 0 0\n")
