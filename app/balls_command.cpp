@@ -13,7 +13,7 @@ ExitCode balls_command(const BallsArguments& arguments) {
   const MoleculeInput input = read_input(arguments.molecule);
   if (!arguments.quiet) {
     note_rounded_coordinates(input);
-    note_unused_radii(arguments.molecule, input);
+    note_unused(arguments.molecule, input);
   }
   const std::string text =
       arguments.weights ? skin::xyzw_text(input.points) : skin::xyzr_text(input.points);

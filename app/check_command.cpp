@@ -240,7 +240,7 @@ void check_against_molecule(CheckReport& report, const geometry::MeshFile& file,
   report.origin.compare_input(stated.input.sha256);
   progress.wipe();
   note_rounded_coordinates(stated.input);
-  if (arguments.typed.radii) note_unused_radii(*arguments.against, stated.input);
+  if (is_of_molecules(arguments.typed)) note_unused(*arguments.against, stated.input);
   report.against = check_against(file, report.topology, stated.input, arguments, certificate, run);
   find_what_fits(file.mesh, arguments, report, run);
 }

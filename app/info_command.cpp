@@ -211,7 +211,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
 ExitCode info_command(const InfoArguments& arguments) {
   const MoleculeInput input = read_input(arguments.molecule);
   note_rounded_coordinates(input);
-  note_unused_radii(arguments.molecule, input);
+  note_unused(arguments.molecule, input);
   const Info info = gather(input, arguments);
   std::cout << (arguments.json ? json_text(input, arguments, info)
                                : people_text(input, arguments, info));

@@ -170,7 +170,7 @@ MoleculeInput read(const MeshArguments& arguments, MeshReport& report) {
   MoleculeInput input = read_input(arguments.molecule);
   if (!arguments.quiet) {
     note_rounded_coordinates(input);
-    note_unused_radii(arguments.molecule, input);
+    note_unused(arguments.molecule, input);
   }
   grow(input.points, arguments.grow_to);
   report.seconds.read = reading.seconds();

@@ -100,7 +100,12 @@ void note_rounded_coordinates(const MoleculeInput& input) {
             << describe(molecule, *first_inexact(molecule)) << "\n";
 }
 
-void note_unused_radii(const MoleculeArguments& arguments, const MoleculeInput& input) {
+void note_unused(const MoleculeArguments& arguments, const MoleculeInput& input) {
+  const std::optional<char> location = arguments.selection.location;
+  if (location && input.molecule.counts.at_location == 0) {
+    std::cerr << "morskin: note: " << input.molecule.source << ": no atom has a location "
+              << *location << ", so the likeliest are kept\n";
+  }
   const auto list = arguments.radii ? skin::parse_radius_table(*arguments.radii) : std::nullopt;
   if (!list) return;
   constexpr std::size_t most = 5;

@@ -27,9 +27,9 @@ MoleculeInput read_input(const MoleculeArguments& arguments);
 /// Tells on standard error of coordinates that had to be rounded.
 void note_rounded_coordinates(const MoleculeInput& input);
 
-/// Tells on standard error of radii that were listed, as in C=1.7, and that no atom takes: a slip
-/// more often than a wish. Tables in files are of many molecules.
-void note_unused_radii(const MoleculeArguments& arguments, const MoleculeInput& input);
+/// Tells on standard error of radii that were listed, as in C=1.7, and of the letter of a location,
+/// where no atom takes them: a slip more often than a wish. Tables in files are of many molecules.
+void note_unused(const MoleculeArguments& arguments, const MoleculeInput& input);
 
 /// morskin::prepare_skin, but a refusal calls the atoms by their names.
 /// @throws geometry::RefusedInput

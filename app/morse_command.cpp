@@ -57,7 +57,7 @@ ExitCode morse_command(const MorseArguments& arguments) {
   const MoleculeInput input = read_input(arguments.molecule);
   if (!arguments.quiet) {
     note_rounded_coordinates(input);
-    note_unused_radii(arguments.molecule, input);
+    note_unused(arguments.molecule, input);
   }
   StagedOutputs outputs({arguments.output});
   ProgressLine progress(arguments.quiet ? ShowProgress::Never : arguments.progress);

@@ -138,7 +138,7 @@ Viewed view_molecule(PageData& page, const ViewArguments& arguments, const morsk
   MoleculeInput input = read_shown(arguments.molecule);
   if (!arguments.quiet) {
     note_rounded_coordinates(input);
-    note_unused_radii(arguments.molecule, input);
+    note_unused(arguments.molecule, input);
   }
   Context context = app::context(std::move(input), arguments.molecule, arguments, run);
   morskin::MeshingOptions options;
@@ -182,7 +182,7 @@ Viewed view_mesh(PageData& page, const ViewArguments& arguments, const morskin::
   const MoleculeArguments& molecule = stated.molecule;
   if (!arguments.quiet) {
     note_rounded_coordinates(stated.input);
-    if (arguments.typed.radii) note_unused_radii(molecule, stated.input);
+    if (is_of_molecules(arguments.typed)) note_unused(molecule, stated.input);
   }
   Context context = app::context(std::move(stated.input), molecule, arguments, run);
   set_sizing(context, stated.sizing);

@@ -44,12 +44,13 @@ struct Atom {
   std::uint32_t line = 0;    ///< of the file, from 1; 0 if unknown
 };
 
-/// Atoms and models of a file that were left out, and duplicates that were kept.
+/// Atoms and models of a file that were left out, and duplicates and locations that were kept.
 struct ReadingCounts {
   std::size_t other_chains = 0;  ///< atoms left out for their chain, or in no part of the assembly
   std::size_t waters = 0;        ///< atoms of water left out
   std::size_t hetatms = 0;       ///< atoms left out for their HETATM record
   std::size_t alternates = 0;    ///< atoms left out for another of their alternate locations
+  std::size_t at_location = 0;   ///< atoms kept that are at the location of the letter asked for
   std::size_t hydrogens = 0;     ///< atoms of hydrogen left out
   std::size_t zero_radii = 0;    ///< atoms left out for a radius of 0 in the file
   std::size_t unknown = 0;       ///< atoms left out for the element X, unknown

@@ -210,6 +210,10 @@ ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,
   if (!selection.all_locations) {
     counts.alternates = keep_one_location(file.atoms, selection.location);
   }
+  counts.at_location =
+      static_cast<std::size_t>(std::ranges::count_if(file.atoms, [&](const AtomRecord& record) {
+        return record.alternate == selection.location;
+      }));
   counts.hydrogens = selector.leave_out_hydrogens();
   return counts;
 }

@@ -69,6 +69,11 @@ class Selections(CommandTest):
             found = self.balls("blank.pdb", text, *words)
             self.assertEqual([x for x, _ in found], places)
 
+    def test_a_note_tells_of_a_location_that_no_atom_has(self):
+        self.assertIn("note: two.pdb: no atom has a location C",
+                      self.complaint("--altloc", "C", code=0))
+        self.assertEqual(self.complaint("--altloc", "A", code=0), "")
+
     def test_models_of_one_number_are_refused_where_all_are_asked_for(self):
         atom = "ATOM      1  CA  ALA A   1    {:8.3f}   0.000   0.000  1.00  0.00           C\n"
         self.input("twice.pdb", "".join(f"MODEL        1\n{atom.format(x)}ENDMDL\n"
