@@ -91,6 +91,15 @@ TEST_CASE("an STL file as text is read") {
   CHECK(mesh.triangles[1] == std::array<std::uint32_t, 3>{1, 3, 2});
 }
 
+TEST_CASE("an STL file as text may be in capitals, whatever its name") {
+  const std::string text =
+      "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\n"
+      "ENDLOOP\nENDFACET\nENDSOLID A\n";
+  for (const char* const name : {"mesh.stl", "mesh"}) {
+    CHECK(parse_mesh(text, name).triangles.size() == 1);
+  }
+}
+
 TEST_CASE("the VTU text names its arrays and their sizes") {
   const std::string text = serialized(plain_tetrahedron(), MeshFormat::Vtu);
   CHECK(contains(text, "NumberOfPoints=\"4\" NumberOfCells=\"4\""));

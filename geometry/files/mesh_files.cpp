@@ -113,7 +113,7 @@ std::optional<MeshFormat> format_by_content(std::string_view bytes) {
   std::string_view line = first_line(bytes);
   const std::string_view word = take_field(line);
   if (word.ends_with("OFF")) return MeshFormat::Off;
-  if (word == "solid") return MeshFormat::Stl;
+  if (lower_case(std::string(word)) == "solid") return MeshFormat::Stl;
   if (word == "v" || word == "f" || word == "o" || word == "mtllib") return MeshFormat::Obj;
   return std::nullopt;
 }

@@ -123,7 +123,7 @@ IndexedMesh parse_ascii_stl(std::string_view bytes, const std::string& source) {
   bool is_in_facet = false;
   while (lines.advance()) {
     std::string_view fields = lines.line();
-    const std::string_view word = take_field(fields);
+    const std::string word = lower_case(std::string(take_field(fields)));
     if (word == "solid") {
       is_in_solid = true;
     } else if (word == "facet") {
@@ -157,7 +157,8 @@ bool looks_like_binary_stl(std::string_view bytes) {
 
 IndexedMesh parse_stl(std::string_view bytes, const std::string& source) {
   if (looks_like_binary_stl(bytes)) return parse_binary_stl(bytes, source);
-  if (trimmed(bytes.substr(0, 256)).starts_with("solid")) return parse_ascii_stl(bytes, source);
+  const std::string beginning = lower_case(std::string(trimmed(bytes.substr(0, 256))));
+  if (beginning.starts_with("solid")) return parse_ascii_stl(bytes, source);
   throw UnreadableInput(source +
                         ": is no STL file, or a truncated one: its length is not what its number "
                         "of triangles asks for; write it again");
