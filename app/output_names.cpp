@@ -160,8 +160,6 @@ bool takes_second_order(const std::filesystem::path& path) {
   return geometry::has_second_order(format_of(path));
 }
 
-bool is_single(MeshFormat format) { return format == MeshFormat::Stl || format == MeshFormat::Glb; }
-
 bool is_msms(MeshFormat format) {
   return format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
 }

@@ -56,8 +56,6 @@ bool takes_second_order(const std::filesystem::path& path);
 
 /// Whether it is one of MSMS's two files.
 bool is_msms(geometry::MeshFormat format);
-/// Whether a format stores coordinates in single precision.
-bool is_single(geometry::MeshFormat format);
 bool is_msms(const std::filesystem::path& path);
 
 /// Behind each file of MSMS the other: the same name with .face or .vert. Where both are named,

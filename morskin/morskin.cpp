@@ -232,8 +232,7 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   with_errors([&] {
     const geometry::IndexedMesh written = inside(mesh);
     const std::optional<geometry::MeshFormat> format = geometry::mesh_format_of(file);
-    const bool is_single =
-        format == geometry::MeshFormat::Stl || format == geometry::MeshFormat::Glb;
+    const bool is_single = format && geometry::is_single(*format);
     constexpr double largest_single = std::numeric_limits<float>::max();
     const auto refuse = [](std::size_t v, const char* why) {
       throw geometry::RefusedInput("vertex " + std::to_string(v) + why);

@@ -128,6 +128,8 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
+bool is_single(MeshFormat format) { return format == MeshFormat::Stl || format == MeshFormat::Glb; }
+
 IndexedMesh with_decimals(IndexedMesh mesh, int decimals) {
   for (Point& position : mesh.positions) {
     for (double& coordinate : position) {

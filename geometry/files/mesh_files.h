@@ -44,6 +44,8 @@ enum class MeshFormat {
 
 /// The format of a file's ending, in upper or lower case; .ply means binary.
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
+/// Whether a format stores coordinates in single precision.
+bool is_single(MeshFormat format);
 /// The name down to the ending that tells the format: without .gz, and without the .unverified that
 /// a mesh which is not certified has.
 std::filesystem::path plain_name(const std::filesystem::path& path);
