@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "skin/molecule_formats.h"
+#include "skin/radii.h"
 
 namespace morskin::skin {
 namespace {
@@ -64,6 +65,14 @@ void require_all(const std::vector<std::string>& chosen, const std::set<Label>& 
   if (missing.empty()) return;
   throw RefusedInput(source + ": has no " + what + " " + listed(missing) + "; " +
                      (present.empty() ? "leave the name out" : "choose from " + listed(present)));
+}
+
+// MW of SOL, EPW of WAT: models of water have sites that are no atoms.
+std::size_t leave_out_sites_of_water(ParsedFile& file) {
+  if (file.has_radii || file.has_weights) return 0;
+  return std::erase_if(file.atoms, [](const AtomRecord& record) {
+    return is_water(record) && !element_symbol(record.atom.element.view());
+  });
 }
 
 // Leaves atoms out for one reason after the other, but never the last.
@@ -206,6 +215,7 @@ ReadingCounts keep_selected(ParsedFile& file, const Selection& selection,
   Selector selector(file, selection, source);
   counts.other_chains = selector.leave_out_other_chains();
   if (!selection.waters && has_others) counts.waters = selector.leave_out_waters();
+  counts.unknown += leave_out_sites_of_water(file);
   counts.hetatms = selector.leave_out_hetatms(hetatms);
   if (!selection.all_locations) {
     counts.alternates = keep_one_location(file.atoms, selection.location);

@@ -181,6 +181,17 @@ TEST_CASE("water is left out unless asked for or alone") {
   CHECK(parse_molecule(pqr, "a.pqr").counts.zero_radii == 1);
 }
 
+TEST_CASE("sites of water that are no atoms are left out and counted") {
+  const std::string text = pdb_line("ATOM", " OW ", ' ', "SOL", 1, 0, "") +
+                           pdb_line("ATOM", " MW ", ' ', "SOL", 1, 1, "") +
+                           pdb_line("ATOM", " O  ", ' ', "WAT", 2, 5, "") +
+                           pdb_line("ATOM", "EPW ", ' ', "WAT", 2, 6, "");
+  const Molecule molecule = parse_molecule(text, "box.pdb");
+  CHECK(elements_of(molecule) == "O O");
+  CHECK(molecule.counts.unknown == 2);
+  CHECK(molecule.counts.waters == 0);
+}
+
 TEST_CASE("a chain of a long name is chosen by all of it or by what an error tells of it") {
   const std::string text =
       "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n_atom_site.Cartn_x\n"
