@@ -47,7 +47,8 @@ struct Molecule {
   std::vector<std::pair<std::string, std::size_t>> left_out;
 };
 
-/// The molecule in a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order.
+/// The molecule in a PDB, mmCIF, PQR, XYZ or XYZR file, gzipped or not, in its order; "-" is
+/// standard input.
 /// @throws Error  Unreadable, Refused
 Molecule read_molecule_file(const std::filesystem::path& file, const ReadOptions& options = {});
 /// Its atoms.

@@ -123,7 +123,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.
+/// A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not; "-" is standard input.
 /// @throws Error  Unreadable
 TriangleMesh read_mesh(const std::filesystem::path& file);
 /// Writes PLY (binary), OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or
