@@ -73,8 +73,9 @@ void limit_memory(const Limits& limits) {
   ::setrlimit(RLIMIT_DATA, &limit);
   if (!limits.max_memory || !is_felt_first) return;
   std::snprintf(memory_text, sizeof memory_text,
-                "the memory limit of %llu bytes (--max-memory) was reached; allow more, or %s",
-                static_cast<unsigned long long>(*limits.max_memory), limits.advice);
+                "the memory limit of %llu byte%s (--max-memory) was reached; allow more, or %s",
+                static_cast<unsigned long long>(*limits.max_memory),
+                *limits.max_memory == 1 ? "" : "s", limits.advice);
 }
 
 const char* out_of_memory_text() { return memory_text; }

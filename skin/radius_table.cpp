@@ -130,8 +130,7 @@ RadiusTable read_radius_table(const std::filesystem::path& file) {
     const auto fields = geometry::fields_of(line.substr(0, line.find('#')));
     if (fields.empty()) continue;
     if (fields.size() != 2) {
-      lines.fail("has " + std::to_string(fields.size()) +
-                 " fields, not an element or RESIDUE:ATOM and a radius; correct it");
+      lines.fail("is not an element or RESIDUE:ATOM and a radius; correct it");
     }
     if (const auto wrong = table.add(fields[0], fields[1])) lines.fail(*wrong);
     is_empty = false;

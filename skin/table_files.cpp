@@ -229,8 +229,8 @@ ParsedFile parse_xyz(std::string_view bytes, const std::string& source, ModelSea
     const XyzColumns columns = has_comment && is_read ? xyz_columns(lines) : XyzColumns();
     for (std::int64_t atom = 0; atom < *count; ++atom) {
       if (!lines.advance() || trimmed(lines.line()).empty()) {
-        lines.fail("there are " + std::to_string(atom) + " atoms where " + std::to_string(*count) +
-                   " were announced; mend the count");
+        lines.fail("the atoms end after " + std::to_string(atom) + " of " + std::to_string(*count) +
+                   " announced; mend the count");
       }
       if (is_read) file.atoms.push_back(xyz_atom(lines, columns));
     }

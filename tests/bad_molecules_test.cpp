@@ -112,7 +112,7 @@ TEST_CASE("bad input is turned down with its line, the atom and what to do") {
   refused(pdb_line("HETATM", " Q1 ", ' ', "LIG", 5, 0, ""), "a.pdb", "no known element");
   unreadable("0 0 0\n", "a.xyzr", "a.xyzr:1: expected x y z r, found the end of the line;");
   unreadable("1\n\nXx 0 0 0\n", "a.xyz", "a.xyz:3: \"Xx\" is no element");
-  unreadable("2\n\nC 0 0 0\n", "a.xyz", "1 atoms where 2 were announced");
+  unreadable("2\n\nC 0 0 0\n", "a.xyz", "end after 1 of 2 announced");
   unreadable("1\n\nC 0 0 0\nC 0 0 0\n", "a.xyz", "a.xyz:4: expected the number of atoms");
   unreadable("9000000000000000000\n\nC 0 0 0\n", "a.xyz", "announced");
   unreadable("ATOM 1 N ALA 1 0 0 0 1\n", "a.pqr", "a.pqr:1: expected 10 or 11 fields");

@@ -122,7 +122,7 @@ def reading_cases():
     yield Case("a line of ten million characters", {"long.xyzr": "0 " * 5000000}, code=4,
                says="has no atom with a radius above 0")
     yield Case("an XYZ file that announces more atoms than it has", {"few.xyz": "9\n\nC 0 0 0\n"},
-               code=3, says="few.xyz:3: there are 1 atoms where 9 were announced")
+               code=3, says="few.xyz:3: the atoms end after 1 of 9 announced")
     yield Case("an element without a radius", {"md.xyz": "1\n\nMd 0 0 0\n"}, code=4,
                says="no van der Waals radius")
     yield Case("the molecule on standard input", {}, [("mesh", "-", "-o", "out.ply")],

@@ -182,7 +182,7 @@ def limit_cases():
                says="the memory limit of 41943040 bytes (--max-memory) was reached", memory=True)
     yield Case("--max-memory of next to nothing", crambin,
                [(*fine, "--max-memory", size) for size in ("1", "1M", "2M", "4M", "8M")], code=6,
-               says="bytes (--max-memory) was reached", memory=True)
+               says=" (--max-memory) was reached", memory=True)
     yield Case("--max-memory of check, render and view", {"cone.off": cone(200000)},
                [(*words, "--max-memory", "4M") for words in
                 (("check", "cone.off"), ("render", "cone.off", "-o", "x.png"),
