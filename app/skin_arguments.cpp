@@ -96,6 +96,9 @@ void finish(certify::Sizing& sizing, const TypedSkin& typed, double default_C) {
   sizing.Q = typed.Q.value_or(certify::Sizing::quality_for(sizing.C));
   check_sizing(sizing);
   if (typed.size) sizing.set_edge_length(*typed.size);
+  if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
+    throw UsageError("--size must be larger, or -C smaller");
+  }
 }
 
 }  // namespace morskin::app

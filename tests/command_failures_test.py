@@ -100,7 +100,7 @@ class Failures(CommandTest):
                       (*good, "--height", "1,2,nan"), (*good, "--model", "ball"),
                       (*good, "--method", "melt"), (*good, "--progress", "often"),
                       (*good, "--size", "0"), (*good, "--size", "nan"),
-                      (*good, "-C", "1e-22"), (*good, "--size", "1e-22"),
+                      (*good, "-C", "1e-22"), (*good, "--size", "1e-22"), (*good, "--size", "1e-6"),
                       (*good, "--method", "static", "--snapshots", "3"),
                       (*good, "--method", "static", "--fronts", "1"),
                       (*good, "--fronts", "0"), (*good, "--fronts", "70000"),
