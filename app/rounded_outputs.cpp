@@ -73,9 +73,9 @@ void check_rounded_outputs(const IndexedMesh& mesh, const MeshArguments& argumen
     if (is_msms_file) check_columns(*rounded, output);
     const std::size_t spoilt = count_spoilt(mesh, *rounded, is_msms_file ? any : few);
     if (spoilt == 0) continue;
-    const std::string digits =
-        is_msms_file ? "rounded to " + std::to_string(*arguments.decimals) + " decimals"
-                     : "in single precision, all that the format has";
+    const std::string digits = is_msms_file
+                                   ? "with --decimals " + std::to_string(*arguments.decimals)
+                                   : "in single precision, all that the format has";
     const std::string way_out =
         is_msms_file ? "give more --decimals or none"
                      : "write another format, or move the molecule nearer to the origin";

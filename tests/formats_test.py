@@ -200,6 +200,7 @@ class Formats(CommandTest):
             before = self.names()
             done = self.run_morskin("mesh", *words, code=4)
             self.assertRegex(done.stderr.decode(), r"m\.\w+: .* triangles would be turned over")
+            self.assertNotIn(b"1 decimals", done.stderr)
             self.assertEqual(self.names(), before)
 
     def test_coordinates_that_are_wider_than_their_columns_are_refused(self):
