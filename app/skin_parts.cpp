@@ -76,9 +76,12 @@ std::string voids_text(const std::vector<SkinParts::Cavity>& voids, const std::s
 
 std::string waists_text(const char* label, const std::vector<skin::Waist>& waists) {
   if (waists.empty()) return line(label, "none");
-  return line(label, grouped(waists.size()) + ", the narrowest of radius " +
-                         brief(waists.front().radius, 3) + " A; they force " +
-                         grouped(std::llround(forced_triangles(waists))) + " triangles");
+  const bool is_one = waists.size() == 1;
+  const auto forced = static_cast<std::size_t>(std::llround(forced_triangles(waists)));
+  return line(
+      label, grouped(waists.size()) + (is_one ? ", of radius " : ", the narrowest of radius ") +
+                 brief(waists.front().radius, 3) + (is_one ? " A; it forces " : " A; they force ") +
+                 counted(forced, "triangle", "triangles"));
 }
 
 SkinParts parts_without_volumes(const morskin::PreparedSkin& skin) {

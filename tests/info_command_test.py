@@ -14,6 +14,10 @@ class Info(CommandTest):
         self.assertGreater(info["estimated_triangles"], 0)
         self.assertIn(b"about", self.run_morskin("info", MOLECULES / "caffeine.xyz").stdout)
 
+    def test_one_neck_is_not_told_of_as_several(self):
+        said = self.run_morskin("info", MOLECULES / "two_balls.xyzr").stdout.decode()
+        self.assertRegex(said, r"  necks       1, of radius \S+ A; it forces \d+ triangles\n")
+
     def test_waters_are_kept_when_asked(self):
         words = (MOLECULES / "9dna.pdb", "--json")
         dry = json.loads(self.run_morskin("info", *words).stdout)
