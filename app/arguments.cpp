@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/complaints.h"
 #include "app/complex_files.h"
 #include "app/features_options.h"
 #include "app/implied_command.h"
 #include "app/limits.h"
 #include "app/mesh_arguments.h"
-#include "app/nearest_option.h"
 #include "app/options.h"
 #include "app/output_names.h"
 #include "app/presets.h"
@@ -219,32 +219,6 @@ void note_unused_probe(const CLI::App& app, const AllArguments& all, const Typed
             << " has no probe, so --probe plays no part; models sas and paper have one\n";
 }
 
-/// What an option of the command that is used takes, as far as CLI11 converts it.
-std::string kind_of_value(const CLI::App& app, const std::string& name) {
-  for (const CLI::App* command : app.get_subcommands()) {
-    const CLI::Option* option = command->get_option_no_throw(name);
-    if (option == nullptr) continue;
-    if (option->get_expected_max() == 0) return "no value";
-    const std::string type = option->get_type_name();
-    if (type.starts_with("INT") || type.starts_with("UINT")) return "a whole number";
-  }
-  return "a number";
-}
-
-/// What CLI11 says; of a value that it cannot convert it would not say what is wrong.
-std::string complaint(const CLI::App& app, const CLI::Error& error) {
-  constexpr std::string_view unread = "Could not convert: ", is = " = ";
-  const std::string text = error.what();
-  const std::size_t end = text.find(is);
-  if (!text.starts_with(unread) || end == std::string::npos) return text;
-  const std::string name = text.substr(unread.size(), end - unread.size());
-  const std::string value = text.substr(end + is.size());
-  const std::string kind = kind_of_value(app, name);
-  const bool has_comma = kind == "a number" && value.find(',') != std::string::npos;
-  return name + " takes " + kind + ", not " + value +
-         (has_comma ? "; decimals follow a point" : "");
-}
-
 /// The last words of a complaint: where the options of the command are explained.
 std::string help_hint(const CLI::App& app, std::string command) {
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -261,15 +235,7 @@ Arguments parse_arguments(int count, const char* const* words) {
 Arguments parse_arguments(int count, const char* const* words, const std::string& command) {
   CLI::App app("", "morskin");
   app.failure_message([&command](const CLI::App* parser, const CLI::Error& error) {
-    std::string meant;
-    if (std::string_view(error.what()).starts_with("--model: ")) {
-      meant = "; the model of a file that has several is --model-number";
-    }
-    for (const std::string& word : parser->remaining(true)) {
-      const std::optional<std::string> option = nearest_option(*parser, word);
-      if (option) meant += "; " + word + " is no option, did you mean " + *option + "?";
-    }
-    return "morskin: " + complaint(*parser, error) + meant + help_hint(*parser, command);
+    return "morskin: " + complaint(*parser, error) + help_hint(*parser, command);
   });
   AllArguments all;
   Typed typed;

@@ -60,6 +60,8 @@ class Failures(CommandTest):
             said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, "1", code=2).stderr
             self.assertNotIn(b"did you mean", said, word)
         self.assertIn(b"did you mean --help?", self.run_morskin("--hlep", code=2).stderr)
+        said = self.run_morskin("info", self.ring, "--void", "drop", "b", code=2).stderr
+        self.assertIn(b"were not expected: --void drop b; --void is no option, did", said)
         self.assertEqual(self.names(), [])
 
     def test_a_value_that_cannot_be_converted_is_told_so(self):

@@ -1,0 +1,62 @@
+#include "app/complaints.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/nearest_option.h"
+
+namespace morskin::app {
+namespace {
+
+/// What an option of the command that is used takes, as far as CLI11 converts it.
+std::string kind_of_value(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    if (option == nullptr) continue;
+    if (option->get_expected_max() == 0) return "no value";
+    const std::string type = option->get_type_name();
+    if (type.starts_with("INT") || type.starts_with("UINT")) return "a whole number";
+  }
+  return "a number";
+}
+
+/// Of "Could not convert: NAME = VALUE", what is wrong; any other text as it is.
+std::string about_value(const CLI::App& app, const std::string& text) {
+  constexpr std::string_view unread = "Could not convert: ", is = " = ";
+  const std::size_t end = text.find(is);
+  if (!text.starts_with(unread) || end == std::string::npos) return text;
+  const std::string name = text.substr(unread.size(), end - unread.size());
+  const std::string value = text.substr(end + is.size());
+  const std::string kind = kind_of_value(app, name);
+  const bool has_comma = kind == "a number" && value.find(',') != std::string::npos;
+  return name + " takes " + kind + ", not " + value +
+         (has_comma ? "; decimals follow a point" : "");
+}
+
+std::string unexpected(const std::vector<std::string>& words) {
+  std::string text = words.size() == 1 ? "The following argument was not expected:"
+                                       : "The following arguments were not expected:";
+  for (const std::string& word : words) text += " " + word;
+  return text;
+}
+
+}  // namespace
+
+std::string complaint(const CLI::App& app, const CLI::Error& error) {
+  const std::string said = error.what();
+  const std::vector<std::string> left_over = app.remaining(true);
+  const bool is_of_words = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  std::string text = is_of_words ? unexpected(left_over) : about_value(app, said);
+  if (said.starts_with("--model: ")) {
+    text += "; the model of a file that has several is --model-number";
+  }
+  for (const std::string& word : left_over) {
+    const std::optional<std::string> option = nearest_option(app, word);
+    if (option) text += "; " + word + " is no option, did you mean " + *option + "?";
+  }
+  return text;
+}
+
+}  // namespace morskin::app
