@@ -22,11 +22,24 @@ std::string kind_of_value(const CLI::App& app, const std::string& name) {
   return "a number";
 }
 
+/// Of "NAME: Value VALUE not in range ...", where every range is one of whole numbers, whether the
+/// value is one; any other text as it is.
+std::string about_range(const std::string& text) {
+  constexpr std::string_view given = ": Value ", digits = "0123456789";
+  const std::size_t name_end = text.find(given), end = text.find(" not in range ");
+  if (name_end == std::string::npos || end == std::string::npos) return text;
+  const std::size_t begin = name_end + given.size();
+  const std::string value = text.substr(begin, end - begin);
+  const bool is_whole =
+      value.find_first_not_of(digits, value.starts_with('-')) == std::string::npos;
+  return is_whole ? text : text.substr(0, name_end) + " takes a whole number, not " + value;
+}
+
 /// Of "Could not convert: NAME = VALUE", what is wrong; any other text as it is.
 std::string about_value(const CLI::App& app, const std::string& text) {
   constexpr std::string_view unread = "Could not convert: ", is = " = ";
   const std::size_t end = text.find(is);
-  if (!text.starts_with(unread) || end == std::string::npos) return text;
+  if (!text.starts_with(unread) || end == std::string::npos) return about_range(text);
   const std::string name = text.substr(unread.size(), end - unread.size());
   const std::string value = text.substr(end + is.size());
   const std::string kind = kind_of_value(app, name);

@@ -67,7 +67,8 @@ class Failures(CommandTest):
     def test_a_value_that_cannot_be_converted_is_told_so(self):
         for words, told in (("-C 0,1", "a number, not 0,1; decimals follow a point;"),
                             ("--json=x", "no value, not x;"), ("--size 1A", "a number, not 1A;"),
-                            ("--fronts 1.5", "a whole number,"), ("--snapshot-at 1,x", "numbers,")):
+                            ("--fronts 1.5", "a whole number,"), ("--snapshot-at 1,x", "numbers,"),
+                            ("--threads 1.5", "a whole number, not 1.5;")):
             said = self.run_morskin("mesh", self.ring, "-o", "m.ply", *words.split(), code=2).stderr
             self.assertIn(f" takes {told}".encode(), said)
 
