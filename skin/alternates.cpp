@@ -17,10 +17,10 @@ namespace {
 // One of an atom's alternate locations.
 struct Location {
   std::size_t index;  // in the file
-  Label chain;
-  Label place;       // in the chain: the residue's number or, where it has none, its name
-  Label name;        // deuterium as hydrogen: where H and D share a site, it is one atom
-  std::size_t copy;  // files made by symmetry may repeat chain, number and letter
+  Label chain;        // or what tells its atoms from others where they have none
+  Label place;        // in the chain: the residue's number or, where it has none, its name
+  Label name;         // deuterium as hydrogen: where H and D share a site, it is one atom
+  std::size_t copy;   // files made by symmetry may repeat chain, number and letter
   const AtomRecord* record;
 
   auto residue_key() const { return std::tie(chain, place); }
@@ -42,7 +42,8 @@ Location location_of(const AtomRecord& record, std::size_t index) {
   }
   const Atom& atom = record.atom;
   const Label& place = atom.residue_number.is_empty() ? atom.residue : atom.residue_number;
-  return {index, atom.chain, place, Label(name), 0, &record};
+  const Label& part = record.segment.is_empty() ? record.assembly_chain : record.segment;
+  return {index, atom.chain.is_empty() ? part : atom.chain, place, Label(name), 0, &record};
 }
 
 // Marks the locations of all identities but each residue's best.

@@ -29,6 +29,7 @@ struct AtomRecord {
   char alternate = ' ';       ///< letter of the alternate location; blank if the atom has only one
   bool is_hetatm = false;     ///< read from a HETATM record
   Label assembly_chain = {};  ///< how assemblies call its chain: label_asym_id in mmCIF
+  Label segment = {};         ///< in PDB, which tells apart what has no chain
 };
 
 struct ParsedFile {

@@ -154,6 +154,7 @@ AtomRecord atom_on(const TextLines& lines) {
   atom.residue = Label(trimmed(columns(line, 18, 21)));  // column 21: names of four letters
   atom.residue_number = Label(trimmed(columns(line, 23, 27)));
   atom.chain = record.assembly_chain = Label(trimmed(columns(line, 22, 22)));
+  record.segment = Label(trimmed(columns(line, 73, 76)));
   atom.line = static_cast<std::uint32_t>(lines.number());
   atom.position = {take_coordinate(lines, 31), take_coordinate(lines, 39),
                    take_coordinate(lines, 47)};

@@ -149,6 +149,24 @@ TEST_CASE("two ligands without a number are two residues, each with its own alte
   CHECK(molecule.atoms[1].position.x() == 'A');
 }
 
+TEST_CASE("residues of one number without a chain are told apart by segments and by asym_ids") {
+  std::string pdb,
+      cif =
+          "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_alt_id\n"
+          "_atom_site.label_asym_id\n_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n"
+          "_atom_site.auth_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+  for (const std::string chain : {"A", "B"}) {
+    const std::string residue = chain == "A" ? "ALA" : "GLY";
+    for (const char* const letter : {"A", "B"}) {
+      pdb += "ATOM      1  CA " + std::string(letter) + residue +
+             "     5       0.000   0.000   0.000  0.50  0.00      SEG" + chain + " C\n";
+      cif += "C " + std::string(letter) + " " + chain + " ? 5 " + residue + " 0 0 0\n";
+    }
+  }
+  CHECK(parse_molecule(pdb, "a.pdb").counts.alternates == 2);
+  CHECK(parse_molecule(cif, "a.cif").counts.alternates == 2);
+}
+
 TEST_CASE("hydrogen and deuterium at one site are one atom") {
   const Molecule molecule =
       parse_molecule(pdb_line("ATOM", " H  ", 'A', "ALA", 1, 0, "  0.20  0.00           H") +
