@@ -33,9 +33,10 @@ AtomId LeastPower::nearest(const geometry::Point& x, AtomId start) const {
     return std::pair((x - p.position).squaredNorm() - p.weight, a);
   };
   auto best = rank(start);
-  for (auto before = best;; before = best) {
-    for (const AtomId a : neighbours(before.second)) best = std::min(best, rank(a));
-    if (best == before) return best.second;
+  for (;;) {
+    const AtomId here = best.second;
+    for (const AtomId a : neighbours(here)) best = std::min(best, rank(a));
+    if (best.second == here) return here;
   }
 }
 

@@ -72,3 +72,12 @@ TEST_CASE("no atom has less power than the bound, whichever few are tried, on an
   });
   CHECK(missed > 3000);
 }
+
+TEST_CASE("the walk to the nearest atom ends where no power is a number") {
+  const std::vector<WeightedPoint> points = support::ball_set(1);
+  const auto triangulation = geometry::regular_triangulation(points);
+  const skin::LeastPower powers(points, triangulation.edges);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const AtomId start = triangulation.vertices.front();
+  CHECK(powers.nearest(Point(nan, 0, 0), start) == start);
+}
