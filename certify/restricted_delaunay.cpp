@@ -86,7 +86,7 @@ std::optional<DelaunayViolation> DelaunayCheck::check(std::uint32_t t,
     return std::ranges::find(corner, v.value) == corner.end();
   };
   const std::array at{&points_[corner[0]], &points_[corner[1]], &points_[corner[2]]};
-  const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+  const Circumcircle circle = circumcircle(at);
   std::optional<SurfaceBall> ball;
   if (may_have_ball(at, circle)) {  // else counted as undecided
     // Of hostile meshes a ball may hold half the vertices: one that may be in it is enough.
@@ -150,7 +150,7 @@ std::size_t local_delaunay_violations(const LocatedMesh& on,
   const auto is_entered = [&](TriangleId t) {
     const LocatedMesh::CornerPoints corners = on.corners(triangles[t.index()]);
     const Corners at = corners;
-    const Circumcircle circle = circumcircle(at[0]->position, at[1]->position, at[2]->position);
+    const Circumcircle circle = circumcircle(at);
     if (!may_have_ball(at, circle)) return false;
     const std::optional<BallPencil> bound = ball_pencil(on.surface, at, circle);
     std::optional<SurfaceBall> ball;

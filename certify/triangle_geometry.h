@@ -34,6 +34,9 @@ inline Circumcircle circumcircle(const Point& a, const Point& b, const Point& c)
   const Vector offset = (e.squaredNorm() * f.cross(n) + f.squaredNorm() * n.cross(e)) / (2 * nn);
   return {a + offset, offset.norm(), n};
 }
+inline Circumcircle circumcircle(const Corners& p) {
+  return circumcircle(p[0]->position, p[1]->position, p[2]->position);
+}
 
 /// Whether a triangle's normal n, of any length, is within 72 degrees of the surface's at each
 /// corner.

@@ -9,6 +9,7 @@
 /// For fine triangles N at one corner proves both, as N is 1-Lipschitz. For coarse ones N at all
 /// three does, as far as they lie in one cell, where N is an isometry; others are subdivided.
 
+#include "certify/sizing.h"
 #include "certify/triangle_bounds.h"
 
 namespace morskin::certify {
@@ -43,5 +44,10 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
 /// proof. @pre the corners are where Surface::project put them
 bool expects_tube(const surface::Surface& surface, const Corners& corners,
                   const Circumcircle& circle);
+/// The same of a triangle that meets [U], which need not be looked at where that implies both.
+inline bool expects_tube(const surface::Surface& surface, const Sizing& sizing,
+                         const Corners& corners) {
+  return sizing.is_tube_proved() || expects_tube(surface, corners, circumcircle(corners));
+}
 
 }  // namespace morskin::certify

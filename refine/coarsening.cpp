@@ -113,9 +113,7 @@ double Coarsening::ear(VertexId a, VertexId b, VertexId c, double limit) const {
 }
 
 bool Coarsening::can_be_proved(VertexId a, VertexId b, VertexId c) const {
-  if (sizing_.is_tube_proved()) return true;
-  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  return expects_tube(surface_, p, circumcircle(p[0]->position, p[1]->position, p[2]->position));
+  return expects_tube(surface_, sizing_, {&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)});
 }
 
 }  // namespace morskin::refine

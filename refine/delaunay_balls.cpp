@@ -15,8 +15,7 @@ DelaunayRefinement::FacetGeometry DelaunayRefinement::geometry_of(Facet f) const
   FacetGeometry facet;
   const Triangle corners = triangle(f);
   for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = &samples_[corners[i]];
-  const auto& [a, b, c] = facet.corners;
-  facet.circle = circumcircle(a->position, b->position, c->position);
+  facet.circle = circumcircle(facet.corners);
   facet.normal = facet.circle.doubled_area.normalized();
   facet.largest = sizing_.C * sizing_.Q * sizing_.scale(min_length_scale(facet.corners));
   return facet;
@@ -93,7 +92,7 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_to_break(Facet 
   const bool is_thin = has_small_angle(facet);
   std::optional<Ball> ball = ball_of(inner, facet, is_thin);
   if (!ball || ball->ratio >= 1 || is_thin) return ball;
-  if (is_proved(facet)) return std::nullopt;
+  if (expects_tube(surface_, sizing_, facet.corners)) return std::nullopt;
   ball->keeps_off = true;
   return ball;
 }
@@ -103,12 +102,6 @@ bool DelaunayRefinement::has_small_angle(const FacetGeometry& facet) const {
   if (min_squared_sine_ == 0) return false;
   const auto& [a, b, c] = facet.corners;
   return smallest_squared_sine(a->position, b->position, c->position) < min_squared_sine_;
-}
-
-/// Whether the certificate could prove a facet that meets [U] by itself. Where C Q is too large
-/// for that to follow, facets are broken that it could not.
-bool DelaunayRefinement::is_proved(const FacetGeometry& facet) const {
-  return sizing_.is_tube_proved() || expects_tube(surface_, facet.corners, facet.circle);
 }
 
 }  // namespace morskin::refine

@@ -132,7 +132,6 @@ class DelaunayRefinement {
   void push(Facet f);
   std::optional<Ball> ball_to_break(Facet inner) const;
   std::optional<Ball> ball_of(Facet inner, const FacetGeometry& facet, bool is_exact) const;
-  bool is_proved(const FacetGeometry& facet) const;
   bool has_small_angle(const FacetGeometry& facet) const;
   Ball ball_at(const FacetGeometry& facet, double height, CellId cell, double slope) const;
   bool insert(const Ball& ball, Facet facet);

@@ -44,7 +44,7 @@ void LocalOperations::absorb(const LocalOperations& other) {
   free_slots_.insert(free_slots_.end(), other.free_slots_.begin(), other.free_slots_.end());
 }
 
-double LocalOperations::max_residual(const std::array<const SurfacePoint*, 3>& p) const {
+double LocalOperations::max_residual(const surface::Corners& p) const {
   return surface_.residual_bound(max_length_scale(p));
 }
 
@@ -55,23 +55,20 @@ LazySurfaceBall LocalOperations::ball(VertexId a, VertexId b, VertexId c) const 
 }
 
 /// Whether a triangle breaks [U], or is so coarse that the certificate could not prove it.
-bool LocalOperations::is_big(const std::array<const SurfacePoint*, 3>& p,
-                             const Circumcircle& circle) const {
-  if (sizing_.triangle_ratio(circle.radius, min_length_scale(p)) >= 1) return true;
-  return !sizing_.is_tube_proved() && !expects_tube(surface_, p, circle);
+bool LocalOperations::is_big(const surface::Corners& p) const {
+  return sizing_.triangle_ratio(circumcircle(p).radius, min_length_scale(p)) >= 1 ||
+         !expects_tube(surface_, sizing_, p);
 }
 
 bool LocalOperations::is_big(VertexId a, VertexId b, VertexId c) const {
-  const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  return is_big(p, circumcircle(p[0]->position, p[1]->position, p[2]->position));
+  return is_big({&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)});
 }
 
 /// Finds whether a triangle breaks [L] or [U].
 void LocalOperations::inspect(TriangleId t, Work& found) const {
   const auto [a, b, c] = mesh_.surface.corners(t);
   const std::array p{&mesh_.at(a), &mesh_.at(b), &mesh_.at(c)};
-  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
-  if (is_big(p, circle)) found.big.push_back(t);
+  if (is_big(p)) found.big.push_back(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (sizing_.is_too_short(*p[k], *p[k == 2 ? 0 : k + 1])) {
       found.too_short.push_back(SurfaceMesh::half_edge(t, k));

@@ -70,7 +70,7 @@ class LocalOperations {
   void inspect(TriangleId t, Work& found) const;
   LazySurfaceBall ball(VertexId a, VertexId b, VertexId c) const;
   /// |G| at the corners of a triangle is at most this, Angstrom^2.
-  double max_residual(const std::array<const SurfacePoint*, 3>& corners) const;
+  double max_residual(const surface::Corners& corners) const;
 
   std::vector<SurfaceMesh::FreeSlots>& free_slots() { return free_slots_; }
   Work& work() { return work_; }
@@ -87,7 +87,7 @@ class LocalOperations {
   void report_progress(std::size_t left);
 
   bool is_short(HalfEdgeId h) const;
-  bool is_big(const std::array<const SurfacePoint*, 3>& p, const Circumcircle& circle) const;
+  bool is_big(const surface::Corners& p) const;
   bool is_big(VertexId a, VertexId b, VertexId c) const;
   auto points() const {
     return [this](VertexId v) -> const SurfacePoint& { return mesh_.at(v); };

@@ -38,10 +38,9 @@ bool is_good(const surface::Surface& surface, const Sizing& sizing, const Mesh& 
   for (std::size_t k = 0; k < 3; ++k) {
     if (sizing.is_too_short(*p[k], *p[(k + 1) % 3])) return false;
   }
-  const Circumcircle circle = circumcircle(p[0]->position, p[1]->position, p[2]->position);
+  const Circumcircle circle = circumcircle(p);
   return sizing.triangle_ratio(circle.radius, surface::min_length_scale(p)) < 1 &&
-         is_upright(circle.doubled_area, *p[0], *p[1], *p[2]) &&
-         (sizing.is_tube_proved() || expects_tube(surface, p, circle));
+         is_upright(circle.doubled_area, *p[0], *p[1], *p[2]) && expects_tube(surface, sizing, p);
 }
 
 /// Moves the bent vertices to the means of their neighbours. Then the corners of a triangle that is

@@ -78,15 +78,13 @@ bool VertexMover::keeps_size(const SurfacePoint& x) const {
   return true;
 }
 
-/// Whether the certificate can prove the triangles around v were it at x, where [U] does not see
-/// to it.
+/// Whether the certificate can prove the triangles around v were it at x.
+/// @pre keeps_size(x)
 bool VertexMover::keeps_provable(const SurfacePoint& x) const {
-  if (sizing_.is_tube_proved()) return true;
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const SurfacePoint& p = mesh_.at(ring_[i]);
     const SurfacePoint& q = mesh_.at(ring_[(i + 1) % ring_.size()]);
-    const Circumcircle circle = circumcircle(x.position, p.position, q.position);
-    if (!expects_tube(surface_, {&x, &p, &q}, circle)) return false;
+    if (!expects_tube(surface_, sizing_, {&x, &p, &q})) return false;
   }
   return true;
 }
@@ -94,8 +92,7 @@ bool VertexMover::keeps_provable(const SurfacePoint& x) const {
 /// Whether the surface balls around v stay empty of their neighbours' corners were it at x.
 bool VertexMover::keeps_delaunay(const SurfacePoint& x) const {
   const auto ball = [this](const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
-    const Circumcircle circle = circumcircle(a.position, b.position, c.position);
-    return LazySurfaceBall(surface_, {&a, &b, &c}, circle);
+    return LazySurfaceBall(surface_, {&a, &b, &c}, circumcircle({&a, &b, &c}));
   };
   const auto is_entered = [](LazySurfaceBall& by, const SurfacePoint& p) {
     return by.intrusion(p.position).max > 0;
