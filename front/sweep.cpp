@@ -51,11 +51,10 @@ std::optional<Departure> Sweep::lowest_departure() {
   return std::nullopt;
 }
 
-/// Whether all that a fan or a closed corner at the departure vertex could add stays within the
-/// region, with a disk's radius to spare.
+/// Whether all that could be laid at the departure vertex stays within the region.
 bool Sweep::may_depart(const Departure& t) const {
   const SurfacePoint& p = mesh_.at(front_[t.corner].origin);
-  return region_.contains(p.position, 2 * disk_.radius(p.length_scale));
+  return region_.contains(p.position, disk_.working_radius(p));
 }
 
 /// The protecting sphere that a departure vertex lies in, if it has not been released.
@@ -93,8 +92,8 @@ std::size_t Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
 /// hole, and triangles over existing vertices would be far too long.
 bool Sweep::is_surrounded(CriticalId maximum) {
   const SurfacePoint& p = guide_.points[maximum.index()].point;
-  const double reach = guide_.spheres.radius(maximum) + 2 * disk_.radius(p.length_scale);
-  if (region_.contains(p.position, reach)) return true;
+  const double radius = guide_.spheres.radius(maximum) + disk_.working_radius(p);
+  if (region_.contains(p.position, radius)) return true;
   const Marks::Sides green = marks_.release(maximum);
   for (const Departure& t : green[0]) departures_.postpone(t);
   return false;

@@ -64,7 +64,7 @@ class Planner {
     return left;
   }
   bool has_room(std::size_t k, const SurfacePoint& p) const {
-    return parts[k].region.contains(p.position, 2 * disk_.radius(p.length_scale));
+    return parts[k].region.contains(p.position, disk_.working_radius(p));
   }
   const Dissection& dissection_;
   const TangentDisk& disk_;
@@ -76,7 +76,7 @@ std::optional<SurfacePoint> lowest_place(SurfacePoint x, const SweepRegion& regi
                                          const morse::MorseFunction& function,
                                          const TangentDisk& disk) {
   const auto has_room = [&](const SurfacePoint& p) {
-    return region.contains(p.position, 2 * disk.radius(p.length_scale));
+    return region.contains(p.position, disk.working_radius(p));
   };
   if (!has_room(x)) return std::nullopt;
   for (;;) {

@@ -55,6 +55,9 @@ class TangentDisk {
   /// In one direction, for the smaller length scale of centre and rim. The rim's is extrapolated
   /// from the patch of the centre.
   double radius(const SurfacePoint& centre, const Vector& direction) const;
+  /// All that a fan or a closed corner at p could add lies this near, Angstrom, with a disk's
+  /// radius to spare.
+  double working_radius(const SurfacePoint& p) const { return 2 * radius(p.length_scale); }
   /// The rim's point in one direction, projected to the surface; nothing where that fails.
   std::optional<SurfacePoint> rim_point(const SurfacePoint& centre, const Vector& direction) const;
   std::optional<SurfacePoint> projected(const Point& x, geometry::CellId hint) const {
