@@ -4,16 +4,15 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/predicates.h"
 #include "geometry/run.h"
+#include "geometry/unfilled.h"
 
 namespace morskin::geometry {
 
@@ -157,28 +156,11 @@ class Triangulator {
   Facet turn_to_rim(Facet rim, std::size_t exit) const;
   std::uint32_t allocate(Worker& worker);
 
-  /// New elements stay as they are in memory: zeros in so many would take time.
-  template <class T>
-  struct Untouched : std::allocator<T> {
-    template <class U>
-    struct rebind {
-      using other = Untouched<U>;
-    };
-    template <class U>
-    void construct(U* p) {
-      ::new (static_cast<void*>(p)) U;
-    }
-    template <class U, class... Arguments>
-    void construct(U* p, Arguments&&... arguments) {
-      ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
-    }
-  };
-
   int dimension_ = -1;
   std::size_t atom_count_ = 0;
-  std::vector<StoredPoint> points_;  // in the order of insertion, then the apexes
-  std::vector<AtomId> ids_;          // of the same
-  std::vector<Tetrahedron, Untouched<Tetrahedron>> tetrahedra_;
+  std::vector<StoredPoint> points_;         // in the order of insertion, then the apexes
+  std::vector<AtomId> ids_;                 // of the same
+  UnfilledVector<Tetrahedron> tetrahedra_;  // filled when taken: so many zeros would take time
   std::vector<State> states_;
   std::vector<std::uint8_t> regions_;  // the smallest of each; current while several are at work
   Worker all_;                         // of all of space
