@@ -8,7 +8,6 @@
 ///
 /// so that the component covers its part of the skin once.
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>

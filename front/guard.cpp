@@ -1,6 +1,5 @@
 // The collision guard: what the front allows, in the tangent plane of the departure vertex.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

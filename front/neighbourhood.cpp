@@ -1,6 +1,5 @@
 #include "front/neighbourhood.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

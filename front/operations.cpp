@@ -1,6 +1,5 @@
 // The operations of section 4.1: creation, creep, wing, bridge, seal.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "geometry/surface_mesh.h"
 
-#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/last_visit.h"

@@ -1,6 +1,5 @@
 #include "morse/cell_contact.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

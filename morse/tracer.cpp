@@ -1,6 +1,5 @@
 #include "morse/tracer.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,7 +1,6 @@
 // The tracer where there is no closed form: Runge-Kutta steps, shortened to end at a cell wall, on
 // a level or in a capture disc.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
