@@ -35,7 +35,7 @@ void Sweep::sweep_on() {
   creep_triangles();
   release_red_marks();
   creep_triangles();
-  for (const CriticalId maximum : marks_.release_all(2)) {
+  for (const CriticalId maximum : marks_.release_all(Marks::maximum)) {
     if (is_surrounded(maximum)) seal(maximum);
   }
   creep_triangles();

@@ -18,7 +18,8 @@ using morse::CriticalId;
 /// Takes the space of those that the front has come to.
 class Marks {
  public:
-  using Sides = std::array<std::vector<Departure>, 2>;  ///< green marks are on the first
+  using Sides = std::array<std::vector<Departure>, 2>;   ///< green marks are on the first
+  static constexpr std::size_t saddle = 1, maximum = 2;  ///< indices of critical points
 
   explicit Marks(const std::vector<morse::CriticalPoint>& points) : points_(points) {}
 
@@ -42,11 +43,11 @@ class Marks {
     return std::exchange(sphere.sides, {});
   }
   /// No sphere about a point of this index counts from now on. @return those that may hold marks
-  std::vector<CriticalId> release_all(int index) {
-    are_all_released_[static_cast<std::size_t>(index)] = true;
+  std::vector<CriticalId> release_all(std::size_t index) {
+    are_all_released_[index] = true;
     std::vector<CriticalId> met;
     for (const auto& [c, sphere] : spheres_) {
-      if (points_[c.index()].index == index) met.push_back(c);
+      if (index_of(c) == index) met.push_back(c);
     }
     return met;
   }
@@ -62,7 +63,6 @@ class Marks {
   }
 
  private:
-  static constexpr std::size_t saddle = 1, maximum = 2;
   struct Sphere {
     Sides sides;
     bool is_released = false;

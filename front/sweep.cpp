@@ -121,7 +121,7 @@ void Sweep::done(Operation operation) const {
 /// A saddle reached from one side only, both branches having met elsewhere, stops the front no
 /// longer (E18).
 void Sweep::release_red_marks() {
-  for (const CriticalId saddle : marks_.release_all(1)) {
+  for (const CriticalId saddle : marks_.release_all(Marks::saddle)) {
     for (const auto& side : marks_.release(saddle)) departures_.put_back(side);
   }
 }
