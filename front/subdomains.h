@@ -25,7 +25,7 @@ inline constexpr std::size_t max_subdomains = 1 << 16;
 
 /// Sweeps subdomains, each for itself, then what is left bare between two neighbours, and so on up
 /// to the whole. The mesh depends on their number, but on no number of threads.
-/// @param subdomains  how many, up to max_subdomains; of what is no power of two the next below
+/// @param subdomains  how many, 1 to max_subdomains; of what is no power of two the next below
 SweepResult sweep_subdomains(const surface::Surface& surface, const morse::Guide& guide,
                              const SweepOptions& options = {},
                              const std::optional<CoarseningOptions>& coarsening = {},
