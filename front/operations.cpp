@@ -8,12 +8,6 @@
 
 namespace morskin::front {
 
-namespace {
-
-constexpr double sixty_degrees = M_PI / 3;
-
-}  // namespace
-
 /// Creation: lays a bowl of six triangles, at a minimum as a rule, unless another bowl is so near
 /// that its front will run over it.
 void Sweep::create(const SurfacePoint& p0) {

@@ -10,6 +10,8 @@
 
 namespace morskin::front {
 
+inline constexpr double sixty_degrees = M_PI / 3;
+
 /// Where new vertices go, in units of the tangent disk's radius r_a (section 4.2).
 struct Spacing {
   double disk_share = 0.87;  ///< r_a over its upper bound; papers/4.2-curvature-adaptation.md
@@ -33,7 +35,6 @@ struct Spacing {
 
   /// The number of sectors of a fan that fills a bare angle, as a whole number.
   double sectors(double angle) const {
-    constexpr double sixty_degrees = M_PI / 3;
     return rounds_up ? std::ceil(angle / sixty_degrees) : std::round(angle / sixty_degrees);
   }
 };
