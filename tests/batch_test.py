@@ -35,6 +35,14 @@ class Rows(Batch):
                          [triangles[0], triangles[2], triangles[4]])
         self.assertEqual(summary["triangles"]["sum"], sum(triangles))
 
+    def test_the_summary_rounds_no_number_of_the_rows(self):
+        self.chains(3)
+        memory = self.batch("in", "-o", "out", *COARSE)["peak_memory_bytes"]
+        lines = (self.folder / "out/rows.jsonl").read_text().splitlines()
+        values = sorted(json.loads(line)["peak_memory_bytes"] for line in lines)
+        self.assertEqual([memory[k] for k in ("least", "median", "most")], values)
+        self.assertEqual(memory["sum"], sum(values))
+
     def test_a_shard_without_molecules_has_a_line_of_counts_and_no_table(self):
         self.chains(1)
         done = self.run_morskin("batch", "in", "-o", "out", "--shard", "2/3")

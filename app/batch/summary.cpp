@@ -62,8 +62,8 @@ std::string json_text(const BatchSummary& summary) {
     if (values.empty()) continue;
     ordered_json& of_it = json[measures[i]];
     of_it["count"] = values.size();
-    of_it["sum"] = rounded(sum(values));
-    for (const auto& [name, share] : quantiles) of_it[name] = rounded(quantile(values, share));
+    of_it["sum"] = sum(values);
+    for (const auto& [name, share] : quantiles) of_it[name] = quantile(values, share);
   }
   return strict_json(json);
 }
