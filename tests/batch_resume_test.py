@@ -205,6 +205,15 @@ class Resume(Batch):
             names = sorted(p.name for p in (self.folder / "out").iterdir())
             self.assertEqual(names, ["rows.jsonl"])
 
+    def test_two_signals_in_turn_leave_nothing_unfinished_either(self):
+        self.chains(4, balls=400)
+        run = self.started("in", "-o", "out", "-C", "0.03")
+        self.first_workers(run)
+        for number in (signal.SIGSTOP, signal.SIGTERM, signal.SIGHUP, signal.SIGCONT):
+            run.send_signal(number)
+        self.assertIn(run.wait(), (-signal.SIGTERM, -signal.SIGHUP))
+        self.assertEqual(os.listdir(self.folder / "out"), ["rows.jsonl"])
+
     def test_a_folder_that_is_removed_meanwhile_ends_the_run_in_words(self):
         self.chains(4, balls=400)
         run = subprocess.Popen([morskin(), "batch", "in", "-o", "out", "-C", "0.05", "-q"],

@@ -63,6 +63,10 @@ Children::~Children() {
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
   }
+  // Another one that asks for the end would come before the caller has cleared away.
+  constexpr timespec at_once{};
+  while (::sigtimedwait(&waited_for_, nullptr, &at_once) > 0) {
+  }
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 

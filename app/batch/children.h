@@ -28,7 +28,7 @@ class Children {
   Children();
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
-  /// Ends those that run.
+  /// Ends those that run. Signals that still wait are spent.
   ~Children();
 
   /// Exit code of a child that did not become this program: there is no space for the file of its
