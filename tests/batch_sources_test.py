@@ -151,10 +151,13 @@ class Sources(Batch):
         names = self.chains(1)
         (self.folder / "in/gone.xyzr").symlink_to("nowhere.xyzr")
         (self.folder / "in/gone.txt").symlink_to("nowhere.txt")
+        for ring in ("ring.xyzr", "ring.txt"):
+            (self.folder / "in" / ring).symlink_to(ring)
         (self.folder / "in/folder.xyzr").mkdir()
         self.batch("in", "-o", "out", *COARSE)
         self.assertEqual({name: row["status"] for name, row in self.rows().items()},
-                         dict.fromkeys(names, "ok") | {"gone.xyzr": "unreadable"})
+                         dict.fromkeys(names, "ok") |
+                         dict.fromkeys(("gone.xyzr", "ring.xyzr"), "unreadable"))
 
     def test_a_name_too_long_for_its_output_is_refused_before_anything_is_made(self):
         self.chains(1)

@@ -52,10 +52,11 @@ std::vector<BatchInput> in_folder(const path& folder, const std::string& only) {
     for (Iterator i(folder), end; i != end; ++i) {
       at = i->path();
       const bool is_hidden = i->path().filename().string().starts_with('.');
-      if (i->is_directory() && is_hidden) i.disable_recursion_pending();
+      std::error_code ignored;  // of a link in a ring
+      if (i->is_directory(ignored) && is_hidden) i.disable_recursion_pending();
       // A link that leads nowhere gets a row, or its molecule would pass for made.
-      const bool leads_nowhere = !i->exists();
-      if (!(i->is_regular_file() || leads_nowhere) || !is_taken(i->path(), only)) continue;
+      const bool leads_nowhere = !i->exists(ignored);
+      if (!(i->is_regular_file(ignored) || leads_nowhere) || !is_taken(i->path(), only)) continue;
       inputs.push_back({i->path().lexically_relative(folder).string(), i->path()});
     }
   } catch (const std::filesystem::filesystem_error& error) {
