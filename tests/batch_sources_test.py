@@ -26,6 +26,7 @@ class Sources(Batch):
         for ending in ("", ".gz", ".xz"):
             with tarfile.open(self.folder / f"in.tar{ending}", "w:" + ending[1:]) as archive:
                 archive.add(self.folder / "in", arcname=".")
+        (self.folder / "in/bare").symlink_to("nowhere")
         ways = [["list.txt"], ["-"], ["in/b*/*.gz", "in/*.xyzr"], ["in.tar"],
                 ["in.tar.gz"], ["in.tar.xz"], listed.split()]
         for number, words in enumerate(ways):

@@ -270,11 +270,16 @@ int close(int number) {
             self.folder.chmod(0o755)
             options = {"user": 65534, "group": 65534, "extra_groups": []}
         closed.chmod(0)
-        done = subprocess.run([program, "batch", "in", "-o", "out"], cwd=self.folder,
-                              capture_output=True, check=False, **options)
-        closed.chmod(0o755)
-        self.assertEqual(done.returncode, 3)
-        self.assertIn(b"morskin: in/closed: Permission denied", done.stderr)
+        self.addCleanup(closed.chmod, 0o755)
+        (self.folder / "in/open").mkdir()
+        self.input("in/open/one.xyzr", "0 0 0 1")
+        complaints = [("in", b"in/closed: Permission denied"),
+                      ("in/*/*.xyzr", b"in/*/*.xyzr: a folder that may fit cannot be read")]
+        for word, complaint in complaints:
+            done = subprocess.run([program, "batch", word, "-o", "out"], cwd=self.folder,
+                                  capture_output=True, check=False, **options)
+            self.assertEqual(done.returncode, 3)
+            self.assertIn(b"morskin: " + complaint, done.stderr)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <string_view>
 #include <unordered_map>
@@ -82,7 +83,10 @@ std::vector<BatchInput> in_archive(const path& file, const std::string& only) {
   return inputs;
 }
 
-/// @throws UnreadableInput  there are none: a slip more often than a wish
+/// Whether ::glob ends at such an error. A link that leads nowhere holds nothing.
+int ends_search(const char*, int error) { return error != ENOENT && error != ELOOP ? 1 : 0; }
+
+/// @throws UnreadableInput  there are none: a slip more often than a wish; or some cannot be seen
 std::vector<BatchInput> fitting(const std::string& pattern) {
   // Relative to the last folder before the first wildcard.
   const std::size_t slash = pattern.substr(0, pattern.find_first_of("*?[")).rfind('/');
@@ -91,7 +95,12 @@ std::vector<BatchInput> fitting(const std::string& pattern) {
   const auto free = [](glob_t* result) { ::globfree(result); };
   const std::unique_ptr<glob_t, decltype(free)> owner(&found, free);
   std::vector<BatchInput> inputs;
-  const bool is_found = ::glob(pattern.c_str(), 0, nullptr, &found) == 0;
+  const int outcome = ::glob(pattern.c_str(), 0, ends_search, &found);
+  if (outcome == GLOB_ABORTED) {
+    throw geometry::UnreadableInput(pattern + ": a folder that may fit cannot be read; make it " +
+                                    "readable or take another pattern");
+  }
+  const bool is_found = outcome == 0;
   for (std::size_t i = 0; is_found && i < found.gl_pathc; ++i) {
     const path file = found.gl_pathv[i];
     std::error_code ignored;
