@@ -48,6 +48,12 @@ class Resume(Batch):
         os.mkfifo(self.folder / "out/rows.jsonl")
         self.assertIn("no regular file", self.batch("in", "-o", "out", *COARSE, code=7))
 
+    def test_a_copy_of_the_rows_beside_them_does_not_count(self):
+        self.chains(2)
+        self.batch("in", "-o", "out", *COARSE)
+        (self.folder / "out/rows.jsonl").rename(self.folder / "out/rows-old.jsonl")
+        self.assertEqual(self.batch("in", "-o", "out", *COARSE)["made"], 2)
+
     def test_a_torn_row_and_a_file_without_a_row_are_made_again(self):
         self.chains(3)
         self.batch("in", "-o", "out", *COARSE)

@@ -1,6 +1,7 @@
 #include "app/batch/rows.h"
 
 #include <fcntl.h>
+#include <fnmatch.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -41,7 +42,9 @@ std::vector<std::filesystem::path> row_files(const std::filesystem::path& folder
     const std::string name = entry.path().filename().string();
     std::error_code ignored;
     if (!entry.is_regular_file(ignored)) continue;  // a pipe would be waited for
-    if (name.starts_with("rows") && name.ends_with(".jsonl")) files.push_back(entry.path());
+    if (name == rows_name({}) || ::fnmatch("rows-*-of-*.jsonl", name.c_str(), 0) == 0) {
+      files.push_back(entry.path());
+    }
   }
   return files;
 }
