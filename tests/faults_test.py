@@ -190,6 +190,11 @@ int close(int number) {
         self.assertEqual((self.folder / "out.ply").read_bytes(), self.old)
         self.run_morskin("mesh", self.ring, "-o", "new.ply", env=strict)  # which has none to keep
 
+    def test_a_batch_says_that_the_system_grants_no_more_processes(self):
+        alone = self.in_place_of_the_system("int fork(void) { errno = EAGAIN; return -1; }")
+        done = self.run_morskin("batch", self.ring, "-o", "out", code=6, env=alone)
+        self.assertIn(b"no worker could be started: Resource temporarily", done.stderr)
+
     def test_of_two_writers_of_one_file_one_wins(self):
         other = self.input("other.xyzr", (MOLECULES / "two_balls.xyzr").read_bytes())
         whole = [self.mesh_bytes(molecule)[0] for molecule in (self.ring, other)]

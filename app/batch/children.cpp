@@ -10,13 +10,10 @@
 #include <system_error>
 
 #include "app/interruption.h"
+#include "geometry/error.h"
 
 namespace morskin::app {
 namespace {
-
-[[noreturn]] void fail(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
 
 void redirect(int stream, const char* file, int flags) {
   const int opened = ::open(file, flags, 0666);
@@ -78,7 +75,11 @@ pid_t Children::start(const std::vector<std::string>& words, const std::filesyst
   pointers.push_back(nullptr);
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
-  if (child < 0) fail("starting a worker");
+  if (child < 0) {
+    throw geometry::LimitReached(
+        "no worker could be started: " + std::generic_category().message(errno) +
+        "; take fewer --workers, or see ulimit -u");
+  }
   if (child == 0) become(pointers.data(), errors.c_str(), parent);
   running_.push_back(child);
   return child;
@@ -89,7 +90,9 @@ std::optional<EndedChild> Children::next_ended() {
     int status = 0;
     rusage used{};
     const pid_t child = ::wait4(-1, &status, WNOHANG, &used);
-    if (child < 0) fail("waiting for a worker");
+    if (child < 0) {
+      throw std::system_error(errno, std::generic_category(), "waiting for a worker");
+    }
     // A process may inherit children from the program that it replaced, or be everyone's heir as
     // the first one of a container.
     if (child > 0 && std::erase(running_, child) == 0) continue;

@@ -37,6 +37,7 @@ class Children {
 
   /// Runs this very program with the words as its arguments.
   /// @param errors  the file for what it says on standard error
+  /// @throws geometry::LimitReached  the system grants no more processes
   pid_t start(const std::vector<std::string>& words, const std::filesystem::path& errors);
 
   /// Waits for one of these children to end; nothing if one of the end_signals came first.
