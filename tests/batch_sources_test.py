@@ -58,6 +58,16 @@ class Sources(Batch):
         both = ("in/chain00.xyzr", "./in/chain00.xyzr")
         self.assertIn("are the same file", self.batch(*both, "-o", "out", code=2))
 
+    def test_a_name_that_an_archive_has_twice_and_an_archive_given_twice_are_called_so(self):
+        self.chains(1)
+        with tarfile.open(self.folder / "in.tar", "w") as archive:
+            archive.add(self.folder / "in/chain00.xyzr", arcname="a.xyzr")
+        twice = "a.xyzr in in.tar is there twice"
+        self.assertIn(twice, self.batch("in.tar", "in.tar", "-o", "out", code=2))
+        with tarfile.open(self.folder / "in.tar", "a") as archive:
+            archive.add(self.folder / "in/chain00.xyzr", arcname="a.xyzr")
+        self.assertIn(twice, self.batch("in.tar", "-o", "out", code=2))
+
     def test_a_torn_archive_is_unreadable(self):
         self.chains(3)
         with tarfile.open(self.folder / "in.tar.gz", "w:gz") as archive:

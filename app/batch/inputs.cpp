@@ -136,9 +136,12 @@ std::string place_of(const BatchInput& input) {
   return (input.is_in_archive ? input.name + " in " : "") + input.file.string();
 }
 
-/// @throws UsageError  for one file under two names
+/// @throws UsageError  for one file under two names, and for one name twice in one archive
 void check_given_once(const BatchInput& a, const BatchInput& b) {
   std::error_code ignored;
+  if (a.is_in_archive && b.is_in_archive && place_of(a) == place_of(b)) {
+    throw UsageError(place_of(a) + " is there twice; leave one out, of the archive or of LIST");
+  }
   if (a.is_in_archive || b.is_in_archive) return;
   if (!std::filesystem::equivalent(a.file, b.file, ignored)) return;
   throw UsageError(place_of(a) + " and " + place_of(b) + " are the same file; leave one out");
