@@ -234,6 +234,13 @@ class Ends(unittest.TestCase):
             self.assertEqual((code, out), (2, ""))
         self.assertIn("is a folder: name a file, as prediction.md", said.getvalue())
 
+    def test_a_file_for_the_folder_of_results_is_a_wrong_argument(self):
+        self.table.write_text("earlier", encoding="utf-8")
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said):
+            self.assertEqual(self.code_of(reproduce), (2, ""))
+        self.assertIn("is a file: name a folder", said.getvalue())
+
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
         for script in (batch, densities, features, replay, ses_like, subdomains):
