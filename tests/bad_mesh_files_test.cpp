@@ -109,7 +109,8 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
                 "vertex 0 has a coordinate that is not finite");
   check_refused(start + "1" + middle + faces + "0 0 0\n3 0 0 1\n", "a.ply",
                 "corner 1 but there are only 1");
-  check_refused(start + "1" + middle + faces + "0 0 0\n3 0 0 -1\n", "a.ply", "a.ply:11:");
+  check_refused(start + "1" + middle + faces + "0 0 0\n3 0 0 -1\n", "a.ply",
+                "a.ply:11: -1 is no corner or count");
   check_refused(start + "1" + middle + faces + "0 0 x\n3 0 0 0\n", "a.ply",
                 "a.ply:10: \"x\" is no number");
   check_refused(start + "1" + middle + "end_header\n0 0\n", "a.ply", "too");

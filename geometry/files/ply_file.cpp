@@ -42,7 +42,7 @@ template <class Body>
 std::uint32_t take_whole(Body& body, PlyScalar type) {
   const double value = body.take(type);
   if (!(value >= 0 && value <= max_vertices) || value != std::floor(value)) {
-    throw UnreadableInput(body.location() + ": " + std::to_string(value) +
+    throw UnreadableInput(body.location() + ": " + in_digits(value, 12) +
                           " is no corner or count; write the mesh again");
   }
   return static_cast<std::uint32_t>(value);
