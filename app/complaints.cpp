@@ -22,12 +22,21 @@ std::string kind_of_value(const CLI::App& app, const std::string& name) {
   return "a number";
 }
 
+/// Of "NAME: At Most 1 required but received N" and "NAME: 1 required TYPE missing", what is wrong;
+/// any other text as it is.
+std::string about_count(const std::string& text) {
+  const std::string name = text.substr(0, text.find(": "));
+  if (text.starts_with(name + ": At Most 1 required")) return name + " is given more than once";
+  const bool lacks_value = text.starts_with(name + ": 1 required ") && text.ends_with(" missing");
+  return lacks_value ? name + " wants a value" : text;
+}
+
 /// Of "NAME: Value VALUE not in range ...", where every range is one of whole numbers, whether the
 /// value is one; any other text as it is.
 std::string about_range(const std::string& text) {
   constexpr std::string_view given = ": Value ", digits = "0123456789";
   const std::size_t name_end = text.find(given), end = text.find(" not in range ");
-  if (name_end == std::string::npos || end == std::string::npos) return text;
+  if (name_end == std::string::npos || end == std::string::npos) return about_count(text);
   const std::size_t begin = name_end + given.size();
   const std::string value = text.substr(begin, end - begin);
   const bool is_whole =

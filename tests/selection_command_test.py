@@ -18,6 +18,13 @@ class Selections(CommandTest):
     def complaint(self, *words, code, file="two.pdb"):
         return self.run_morskin("info", file, *words, code=code).stderr.decode()
 
+    def test_an_option_without_its_value_or_given_twice_is_told_so(self):
+        for words, told in (("--chain A --chain B", "--chain is given more than once"),
+                            ("-C 0.1 -C 0.1", "-C is given more than once"),
+                            ("--radii", "--radii wants a value"), ("--probe", "--probe wants a")):
+            said = self.run_morskin("mesh", "a.pdb", "-o", "m.ply", *words.split(), code=2).stderr
+            self.assertIn(f"morskin: {told}".encode(), said)
+
     def test_each_option_leaves_out_what_it_says_and_counts_it(self):
         whole = self.info()
         self.assertEqual((whole["atoms"], whole["skipped"]), (5, 2))
