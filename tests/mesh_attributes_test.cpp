@@ -8,6 +8,7 @@
 #include <ranges>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "geometry/files/mesh_files.h"
 #include "geometry/mesh_shape.h"
@@ -42,7 +43,7 @@ void for_vertices(unsigned skins, Check check) {
 }
 
 const geometry::Attribute& named(const std::vector<geometry::Attribute>& all,
-                                 const std::string& name) {
+                                 std::string_view name) {
   const auto found = std::ranges::find(all, name, &geometry::Attribute::name);
   REQUIRE(found != all.end());
   return *found;

@@ -112,7 +112,7 @@ class Errors(ModuleTest):
                         call(**{name: value})
                     self.assertEqual(str(caught.exception), f"{name} must be {kind}, not {value!r}")
         for value, text in ((2**63, str(2**63)), (np.zeros((9, 9)), r"array\(\[\[0\..{1,30}"),
-                            (np.float32(2.5), r"\D*2\.5\)?"), (Decimal("2.5"), ".*'2.5'.")):
+                            (np.float32(2.5), r".*2\.5\)?"), (Decimal("2.5"), ".*'2.5'.")):
             with self.assertRaisesRegex(TypeError, f"^fronts must be a .* or None, not {text}$"):
                 skin.mesh(fronts=value)
         for name, call in (("simplify", skin.morse_smale), ("allow_uncertified", skin.mesh)):
@@ -250,7 +250,7 @@ class Errors(ModuleTest):
         if shutil.which("localedef"):
             subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", german], check=False,
                            capture_output=True)
-        if not german.exists():
+        if not (german / "LC_NUMERIC").exists():
             self.skipTest("no German locale can be made")
         said = self.python("""
 import locale, sys
