@@ -32,7 +32,7 @@ std::string about_count(const std::string& text) {
 }
 
 /// Of "NAME: Value VALUE not in range ...", where every range is one of whole numbers, whether the
-/// value is one; any other text as it is.
+/// value is one; any other text as about_count() has it.
 std::string about_range(const std::string& text) {
   constexpr std::string_view given = ": Value ", digits = "0123456789";
   const std::size_t name_end = text.find(given), end = text.find(" not in range ");
@@ -44,7 +44,7 @@ std::string about_range(const std::string& text) {
   return is_whole ? text : text.substr(0, name_end) + " takes a whole number, not " + value;
 }
 
-/// Of "Could not convert: NAME = VALUE", what is wrong; any other text as it is.
+/// Of "Could not convert: NAME = VALUE", what is wrong; any other text as about_range() has it.
 std::string about_value(const CLI::App& app, const std::string& text) {
   constexpr std::string_view unread = "Could not convert: ", is = " = ";
   const std::size_t end = text.find(is);
