@@ -91,11 +91,11 @@ bench-compare: command  ## time this build and that of BASE=<commit> in turns (s
 	@test -n "$(BASE)" || { echo "make bench-compare BASE=COMMIT, as in BASE=HEAD~1"; exit 2; }
 	python3 bench/compare.py $(BASE) --molecules $(MOLECULES) --jobs $(JOBS) $(COMPARE)
 
-guard: command  ## fail if instructions or memory are 5 % above the record (see bench/guard.py --help)
+guard: command  ## fail if instructions or heap are 5 % above the record (see bench/guard.py --help)
 	@cmake/install_packages.sh cmake/guard_packages.txt
 	python3 bench/guard.py --check
 
-guard-record: command  ## record instructions and memory anew, in bench/guard.json
+guard-record: command  ## record instructions and heap anew, in bench/guard.json
 	@cmake/install_packages.sh cmake/guard_packages.txt
 	python3 bench/guard.py --record
 

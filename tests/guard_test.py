@@ -11,7 +11,7 @@ sys.path.insert(0, str(ROOT / "bench"))
 import guard  # noqa: E402  (from bench)
 
 MADE_WITH = {"architecture": "x86_64", "compiler": "g++ 12", "c_library": "glibc 2.36"}
-RECORDED = {"caffeine.xyz": {"instructions": 1_000_000, "peak_memory_bytes": 200_000}}
+RECORDED = {"caffeine.xyz": {"instructions": 1_000_000, "peak_heap_bytes": 200_000}}
 
 
 def findings(share=guard.BOUND, **figures):
@@ -27,9 +27,9 @@ class Figures(unittest.TestCase):
             self.assertIn(words, found.text)
 
     def test_more_memory_fails_while_the_instructions_are_as_recorded(self):
-        found = findings(instructions=1_000_000, peak_memory_bytes=211_000)
+        found = findings(instructions=1_000_000, peak_heap_bytes=211_000)
         self.assertEqual([f.fails for f in found], [False, True])
-        self.assertIn("peak_memory_bytes", found[1].text)
+        self.assertIn("peak_heap_bytes", found[1].text)
 
     def test_a_figure_at_the_bound_passes_without_a_remark(self):
         for now in (1_050_000, 1_000_000, 950_000):
@@ -53,6 +53,16 @@ class Figures(unittest.TestCase):
         (found,) = findings(guard.WIDE_BOUND, instructions=2_000_000)
         self.assertTrue(found.fails)
         self.assertIn("above +25%", found.text)
+
+
+class Profiles(unittest.TestCase):
+    def test_the_total_is_of_the_line_that_says_so(self):
+        self.assertEqual(guard.total_instructions("summary: 7\ntotals: 12\n"), 12)
+
+    def test_the_peak_is_of_the_largest_snapshot_not_of_the_last(self):
+        snapshots = "".join(f"snapshot={i}\nmem_heap_B={size}\nmem_heap_extra_B=9000\n"
+                            for i, size in enumerate([0, 5000, 300]))
+        self.assertEqual(guard.peak_heap_bytes(snapshots), 5000)
 
 
 class Bounds(unittest.TestCase):
